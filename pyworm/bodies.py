@@ -1,0 +1,31 @@
+"""The solids in contact: elastic and thermal constants."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Body:
+    """One of the two solids.
+
+    Attributes
+    ----------
+    youngs_modulus : float
+        Young's modulus [Pa].
+    poisson_ratio : float
+        Poisson's ratio [-].
+    density, conductivity, specific_heat : float or None
+        Density [kg/m3], thermal conductivity [W/(m K)] and specific heat [J/(kg K)];
+        needed only where heat is simulated.
+    """
+
+    youngs_modulus: float
+    poisson_ratio: float
+    density: float | None = None
+    conductivity: float | None = None
+    specific_heat: float | None = None
+
+
+def reduced_modulus(body_1: Body, body_2: Body) -> float:
+    """Reduced modulus E' [Pa], 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Dowson and Higginson)."""
+    compliance = sum((1 - body.poisson_ratio**2) / body.youngs_modulus for body in (body_1, body_2))
+    return 2 / compliance

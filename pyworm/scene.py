@@ -1,0 +1,111 @@
+"""A scene: one lubricated contact at one instant, and all that the solver may know of it.
+
+The tangent plane carries x and y with their origin at the contact point; z points from body 1 to body 2.
+Velocities are those of the surfaces relative to the (moving) contact point, projected on the plane.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.bodies import Body, reduced_modulus
+from pyworm.oils import Oil
+
+Array = np.ndarray
+Gap = Callable[[Array, Array], tuple[Array, Array]]
+"""(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
+
+The gap is finite everywhere: outside the teeth it continues the surfaces, since oil still flows there."""
+
+Motion = Callable[[Array, Array], tuple[Array, Array]]
+"""(x, y) [m] -> velocity components (u, v) [m/s] of one surface."""
+
+
+@dataclass(frozen=True)
+class Paraboloid:
+    """The gap x^2 / 2 Rx + y^2 / 2 Ry without edges.
+
+    Attributes
+    ----------
+    radius_x, radius_y : float
+        Relative radii of curvature along x and y [m].
+    """
+
+    radius_x: float
+    radius_y: float
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Gap [m] and where both surfaces exist (everywhere)."""
+        gap = x**2 / (2 * self.radius_x) + y**2 / (2 * self.radius_y)
+        return gap, np.ones(gap.shape, dtype=bool)
+
+
+@dataclass(frozen=True)
+class RigidMotion:
+    """Translation and spin of one surface in the tangent plane.
+
+    Attributes
+    ----------
+    u, v : float
+        Velocity at the contact point [m/s].
+    spin : float
+        Angular velocity about the common normal [rad/s], positive from x to y.
+    """
+
+    u: float
+    v: float
+    spin: float = 0.0
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Velocity components [m/s] at (x, y)."""
+        return self.u - self.spin * y, self.v + self.spin * x
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One lubricated contact at one instant.
+
+    Attributes
+    ----------
+    name : str
+        What tables and pictures call it.
+    gap : Gap
+        Undeformed gap and where both surfaces exist.
+    radii : tuple of float
+        Relative radii of curvature along x and y at the contact point [m]: the scale of the contact.
+    motions : tuple of Motion
+        Velocity field of body 1 and of body 2.
+    load : float
+        Normal load [N].
+    bodies : tuple of Body
+        Body 1 and body 2.
+    oil : Oil
+        The oil at its inlet temperature.
+    phase : float or None
+        Place in the mesh cycle, 0 to 1; None outside a drive.
+    """
+
+    name: str
+    gap: Gap
+    radii: tuple[float, float]
+    motions: tuple[Motion, Motion]
+    load: float
+    bodies: tuple[Body, Body]
+    oil: Oil
+    phase: float | None = None
+
+    @property
+    def reduced_modulus(self) -> float:
+        """Reduced modulus E' of the two bodies [Pa]."""
+        return reduced_modulus(*self.bodies)
+
+    def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Mean surface velocity components [m/s] at (x, y)."""
+        (u1, v1), (u2, v2) = (motion(x, y) for motion in self.motions)
+        return (u1 + u2) / 2, (v1 + v2) / 2
+
+    def sliding(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Velocity components of body 1 relative to body 2 [m/s] at (x, y)."""
+        (u1, v1), (u2, v2) = (motion(x, y) for motion in self.motions)
+        return u1 - u2, v1 - v2
