@@ -1,0 +1,149 @@
+"""Hertz's dry contacts in closed form: elliptic (hence circular) and line.
+
+No curve fits: the ellipticity is solved from the exact ratio of elliptic integrals, to rounding.
+"""
+
+from dataclasses import dataclass
+from math import exp, inf, log, pi, sqrt
+
+import numpy as np
+from scipy.optimize import brentq
+from scipy.special import elliprd, elliprf
+
+
+@dataclass(frozen=True)
+class HertzContact:
+    """An elliptic contact of two smooth elastic bodies without friction.
+
+    Attributes
+    ----------
+    semi_axis_x, semi_axis_y : float
+        Semi-axes of the ellipse along x and y [m].
+    pressure_max : float
+        Pressure at the centre [Pa].
+    approach : float
+        Rigid approach of points far from the contact [m].
+    """
+
+    semi_axis_x: float
+    semi_axis_y: float
+    pressure_max: float
+    approach: float
+
+    @property
+    def ellipticity(self) -> float:
+        """Semi-axis along y over semi-axis along x [-]."""
+        return self.semi_axis_y / self.semi_axis_x
+
+    def pressure(self, x, y):
+        """Pressure [Pa] at (x, y) [m], numbers or arrays; zero outside the ellipse."""
+        inside = 1 - (x / self.semi_axis_x) ** 2 - (y / self.semi_axis_y) ** 2
+        return self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
+
+
+@dataclass(frozen=True)
+class HertzLine:
+    """A line contact of two parallel cylinders.
+
+    The rigid approach is not given: per unit length it depends on the shape of the whole bodies.
+
+    Attributes
+    ----------
+    half_width : float
+        Half of the width of the contact [m].
+    pressure_max : float
+        Pressure on the centre line [Pa].
+    """
+
+    half_width: float
+    pressure_max: float
+
+    def pressure(self, x):
+        """Pressure [Pa] at a distance x [m] from the centre line, a number or an array."""
+        inside = 1 - (x / self.half_width) ** 2
+        return self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
+
+
+def hertz(radius_x: float, radius_y: float, load: float, reduced_modulus: float) -> HertzContact:
+    """Elliptic contact of an undeformed gap x^2 / 2 Rx + y^2 / 2 Ry.
+
+    With a >= b the semi-axes, m = 1 - (b/a)^2 and the complete elliptic integrals K(m),
+    D(m) = (K - E) / m and B(m) = K - D, all of them regular at m = 0:
+
+        R_long / R_short = (a/b)^2 B / D,   a^3 = 6 F R_long D / (pi E'),
+        p_max = 3 F / (2 pi a b),           approach = 2 p_max b K / E'.
+
+    Parameters
+    ----------
+    radius_x, radius_y : float
+        Relative radii of curvature along x and y [m], positive and finite.
+    load : float
+        Normal load F [N], positive.
+    reduced_modulus : float
+        E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+
+    Notes
+    -----
+    Source: K. L. Johnson, Contact Mechanics (1985), equations 4.24 to 4.26, whose E* is E'/2 and
+    whose A and B are 1/2R. Valid while the contact is small against both radii.
+    """
+    _require_positive(radius_x=radius_x, radius_y=radius_y, load=load)
+    _require_positive(reduced_modulus=reduced_modulus)
+    radius_long, radius_short = max(radius_x, radius_y), min(radius_x, radius_y)
+    axis_ratio = _axis_ratio(radius_long / radius_short)
+    k, d = _elliptic_integrals(axis_ratio)
+    long = (6 * load * radius_long * d / (pi * reduced_modulus)) ** (1 / 3)
+    short = axis_ratio * long
+    pressure_max = 3 * load / (2 * pi * long * short)
+    along_x, along_y = (long, short) if radius_x >= radius_y else (short, long)
+    return HertzContact(
+        along_x, along_y, pressure_max, 2 * pressure_max * short * k / reduced_modulus
+    )
+
+
+def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) -> HertzLine:
+    """Line contact of an undeformed gap x^2 / 2 R.
+
+    Parameters
+    ----------
+    radius : float
+        Relative radius of curvature across the line [m].
+    load_per_length : float
+        Normal load for each length of line [N/m].
+    reduced_modulus : float
+        E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+
+    Notes
+    -----
+    Source: K. L. Johnson, Contact Mechanics (1985), equations 4.43 and 4.45.
+    """
+    _require_positive(radius=radius, load_per_length=load_per_length)
+    _require_positive(reduced_modulus=reduced_modulus)
+    half_width = sqrt(8 * load_per_length * radius / (pi * reduced_modulus))
+    return HertzLine(half_width, 2 * load_per_length / (pi * half_width))
+
+
+def _axis_ratio(radius_ratio: float) -> float:
+    """Short over long semi-axis for a ratio (>= 1) of the long to the short radius."""
+
+    def excess(log_ratio: float) -> float:
+        axis_ratio = exp(log_ratio)
+        k, d = _elliptic_integrals(axis_ratio)
+        return log((k - d) / d) - 2 * log_ratio - log(radius_ratio)
+
+    # The axes never differ by more than the radii, so these ends enclose the root; the margin
+    # keeps the signs apart where the contact is circular and rounding alone would decide them.
+    margin = 1e-3
+    return exp(brentq(excess, -log(radius_ratio) - margin, margin, xtol=1e-15, rtol=1e-15))
+
+
+def _elliptic_integrals(axis_ratio: float) -> tuple[float, float]:
+    """K(m) and D(m) = (K - E) / m of m = 1 - axis_ratio^2, in Carlson's symmetric forms."""
+    squared = axis_ratio**2
+    return float(elliprf(0.0, squared, 1.0)), float(elliprd(0.0, squared, 1.0)) / 3
+
+
+def _require_positive(**values: float) -> None:
+    for name, value in values.items():
+        if not 0 < value < inf:
+            raise ValueError(f"{name} is {value}; it must be positive and finite")
