@@ -123,6 +123,24 @@ def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) ->
     return HertzLine(half_width, 2 * load_per_length / (pi * half_width))
 
 
+def ellipticity(radius_ratio):
+    """Semi-axis along over semi-axis across, of the radius along over the radius across.
+
+    Parameters
+    ----------
+    radius_ratio : float or array
+        Ratio of the relative radii of curvature [-], positive.
+    """
+    return np.vectorize(_ellipticity, otypes=[float])(radius_ratio)[()]
+
+
+def _ellipticity(radius_ratio: float) -> float:
+    _require_positive(radius_ratio=radius_ratio)
+    if radius_ratio < 1:
+        return _axis_ratio(1 / radius_ratio)
+    return 1 / _axis_ratio(radius_ratio)
+
+
 def _axis_ratio(radius_ratio: float) -> float:
     """Short over long semi-axis for a ratio (>= 1) of the long to the short radius."""
 
