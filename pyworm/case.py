@@ -1,0 +1,183 @@
+"""A case: what the user wrote, checked in full before any work starts."""
+
+import tomllib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from pyworm.case_error import CaseError, sentence
+from pyworm.sampled_gap import SampledGap, read_gap
+from pyworm.scene import Paraboloid, Scene
+from pyworm.schema import ContactCase, DriveCase, GapTable, PublishedValue
+
+
+@dataclass(frozen=True)
+class Case:
+    """A checked case; makes the scenes that are to be solved.
+
+    Attributes
+    ----------
+    name : str
+        File name without its ending.
+    directory : Path
+        Where the case file lies; files that it names are relative to it.
+    tables : DriveCase or ContactCase
+        The file, in SI.
+    """
+
+    name: str
+    directory: Path
+    tables: DriveCase | ContactCase
+
+    @property
+    def title(self) -> str:
+        """What the case is."""
+        return self.tables.title
+
+    @property
+    def source(self) -> str:
+        """Where its numbers come from."""
+        return self.tables.source
+
+    @property
+    def accuracy(self) -> float:
+        """Relative error wanted in films and maximum pressure [-]."""
+        return self.tables.accuracy
+
+    @property
+    def published(self) -> dict[str, PublishedValue]:
+        """Numbers that the source prints, by name."""
+        return self.tables.published
+
+    @property
+    def phases(self) -> tuple[float, ...]:
+        """Phases of the mesh cycle to solve; empty for a contact written directly."""
+        return self.tables.operation.phases if isinstance(self.tables, DriveCase) else ()
+
+    @property
+    def resolved(self) -> dict[str, Any]:
+        """The whole case as plain numbers in SI, defaults filled in: for provenance."""
+        return {"name": self.name, **self.tables.model_dump(mode="json")}
+
+    @cached_property
+    def drive(self):
+        """The machine that makes the contacts (`ZiWormDrive`); None for a contact written directly.
+
+        Raises
+        ------
+        CaseError
+            The parts do not make a drive.
+        """
+        if not isinstance(self.tables, DriveCase):
+            return None
+        from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
+
+        tables = self.tables
+        try:
+            return ZiWormDrive(
+                worm=Worm(**dict(tables.drive.worm)),
+                wheel=Wheel(**dict(tables.drive.wheel)),
+                hob=Hob(**dict(tables.drive.hob)),
+                centre_distance=tables.drive.centre_distance,
+                speed=tables.operation.worm_speed,
+                load=tables.operation.load,
+                bodies=(tables.bodies.worm.body(), tables.bodies.wheel.body()),
+                oil=tables.oil.oil(),
+            )
+        except ValueError as error:
+            raise CaseError(f"drive: {error}") from error
+
+    def scene(self, phase: float | None = None) -> Scene:
+        """One contact at one instant.
+
+        Parameters
+        ----------
+        phase : float, optional
+            Place in the mesh cycle, 0 to 1; by default the first of the case's phases. Only for drives.
+
+        Raises
+        ------
+        CaseError
+            No contact at this phase, or a phase given where there is no mesh cycle.
+        """
+        if self.drive is None:
+            if phase is not None:
+                raise CaseError(
+                    f"phase {phase:g}: {self.name} has no mesh cycle, it is one contact"
+                )
+            return self._contact_scene()
+        phase = self.phases[0] if phase is None else phase
+        if not 0 <= phase <= 1:
+            raise CaseError(f"phase {phase:g}: must lie between 0 and 1")
+        try:
+            return self.drive.scene(phase)
+        except ValueError as error:
+            raise CaseError(f"drive at phase {phase:g}: {error}") from error
+
+    def scenes(self, phases: Sequence[float] | None = None) -> Iterator[Scene]:
+        """The contacts at these phases, by default at the case's own."""
+        if phases is None:
+            phases = self.phases or (None,)
+        return (self.scene(phase) for phase in phases)
+
+    def _contact_scene(self) -> Scene:
+        tables = self.tables
+        if isinstance(tables.contact, GapTable):
+            gap = self._sampled_gap(tables.contact.file)
+            radii = gap.radii
+        else:
+            radii = tables.contact.radii
+            gap = Paraboloid(*radii)
+        return Scene(
+            name=self.name,
+            gap=gap,
+            radii=radii,
+            motions=tables.motion.motions(),
+            load=tables.contact.load,
+            bodies=(tables.bodies.body_1.body(), tables.bodies.body_2.body()),
+            oil=tables.oil.oil(),
+        )
+
+    def _sampled_gap(self, file: str) -> SampledGap:
+        try:
+            gap = read_gap(self.directory / file)
+            gap.radii  # noqa: B018  a gap that opens nowhere is refused here, with the file's name
+        except ValueError as error:
+            raise CaseError(f'contact.file = "{file}": {error}') from error
+        return gap
+
+
+def load(path: str | Path) -> Case:
+    """Read a case file and check it in full.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; `cases/` has one for each kind.
+
+    Raises
+    ------
+    CaseError
+        Whatever is wrong first, in one sentence.
+    """
+    path = Path(path)
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise CaseError(f"{path}: no such file") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise CaseError(f"{path}: cannot be read ({error})") from None
+    except tomllib.TOMLDecodeError as error:
+        raise CaseError(f"{path}: not a TOML file: {error}") from None
+    if ("drive" in data) == ("contact" in data):
+        raise CaseError(f"{path}: give either a [drive] or a [contact], one of the two")
+    model = DriveCase if "drive" in data else ContactCase
+    try:
+        tables = model.model_validate(data)
+    except ValidationError as error:
+        raise CaseError(f"{path}: {sentence(error, model, data)}") from None
+    return Case(path.stem, path.parent, tables)

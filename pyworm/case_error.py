@@ -1,0 +1,132 @@
+"""One clear sentence for whatever is wrong in a case file."""
+
+import difflib
+import typing
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+_WANTED = {
+    "missing": "is missing",
+    "float_type": "must be a number without unit",
+    "finite_number": "must be finite",
+    "int_type": "must be a whole number",
+    "int_from_float": "must be a whole number",
+    "string_type": "must be a text in quotes",
+    "string_too_short": "must not be empty",
+    "tuple_type": "must be a list",
+    "dict_type": "must be a table",
+    "model_type": "must be a table",
+    "model_attributes_type": "must be a table",
+    "greater_than": "must be greater than {gt:g}",
+    "greater_than_equal": "must be at least {ge:g}",
+    "less_than": "must be less than {lt:g}",
+    "less_than_equal": "must be at most {le:g}",
+    "too_short": "has too few entries, at least {min_length} needed",
+    "too_long": "has too many entries, at most {max_length} allowed",
+    "literal_error": "must be {expected}",
+    "union_tag_invalid": "must be one of {expected_tags}",
+    "value_error": "{error}",
+}
+
+
+class CaseError(ValueError):
+    """A case that cannot be simulated; its message is one sentence for whoever wrote the case."""
+
+
+def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any]) -> str:
+    """Say what is wrong first in a case file.
+
+    Parameters
+    ----------
+    error : ValidationError
+        What pydantic found.
+    model : type
+        The model that the file was read into.
+    data : dict
+        The file as written.
+
+    Returns
+    -------
+    str
+        Dotted key, value as written, and what would be right.
+    """
+    # A misspelt key also leaves another one missing: the misspelling is the one to tell.
+    problem = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
+    keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
+    name = _dotted(keys)
+    if problem["type"] == "extra_forbidden":
+        return f"{name}: no such key; {_nearest(keys[-1], _valid_keys(model, problem['loc'][:-1]))}"
+    if problem["type"] == "missing":
+        return f"{name} is missing"
+    if problem["type"] == "union_tag_not_found":
+        return f"{name}.{problem['ctx']['discriminator'].strip(chr(39))} is missing"
+    context = {**problem.get("ctx", {})}
+    if problem["type"] == "union_tag_invalid":
+        key = context["discriminator"].strip("'")
+        name, value = f"{name}.{key}", value[key]
+    wanted = _WANTED.get(problem["type"], problem["msg"]).format(**context).replace("'", '"')
+    if isinstance(value, dict):
+        return f"{name}: {wanted}"
+    return f"{name} = {_toml(value)}: {wanted}"
+
+
+def _as_written(loc: tuple, data: dict[str, Any], absent: bool) -> tuple[list, Any]:
+    """Keys of a pydantic location as they stand in the file, and the value there.
+
+    Pydantic names the chosen model of a union among the keys; the file does not. With `absent` the last
+    key is one that the file lacks.
+    """
+    keys, value = [], data
+    for key in loc[:-1] if absent else loc:
+        try:
+            value = value[key]
+        except (KeyError, IndexError, TypeError):
+            continue
+        keys.append(key)
+    return ([*keys, loc[-1]], None) if absent else (keys, value)
+
+
+def _dotted(keys: list) -> str:
+    name = ""
+    for key in keys:
+        name += f"[{key}]" if isinstance(key, int) else f".{key}" if name else key
+    return name
+
+
+def _valid_keys(model: type[BaseModel], loc: tuple) -> list[str]:
+    """Keys of the table that a pydantic location leads to."""
+    choices: list[type[BaseModel]] = [model]
+    for key in loc:
+        fields = [table.model_fields[key] for table in choices if key in table.model_fields]
+        if fields:
+            choices = [
+                kind
+                for field in fields
+                for kind in (typing.get_args(field.annotation) or (field.annotation,))
+                if isinstance(kind, type) and issubclass(kind, BaseModel)
+            ]
+        else:  # the tag of a union
+            choices = [
+                table
+                for table in choices
+                if any(key in typing.get_args(f.annotation) for f in table.model_fields.values())
+            ]
+    return sorted({key for table in choices for key in table.model_fields})
+
+
+def _nearest(key: str, valid: list[str]) -> str:
+    close = difflib.get_close_matches(key, valid, n=3, cutoff=0.6)
+    if close:
+        return f"did you mean {' or '.join(close)}?"
+    return f"valid keys are {', '.join(valid)}"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, list):
+        return f"[{', '.join(_toml(entry) for entry in value)}]"
+    return str(value)

@@ -1,0 +1,227 @@
+"""The undeformed gap as an array: measured, or computed by another program."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from scipy.interpolate import RectBivariateSpline
+from scipy.sparse import diags_array, eye_array, kron, vstack
+from scipy.sparse.linalg import spsolve
+
+from pyworm.scene import Array
+
+SMALLEST = 5
+"""Fewest samples along each side: a cubic spline and the second differences of the filling need them."""
+
+FIT_SHARE = 0.1
+"""Half side of the window in which the radii are fitted, as a share of the array's side."""
+
+FLATTEST = 1e-3
+"""Curvature along the flatter direction is taken as at least this share of the other one, so that a
+straight roller has radii too; they only set the scale of the contact."""
+
+
+@dataclass(frozen=True)
+class SampledGap:
+    """An undeformed gap between samples and a little beyond them.
+
+    Between the samples a cubic spline; where a body is missing (NaN) the surface that bends least; outside
+    the array the quadratic that fits it best, shifted to meet the array's edge.
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Evenly or unevenly spaced, increasing coordinates [m]; the contact point is at x = y = 0.
+    gap : ndarray
+        Undeformed gap [m], shape (y, x); NaN where a body is missing.
+
+    Raises
+    ------
+    ValueError
+        Of another shape, too small, not increasing, empty, or without the contact point.
+    """
+
+    x: Array
+    y: Array
+    gap: Array
+
+    def __post_init__(self) -> None:
+        """Refuse what is no gap over x and y."""
+        if self.gap.ndim != 2:
+            raise ValueError(f"gap must have two dimensions (y, x), not {self.gap.ndim}")
+        if self.gap.shape != (self.y.size, self.x.size):
+            raise ValueError(
+                f"gap has the shape {self.gap.shape}, but y and x have {self.y.size} and "
+                f"{self.x.size} entries"
+            )
+        if min(self.gap.shape) < SMALLEST:
+            raise ValueError(
+                f"gap has the shape {self.gap.shape}; at least {SMALLEST} samples a side are needed"
+            )
+        for name, axis in (("x", self.x), ("y", self.y)):
+            if not (np.all(np.isfinite(axis)) and np.all(np.diff(axis) > 0)):
+                raise ValueError(f"{name} must increase from sample to sample")
+            if not axis[0] < 0 < axis[-1]:
+                raise ValueError(
+                    f"{name} runs from {axis[0]:g} to {axis[-1]:g} m and must have the contact point, "
+                    f"{name} = 0, inside"
+                )
+        if np.any(np.isinf(self.gap)):
+            raise ValueError("gap must be finite, or NaN where a body is missing")
+        if not self(np.zeros(1), np.zeros(1))[1][0]:
+            raise ValueError("gap must be a number at the contact point x = y = 0")
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Gap [m] and where both bodies exist."""
+        inside_x = np.clip(x, self.x[0], self.x[-1])
+        inside_y = np.clip(y, self.y[0], self.y[-1])
+        gap = self._rest.ev(inside_y, inside_x) + self._quadratic(x, y)
+        covered = (inside_x == x) & (inside_y == y)
+        # A cell is covered when its four corners are: the nearest sample alone would round edges outwards.
+        row = np.clip(np.searchsorted(self.y, inside_y, side="right") - 1, 0, self.y.size - 2)
+        column = np.clip(np.searchsorted(self.x, inside_x, side="right") - 1, 0, self.x.size - 2)
+        return gap, covered & self._covered_cells[row, column]
+
+    @cached_property
+    def radii(self) -> tuple[float, float]:
+        """Relative radii of curvature along x and y near the contact point [m].
+
+        Raises
+        ------
+        ValueError
+            The gap opens in neither direction.
+        """
+        half = [
+            max(FIT_SHARE * np.ptp(axis), 2.5 * np.diff(axis).max()) for axis in (self.x, self.y)
+        ]
+        near = (np.abs(self.x) <= half[0])[None, :] & (np.abs(self.y) <= half[1])[:, None]
+        coefficients = _fit_quadratic(self.x, self.y, np.where(near, self.gap, np.nan))
+        curvatures = [2 * float(coefficients[term]) for term in (3, 5)]
+        if max(curvatures) <= 0:
+            raise ValueError("gap must open away from the contact point x = y = 0")
+        floor = FLATTEST * max(curvatures)
+        return 1 / max(curvatures[0], floor), 1 / max(curvatures[1], floor)
+
+    def _quadratic(self, x: Array, y: Array) -> Array:
+        terms = _quadratic_terms(x, y)
+        return sum(c * term for c, term in zip(self._coefficients, terms, strict=True))
+
+    @cached_property
+    def _coefficients(self) -> Array:
+        return _fit_quadratic(self.x, self.y, self.gap)
+
+    @cached_property
+    def _covered_cells(self) -> Array:
+        known = np.isfinite(self.gap)
+        return known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
+
+    @cached_property
+    def _rest(self) -> RectBivariateSpline:
+        """What the quadratic leaves over, made whole and splined."""
+        rest = self.gap - self._quadratic(self.x[None, :], self.y[:, None])
+        return RectBivariateSpline(self.y, self.x, _fill(rest))
+
+
+def read_gap(path: Path) -> SampledGap:
+    """Read a gap from an npz or a NetCDF file.
+
+    Parameters
+    ----------
+    path : Path
+        `.npz` with `gap` (y, x), `dx`, `dy` and, unless the contact point is in the middle, the
+        coordinates `x0`, `y0` of the first sample, all in metres; or `.nc` with a variable `gap` and
+        coordinates `x`, `y`.
+
+    Raises
+    ------
+    ValueError
+        No such file, of another kind, a key missing, or not a gap.
+    """
+    if not path.is_file():
+        raise ValueError("no such file")
+    if path.suffix == ".npz":
+        return _read_npz(path)
+    if path.suffix == ".nc":
+        return _read_netcdf(path)
+    raise ValueError("must be an .npz or an .nc file")
+
+
+def _read_npz(path: Path) -> SampledGap:
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = {key: np.asarray(file[key], dtype=float) for key in file.files}
+    except Exception as error:
+        raise ValueError(f"cannot be read as an npz file of numbers ({error})") from None
+    for key in ("gap", "dx", "dy"):
+        if key not in arrays:
+            raise ValueError(f"{key} is missing; it has {', '.join(arrays) or 'nothing'}")
+    gap = arrays.pop("gap")
+    if gap.ndim != 2:
+        raise ValueError(f"gap must have two dimensions (y, x), not {gap.ndim}")
+    axes = []
+    for name, count in (("x", gap.shape[1]), ("y", gap.shape[0])):
+        spacing = arrays[f"d{name}"]
+        if spacing.ndim != 0 or not (np.isfinite(spacing) and spacing > 0):
+            raise ValueError(f"d{name} must be one length greater than zero, in metres")
+        start = arrays.get(f"{name}0", -(count - 1) / 2 * spacing)
+        axes.append(start + spacing * np.arange(count))
+    return SampledGap(*axes, gap)
+
+
+def _read_netcdf(path: Path) -> SampledGap:
+    import xarray as xr
+
+    try:
+        with xr.open_dataset(path, engine="h5netcdf") as file:
+            file.load()
+    except Exception as error:
+        raise ValueError(f"cannot be read as a NetCDF file ({error})") from None
+    for key in ("gap", "x", "y"):
+        if key not in file.variables:
+            raise ValueError(f"{key} is missing; it has {', '.join(map(str, file.variables))}")
+    if set(file["gap"].dims) != {"x", "y"}:
+        raise ValueError(f"gap must have the dimensions (y, x), not {file['gap'].dims}")
+    gap = file["gap"].transpose("y", "x")
+    return SampledGap(*(np.asarray(array, dtype=float) for array in (gap.x, gap.y, gap)))
+
+
+def _quadratic_terms(x: Array, y: Array) -> tuple[Array, ...]:
+    x, y = np.broadcast_arrays(x, y)
+    return np.ones(x.shape), x, y, x**2, x * y, y**2
+
+
+def _fit_quadratic(x: Array, y: Array, gap: Array) -> Array:
+    """Coefficients of 1, x, y, x^2, xy, y^2 that fit the finite samples best."""
+    known = np.isfinite(gap)
+    terms = [term[known] for term in _quadratic_terms(x[None, :], y[:, None])]
+    # Scaled columns: in metres the quadratic ones would be lost beside the constant.
+    scales = [np.abs(term).max() or 1.0 for term in terms]
+    matrix = np.column_stack([term / scale for term, scale in zip(terms, scales, strict=True)])
+    return np.linalg.lstsq(matrix, gap[known], rcond=None)[0] / scales
+
+
+def _fill(values: Array) -> Array:
+    """Replace NaN so that the squared second differences of the whole are least."""
+    unknown = ~np.isfinite(values).ravel()
+    if not unknown.any():
+        return values
+    ny, nx = values.shape
+    bend_x, bend_y = (
+        diags_array([1.0, -2.0, 1.0], offsets=[0, 1, 2], shape=(count - 2, count))
+        for count in (nx, ny)
+    )
+    slope_x, slope_y = (
+        diags_array([-1.0, 1.0], offsets=[0, 1], shape=(count - 1, count)) for count in (nx, ny)
+    )
+    differences = vstack(
+        [
+            kron(eye_array(ny), bend_x),
+            kron(bend_y, eye_array(nx)),
+            np.sqrt(2) * kron(slope_y, slope_x),
+        ]
+    ).tocsc()
+    filled = np.where(unknown, 0.0, values.ravel())
+    free = differences[:, unknown]
+    filled[unknown] = spsolve((free.T @ free).tocsc(), -free.T @ (differences @ filled))
+    return filled.reshape(values.shape)

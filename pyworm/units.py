@@ -1,0 +1,145 @@
+"""Units at the edge of the house: "14 kN" comes in, 14000.0 goes on.
+
+Inside, every number is a plain float in SI: angles in radians, speeds of rotation in rad/s, temperatures
+in kelvin. Pint is imported at the first quantity only, since it takes longer to load than a case to check.
+"""
+
+import math
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Literal
+
+from pydantic import PlainValidator
+
+_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*")
+
+_SIGNS = {
+    "positive": (lambda value: value > 0, "greater than zero"),
+    "not negative": (lambda value: value >= 0, "zero or more"),
+    "any": (lambda value: True, "that is finite"),
+}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a value measures, and how a sentence speaks of it.
+
+    Attributes
+    ----------
+    noun : str
+        What it is called, article included ("a force").
+    unit : str
+        The SI unit it is kept in; empty for a share.
+    example : str
+        A right value, to be shown beside a wrong one.
+    sign : str
+        Which values are taken: "positive", "not negative" or "any".
+    """
+
+    noun: str
+    unit: str
+    example: str
+    sign: Literal["positive", "not negative", "any"] = "positive"
+
+
+SHARE = Kind("a share", "", "1 %")
+
+
+@cache
+def _registry():
+    import pint
+
+    return pint.UnitRegistry()
+
+
+def _measure(text: str):
+    """The pint quantity that a text means, in SI base units; None where it means none."""
+    match = _QUANTITY.fullmatch(text)
+    if match is None:
+        return None
+    try:
+        # Built from number and unit apart, so that "60 degC" is a temperature and not a product.
+        quantity = _registry().Quantity(float(match[1]), match[2].replace("°", "deg"))
+        return quantity.to_base_units()
+    except Exception:  # pint lets any error of its tokenizer and its arithmetic through
+        return None
+
+
+def parse(text: str, kind: Kind) -> float:
+    """Read a quantity such as "14 kN".
+
+    Parameters
+    ----------
+    text : str
+        Number and unit.
+    kind : Kind
+        What it must measure.
+
+    Returns
+    -------
+    float
+        The value in `kind.unit`.
+
+    Raises
+    ------
+    ValueError
+        Not a text, not a number and a unit, of another dimension, not finite, or of the wrong sign.
+    """
+    with_unit = f"{kind.noun} with its unit" if kind.unit else kind.noun
+    quantity = _measure(text) if isinstance(text, str) else None
+    # Units are compared, not dimensions: to pint "3" and "3 deg", "1 Hz" and "1 rad/s" have the same.
+    target = _registry().Quantity(1.0, kind.unit)
+    if quantity is None or quantity.units != target.to_base_units().units:
+        raise ValueError(f'must be {with_unit}, such as "{kind.example}"')
+    value = quantity.to(kind.unit).magnitude
+    allowed, wanted = _SIGNS[kind.sign]
+    if not (math.isfinite(value) and allowed(value)):
+        raise ValueError(f'must be {kind.noun} {wanted}, such as "{kind.example}"')
+    return value
+
+
+def parse_any(text: str) -> tuple[float, str]:
+    """Read a quantity of any dimension: its value in SI base units and these units ("kg/m/s**2").
+
+    Raises
+    ------
+    ValueError
+        Not a number and a unit.
+    """
+    quantity = _measure(text) if isinstance(text, str) else None
+    if quantity is None or not math.isfinite(quantity.magnitude):
+        raise ValueError('must be a number with its unit, such as "540 MPa"')
+    return quantity.magnitude, f"{quantity.units:~C}"
+
+
+def quantity(noun: str, unit: str, example: str, sign: str = "positive"):
+    """Make the pydantic type of a dimensional key; arguments as of `Kind`."""
+    kind = Kind(noun, unit, example, sign)
+    return Annotated[float, PlainValidator(lambda value: parse(value, kind))]
+
+
+Length = quantity("a length", "m", "305 mm")
+Offset = quantity("a length", "m", "-0.5 mm", "any")
+Angle = quantity("an angle", "rad", "27.5 deg")
+Tilt = quantity("an angle", "rad", "-0.4 deg", "any")
+Force = quantity("a force", "N", "14 kN")
+Speed = quantity("a speed of rotation", "rad/s", "1500 rpm")
+Spin = quantity("a speed of rotation", "rad/s", "-20 rad/s", "any")
+Velocity = quantity("a velocity", "m/s", "1.2 m/s", "any")
+Pressure = quantity("a pressure", "Pa", "207 GPa")
+PressureCoefficient = quantity("a pressure coefficient", "1/Pa", "9.5 1/GPa")
+PressureCoefficientOrZero = quantity(
+    "a pressure coefficient", "1/Pa", "9.5 1/GPa", sign="not negative"
+)
+PressureCoefficientAnySign = quantity("a pressure coefficient", "1/Pa", "3.3 1/GPa", "any")
+SquaredPressureCoefficient = quantity(
+    "a squared pressure coefficient", "1/Pa^2", "-2.3 1/GPa^2", "any"
+)
+Viscosity = quantity("a dynamic viscosity", "Pa s", "0.23 Pa s")
+MassDensity = quantity("a density", "kg/m^3", "1025 kg/m^3")
+Temperature = quantity("a temperature", "K", "60 degC")
+TemperatureCoefficient = quantity("a temperature coefficient", "1/K", "7.1e-4 1/K")
+Conductivity = quantity("a thermal conductivity", "W/(m K)", "47 W/(m K)")
+SpecificHeat = quantity("a specific heat", "J/(kg K)", "477 J/(kg K)")
+Share = Annotated[float, PlainValidator(lambda value: parse(value, SHARE))]
