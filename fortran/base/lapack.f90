@@ -1,0 +1,33 @@
+!> Explicit interfaces to the LAPACK procedures in use.
+module lapack
+  use kinds, only: wp
+  implicit none(type, external)
+  private
+
+  public :: dgbtrf, dgbtrs
+
+  interface
+    !> LU factors of a general band matrix.
+    pure subroutine dgbtrf(m, n, kl, ku, ab, ldab, ipiv, info)
+      import :: wp
+      implicit none(type, external)
+      integer, intent(in) :: m, n, kl, ku, ldab
+      real(wp), intent(inout) :: ab(ldab, *)
+      integer, intent(out) :: ipiv(*)
+      integer, intent(out) :: info
+    end subroutine dgbtrf
+
+    !> Solution with the factors of dgbtrf.
+    pure subroutine dgbtrs(trans, n, kl, ku, nrhs, ab, ldab, ipiv, b, ldb, info)
+      import :: wp
+      implicit none(type, external)
+      character(len=1), intent(in) :: trans
+      integer, intent(in) :: n, kl, ku, nrhs, ldab, ldb
+      real(wp), intent(in) :: ab(ldab, *)
+      integer, intent(in) :: ipiv(*)
+      real(wp), intent(inout) :: b(ldb, *)
+      integer, intent(out) :: info
+    end subroutine dgbtrs
+  end interface
+
+end module lapack

@@ -1,0 +1,21 @@
+!> How a kernel procedure says that it failed: it never stops the process and never prints.
+!> Python turns these numbers into sentences in one place, `pyworm/kernels.py`.
+module status
+  implicit none(type, external)
+  private
+
+  integer, parameter, public :: status_ok = 0
+  !> An argument makes no sense (a size, a spacing, a load).
+  integer, parameter, public :: status_bad_argument = 1
+  !> A field holds a value that is not finite.
+  integer, parameter, public :: status_not_finite = 2
+  !> The FFT library made no plan.
+  integer, parameter, public :: status_no_plan = 3
+  !> An iteration ended before its tolerance was met.
+  integer, parameter, public :: status_not_converged = 4
+  !> No step along the Newton direction lowered the residual.
+  integer, parameter, public :: status_no_descent = 5
+  !> The machine has not enough memory.
+  integer, parameter, public :: status_no_memory = 6
+
+end module status

@@ -1,0 +1,174 @@
+!> All that Python sees of the kernel: plain arrays and scalars, explicit shapes, an integer status.
+!>
+!> A contact that lives through many calls is held by its owner as an opaque address (`handle`), made by
+!> `point_film_new` and given back to `point_film_free`.
+module bindings
+  use iso_c_binding, only: c_double, c_int, c_int64_t, c_ptr, c_loc, c_f_pointer
+  implicit none
+  private
+
+  public :: dry_contact_solve, elastic_deflection
+  public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
+    point_film_convolve
+  public :: prolong_cubic
+
+contains
+
+  !> Deflection w [m] of a half-space pair under pressure p [Pa].
+  subroutine elastic_deflection(p, nx, ny, dx, dy, reduced_modulus, w, stat)
+    use half_space, only: elastic_half_space, new_half_space
+    use status, only: status_ok
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: p(nx, ny)
+    real(c_double), intent(in) :: dx, dy, reduced_modulus
+    real(c_double), intent(out) :: w(nx, ny)
+    integer(c_int), intent(out) :: stat
+    type(elastic_half_space) :: space
+    !f2py threadsafe
+
+    w = 0
+    call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat)
+    if (stat == status_ok) call space%deflection(p, w)
+  end subroutine elastic_deflection
+
+  !> Dry contact of a gap [m]; p [Pa] enters as a first guess and leaves as the solution.
+  subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, load, tolerance, &
+      most_iterations, p, approach, iterations, stat)
+    use dry_contact, only: solve_dry_contact
+    use half_space, only: elastic_half_space, new_half_space
+    use status, only: status_ok
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: gap(nx, ny)
+    integer(c_int), intent(in) :: covered(nx, ny)
+    real(c_double), intent(in) :: dx, dy, reduced_modulus, load, tolerance
+    integer(c_int), intent(in) :: most_iterations
+    real(c_double), intent(inout) :: p(nx, ny)
+    real(c_double), intent(out) :: approach
+    integer(c_int), intent(out) :: iterations, stat
+    type(elastic_half_space) :: space
+    !f2py threadsafe
+
+    approach = 0
+    iterations = 0
+    call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat)
+    if (stat == status_ok) call solve_dry_contact(space, gap, covered /= 0, load, tolerance, &
+      most_iterations, p, approach, iterations, stat)
+  end subroutine dry_contact_solve
+
+  !> Makes a point contact; see `point_film` for the arguments and `oil_laws` for the oil's.
+  subroutine point_film_new(gap, covered, u, v, squeeze, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
+      pole_pressure, d1, d2, load, floor, handle, stat)
+    use oil_laws, only: oil_law
+    use point_film, only: point_contact, new_point_contact
+    use status, only: status_ok, status_no_memory
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny), squeeze(nx, ny)
+    integer(c_int), intent(in) :: covered(nx, ny)
+    real(c_double), intent(in) :: dx, dy, reduced_modulus
+    integer(c_int), intent(in) :: law
+    real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2, load, floor
+    integer(c_int64_t), intent(out) :: handle
+    integer(c_int), intent(out) :: stat
+    type(point_contact), pointer :: contact
+    integer :: err
+    !f2py threadsafe
+
+    handle = 0
+    stat = status_no_memory
+    allocate (contact, stat=err)
+    if (err /= 0) return
+    call new_point_contact(contact, gap, covered /= 0, u, v, squeeze, dx, dy, reduced_modulus, &
+      oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
+    if (stat == status_ok) then
+      handle = transfer(c_loc(contact), handle)
+    else
+      deallocate (contact)
+    end if
+  end subroutine point_film_new
+
+  !> Gives back the memory of a contact.
+  subroutine point_film_free(handle)
+    use point_film, only: point_contact
+    integer(c_int64_t), intent(in) :: handle
+    type(point_contact), pointer :: contact
+
+    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    deallocate (contact)
+  end subroutine point_film_free
+
+  !> Residual and load error at pressure p [Pa] and rigid film h0 [m].
+  subroutine point_film_evaluate(handle, p, nx, ny, h0, residual, load_error)
+    use point_film, only: point_contact, film_residual
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: p(nx, ny)
+    real(c_double), intent(in) :: h0
+    real(c_double), intent(out) :: residual, load_error
+    type(point_contact), pointer :: contact
+    !f2py threadsafe
+
+    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    call film_residual(contact, p, h0, residual, load_error)
+  end subroutine point_film_evaluate
+
+  !> One Newton step from the state last evaluated; p and h0 are replaced.
+  subroutine point_film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
+      load_error, krylov, step, stat)
+    use point_film, only: point_contact, film_step
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: forcing
+    real(c_double), intent(inout) :: p(nx, ny)
+    real(c_double), intent(in) :: h0, last_residual, last_load_error
+    real(c_double), intent(out) :: new_h0, residual, load_error, step
+    integer(c_int), intent(out) :: krylov, stat
+    type(point_contact), pointer :: contact
+    !f2py threadsafe
+
+    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    new_h0 = h0
+    residual = last_residual
+    load_error = last_load_error
+    call film_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+  end subroutine point_film_step
+
+  !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
+  subroutine point_film_fields(handle, nx, ny, film, density, imbalance)
+    use point_film, only: point_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: film(nx, ny), density(nx, ny), imbalance(nx, ny)
+    type(point_contact), pointer :: contact
+
+    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    film = contact%fields%h
+    density = contact%fields%rho
+    imbalance = contact%imbalance
+  end subroutine point_film_fields
+
+  !> Deflection w [m] under pressure p [Pa] on the contact's own grid: the unit of cost.
+  subroutine point_film_convolve(handle, p, nx, ny, w)
+    use point_film, only: point_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: p(nx, ny)
+    real(c_double), intent(out) :: w(nx, ny)
+    type(point_contact), pointer :: contact
+    !f2py threadsafe
+
+    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    call contact%space%deflection(p, w)
+  end subroutine point_film_convolve
+
+  !> Field on a grid of half the spacing.
+  subroutine prolong_cubic(coarse, nx, ny, fine)
+    use grid_transfer, only: interpolate_cubic
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: coarse(nx, ny)
+    real(c_double), intent(out) :: fine(2*nx - 1, 2*ny - 1)
+    !f2py threadsafe
+
+    call interpolate_cubic(coarse, fine)
+  end subroutine prolong_cubic
+
+end module bindings

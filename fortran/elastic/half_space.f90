@@ -1,0 +1,232 @@
+!> Normal deflection of two elastic half-spaces in contact under constant-pressure rectangles.
+!>
+!> The deflection is a convolution with Love's influence coefficients (Love 1929; Johnson, Contact
+!> Mechanics, eq. 3.25), even in both directions, so that zero padding to 2 (n - 1) points is exact and the
+!> kernel's transform is real and even: a quarter of it is stored.
+!>
+!> The two-dimensional transform is done by hand, rows first and then blocks of columns that stay in cache
+!> through forward transform, product and backward transform. Rows of padding are never transformed.
+module half_space
+  use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, &
+    c_double_complex
+  use fftw
+  use kinds, only: wp
+  use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: elastic_half_space, new_half_space, padded_size
+
+  real(wp), parameter :: pi = acos(-1.0_wp)
+  !> Columns transformed together: enough to fill cache lines, few enough to stay in the first cache.
+  integer, parameter :: block_columns = 8
+
+  type :: elastic_half_space
+    !> Points and spacing [m] of the grid.
+    integer :: nx = 0, ny = 0
+    real(wp) :: dx = 0, dy = 0
+    !> Deflection [m/Pa] of a node under unit pressure on its own rectangle.
+    real(wp) :: centre = 0
+    !> Padded points along x and y.
+    integer :: mx = 0, my = 0
+    !> Transform of the influence coefficients over the padded size [m/Pa], (my/2+1, mx/2+1).
+    real(wp), allocatable :: kernel(:, :)
+    !> Half spectra of the rows, (mx/2+1, ny), and the same memory as reals, (mx+2, ny).
+    complex(c_double_complex), pointer, contiguous :: spectra(:, :) => null()
+    real(wp), pointer, contiguous :: rows(:, :) => null()
+    !> One block of columns, (my, block_columns).
+    complex(c_double_complex), pointer, contiguous :: columns(:, :) => null()
+    type(c_ptr) :: rows_forward = c_null_ptr, rows_backward = c_null_ptr
+    type(c_ptr) :: columns_forward = c_null_ptr, columns_backward = c_null_ptr
+    type(c_ptr) :: spectra_memory = c_null_ptr, columns_memory = c_null_ptr
+  contains
+    procedure :: deflection
+    final :: release
+  end type elastic_half_space
+
+contains
+
+  !> Half-space of a grid; `reduced_modulus` is E' [Pa] with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2.
+  subroutine new_half_space(self, nx, ny, dx, dy, reduced_modulus, stat)
+    type(elastic_half_space), intent(inout) :: self
+    integer, intent(in) :: nx, ny
+    real(wp), intent(in) :: dx, dy, reduced_modulus
+    integer, intent(out) :: stat
+    integer :: err
+
+    stat = status_bad_argument
+    if (nx < 3 .or. ny < 3 .or. .not. (dx > 0 .and. dy > 0 .and. reduced_modulus > 0)) return
+    self%nx = nx
+    self%ny = ny
+    self%dx = dx
+    self%dy = dy
+    self%mx = padded_size(nx)
+    self%my = padded_size(ny)
+
+    stat = status_no_memory
+    self%spectra_memory = fftw_alloc_complex(int(self%mx/2 + 1, c_size_t)*ny)
+    self%columns_memory = fftw_alloc_complex(int(self%my, c_size_t)*block_columns)
+    if (.not. (c_associated(self%spectra_memory) .and. c_associated(self%columns_memory))) return
+    call c_f_pointer(self%spectra_memory, self%spectra, [self%mx/2 + 1, ny])
+    call c_f_pointer(self%spectra_memory, self%rows, [self%mx + 2, ny])
+    call c_f_pointer(self%columns_memory, self%columns, [self%my, block_columns])
+    allocate (self%kernel(self%my/2 + 1, self%mx/2 + 1), stat=err)
+    if (err /= 0) return
+
+    call plan_transforms(self, stat)
+    if (stat == status_ok) call transform_kernel(self, reduced_modulus, stat)
+  end subroutine new_half_space
+
+  !> Smallest even, 7-smooth size that holds the even kernel of n points, at least 2 (n - 1).
+  pure integer function padded_size(n)
+    integer, intent(in) :: n
+    integer :: rest, factor
+
+    padded_size = 2*(n - 1)
+    do
+      rest = padded_size
+      do factor = 2, 7
+        do while (mod(rest, factor) == 0)
+          rest = rest/factor
+        end do
+      end do
+      if (rest == 1) return
+      padded_size = padded_size + 2
+    end do
+  end function padded_size
+
+  subroutine plan_transforms(self, stat)
+    type(elastic_half_space), intent(inout) :: self
+    integer, intent(out) :: stat
+    integer(c_int) :: length_x(1), length_y(1)
+
+    length_x = self%mx
+    length_y = self%my
+    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
+    !$omp critical (fftw_planner)
+    self%rows_forward = fftw_plan_many_dft_r2c(1, length_x, self%ny, &
+      self%rows, [self%mx + 2], 1, self%mx + 2, self%spectra, [self%mx/2 + 1], 1, self%mx/2 + 1, FFTW_ESTIMATE)
+    self%rows_backward = fftw_plan_many_dft_c2r(1, length_x, self%ny, &
+      self%spectra, [self%mx/2 + 1], 1, self%mx/2 + 1, self%rows, [self%mx + 2], 1, self%mx + 2, FFTW_ESTIMATE)
+    self%columns_forward = fftw_plan_many_dft(1, length_y, block_columns, &
+      self%columns, length_y, 1, self%my, self%columns, length_y, 1, self%my, FFTW_FORWARD, FFTW_ESTIMATE)
+    self%columns_backward = fftw_plan_many_dft(1, length_y, block_columns, &
+      self%columns, length_y, 1, self%my, self%columns, length_y, 1, self%my, FFTW_BACKWARD, FFTW_ESTIMATE)
+    !$omp end critical (fftw_planner)
+    stat = merge(status_ok, status_no_plan, &
+      c_associated(self%rows_forward) .and. c_associated(self%rows_backward) .and. &
+      c_associated(self%columns_forward) .and. c_associated(self%columns_backward))
+  end subroutine plan_transforms
+
+  !> Transform of the influence coefficients: a cosine transform of their first quadrant.
+  subroutine transform_kernel(self, reduced_modulus, stat)
+    type(elastic_half_space), intent(inout) :: self
+    real(wp), intent(in) :: reduced_modulus
+    integer, intent(out) :: stat
+    type(c_ptr) :: plan
+    integer :: i, j
+
+    !$omp critical (fftw_planner)
+    ! C lists dimensions from the slowest to the fastest
+    plan = fftw_plan_r2r_2d(self%mx/2 + 1, self%my/2 + 1, self%kernel, self%kernel, &
+      FFTW_REDFT00, FFTW_REDFT00, FFTW_ESTIMATE)
+    !$omp end critical (fftw_planner)
+    stat = status_no_plan
+    if (.not. c_associated(plan)) return
+
+    do i = 0, self%mx/2
+      do j = 0, self%my/2
+        self%kernel(j + 1, i + 1) = influence(i*self%dx, j*self%dy, self%dx, self%dy)
+      end do
+    end do
+    self%kernel = self%kernel*2/(pi*reduced_modulus)
+    self%centre = self%kernel(1, 1)
+    self%kernel = self%kernel/(real(self%mx, wp)*self%my)
+    call fftw_execute_r2r(plan, self%kernel, self%kernel)
+    !$omp critical (fftw_planner)
+    call fftw_destroy_plan(plan)
+    !$omp end critical (fftw_planner)
+    stat = status_ok
+  end subroutine transform_kernel
+
+  !> Integral of 1/r [m] over a rectangle dx by dy whose centre is at (x, y).
+  pure real(wp) function influence(x, y, dx, dy)
+    real(wp), intent(in) :: x, y, dx, dy
+
+    influence = corner(x + dx/2, y + dy/2) - corner(x - dx/2, y + dy/2) &
+      - corner(x + dx/2, y - dy/2) + corner(x - dx/2, y - dy/2)
+  end function influence
+
+  !> Antiderivative of 1/r over x and y; no corner of an influence rectangle lies on an axis.
+  pure real(wp) function corner(x, y)
+    real(wp), intent(in) :: x, y
+
+    corner = x*asinh(y/abs(x)) + y*asinh(x/abs(y))
+  end function corner
+
+  !> Deflection w [m] of both bodies together under pressure p [Pa], both (nx, ny).
+  subroutine deflection(self, p, w)
+    class(elastic_half_space), intent(inout) :: self
+    real(wp), intent(in) :: p(self%nx, self%ny)
+    real(wp), intent(out) :: w(self%nx, self%ny)
+    integer :: i, j, first
+
+    do j = 1, self%ny
+      self%rows(1:self%nx, j) = p(:, j)
+      self%rows(self%nx + 1:self%mx, j) = 0
+    end do
+    call fftw_execute_dft_r2c(self%rows_forward, self%rows, self%spectra)
+    do first = 1, self%mx/2 + 1, block_columns
+      call convolve_columns(self, first, min(block_columns, self%mx/2 + 2 - first))
+    end do
+    call fftw_execute_dft_c2r(self%rows_backward, self%spectra, self%rows)
+    do j = 1, self%ny
+      do i = 1, self%nx
+        w(i, j) = self%rows(i, j)
+      end do
+    end do
+  end subroutine deflection
+
+  !> Convolution along y of `count` columns of the half spectra, from column `first` on.
+  subroutine convolve_columns(self, first, count)
+    class(elastic_half_space), intent(inout) :: self
+    integer, intent(in) :: first, count
+    integer :: j, k, half
+
+    half = self%my/2
+    do j = 1, self%ny
+      do k = 1, count
+        self%columns(j, k) = self%spectra(first + k - 1, j)
+      end do
+    end do
+    self%columns(:, count + 1:) = 0
+    self%columns(self%ny + 1:, :count) = 0
+    call fftw_execute_dft(self%columns_forward, self%columns, self%columns)
+    do k = 1, count
+      associate (symbol => self%kernel(:, first + k - 1))
+        self%columns(:half + 1, k) = self%columns(:half + 1, k)*symbol
+        self%columns(half + 2:, k) = self%columns(half + 2:, k)*symbol(half:2:-1)
+      end associate
+    end do
+    call fftw_execute_dft(self%columns_backward, self%columns, self%columns)
+    do j = 1, self%ny
+      do k = 1, count
+        self%spectra(first + k - 1, j) = self%columns(j, k)
+      end do
+    end do
+  end subroutine convolve_columns
+
+  subroutine release(self)
+    type(elastic_half_space), intent(inout) :: self
+
+    !$omp critical (fftw_planner)
+    if (c_associated(self%rows_forward)) call fftw_destroy_plan(self%rows_forward)
+    if (c_associated(self%rows_backward)) call fftw_destroy_plan(self%rows_backward)
+    if (c_associated(self%columns_forward)) call fftw_destroy_plan(self%columns_forward)
+    if (c_associated(self%columns_backward)) call fftw_destroy_plan(self%columns_backward)
+    !$omp end critical (fftw_planner)
+    if (c_associated(self%spectra_memory)) call fftw_free(self%spectra_memory)
+    if (c_associated(self%columns_memory)) call fftw_free(self%columns_memory)
+  end subroutine release
+
+end module half_space

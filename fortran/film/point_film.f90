@@ -1,0 +1,246 @@
+!> The isothermal Newtonian film of a point contact: one Newton step at a time.
+!>
+!> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
+!> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
+!> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
+!> system. Python owns the loop; each call does one step.
+module point_film
+  use half_space, only: elastic_half_space, new_half_space
+  use kinds, only: wp
+  use krylov, only: linear_system, gmres
+  use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  use oil_laws, only: oil_law
+  use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
+    flow_imbalance_change
+  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent
+  use vectors, only: total
+  implicit none(type, external)
+  private
+
+  public :: point_contact, new_point_contact, film_residual, film_step
+
+  !> Most Krylov iterations in one Newton step.
+  integer, parameter :: most_krylov = 40
+  !> Shortest step tried along a Newton direction.
+  real(wp), parameter :: shortest_step = 1.0_wp/64
+
+  type, extends(linear_system) :: point_contact
+    type(film_grid) :: grid
+    type(oil_law) :: oil
+    type(elastic_half_space) :: space
+    type(film_multigrid) :: cycles
+    type(film_fields) :: fields
+    !> Undeformed gap [m]; true where both surfaces exist.
+    real(wp), allocatable :: gap(:, :)
+    logical, allocatable :: covered(:, :)
+    !> Load [N] and the film [m] below which mobility falls no further.
+    real(wp) :: load = 0, floor = 0
+    !> True where pressure is free in the present step.
+    logical, allocatable :: free(:, :)
+    !> Net outflow per area [m/s].
+    real(wp), allocatable :: imbalance(:, :)
+    !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
+    real(wp), allocatable :: softness(:, :)
+    real(wp) :: softness_load = 0
+    !> Scratch of one field, and the Krylov basis.
+    real(wp), allocatable :: dh(:, :), basis(:, :)
+  contains
+    procedure :: multiply
+    procedure :: precondition
+  end type point_contact
+
+contains
+
+  !> A point contact on a grid of (nx, ny) points; `u`, `v` are nodal entrainment [m/s].
+  subroutine new_point_contact(self, gap, covered, u, v, squeeze, dx, dy, reduced_modulus, oil, load, floor, stat)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: gap(:, :), u(:, :), v(:, :), squeeze(:, :)
+    logical, intent(in) :: covered(:, :)
+    real(wp), intent(in) :: dx, dy, reduced_modulus, load, floor
+    type(oil_law), intent(in) :: oil
+    integer, intent(out) :: stat
+    integer :: nx, ny
+
+    nx = size(gap, 1)
+    ny = size(gap, 2)
+    stat = status_bad_argument
+    if (.not. (load > 0 .and. floor > 0 .and. oil%eta0 > 0)) return
+    stat = status_not_finite
+    if (.not. all(abs(gap) <= huge(1.0_wp)) .or. .not. all(abs(u) + abs(v) + abs(squeeze) <= huge(1.0_wp))) return
+    call new_half_space(self%space, nx, ny, dx, dy, reduced_modulus, stat)
+    if (stat /= status_ok) return
+
+    self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v), squeeze)
+    self%oil = oil
+    self%gap = gap
+    self%covered = covered
+    self%covered(1, :) = .false.
+    self%covered(nx, :) = .false.
+    self%covered(:, 1) = .false.
+    self%covered(:, ny) = .false.
+    self%load = load
+    self%floor = floor
+    call new_film_fields(nx, ny, self%fields)
+    call new_film_multigrid(self%grid, self%space%centre, self%cycles)
+    allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny))
+    allocate (self%basis(nx*ny + 1, most_krylov + 1))
+  end subroutine new_point_contact
+
+  !> Mean of each node and the next along x; the last column is not used.
+  pure function face_mean_x(a) result(mean)
+    real(wp), intent(in) :: a(:, :)
+    real(wp) :: mean(size(a, 1), size(a, 2))
+
+    mean = (a + eoshift(a, 1, dim=1))/2
+  end function face_mean_x
+
+  !> Mean of each node and the next along y; the last row is not used.
+  pure function face_mean_y(a) result(mean)
+    real(wp), intent(in) :: a(:, :)
+    real(wp) :: mean(size(a, 1), size(a, 2))
+
+    mean = (a + eoshift(a, 1, dim=2))/2
+  end function face_mean_y
+
+  !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
+  !>
+  !> `residual` is the imbalance that complementarity leaves, summed, over the summed wedge flow; `load_error`
+  !> is the missing load over the load.
+  subroutine film_residual(self, p, h0, residual, load_error)
+    type(point_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: p(:, :)
+    real(wp), intent(in) :: h0
+    real(wp), intent(out) :: residual, load_error
+
+    self%fields%p = p
+    call self%space%deflection(p, self%fields%h)
+    self%fields%h = self%fields%h + self%gap + h0
+    call set_film_fields(self%oil, self%floor, self%fields)
+    call flow_imbalance(self%grid, self%fields, self%imbalance)
+    self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
+    residual = sum(abs(self%imbalance), mask=self%free)/wedge_scale(self)
+    load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
+  end subroutine film_residual
+
+  !> Sum of |um . grad h|: what the residual is measured by.
+  pure real(wp) function wedge_scale(self)
+    type(point_contact), intent(in) :: self
+    integer :: i, j
+
+    wedge_scale = 0
+    associate (h => self%gap, g => self%grid)
+      do j = 2, g%ny - 1
+        do i = 2, g%nx - 1
+          wedge_scale = wedge_scale + abs(g%u(i, j)*(h(i + 1, j) - h(i - 1, j))/(2*g%dx) &
+            + g%v(i, j)*(h(i, j + 1) - h(i, j - 1))/(2*g%dy)) + abs(g%squeeze(i, j))
+        end do
+      end do
+    end associate
+  end function wedge_scale
+
+  !> One Newton step from (p, h0), about which `film_residual` was last evaluated; both are replaced.
+  !>
+  !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
+  !> `step` is the share of the Newton step taken.
+  subroutine film_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0
+    real(wp), intent(inout) :: residual, load_error
+    integer, intent(out) :: krylov, stat
+    real(wp), intent(out) :: step
+    real(wp), allocatable :: right(:), change(:), start(:, :)
+    real(wp) :: reduction, merit, start_h0
+    integer :: n
+
+    n = size(p)
+    step = 0
+    krylov = 0
+    call set_film_multigrid(self%cycles, self%fields, self%free, stat)
+    if (stat /= status_ok) return
+    call set_softness(self)
+
+    allocate (right(n + 1), change(n + 1))
+    right(:n) = reshape(merge(-self%imbalance, 0.0_wp, self%free), [n])
+    right(n + 1) = 0
+    right(n + 1) = load_error*self%load*load_scale(self)
+    call gmres(self, right, forcing, most_krylov, self%basis, change, krylov, reduction)
+    if (.not. all(abs(change) <= huge(1.0_wp))) then
+      stat = status_not_finite
+      return
+    end if
+
+    start = p
+    start_h0 = h0
+    merit = residual + abs(load_error)
+    step = 1
+    do
+      p = max(start + step*reshape(change(:n), shape(p)), 0.0_wp)
+      h0 = start_h0 + step*change(n + 1)
+      call film_residual(self, p, h0, residual, load_error)
+      if (residual + abs(load_error) <= 2*merit) exit
+      if (step < shortest_step) then
+        stat = status_no_descent
+        return
+      end if
+      step = step/2
+    end do
+    stat = status_ok
+  end subroutine film_step
+
+  !> Brings the load's row to the size of the others.
+  pure real(wp) function load_scale(self)
+    type(point_contact), intent(in) :: self
+
+    load_scale = wedge_scale(self)/self%load/sqrt(real(size(self%gap), wp))
+  end function load_scale
+
+  !> Pressure by which the preconditioner answers a unit rise of the rigid film.
+  subroutine set_softness(self)
+    type(point_contact), intent(inout) :: self
+    real(wp), allocatable :: nothing(:, :), ones(:, :), rise(:, :)
+
+    allocate (nothing, ones, rise, mold=self%gap)
+    nothing = 0
+    ones = 1
+    call flow_imbalance_change(self%grid, self%fields, nothing, ones, rise)
+    call film_cycle(self%cycles, rise, self%softness)
+    self%softness_load = total(self%softness)
+  end subroutine set_softness
+
+  !> The Jacobian: (change of pressure, of h0) to (change of imbalance, of load).
+  subroutine multiply(self, x, y)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    real(wp), contiguous, pointer :: dp(:, :), dr(:, :)
+    integer :: n
+
+    n = self%grid%nx*self%grid%ny
+    dp(1:self%grid%nx, 1:self%grid%ny) => x(:n)
+    dr(1:self%grid%nx, 1:self%grid%ny) => y(:n)
+    call self%space%deflection(dp, self%dh)
+    self%dh = self%dh + x(n + 1)
+    call flow_imbalance_change(self%grid, self%fields, dp, self%dh, dr)
+    where (.not. self%free) dr = 0
+    y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*load_scale(self)
+  end subroutine multiply
+
+  !> Bordered approximate solve: a multigrid cycle for the pressure, with h0 such that the load comes out.
+  subroutine precondition(self, x, y)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    real(wp), contiguous, pointer :: r(:, :), dp(:, :)
+    integer :: n
+
+    n = self%grid%nx*self%grid%ny
+    r(1:self%grid%nx, 1:self%grid%ny) => x(:n)
+    dp(1:self%grid%nx, 1:self%grid%ny) => y(:n)
+    call film_cycle(self%cycles, r, dp)
+    y(n + 1) = (total(dp) - x(n + 1)/(self%grid%dx*self%grid%dy*load_scale(self)))/self%softness_load
+    dp = dp - self%softness*y(n + 1)
+  end subroutine precondition
+
+end module point_film

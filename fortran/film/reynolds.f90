@@ -1,0 +1,178 @@
+!> Reynolds' equation div(rho h um) - div(rho h^3 / (12 eta) grad p) + rho dh/dt = 0 on a uniform grid.
+!>
+!> Node-centred finite volumes: diffusive fluxes with the mean mobility of a face's two nodes, wedge fluxes
+!> with second-order upwind rho h by the sign of the entrainment at the face. Density is taken relative to
+!> that at ambient pressure, so that the residual is a volume flow per area [m/s].
+module reynolds
+  use kinds, only: wp
+  use oil_laws, only: oil_law, viscosity, density
+  implicit none(type, external)
+  private
+
+  public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
+
+  !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
+  type :: film_grid
+    integer :: nx = 0, ny = 0
+    real(wp) :: dx = 0, dy = 0
+    !> Entrainment through the face after a node, along x and along y.
+    real(wp), allocatable :: u(:, :), v(:, :)
+    !> Rate of change of the gap.
+    real(wp), allocatable :: squeeze(:, :)
+  end type film_grid
+
+  !> Nodal fields at one pressure and film, with the derivatives that Newton's method needs.
+  type :: film_fields
+    !> Pressure [Pa] and film [m].
+    real(wp), allocatable :: p(:, :), h(:, :)
+    !> Relative density and its derivative by pressure.
+    real(wp), allocatable :: rho(:, :), rho_p(:, :)
+    !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
+    real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
+  end type film_fields
+
+contains
+
+  !> Space for the fields of a grid.
+  subroutine new_film_fields(nx, ny, fields)
+    integer, intent(in) :: nx, ny
+    type(film_fields), intent(out) :: fields
+
+    allocate (fields%p(nx, ny), fields%h(nx, ny), fields%rho(nx, ny), fields%rho_p(nx, ny), &
+      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny))
+    fields%p = 0
+    fields%h = 0
+  end subroutine new_film_fields
+
+  !> Fields at the pressure and film that `fields` already holds.
+  !>
+  !> A film below `floor` [m] keeps the mobility of the floor: coarse grids and Newton steps may pass through
+  !> films that are not positive.
+  subroutine set_film_fields(oil, floor, fields)
+    type(oil_law), intent(in) :: oil
+    real(wp), intent(in) :: floor
+    type(film_fields), intent(inout) :: fields
+    real(wp) :: eta, slope, thickness
+    integer :: i, j
+
+    do j = 1, size(fields%p, 2)
+      do i = 1, size(fields%p, 1)
+        call viscosity(oil, fields%p(i, j), eta, slope)
+        call density(oil, fields%p(i, j), fields%rho(i, j), fields%rho_p(i, j))
+        thickness = max(fields%h(i, j), floor)
+        fields%mobility(i, j) = fields%rho(i, j)*thickness**3/(12*eta)
+        fields%mobility_p(i, j) = fields%mobility(i, j)*(fields%rho_p(i, j)/fields%rho(i, j) - slope)
+        fields%mobility_h(i, j) = 0
+        if (fields%h(i, j) > floor) fields%mobility_h(i, j) = 3*fields%mobility(i, j)/thickness
+      end do
+    end do
+  end subroutine set_film_fields
+
+  !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
+  subroutine flow_imbalance(grid, fields, imbalance)
+    type(film_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    real(wp), contiguous, intent(out) :: imbalance(:, :)
+    real(wp), allocatable :: mass(:, :)
+
+    mass = fields%rho*fields%h
+    imbalance = fields%rho*grid%squeeze
+    call add_wedge(grid, mass, imbalance)
+    call add_diffusion(grid, fields%mobility, fields%p, imbalance)
+    call clear_outline(imbalance)
+  end subroutine flow_imbalance
+
+  !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
+  subroutine flow_imbalance_change(grid, fields, dp, dh, change)
+    type(film_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    real(wp), contiguous, intent(out) :: change(:, :)
+    real(wp), allocatable :: dm(:, :)
+
+    change = fields%rho_p*grid%squeeze*dp
+    dm = fields%rho_p*fields%h*dp + fields%rho*dh
+    call add_wedge(grid, dm, change)
+    call add_diffusion(grid, fields%mobility, dp, change)
+    dm = fields%mobility_p*dp + fields%mobility_h*dh
+    call add_diffusion(grid, dm, fields%p, change)
+    call clear_outline(change)
+  end subroutine flow_imbalance_change
+
+  !> Adds -div(m grad p).
+  subroutine add_diffusion(grid, m, p, r)
+    type(film_grid), intent(in) :: grid
+    real(wp), contiguous, intent(in) :: m(:, :), p(:, :)
+    real(wp), contiguous, intent(inout) :: r(:, :)
+    real(wp) :: flux(grid%nx), scale
+    integer :: i, j
+
+    scale = 0.5_wp/grid%dx**2
+    do j = 2, grid%ny - 1
+      do i = 1, grid%nx - 1
+        flux(i) = scale*(m(i, j) + m(i + 1, j))*(p(i, j) - p(i + 1, j))
+      end do
+      do i = 2, grid%nx - 1
+        r(i, j) = r(i, j) + flux(i) - flux(i - 1)
+      end do
+    end do
+    scale = 0.5_wp/grid%dy**2
+    do j = 1, grid%ny - 1
+      do i = 1, grid%nx
+        flux(i) = scale*(m(i, j) + m(i, j + 1))*(p(i, j) - p(i, j + 1))
+        r(i, j) = r(i, j) + flux(i)
+        r(i, j + 1) = r(i, j + 1) - flux(i)
+      end do
+    end do
+  end subroutine add_diffusion
+
+  !> Adds div(q um) with q upwind to second order; next to the outline q is the mean of a face's two nodes.
+  subroutine add_wedge(grid, q, r)
+    type(film_grid), intent(in) :: grid
+    real(wp), contiguous, intent(in) :: q(:, :)
+    real(wp), contiguous, intent(inout) :: r(:, :)
+    real(wp) :: flux(grid%nx)
+    integer :: i, j, nx, ny
+
+    nx = grid%nx
+    ny = grid%ny
+    do j = 2, ny - 1
+      flux(1) = grid%u(1, j)*(q(1, j) + q(2, j))/(2*grid%dx)
+      flux(nx - 1) = grid%u(nx - 1, j)*(q(nx - 1, j) + q(nx, j))/(2*grid%dx)
+      do i = 2, nx - 2
+        flux(i) = upwind(grid%u(i, j), q(i - 1, j), q(i, j), q(i + 1, j), q(i + 2, j))/grid%dx
+      end do
+      do i = 2, nx - 1
+        r(i, j) = r(i, j) + flux(i) - flux(i - 1)
+      end do
+    end do
+    do j = 1, ny - 1
+      if (j == 1 .or. j == ny - 1) then
+        flux = grid%v(:, j)*(q(:, j) + q(:, j + 1))/(2*grid%dy)
+      else
+        do i = 1, nx
+          flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
+        end do
+      end if
+      r(:, j) = r(:, j) + flux
+      r(:, j + 1) = r(:, j + 1) - flux
+    end do
+  end subroutine add_wedge
+
+  !> Flow of q through a face between the second and the third of four nodes.
+  pure real(wp) function upwind(u, q1, q2, q3, q4)
+    real(wp), intent(in) :: u, q1, q2, q3, q4
+
+    upwind = max(u, 0.0_wp)*(1.5_wp*q2 - 0.5_wp*q1) + min(u, 0.0_wp)*(1.5_wp*q3 - 0.5_wp*q4)
+  end function upwind
+
+  pure subroutine clear_outline(r)
+    real(wp), contiguous, intent(inout) :: r(:, :)
+
+    r(1, :) = 0
+    r(size(r, 1), :) = 0
+    r(:, 1) = 0
+    r(:, size(r, 2)) = 0
+  end subroutine clear_outline
+
+end module reynolds

@@ -1,0 +1,247 @@
+"""The one door to the compiled kernel: arrays in Fortran order go in, status numbers become exceptions."""
+
+import weakref
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm import _core
+from pyworm.oils import Barus, Oil
+
+_MESSAGES = {
+    1: "a size, a spacing, a load or a first guess makes no sense",
+    2: "a field holds a value that is not finite",
+    3: "the FFT library made no plan",
+    4: "the iteration ended before its tolerance was met",
+    5: "no step along the Newton direction lowers the residual",
+    6: "there is not enough memory",
+}
+
+NOT_CONVERGED = 4
+NO_DESCENT = 5
+
+
+class KernelError(RuntimeError):
+    """The kernel could not do what it was asked.
+
+    Attributes
+    ----------
+    status : int
+        The kernel's status number (`fortran/base/status.f90`).
+    """
+
+    def __init__(self, status: int):
+        super().__init__(_MESSAGES[status])
+        self.status = status
+
+
+def _check(status: int) -> None:
+    if status:
+        raise KernelError(status)
+
+
+def _field(values) -> np.ndarray:
+    return np.asfortranarray(values, dtype=np.float64)
+
+
+def elastic_deflection(pressure, dx: float, dy: float, reduced_modulus: float) -> np.ndarray:
+    """Deflection [m] of both half-spaces together under nodal pressure [Pa], shape (nx, ny)."""
+    deflection, status = _core.bindings.elastic_deflection(
+        _field(pressure), dx, dy, reduced_modulus
+    )
+    _check(status)
+    return deflection
+
+
+@dataclass(frozen=True)
+class DryContact:
+    """Frictionless contact of a gap under a load.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        Pressure [Pa], shape (nx, ny).
+    approach : float
+        Rigid approach of the bodies [m].
+    iterations : int
+        Conjugate-gradient iterations, two convolutions each.
+    """
+
+    pressure: np.ndarray
+    approach: float
+    iterations: int
+
+
+def dry_contact(
+    gap, covered, dx: float, dy: float, reduced_modulus: float, load: float, guess, tolerance: float
+) -> DryContact:
+    """Dry contact of a gap [m], shape (nx, ny), by conjugate gradients (Polonsky and Keer 1999).
+
+    Parameters
+    ----------
+    gap, covered : array_like
+        Undeformed gap [m] and where both bodies exist.
+    dx, dy : float
+        Grid spacing [m].
+    reduced_modulus, load : float
+        E' [Pa] and normal load [N].
+    guess : array_like
+        First pressure; its size does not matter, where it is positive does.
+    tolerance : float
+        Film left in the contact over the approach.
+
+    Raises
+    ------
+    KernelError
+        If the contact does not converge.
+    """
+    pressure = _field(guess).copy(order="F")
+    approach, iterations, status = _core.bindings.dry_contact_solve(
+        _field(gap),
+        np.asfortranarray(covered, dtype=np.int32),
+        dx,
+        dy,
+        reduced_modulus,
+        load,
+        tolerance,
+        _MOST_DRY_ITERATIONS,
+        pressure,
+    )
+    _check(status)
+    return DryContact(pressure, approach, iterations)
+
+
+_MOST_DRY_ITERATIONS = 2000
+
+
+@dataclass(frozen=True)
+class Balance:
+    """How far a film is from its equations.
+
+    Attributes
+    ----------
+    residual : float
+        Summed Reynolds residual over the summed wedge flow.
+    load_error : float
+        Missing load over the load.
+    """
+
+    residual: float
+    load_error: float
+
+    @property
+    def worst(self) -> float:
+        """The larger of both."""
+        return max(self.residual, abs(self.load_error))
+
+
+@dataclass(frozen=True)
+class Step:
+    """One Newton step.
+
+    Attributes
+    ----------
+    balance : Balance
+        Where the step led.
+    krylov : int
+        GMRES iterations.
+    share : float
+        Share of the full Newton step that was taken.
+    """
+
+    balance: Balance
+    krylov: int
+    share: float
+
+
+class PointFilm:
+    """A point contact on one grid and its present state, held by the kernel.
+
+    Parameters
+    ----------
+    gap, covered : array_like
+        Undeformed gap [m] and where both surfaces exist, shape (nx, ny).
+    entrainment : tuple of array_like
+        Nodal entrainment velocity (u, v) [m/s].
+    squeeze : array_like
+        Rate of change of the gap [m/s].
+    dx, dy : float
+        Grid spacing [m].
+    reduced_modulus, load : float
+        E' [Pa] and normal load [N].
+    oil : Oil
+        Oil at its inlet temperature.
+    floor : float
+        Film [m] below which the mobility falls no further, far below any film of interest.
+    """
+
+    def __init__(
+        self, gap, covered, entrainment, squeeze, dx, dy, reduced_modulus, load, oil: Oil, floor
+    ):
+        law = oil.viscosity
+        barus = isinstance(law, Barus)
+        handle, status = _core.bindings.point_film_new(
+            _field(gap),
+            np.asfortranarray(covered, dtype=np.int32),
+            _field(entrainment[0]),
+            _field(entrainment[1]),
+            _field(squeeze),
+            dx,
+            dy,
+            reduced_modulus,
+            1 if barus else 2,
+            law.eta0,
+            law.alpha if barus else law.z,
+            1.0 if barus else law.p0,
+            oil.density.d1,
+            oil.density.d2,
+            load,
+            floor,
+        )
+        _check(status)
+        self._handle = handle
+        self._shape = np.shape(gap)
+        weakref.finalize(self, _core.bindings.point_film_free, handle)
+
+    def start(self, pressure, rigid_film: float) -> Balance:
+        """Takes up a pressure [Pa] and a rigid film h0 [m]."""
+        self.pressure = _field(pressure).copy(order="F")
+        self.rigid_film = rigid_film
+        self.balance = Balance(
+            *_core.bindings.point_film_evaluate(self._handle, self.pressure, rigid_film)
+        )
+        return self.balance
+
+    def step(self, forcing: float) -> Step:
+        """One Newton step, its linear system solved to `forcing` times the right-hand side.
+
+        Raises
+        ------
+        KernelError
+            If the step cannot be made.
+        """
+        rigid_film, residual, load_error, krylov, share, status = _core.bindings.point_film_step(
+            self._handle,
+            forcing,
+            self.pressure,
+            self.rigid_film,
+            self.balance.residual,
+            self.balance.load_error,
+        )
+        _check(status)
+        self.rigid_film = rigid_film
+        self.balance = Balance(residual, load_error)
+        return Step(self.balance, krylov, share)
+
+    def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Film [m], relative density and net outflow per area [m/s] at the present state."""
+        return _core.bindings.point_film_fields(self._handle, *self._shape)
+
+    def convolve(self) -> np.ndarray:
+        """Deflection [m] under the present pressure: one convolution, the unit of cost."""
+        return _core.bindings.point_film_convolve(self._handle, self.pressure)
+
+
+def prolong(field) -> np.ndarray:
+    """A field on the grid of half the spacing, by cubic interpolation."""
+    return _core.bindings.prolong_cubic(_field(field))
