@@ -31,7 +31,7 @@ _WANTED = {
 
 
 class CaseError(ValueError):
-    """A case that cannot be simulated; its message is one sentence for whoever wrote the case."""
+    """Input that cannot be worked with; the message is one sentence for whoever gave it."""
 
 
 def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any]) -> str:

@@ -69,19 +69,14 @@ class SampledGap:
                 )
         if np.any(np.isinf(self.gap)):
             raise ValueError("gap must be finite, or NaN where a body is missing")
-        if not self(np.zeros(1), np.zeros(1))[1][0]:
+        if not self._covered(np.zeros(1), np.zeros(1)).all():
             raise ValueError("gap must be a number at the contact point x = y = 0")
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Gap [m] and where both bodies exist."""
         inside_x = np.clip(x, self.x[0], self.x[-1])
         inside_y = np.clip(y, self.y[0], self.y[-1])
-        gap = self._rest.ev(inside_y, inside_x) + self._quadratic(x, y)
-        covered = (inside_x == x) & (inside_y == y)
-        # A cell is covered when its four corners are: the nearest sample alone would round edges outwards.
-        row = np.clip(np.searchsorted(self.y, inside_y, side="right") - 1, 0, self.y.size - 2)
-        column = np.clip(np.searchsorted(self.x, inside_x, side="right") - 1, 0, self.x.size - 2)
-        return gap, covered & self._covered_cells[row, column]
+        return self._rest.ev(inside_y, inside_x) + self._quadratic(x, y), self._covered(x, y)
 
     @cached_property
     def radii(self) -> tuple[float, float]:
@@ -103,6 +98,18 @@ class SampledGap:
         floor = FLATTEST * max(curvatures)
         return 1 / max(curvatures[0], floor), 1 / max(curvatures[1], floor)
 
+    def _covered(self, x: Array, y: Array) -> Array:
+        inside = (self.x[0] <= x) & (x <= self.x[-1]) & (self.y[0] <= y) & (y <= self.y[-1])
+        row = np.clip(np.searchsorted(self.y, y, side="right") - 1, 0, self.y.size - 2)
+        column = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, self.x.size - 2)
+        return inside & self._covered_cells[row, column]
+
+    @cached_property
+    def _covered_cells(self) -> Array:
+        """Cells whose four corners are known: by the nearest sample alone, edges would grow."""
+        known = np.isfinite(self.gap)
+        return known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
+
     def _quadratic(self, x: Array, y: Array) -> Array:
         terms = _quadratic_terms(x, y)
         return sum(c * term for c, term in zip(self._coefficients, terms, strict=True))
@@ -110,11 +117,6 @@ class SampledGap:
     @cached_property
     def _coefficients(self) -> Array:
         return _fit_quadratic(self.x, self.y, self.gap)
-
-    @cached_property
-    def _covered_cells(self) -> Array:
-        known = np.isfinite(self.gap)
-        return known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
 
     @cached_property
     def _rest(self) -> RectBivariateSpline:

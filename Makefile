@@ -1,0 +1,51 @@
+# Everything from a fresh clone: each target installs what it needs and is missing.
+
+PYTHON ?= python3
+VENV := .venv
+INSTALLED := $(VENV)/.installed
+DEBUG := build/debug
+DEMO := zi_sharif_2001
+
+# The virtual environment's tools first: meson, ninja (which an editable install calls on import), pyworm.
+export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
+# One thread unless asked otherwise: times are comparable, and two libraries do not fight for the cores.
+export OMP_NUM_THREADS ?= 1
+export OPENBLAS_NUM_THREADS ?= 1
+
+.PHONY: help install demo test test-fortran test-python lint clean
+
+help:
+	@echo "make demo   run cases/$(DEMO).toml: table, results file and pictures"
+	@echo "make test   run the Fortran and the Python tests"
+	@echo "make lint   run the linters"
+	@echo "make clean  remove the virtual environment and all that was built (results stay)"
+
+install: $(INSTALLED)
+
+# Sources need no rule: the editable install rebuilds itself on import when they change.
+$(INSTALLED): pyproject.toml tools/setup.sh
+	tools/setup.sh $(PYTHON) $(VENV)
+	@touch $@
+
+demo: $(INSTALLED)
+	pyworm run cases/$(DEMO).toml --out results/$(DEMO)
+
+test: test-fortran test-python
+
+$(DEBUG)/build.ninja: $(INSTALLED)
+	meson setup $(DEBUG) --buildtype=debug --reconfigure
+
+test-fortran: $(DEBUG)/build.ninja
+	meson test -C $(DEBUG) --suite fortran --print-errorlogs
+
+test-python: $(INSTALLED)
+	python -m pytest
+
+lint: $(INSTALLED)
+	ruff check .
+	ruff format --check .
+	fortitude check fortran tests/fortran
+
+clean:
+	rm -rf $(VENV) build .pytest_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,128 @@
+"""Tables for people: what a scene is, what is planned for it, and what came out, in workshop units."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from rich.table import Table
+
+from pyworm.effects import Plan
+from pyworm.formulas.hertz import hertz
+from pyworm.scene import Scene
+from pyworm.schema import PublishedValue
+
+# Label, key in the summary, factor from SI to the unit shown, unit, key of the relative error, and the
+# name under which a case's [published] has the same figure.
+_FIGURES = (
+    ("Load", "load_N", 1e-3, "kN", None, "load"),
+    ("Dry contact: largest pressure", "dry_pressure_max_Pa", 1e-6, "MPa", None, "dry_pressure_max"),
+    ("Dry contact: length", "dry_length_m", 1e3, "mm", None, "dry_length"),
+    ("Dry contact: width", "dry_width_m", 1e3, "mm", None, "dry_width"),
+    ("Largest pressure", "pressure_max_Pa", 1e-6, "MPa", "pressure_max_error", "pressure_max"),
+    ("Central film", "film_central_m", 1e6, "µm", "film_central_error", "film_central"),
+    ("Minimum film", "film_min_m", 1e6, "µm", "film_min_error", "film_min"),
+    ("Minimum film on the centre line", "film_exit_min_m", 1e6, "µm", None, "film_exit_min"),
+    ("  along it at", "film_exit_min_at_m", 1e3, "mm", None, "film_exit_min_at"),
+    ("Moes' load parameter M", "moes_M", 1.0, "", None, None),
+    ("Moes' lubricant parameter L", "moes_L", 1.0, "", None, None),
+    ("Load error", "load_error", 100.0, "%", None, None),
+    ("Mass error", "mass_error", 100.0, "%", None, None),
+    ("Residual", "residual", 1.0, "", None, None),
+    ("Time", "seconds", 1.0, "s", None, None),
+    ("Convolutions", "convolutions", 1.0, "", None, None),
+)
+
+
+def figures_table(summary: Mapping[str, Any], published: Mapping[str, PublishedValue]) -> Table:
+    """Figures of one solved scene, with what the source prints beside them.
+
+    Parameters
+    ----------
+    summary : mapping
+        `Solution.summary()`.
+    published : mapping
+        `Case.published`; shown only for the phase that it belongs to, if it names one.
+    """
+    if "phase" in published and published["phase"].value != summary["phase"]:
+        published = {}
+    table = Table(title=_title(summary["name"], summary["phase"]), title_justify="left")
+    table.add_column("Figure")
+    table.add_column("Value", justify="right")
+    table.add_column("Error bar", justify="right")
+    if published:
+        table.add_column("Published", justify="right")
+    for label, key, scale, unit, error_key, name in _FIGURES:
+        cells = [label, _value(summary[key] * scale, unit)]
+        cells.append("" if error_key is None else f"± {summary[error_key] * 100:.2g} %")
+        if published:
+            cells.append(published[name].text if name in published else "")
+        table.add_row(*cells)
+        if key == "film_min_m":
+            x, y = (coordinate * 1e3 for coordinate in summary["film_min_at_m"])
+            table.add_row("  at x, y", f"{x:.3g}, {y:.3g} mm")
+    table.add_row("Grid", " x ".join(str(count) for count in summary["grid"]))
+    table.add_row("Converged", "yes" if summary["converged"] else f"NO: {summary['stop_reason']}")
+    return table
+
+
+def scene_summary(scene: Scene) -> dict[str, Any]:
+    """What a scene asks of the solver, as one flat object, units in the keys."""
+    origin = np.zeros(1)
+    entrainment, sliding = (
+        [float(component[0]) for component in velocity(origin, origin)]
+        for velocity in (scene.entrainment, scene.sliding)
+    )
+    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
+    return {
+        "name": scene.name,
+        "phase": scene.phase,
+        "load_N": scene.load,
+        "radii_m": list(scene.radii),
+        "reduced_modulus_Pa": scene.reduced_modulus,
+        "entrainment_m_per_s": entrainment,
+        "sliding_m_per_s": sliding,
+        "hertz_semi_axes_m": [contact.semi_axis_x, contact.semi_axis_y],
+        "hertz_pressure_max_Pa": contact.pressure_max,
+    }
+
+
+def plan_table(summary: Mapping[str, Any], plan: Plan) -> Table:
+    """A scene and what is planned for it.
+
+    Parameters
+    ----------
+    summary : mapping
+        `scene_summary` of the scene.
+    plan : Plan
+        Its plan.
+    """
+    table = Table(title=_title(summary["name"], summary["phase"]), title_justify="left")
+    table.add_column("Scene")
+    table.add_column("", overflow="fold")
+    table.add_row("Load", _value(summary["load_N"] / 1e3, "kN"))
+    table.add_row("Relative radii along x, y", _pair(summary["radii_m"], 1e3, "mm"))
+    table.add_row("Reduced modulus", _value(summary["reduced_modulus_Pa"] / 1e9, "GPa"))
+    table.add_row("Entrainment along x, y", _pair(summary["entrainment_m_per_s"], 1, "m/s"))
+    table.add_row("Sliding along x, y", _pair(summary["sliding_m_per_s"], 1, "m/s"))
+    table.add_row("Hertz semi-axes along x, y", _pair(summary["hertz_semi_axes_m"], 1e3, "mm"))
+    table.add_row("Hertz pressure", _value(summary["hertz_pressure_max_Pa"] / 1e6, "MPa"))
+    table.add_section()
+    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} %")
+    for effect in plan.effects:
+        table.add_row(effect.name, f"{'on' if effect.on else 'off'}: {effect.reason}")
+    for grid in plan.grids:
+        table.add_row("Grid", str(grid))
+    table.add_row("Expected convolutions", f"{plan.expected_convolutions:.0f}")
+    return table
+
+
+def _title(name: str, phase: float | None) -> str:
+    return name if phase is None else f"{name}, mesh phase {phase:g}"
+
+
+def _value(value: float, unit: str) -> str:
+    return f"{value:.4g} {unit}".rstrip()
+
+
+def _pair(values, scale: float, unit: str) -> str:
+    return f"{values[0] * scale:.4g}, {values[1] * scale:.4g} {unit}"

@@ -1,0 +1,177 @@
+"""Case files become cases and cases become scenes."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from pyworm.case import load
+from pyworm.oils import Roelands
+from pyworm.sampled_gap import SampledGap, read_gap
+
+CASES = Path(__file__).parents[2] / "cases"
+SHIPPED = sorted(CASES.glob("*.toml"))
+CONTACTS = [path for path in SHIPPED if path.stem != "zi_sharif_2001"]
+
+
+def moes(scene):
+    """Moes' M and L along x, by the definitions."""
+    viscosity = scene.oil.viscosity
+    (u,), _ = scene.entrainment(np.zeros(1), np.zeros(1))
+    speed = viscosity.eta0 * u / (scene.reduced_modulus * scene.radii[0])
+    load = scene.load / (scene.reduced_modulus * scene.radii[0] ** 2)
+    return (
+        load * (2 * speed) ** -0.75,
+        viscosity.alpha * scene.reduced_modulus * (2 * speed) ** 0.25,
+    )
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_every_shipped_case_is_right(path):
+    case = load(path)
+    assert case.name == path.stem
+    assert case.title and case.source
+    assert json.loads(json.dumps(case.resolved)) == case.resolved
+
+
+@pytest.mark.parametrize("path", CONTACTS, ids=lambda path: path.stem)
+def test_every_shipped_contact_makes_one_scene(path):
+    (scene,) = load(path).scenes()
+    assert scene.phase is None
+    gap, covered = scene.gap(np.zeros((1, 1)), np.zeros((1, 1)))
+    assert covered.all()
+    assert abs(gap.item()) < 1e-9
+
+
+@pytest.mark.parametrize("m", [20, 100, 200])
+def test_model_contacts_have_the_parameters_in_their_name(m):
+    assert moes(load(CASES / f"point_m{m}_l10.toml").scene()) == pytest.approx((m, 10), rel=1e-4)
+
+
+def test_mourier_has_the_published_parameters():
+    scene = load(CASES / "mourier_2006.toml").scene()
+    assert scene.reduced_modulus == pytest.approx(110e9)
+    assert moes(scene) == pytest.approx((63.78, 5.788), rel=1e-3)
+
+
+def test_spin_like_the_worms_is_that_of_the_mean_velocity():
+    scene = load(CASES / "spin_zi_like.toml").scene()
+    semi_axis = 10.781e-3
+    u, v = scene.entrainment(np.array([0.0, semi_axis]), np.array([semi_axis, 0.0]))
+    assert u == pytest.approx([0, 2.75], abs=2e-4)
+    assert v == pytest.approx([0, 2.75], abs=2e-4)
+
+
+def test_sharif_case_holds_the_tables_of_the_paper():
+    case = load(CASES / "zi_sharif_2001.toml")
+    tables = case.tables
+    assert case.phases == (0.5,)
+    assert tables.drive.worm.threads == 3
+    assert tables.drive.wheel.teeth == 59
+    assert tables.drive.hob.centre_distance == pytest.approx(305.62e-3)
+    assert tables.operation.worm_speed == pytest.approx(50 * np.pi)
+    assert tables.oil.thermal.inlet_temperature == pytest.approx(333.15)
+    assert case.published["dry_pressure_max"].value == pytest.approx(540e6)
+    # The paper's equivalent coefficient follows from z and eta0: a check of both and of the pole.
+    assert tables.oil.oil().viscosity.alpha == pytest.approx(9.5e-9, rel=5e-3)
+
+
+def test_both_published_forms_of_the_pole_are_taken(tmp_path):
+    text = (CASES / "point_m20_l10.toml").read_text()
+    path = tmp_path / "case.toml"
+    path.write_text(text.replace('pole_pressure = "196 MPa"', 'pole_coefficient = "5.1 1/GPa"'))
+    viscosity = load(path).scene().oil.viscosity
+    assert isinstance(viscosity, Roelands)
+    assert viscosity.p0 == pytest.approx(1 / 5.1e-9)
+    assert viscosity.alpha == pytest.approx(22e-9)
+
+
+# ------------------------------------------------------------------------------------ sampled gaps
+
+
+def crowned(count_x=41, count_y=61):
+    """A crowned roller of radii 10 mm and 2 m, with coordinates."""
+    x = np.linspace(-0.5e-3, 0.5e-3, count_x)
+    y = np.linspace(-3e-3, 3e-3, count_y)
+    return x, y, x[None, :] ** 2 / 0.02 + y[:, None] ** 2 / 4
+
+
+def test_a_sampled_paraboloid_is_the_paraboloid_between_and_beyond_its_samples():
+    gap = SampledGap(*crowned())
+    assert gap.radii == pytest.approx((0.01, 2.0))
+    x, y = np.meshgrid(np.linspace(-1e-3, 1e-3, 33), np.linspace(-4e-3, 4e-3, 35))
+    values, covered = gap(x, y)
+    assert np.abs(values - (x**2 / 0.02 + y**2 / 4)).max() < 1e-15
+    assert np.array_equal(covered, (np.abs(x) <= 0.5e-3) & (np.abs(y) <= 3e-3))
+
+
+def test_a_missing_body_is_continued_smoothly_and_not_covered():
+    x, y, values = crowned()
+    torn = values.copy()
+    torn[y > 2e-3] = np.nan
+    gap = SampledGap(x, y, torn)
+    filled, covered = gap(x[None, :], y[:, None])
+    assert np.abs(filled - values).max() < 1e-12
+    assert not covered[y > 2e-3].any()
+    assert covered[y < 1.9e-3].all()
+
+
+def test_a_straight_roller_has_radii_of_finite_size():
+    x, y, values = crowned()
+    flat = np.broadcast_to(x**2 / 0.02, values.shape).copy()
+    assert SampledGap(x, y, flat).radii == pytest.approx((0.01, 10.0), rel=1e-6)
+
+
+def test_npz_and_netcdf_hold_the_same_gap(tmp_path):
+    x, y, values = crowned()
+    np.savez(tmp_path / "a.npz", gap=values, dx=x[1] - x[0], dy=y[1] - y[0], x0=x[0], y0=y[0])
+    np.savez(tmp_path / "b.npz", gap=values, dx=x[1] - x[0], dy=y[1] - y[0])
+    dataset = xr.Dataset({"gap": (("x", "y"), values.T)}, coords={"x": x, "y": y})
+    dataset.to_netcdf(tmp_path / "c.nc", engine="h5netcdf")
+    for name in ("a.npz", "b.npz", "c.nc"):
+        gap = read_gap(tmp_path / name)
+        assert gap.x == pytest.approx(x)
+        assert gap.y == pytest.approx(y)
+        assert np.array_equal(gap.gap, values)
+
+
+def save(path, **arrays):
+    np.savez(path, **arrays)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("arrays", "message"),
+    [
+        ({"gap": np.zeros((9, 9, 2)), "dx": 1e-5, "dy": 1e-5}, "two dimensions"),
+        ({"gap": np.zeros(9), "dx": 1e-5, "dy": 1e-5}, "two dimensions"),
+        ({"gap": np.zeros((3, 9)), "dx": 1e-5, "dy": 1e-5}, "at least 5 samples"),
+        ({"gap": np.zeros((9, 9)), "dy": 1e-5}, "dx is missing"),
+        ({"gap": np.zeros((9, 9)), "dx": 1e-5, "dy": 0.0}, "dy must be one length"),
+        ({"gap": np.zeros((9, 9)), "dx": [1e-5, 1e-5], "dy": 1e-5}, "dx must be one length"),
+        ({"dx": 1e-5, "dy": 1e-5}, "gap is missing"),
+        ({"gap": np.full((9, 9), np.nan), "dx": 1e-5, "dy": 1e-5}, "at the contact point"),
+        ({"gap": np.full((9, 9), np.inf), "dx": 1e-5, "dy": 1e-5}, "finite"),
+        ({"gap": np.zeros((9, 9)), "dx": 1e-5, "dy": 1e-5, "x0": 0.0}, "contact point"),
+        ({"gap": np.array([["a"]]), "dx": 1e-5, "dy": 1e-5}, "npz file of numbers"),
+    ],
+)
+def test_what_is_no_gap_is_refused(tmp_path, arrays, message):
+    with pytest.raises(ValueError, match=message):
+        read_gap(save(tmp_path / "gap.npz", **arrays))
+
+
+def test_a_gap_that_does_not_open_is_refused():
+    x, y, values = crowned()
+    with pytest.raises(ValueError, match="must open"):
+        _ = SampledGap(x, y, -values).radii
+
+
+def test_a_netcdf_gap_needs_its_coordinates(tmp_path):
+    xr.Dataset({"gap": (("y", "x"), crowned()[2])}).to_netcdf(
+        tmp_path / "gap.nc", engine="h5netcdf"
+    )
+    with pytest.raises(ValueError, match="x is missing"):
+        read_gap(tmp_path / "gap.nc")

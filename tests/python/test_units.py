@@ -1,0 +1,105 @@
+"""Quantities come in with their unit and go on in SI."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pyworm.units import SHARE, Kind, parse, parse_any
+
+FORCE = Kind("a force", "N", "14 kN")
+LENGTH = Kind("a length", "m", "305 mm", "any")
+ANGLE = Kind("an angle", "rad", "27.5 deg")
+SPEED = Kind("a speed of rotation", "rad/s", "1500 rpm")
+TEMPERATURE = Kind("a temperature", "K", "60 degC")
+PER_PRESSURE = Kind("a pressure coefficient", "1/Pa", "9.5 1/GPa", "not negative")
+CONDUCTIVITY = Kind("a thermal conductivity", "W/(m K)", "47 W/(m K)")
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "value"),
+    [
+        ("14 kN", FORCE, 14e3),
+        ("14kN", FORCE, 14e3),
+        (" 1.4e4  N ", FORCE, 14e3),
+        ("-0.5 mm", LENGTH, -0.5e-3),
+        ("0.40 deg", ANGLE, math.radians(0.40)),
+        ("0.40°", ANGLE, math.radians(0.40)),
+        ("1500 rpm", SPEED, 50 * math.pi),
+        ("60 degC", TEMPERATURE, 333.15),
+        ("60 °C", TEMPERATURE, 333.15),
+        ("9.5 1/GPa", PER_PRESSURE, 9.5e-9),
+        ("0 1/GPa", PER_PRESSURE, 0.0),
+        ("0.148 W/(m K)", CONDUCTIVITY, 0.148),
+        ("1%", SHARE, 0.01),
+        ("0.01", SHARE, 0.01),
+    ],
+)
+def test_quantities_are_read_into_si(text, kind, value):
+    assert parse(text, kind) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [
+        (14, FORCE),
+        (14.0, FORCE),
+        (True, FORCE),
+        (None, FORCE),
+        ("14", FORCE),
+        ("", FORCE),
+        ("kN", FORCE),
+        ("14 mm", FORCE),
+        ("14,5 kN", FORCE),
+        ("14 kN)", FORCE),
+        ("2*7 kN", FORCE),
+        ("nan kN", FORCE),
+        ("inf kN", FORCE),
+        ("1e400 kN", FORCE),
+        ("14 kNewtonian", FORCE),
+        ("__import__('os') kN", FORCE),
+        ("0.4", ANGLE),
+        ("40 %", ANGLE),
+        ("25 Hz", SPEED),
+        ("25 1/s", SPEED),
+    ],
+)
+def test_what_does_not_measure_the_right_thing_is_refused(value, kind):
+    with pytest.raises(ValueError, match=kind.example):
+        parse(value, kind)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "wanted"),
+    [
+        ("-14 kN", FORCE, "greater than zero"),
+        ("0 kN", FORCE, "greater than zero"),
+        ("-300 degC", TEMPERATURE, "greater than zero"),
+        ("-1 1/GPa", PER_PRESSURE, "zero or more"),
+    ],
+)
+def test_a_wrong_sign_is_told(text, kind, wanted):
+    with pytest.raises(ValueError, match=wanted):
+        parse(text, kind)
+
+
+@given(st.floats(min_value=1e-12, max_value=1e12), st.sampled_from(["mm", "um", "m", "inch"]))
+def test_a_length_survives_the_round_trip(metres, unit):
+    factor = {"mm": 1e-3, "um": 1e-6, "m": 1.0, "inch": 0.0254}[unit]
+    assert parse(f"{metres / factor!r} {unit}", LENGTH) == pytest.approx(metres, rel=1e-14)
+
+
+@given(st.text(max_size=12))
+def test_no_text_brings_anything_but_a_finite_length_or_a_refusal(text):
+    try:
+        value = parse(text, LENGTH)
+    except ValueError:
+        return
+    assert math.isfinite(value)
+
+
+def test_any_quantity_is_read_with_its_unit():
+    assert parse_any("540 MPa") == (540e6, "kg/m/s**2")
+    with pytest.raises(ValueError, match="number with its unit"):
+        parse_any("much")
