@@ -83,8 +83,8 @@ def line_regime(groups: LineGroups) -> Regime:
 
     The last is the asymptote for large lubricant parameters (Moes' 0.99 M^(-1/8) L^(3/4)), not
     Dowson and Higginson's regression: only the asymptote meets the rigid film on a line,
-    g_V = g_E^3, that growing load crosses from rigid to elastic. 1.666 is the exact constant of rigid
-    cylinders with Reynolds' exit condition, usually printed as 1.66.
+    g_V = g_E^3, that growing load crosses from rigid to elastic. 1.666 is the exact constant of
+    rigid cylinders with Reynolds' exit condition, usually printed as 1.66.
 
     Source: K. L. Johnson, J. Mech. Eng. Sci. 12 (1970) 9-16; C. J. Hooke, J. Mech. Eng. Sci. 19
     (1977) 149-156; H. Moes, Lubrication and Beyond, University of Twente (2000).

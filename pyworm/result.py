@@ -1,0 +1,210 @@
+"""A result: the solutions of a case with their provenance, kept in one NetCDF file.
+
+Layout of the file:
+
+    /                       attributes: format, format_version, case_name, case, provenance
+    /mesh_cycle             the unloaded mesh cycle over phase, if the case is a drive
+    /scene_000              attributes: the scalars of the solution, units in their names
+    /scene_000/fields       fields over (y, x)
+    /scene_000/history      convergence over iterations
+
+Attributes that are not numbers or plain text (case, provenance, solution) are JSON.
+"""
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from pathlib import Path
+from typing import Any, get_args, get_origin, get_type_hints
+
+import numpy as np
+import xarray as xr
+
+from pyworm.solution import Solution
+from pyworm.variables import describe
+
+FORMAT = "pyworm result"
+FORMAT_VERSION = 1
+
+
+@dataclass(frozen=True)
+class Result:
+    """Solutions of one case and where they come from.
+
+    Attributes
+    ----------
+    case_name : str
+        What the case calls itself.
+    case : dict
+        The case in full, checked and in SI.
+    solutions : tuple of Solution
+        One for each scene, in the order of the mesh cycle or the sweep.
+    mesh_cycle : xarray.Dataset or None
+        The unloaded mesh cycle of a drive, as `mesh_cycle_dataset` makes it.
+    provenance : dict
+        Version of pyworm, effects, tolerances and whatever else is needed to repeat the run.
+    """
+
+    case_name: str
+    case: dict
+    solutions: tuple[Solution, ...]
+    mesh_cycle: xr.Dataset | None
+    provenance: dict
+
+    @property
+    def converged(self) -> bool:
+        """Whether every solution is."""
+        return all(solution.converged for solution in self.solutions)
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
+        path = Path(path)
+        partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+        tree = xr.DataTree.from_dict(_groups(self))
+        encoding = {
+            f"{group.path}": {name: {"zlib": True, "complevel": 1} for name in group.data_vars}
+            for group in tree.subtree
+            if group.name == "fields"
+        }
+        try:
+            tree.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
+            os.replace(partial, path)
+        finally:
+            partial.unlink(missing_ok=True)
+        return path
+
+
+def open_result(path: str | os.PathLike) -> Result:
+    """Read a file written by `Result.save`.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ValueError
+        If the file is not a pyworm result or is of another format version.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"there is no result file at {path}")
+    try:
+        # Times are numbers of seconds here, not dates to be decoded.
+        tree = xr.load_datatree(path, engine="h5netcdf", decode_times=False)
+    except OSError as error:
+        raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
+    if tree.attrs.get("format") != FORMAT:
+        raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
+    if tree.attrs["format_version"] != FORMAT_VERSION:
+        raise ValueError(
+            f"{path} has result format {tree.attrs['format_version']}; "
+            f"this version of pyworm reads format {FORMAT_VERSION}"
+        )
+    scenes = [tree[name] for name in sorted(tree.children) if name.startswith("scene_")]
+    return Result(
+        case_name=tree.attrs["case_name"],
+        case=json.loads(tree.attrs["case"]),
+        solutions=tuple(_read_solution(scene) for scene in scenes),
+        mesh_cycle=tree["mesh_cycle"].to_dataset() if "mesh_cycle" in tree.children else None,
+        provenance=json.loads(tree.attrs["provenance"]),
+    )
+
+
+def mesh_cycle_dataset(contacts: Iterable[Any]) -> xr.Dataset:
+    """The contacts of a mesh cycle as one dataset over phase.
+
+    Parameters
+    ----------
+    contacts : iterable
+        Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
+        [m] and normal as three components in the axes of the drive, and radii [m] along x and y of
+        the tangent plane.
+    """
+    contacts = tuple(contacts)
+
+    def column(name: str) -> np.ndarray:
+        return np.array([getattr(contact, name) for contact in contacts], dtype=float)
+
+    radii = column("radii")
+    return describe(
+        xr.Dataset(
+            {
+                "worm_angle": ("phase", column("worm_angle")),
+                "wheel_angle": ("phase", column("wheel_angle")),
+                "transmission_error": ("phase", column("transmission_error")),
+                "point": (("phase", "axis"), column("point")),
+                "normal": (("phase", "axis"), column("normal")),
+                "radius_x": ("phase", radii[:, 0]),
+                "radius_y": ("phase", radii[:, 1]),
+            },
+            coords={"phase": column("phase"), "axis": ["x", "y", "z"]},
+        )
+    )
+
+
+def _groups(result: Result) -> dict[str, xr.Dataset]:
+    groups = {
+        "/": xr.Dataset(
+            attrs={
+                "format": FORMAT,
+                "format_version": FORMAT_VERSION,
+                "case_name": result.case_name,
+                "case": _to_json(result.case),
+                "provenance": _to_json(result.provenance),
+            }
+        )
+    }
+    if result.mesh_cycle is not None:
+        groups["/mesh_cycle"] = result.mesh_cycle
+    for number, solution in enumerate(result.solutions):
+        scene = f"/scene_{number:03d}"
+        attributes = _plain_attributes(solution.summary())
+        attributes["solution"] = _to_json(_scalars(solution))
+        groups[scene] = xr.Dataset(attrs=attributes)
+        groups[f"{scene}/fields"] = solution.fields
+        groups[f"{scene}/history"] = solution.history
+    return groups
+
+
+def _plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
+    """Scalars as NetCDF takes them: no None, truth as 0 or 1."""
+    return {
+        name: int(value) if isinstance(value, bool) else value
+        for name, value in summary.items()
+        if value is not None
+    }
+
+
+def _scalars(value: Any) -> Any:
+    """A dataclass as nested dictionaries, without its datasets."""
+    if is_dataclass(value):
+        parts = {part.name: getattr(value, part.name) for part in fields(value)}
+        return {
+            name: _scalars(part) for name, part in parts.items() if not isinstance(part, xr.Dataset)
+        }
+    return value
+
+
+def _to_json(value: Any) -> str:
+    # NumPy's scalars and arrays know their own plain form; anything else is a mistake of ours.
+    return json.dumps(value, default=lambda item: item.tolist())
+
+
+def _read_solution(scene: xr.DataTree) -> Solution:
+    parts = json.loads(scene.attrs["solution"])
+    parts["fields"] = scene["fields"].to_dataset()
+    parts["history"] = scene["history"].to_dataset()
+    return _rebuild(Solution, parts)
+
+
+def _rebuild(kind: Any, value: Any) -> Any:
+    """A value as its declared type: dataclasses from dictionaries, tuples from lists."""
+    if value is None:
+        return None
+    if get_origin(kind) is tuple:
+        return tuple(value)
+    for option in (kind, *get_args(kind)):
+        if is_dataclass(option):
+            hints = get_type_hints(option)
+            return option(**{name: _rebuild(hints[name], part) for name, part in value.items()})
+    return value

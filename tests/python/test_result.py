@@ -1,0 +1,129 @@
+"""A result on disk: what is read is what was written, and other files are refused."""
+
+from dataclasses import replace
+
+import h5py
+import numpy as np
+import pytest
+import xarray as xr
+from synthetic_solution import make_mesh_cycle, make_result, make_solution
+
+from pyworm.result import open_result
+from pyworm.variables import describe
+
+
+@pytest.fixture(scope="module")
+def result():
+    return make_result()
+
+
+@pytest.fixture
+def saved(result, tmp_path):
+    return result.save(tmp_path / "result.nc")
+
+
+def assert_same(one, other):
+    assert one.case_name == other.case_name
+    assert one.case == other.case
+    assert one.provenance == other.provenance
+    assert len(one.solutions) == len(other.solutions)
+    for first, second in zip(one.solutions, other.solutions, strict=True):
+        xr.testing.assert_identical(first.fields, second.fields)
+        xr.testing.assert_identical(first.history, second.history)
+        for name in first.fields:
+            assert first.fields[name].dtype == second.fields[name].dtype
+            assert first.fields[name].values.tobytes() == second.fields[name].values.tobytes()
+        assert first.summary() == second.summary()
+        empty = xr.Dataset()
+        assert replace(first, fields=empty, history=empty) == replace(
+            second, fields=empty, history=empty
+        )
+
+
+def test_round_trip_bit_for_bit(result, saved):
+    read = open_result(saved)
+    assert_same(result, read)
+    xr.testing.assert_identical(result.mesh_cycle, read.mesh_cycle)
+
+
+def test_round_trip_without_a_drive(result, tmp_path):
+    plain = replace(result, mesh_cycle=None, solutions=(make_solution(phase=None),))
+    read = open_result(plain.save(tmp_path / "plain.nc"))
+    assert_same(plain, read)
+    assert read.mesh_cycle is None
+    assert read.solutions[0].phase is None
+
+
+def test_more_than_ten_scenes_keep_their_order(result, tmp_path):
+    small = make_solution(points=(5, 5))
+    many = replace(result, solutions=tuple(replace(small, phase=i / 12) for i in range(12)))
+    read = open_result(many.save(tmp_path / "many.nc"))
+    assert [solution.phase for solution in read.solutions] == [i / 12 for i in range(12)]
+
+
+def test_converged_needs_every_scene(result):
+    assert not result.converged
+    assert replace(result, solutions=result.solutions[:1]).converged
+
+
+def test_file_explains_itself(saved):
+    """Readable without pyworm: scalars with units in their names, every variable described."""
+    with h5py.File(saved) as file:
+        assert file.attrs["format"] == "pyworm result"
+        assert file["scene_000"].attrs["load_N"] == 14e3
+        assert file["scene_001"].attrs["converged"] == 0
+        for group in ("scene_000/fields", "scene_000/history", "mesh_cycle"):
+            for name, variable in file[group].items():
+                assert variable.attrs["units"], name
+                assert variable.attrs["long_name"], name
+
+
+def test_saving_over_a_result_leaves_only_the_new_one(result, saved):
+    replace(result, case_name="again").save(saved)
+    assert open_result(saved).case_name == "again"
+    assert [path.name for path in saved.parent.iterdir()] == [saved.name]
+
+
+def test_failed_save_leaves_the_old_file(result, saved):
+    broken = replace(result, provenance={"tolerances": {1, 2}})
+    with pytest.raises(AttributeError):
+        broken.save(saved)
+    unwritable = replace(result, mesh_cycle=xr.Dataset({"bad": ("phase", [{}])}))
+    with pytest.raises(Exception, match="object"):
+        unwritable.save(saved)
+    assert [path.name for path in saved.parent.iterdir()] == [saved.name]
+    assert_same(result, open_result(saved))
+
+
+def test_files_that_are_not_results_are_refused(tmp_path):
+    text = tmp_path / "notes.nc"
+    text.write_text("not a result")
+    with pytest.raises(ValueError, match=r"notes\.nc is not a pyworm result: it cannot be read"):
+        open_result(text)
+    other = tmp_path / "other.nc"
+    xr.Dataset({"a": ("n", np.arange(3.0))}).to_netcdf(other, engine="h5netcdf")
+    with pytest.raises(ValueError, match=r"other\.nc is not a pyworm result: it is another kind"):
+        open_result(other)
+    with pytest.raises(FileNotFoundError, match="there is no result file at"):
+        open_result(tmp_path / "missing.nc")
+
+
+def test_another_format_version_is_refused(saved):
+    with h5py.File(saved, "r+") as file:
+        file.attrs["format_version"] = 99
+    with pytest.raises(ValueError, match="has result format 99; this version of pyworm reads"):
+        open_result(saved)
+
+
+def test_mesh_cycle_dataset():
+    cycle = make_mesh_cycle(5)
+    assert cycle.sizes == {"phase": 5, "axis": 3}
+    assert cycle["wheel_angle"].values == pytest.approx(cycle["worm_angle"].values * 3 / 59)
+    assert cycle["radius_x"].values[0] == 3.5
+    assert list(cycle["axis"].values) == ["x", "y", "z"]
+    assert cycle["transmission_error"].attrs["units"] == "rad"
+
+
+def test_unknown_variables_are_not_described():
+    with pytest.raises(KeyError, match="surprise"):
+        describe(xr.Dataset({"surprise": ("x", [1.0])}))
