@@ -1,0 +1,137 @@
+"""Involute helicoids as families of tangent planes, seated where the drive holds them.
+
+The involute helicoid is the surface swept by the tangents of its base helix; its tangent plane stays the
+same along such a straight generator and is the osculating plane of the helix.  So the flank is the
+envelope of planes with one parameter theta (the polar angle at which the generator touches the base
+cylinder), and turning the screw by an angle only moves each plane along its own normal (F. L. Litvin and
+A. Fuentes, Gear Geometry and Applied Theory, 2004, chapter 19, derived here in support form).
+
+Drive frame: origin in the wheel's centre, X from the worm to the wheel, Y along the wheel's axis, Z along
+the worm's axis.  Threads are right-handed and the flank is the one that drives when the worm turns
+positively about Z; the other flank is the same one turned by half a turn about X.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Helicoid:
+    """A right-hand involute helicoid seated in the drive frame.
+
+    Attributes
+    ----------
+    base_radius : float
+        Radius of the base cylinder [m].
+    lead : float
+        Advance in one turn [m].
+    centre_distance : float
+        Distance of the axis from the wheel's axis [m].
+    swivel : float
+        Turn of the axis about X [rad]; positive adds to the lead angle that the wheel sees.
+    axial_shift : float
+        Shift of the axis along the wheel's axis Y [m].
+    """
+
+    base_radius: float
+    lead: float
+    centre_distance: float
+    swivel: float = 0.0
+    axial_shift: float = 0.0
+
+    @cached_property
+    def screw(self) -> float:
+        """Advance per radian, lead / 2 pi [m]."""
+        return self.lead / (2 * np.pi)
+
+    @cached_property
+    def base_lead_angle(self) -> float:
+        """Lead angle on the base cylinder [rad]."""
+        return float(np.arctan2(self.screw, self.base_radius))
+
+    @cached_property
+    def base_travel(self) -> float:
+        """Advance of a tangent plane along its normal per radian of rotation [m].
+
+        The normal base pitch is this times 2 pi / threads.
+        """
+        return self.screw * float(np.cos(self.base_lead_angle))
+
+    @cached_property
+    def axis_point(self) -> Array:
+        """Where the axis crosses the common perpendicular with the wheel's axis, (3,) [m]."""
+        return np.array([-self.centre_distance, self.axial_shift, 0.0])
+
+    @cached_property
+    def axes(self) -> Array:
+        """Columns: the screw's own x, y and z (its axis) directions in the drive frame, (3, 3)."""
+        cos, sin = np.cos(self.swivel), np.sin(self.swivel)
+        return np.array([[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]])
+
+    def normals(self, theta: Array) -> tuple[Array, Array, Array]:
+        """Unit normal of the tangent plane and its first two derivatives by theta, each (3, ...).
+
+        The normal is the binormal of the base helix; it points into the thread.
+        """
+        theta = np.asarray(theta)
+        across, along = np.sin(self.base_lead_angle), np.cos(self.base_lead_angle)
+        cos, sin = across * np.cos(theta), across * np.sin(theta)
+        zero = np.zeros_like(cos)
+
+        def seated(x: Array, y: Array, z: Array) -> Array:
+            return np.tensordot(self.axes, np.stack([x, y, z]), 1)
+
+        return (
+            seated(sin, -cos, zero + along),
+            seated(cos, sin, zero),
+            seated(-sin, cos, zero),
+        )
+
+    def supports(self, theta: Array) -> tuple[Array, Array, Array]:
+        """Distance of the tangent plane from the wheel's centre [m] and its theta derivatives.
+
+        At rotation angle psi of the screw the plane is normal . x = support - base_travel psi.
+        """
+        normal, slope, bend = self.normals(theta)
+        at = self.axis_point
+        return (
+            np.tensordot(at, normal, 1) + self.base_travel * theta,
+            np.tensordot(at, slope, 1) + self.base_travel,
+            np.tensordot(at, bend, 1),
+        )
+
+    def point(self, theta: Array, along: Array, angle: float = 0.0) -> Array:
+        """Point on the flank, (3, ...) [m].
+
+        Parameters
+        ----------
+        theta : array
+            Where the generator touches the base cylinder [rad].
+        along : array
+            Distance along the generator from the base helix [m], positive on the flank.
+        angle : float
+            Rotation of the screw about its axis [rad].
+        """
+        theta, along = np.broadcast_arrays(np.asarray(theta), np.asarray(along))
+        cos, sin = np.cos(theta), np.sin(theta)
+        across = along * np.cos(self.base_lead_angle)
+        own = np.stack(
+            [
+                self.base_radius * cos - across * sin,
+                self.base_radius * sin + across * cos,
+                self.screw * (theta - angle) + along * np.sin(self.base_lead_angle),
+            ]
+        )
+        at = self.axis_point.reshape((3,) + (1,) * theta.ndim)
+        return at + np.tensordot(self.axes, own, 1)
+
+    def radius(self, point: Array) -> Array:
+        """Distance of points (3, ...) from the screw's axis [m]."""
+        point = np.asarray(point)
+        own = np.tensordot(self.axes.T, point, 1)
+        at = self.axes.T @ self.axis_point
+        return np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)

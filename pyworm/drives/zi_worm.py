@@ -1,0 +1,347 @@
+"""The ZI worm drive: from the design table to tooth contacts and their scenes.
+
+Lengths in m, angles in rad.  Of the redundant entries of a design table the geometry uses the lead and the
+base radius; base lead angle and axial pitch must agree with them within a table's rounding.
+"""
+
+from dataclasses import dataclass, fields
+from functools import cached_property
+from math import atan2, degrees, isfinite, pi
+
+import numpy as np
+
+from pyworm.bodies import Body
+from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
+from pyworm.drives.helicoid import Array, Helicoid
+from pyworm.drives.meshing import WheelFlank, turned
+from pyworm.drives.tooth_boundary import WheelTooth, WormTooth, wheel_radius
+from pyworm.drives.tooth_gap import ToothGap, ToothMotion
+from pyworm.oils import Oil
+from pyworm.scene import Scene
+
+TABLE_ROUNDING = 1e-3
+"""Relative disagreement of redundant table entries (four digits each) taken as rounding."""
+
+BASE_PITCH_MISMATCH = 0.01
+"""Relative difference of normal base pitches above which worm and wheel cannot mesh in turn."""
+
+
+@dataclass(frozen=True)
+class Worm:
+    """The worm's design table.
+
+    Attributes
+    ----------
+    threads : int
+        Number of threads.
+    tip_radius, root_radius, base_radius : float
+        Radii of the tip, root and base cylinders [m].
+    axial_pitch, lead : float
+        Distance of neighbouring threads along the axis, and advance in one turn [m].
+    base_lead_angle : float
+        Lead angle on the base cylinder [rad].
+    """
+
+    threads: int
+    tip_radius: float
+    root_radius: float
+    base_radius: float
+    axial_pitch: float
+    lead: float
+    base_lead_angle: float
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """The wheel's design table; its flank is what the hob cuts.
+
+    Attributes
+    ----------
+    teeth : int
+        Number of teeth.
+    face_width, tip_radius, throat_radius : float
+        Width along the axis, radius of the tip cylinder, tip radius in the mid-plane [m].
+    """
+
+    teeth: int
+    face_width: float
+    tip_radius: float
+    throat_radius: float
+
+
+@dataclass(frozen=True)
+class Hob:
+    """The hob's design table and its set-up.
+
+    Attributes
+    ----------
+    tip_radius, root_radius, base_radius : float
+        Radii of the tip, root and base cylinders [m].
+    lead, axial_pitch : float
+        Advance in one turn, and distance of neighbouring threads along the axis [m].
+    base_lead_angle : float
+        Lead angle on the base cylinder [rad].
+    centre_distance : float
+        Distance of hob and wheel axes [m].
+    swivel : float
+        Turn of the hob's axis about the common perpendicular, out of the direction of the worm's axis
+        [rad]; positive adds to the lead angle that the wheel sees.
+    axial_shift : float
+        Shift of the hob along the wheel's axis from the middle of the face [m], positive to the side
+        where the worm's threads leave.  (A shift along the hob's own axis only turns the wheel.)
+    """
+
+    tip_radius: float
+    root_radius: float
+    base_radius: float
+    lead: float
+    axial_pitch: float
+    base_lead_angle: float
+    centre_distance: float
+    swivel: float
+    axial_shift: float
+
+
+@dataclass(frozen=True)
+class ToothOutline:
+    """The wheel tooth and the path of contact on it, projected on a contact's tangent plane [m].
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Closed outline of the wheel flank: tip, face end, root, face end.
+    path_x, path_y : ndarray
+        Path of contact on the wheel tooth from phase 0 to 1.
+    """
+
+    x: Array
+    y: Array
+    path_x: Array
+    path_y: Array
+
+
+@dataclass(frozen=True)
+class ZiWormDrive:
+    """A ZI worm drive at one operating point.
+
+    Attributes
+    ----------
+    worm, wheel, hob : Worm, Wheel, Hob
+        The design table.
+    centre_distance : float
+        Distance of worm and wheel axes [m].
+    speed : float
+        Speed of the worm [rad/s].
+    load : float
+        Normal load on the tooth [N].
+    bodies : tuple of Body
+        Worm and wheel.
+    oil : Oil
+        The oil.
+    """
+
+    worm: Worm
+    wheel: Wheel
+    hob: Hob
+    centre_distance: float
+    speed: float
+    load: float
+    bodies: tuple[Body, Body]
+    oil: Oil
+
+    def __post_init__(self) -> None:
+        _check_values(self)
+        _check_table(self)
+        _check_fit(self)
+        self.cycle  # noqa: B018  a drive whose teeth do not touch is refused here
+
+    @property
+    def ratio(self) -> float:
+        """Mean speed of the wheel by that of the worm, threads / teeth."""
+        return self.worm.threads / self.wheel.teeth
+
+    @cached_property
+    def worm_flank(self) -> Helicoid:
+        """The worm's helicoid in its running seat."""
+        return Helicoid(self.worm.base_radius, self.worm.lead, self.centre_distance)
+
+    @cached_property
+    def wheel_flank(self) -> WheelFlank:
+        """The flank that the hob cuts."""
+        hob = self.hob
+        seat = hob.centre_distance, hob.swivel, hob.axial_shift
+        return WheelFlank(Helicoid(hob.base_radius, hob.lead, *seat), self.ratio)
+
+    @cached_property
+    def worm_tooth(self) -> WormTooth:
+        """Where the worm's thread ends."""
+        return WormTooth(self.worm_flank, self.worm.root_radius, self.worm.tip_radius)
+
+    @cached_property
+    def wheel_tooth(self) -> WheelTooth:
+        """Where the wheel's tooth ends."""
+        wheel = self.wheel
+        size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
+        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius)
+
+    @cached_property
+    def cycle(self) -> MeshCycle:
+        """The mesh cycle of one tooth pair."""
+        return find_mesh_cycle(self.worm_flank, self.wheel_flank, self.worm_tooth, self.wheel_tooth)
+
+    def contact(self, phase: float) -> ToothContact:
+        """The unloaded tooth contact at a phase of the mesh cycle, 0 to 1."""
+        if not 0 <= phase <= 1:
+            raise ValueError(f"phase is {phase:.6g}; a tooth pair touches from phase 0 to phase 1")
+        return self.cycle.contact(phase, self.speed)
+
+    def mesh_cycle(self, count: int = 21) -> tuple[ToothContact, ...]:
+        """Contacts at equal steps of the worm's rotation from where the teeth meet to where they part."""
+        return tuple(self.contact(float(phase)) for phase in np.linspace(0, 1, count))
+
+    def gap(self, contact: ToothContact) -> ToothGap:
+        """Undeformed gap over the contact's tangent plane."""
+        return ToothGap(contact, self.worm_tooth, self.wheel_tooth)
+
+    def motions(self, contact: ToothContact) -> tuple[ToothMotion, ToothMotion]:
+        """Surface velocities of worm and wheel relative to the contact point."""
+        worm_turn = np.array([0.0, 0.0, self.speed])
+        wheel_turn = np.array([0.0, -self.cycle.speed_ratio * self.speed, 0.0])
+        worm_axis, wheel_axis = self.worm_flank.axis_point, np.zeros(3)
+        return (
+            ToothMotion(contact, contact.worm_height, worm_axis, worm_turn),
+            ToothMotion(contact, contact.wheel_height, wheel_axis, wheel_turn),
+        )
+
+    def scene(self, phase: float) -> Scene:
+        """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
+        contact = self.contact(phase)
+        return Scene(
+            name=f"phase {phase:.2f}",
+            gap=self.gap(contact),
+            radii=contact.radii,
+            motions=self.motions(contact),
+            load=self.load,
+            bodies=self.bodies,
+            oil=self.oil,
+            phase=phase,
+        )
+
+    def tooth_outline(self, contact: ToothContact, count: int = 60) -> ToothOutline:
+        """Outline of the wheel tooth and path of contact seen along the contact's normal.
+
+        Parameters
+        ----------
+        contact : ToothContact
+            The contact whose tangent plane is meant.
+        count : int
+            Points on each of the four sides.
+        """
+        flank, angle = self.wheel_flank, contact.wheel_angle
+        radius, place = self.wheel_tooth.rim(count)
+        start = contact.wheel_height.start
+        q = [np.full(radius.shape, start[0]), np.full(radius.shape, start[1] + angle)]
+        first = flank.point(q[0], q[1], angle)
+        tiny = 1e-30j
+        for part in np.repeat(np.linspace(0, 1, 9)[1:], 4):
+            aim = (
+                wheel_radius(first) * (1 - part) + radius * part,
+                first[1] * (1 - part) + place * part,
+            )
+            # Newton's method with derivatives by complex step, exact to rounding
+            columns = []
+            for dq in ((tiny, 0), (0, tiny)):
+                point = flank.point(q[0] + dq[0], q[1] + dq[1], angle)
+                columns.append((wheel_radius(point), point[1]))
+            miss = [columns[0][i].real - aim[i] for i in range(2)]
+            (a, c), (b, d) = [[value.imag / tiny.imag for value in column] for column in columns]
+            determinant = a * d - b * c
+            q[0] = q[0] - (d * miss[0] - b * miss[1]) / determinant
+            q[1] = q[1] - (a * miss[1] - c * miss[0]) / determinant
+        rim = flank.point(q[0], q[1], angle)
+        path = np.stack(
+            [turned(c.point, c.wheel_angle - angle) for c in self.mesh_cycle()], axis=-1
+        )
+
+        def seen(points: Array, axis: Array) -> Array:
+            return axis @ (points - contact.point[:, None])
+
+        x, y = contact.x_axis, contact.y_axis
+        return ToothOutline(seen(rim, x), seen(rim, y), seen(path, x), seen(path, y))
+
+
+def _check_values(drive: ZiWormDrive) -> None:
+    """Counts and sizes: finite, and positive where nothing else makes sense."""
+    signed = {"hob.swivel", "hob.axial_shift"}
+    entries: dict[str, float] = {}
+    for part in ("worm", "wheel", "hob"):
+        table = getattr(drive, part)
+        entries.update({f"{part}.{f.name}": getattr(table, f.name) for f in fields(table)})
+    entries.update({key: getattr(drive, key) for key in ("centre_distance", "speed", "load")})
+    for key, value in entries.items():
+        if not isfinite(value):
+            raise ValueError(f"{key} is {value}; a finite number is needed")
+        if key not in signed and value <= 0:
+            raise ValueError(f"{key} is {value:.6g}; it must be positive")
+    for key in ("worm.threads", "wheel.teeth"):
+        if entries[key] != int(entries[key]):
+            raise ValueError(f"{key} is {entries[key]:.6g}; a whole number is needed")
+
+
+def _check_table(drive: ZiWormDrive) -> None:
+    """Redundant entries agree within the table's rounding."""
+    for name, screw in (("worm", drive.worm), ("hob", drive.hob)):
+        angle = atan2(screw.lead, 2 * pi * screw.base_radius)
+        if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
+            raise ValueError(
+                f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
+                f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
+            )
+        pitch = screw.lead / drive.worm.threads
+        if abs(pitch - screw.axial_pitch) > TABLE_ROUNDING * pitch:
+            raise ValueError(
+                f"{name}.axial_pitch is {screw.axial_pitch * 1e3:.2f} mm, but {name}.lead over "
+                f"worm.threads gives {pitch * 1e3:.2f} mm"
+            )
+        if screw.tip_radius <= screw.root_radius:
+            raise ValueError(
+                f"{name}.tip_radius is {screw.tip_radius * 1e3:.2f} mm; it must be above "
+                f"{name}.root_radius, {screw.root_radius * 1e3:.2f} mm"
+            )
+    if drive.wheel.tip_radius < drive.wheel.throat_radius:
+        raise ValueError(
+            f"wheel.tip_radius is {drive.wheel.tip_radius * 1e3:.2f} mm; it must not be below "
+            f"wheel.throat_radius, {drive.wheel.throat_radius * 1e3:.2f} mm"
+        )
+    worm, hob = drive.worm_flank.base_travel, drive.wheel_flank.hob.base_travel
+    if abs(hob / worm - 1) > BASE_PITCH_MISMATCH:
+        pitches = [2e3 * pi * travel / drive.worm.threads for travel in (worm, hob)]
+        raise ValueError(
+            f"hob.lead and hob.base_radius give a normal base pitch of {pitches[1]:.3f} mm, but the "
+            f"worm has {pitches[0]:.3f} mm; they must be equal to mesh"
+        )
+
+
+def _check_fit(drive: ZiWormDrive) -> None:
+    """Worm, wheel and hob reach into each other, and tips stay clear of roots."""
+    worm, wheel, hob = drive.worm, drive.wheel, drive.hob
+    floor = hob.centre_distance - hob.tip_radius
+    lowest = max(worm.tip_radius + floor, worm.root_radius + wheel.throat_radius)
+    highest = worm.tip_radius + wheel.throat_radius
+    if not lowest <= drive.centre_distance < highest:
+        raise ValueError(
+            f"centre_distance is {drive.centre_distance * 1e3:.2f} mm; it must lie from "
+            f"{lowest * 1e3:.2f} mm, where a tip touches a root, to {highest * 1e3:.2f} mm, where the "
+            "teeth no longer reach each other"
+        )
+    lowest = hob.root_radius + wheel.throat_radius
+    if (
+        not lowest - TABLE_ROUNDING * hob.root_radius
+        <= hob.centre_distance
+        < hob.tip_radius + wheel.throat_radius
+    ):
+        raise ValueError(
+            f"hob.centre_distance is {hob.centre_distance * 1e3:.2f} mm; it must lie from "
+            f"{lowest * 1e3:.2f} mm, where the hob's root touches the wheel's throat, to "
+            f"{(hob.tip_radius + wheel.throat_radius) * 1e3:.2f} mm, where the hob cuts no tooth"
+        )
