@@ -17,7 +17,7 @@ missing() {
     echo '#include <stdio.h>' | cc -E - >/dev/null 2>&1 || echo gcc libc6-dev
     if command -v pkg-config >/dev/null; then
         pkg-config --exists 'fftw3 >= 3.3' || echo libfftw3-dev
-        pkg-config --exists lapack || echo libopenblas-dev
+        pkg-config --exists openblas || echo libopenblas-dev
     else
         echo pkg-config libfftw3-dev libopenblas-dev
     fi
