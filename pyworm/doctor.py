@@ -28,7 +28,7 @@ SELF_CHECK_ERROR = 0.01
 """Largest deviation from Hertz that the check on its coarse grid may show."""
 
 
-class _Unsound(Exception):
+class _UnsoundError(Exception):
     """A check failed; the message says what was found and what to do."""
 
 
@@ -54,7 +54,7 @@ def examine() -> int:
     for name, check in checks:
         try:
             word, message = "ok", check()
-        except _Unsound as problem:
+        except _UnsoundError as problem:
             word, message, sound = "NO", str(problem), False
         print(f"{name:14}{word:4}{message}")
     return 0 if sound else 1
@@ -68,7 +68,7 @@ def _version(package: str) -> str:
     try:
         return version(package)
     except PackageNotFoundError:
-        raise _Unsound(f"{package} is not installed; run make install") from None
+        raise _UnsoundError(f"{package} is not installed; run make install") from None
 
 
 def _pyworm() -> str:
@@ -83,7 +83,7 @@ def _core_path() -> Path:
     try:
         from pyworm import _core
     except ImportError as error:
-        raise _Unsound(f"not built ({error}); run make install") from None
+        raise _UnsoundError(f"not built ({error}); run make install") from None
     return Path(_core.__file__)
 
 
@@ -96,7 +96,7 @@ def _fftw() -> str:
     try:
         text = (ctypes.c_char * 64).in_dll(ctypes.CDLL(str(_core_path())), "fftw_version").value
     except ValueError:
-        raise _Unsound("the kernel is linked without it; run make clean install") from None
+        raise _UnsoundError("the kernel is linked without it; run make clean install") from None
     return text.decode()
 
 
@@ -119,7 +119,7 @@ def _self_check() -> str:
     error = abs(contact.pressure.max() / exact.pressure_max - 1)
     found = f"a ball's largest pressure is {error:.1e} off Hertz, {seconds * 1e3:.0f} ms"
     if not error < SELF_CHECK_ERROR:
-        raise _Unsound(f"{found}; run make clean test and report what fails")
+        raise _UnsoundError(f"{found}; run make clean test and report what fails")
     return found
 
 
@@ -135,4 +135,4 @@ def _write_access() -> str:
         with tempfile.TemporaryFile(dir=here):
             return f"{here}"
     except OSError as error:
-        raise _Unsound(f"{error}; change to a directory of your own or give --out") from None
+        raise _UnsoundError(f"{error}; change to a directory of your own or give --out") from None
