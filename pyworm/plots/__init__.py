@@ -1,0 +1,61 @@
+"""Pictures of a result; they read results and nothing else."""
+
+import os
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from pyworm.plots.cycle import draw_cycle
+from pyworm.plots.entrainment import draw_entrainment
+from pyworm.plots.film import draw_film
+from pyworm.plots.gap import draw_gap
+from pyworm.plots.history import draw_history
+from pyworm.plots.pressure import draw_pressure
+from pyworm.plots.profiles import draw_profiles
+from pyworm.result import Result, open_result
+
+DOTS_PER_INCH = 150
+
+SCENE_PICTURES = {
+    "gap": draw_gap,
+    "pressure": draw_pressure,
+    "film": draw_film,
+    "entrainment": draw_entrainment,
+    "profiles": draw_profiles,
+    "history": draw_history,
+}
+"""Name in the file name -> function of the case's name and a solution."""
+
+
+def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> list[Path]:
+    """Draw every picture of a result as PNG.
+
+    Parameters
+    ----------
+    result : Result or path
+        The result or the file that holds it.
+    directory : path
+        Where the pictures go; made if missing.
+
+    Returns
+    -------
+    list of Path
+        The files, scene by scene, the mesh cycle last.
+    """
+    if not isinstance(result, Result):
+        result = open_result(result)
+    directory = Path(directory)
+    directory.mkdir(parents=True, exist_ok=True)
+    written = []
+    for number, solution in enumerate(result.solutions):
+        for name, picture in SCENE_PICTURES.items():
+            path = directory / f"scene_{number:03d}_{name}.png"
+            written.append(_write(picture(result.case_name, solution), path))
+    if result.mesh_cycle is not None:
+        written.append(_write(draw_cycle(result), directory / "mesh_cycle.png"))
+    return written
+
+
+def _write(figure: Figure, path: Path) -> Path:
+    figure.savefig(path, dpi=DOTS_PER_INCH)
+    return path

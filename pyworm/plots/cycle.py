@@ -1,0 +1,85 @@
+"""The mesh cycle of a drive over phase."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.plots.style import MEGA, MICRO, MILLI
+from pyworm.result import Result
+from pyworm.solution import Solution
+
+
+def draw_cycle(result: Result) -> Figure:
+    """Transmission error, radii, contact point, and film and pressure where they were solved."""
+    cycle = result.mesh_cycle
+    solved = sorted(
+        (solution for solution in result.solutions if solution.phase is not None),
+        key=lambda solution: solution.phase,
+    )
+    rows = 4 if solved else 3
+    figure = Figure(figsize=(8, 2.3 * rows + 0.6), layout="constrained")
+    figure.suptitle(f"{result.case_name}  ·  mesh cycle")
+    axes = figure.subplots(rows, sharex=True)
+    _draw_transmission_error(axes[0], cycle)
+    _draw_radii(axes[1], cycle)
+    _draw_contact_point(axes[2], cycle)
+    if solved:
+        _draw_solutions(axes[3], solved)
+    for panel in axes:
+        panel.grid(True, color="0.9")
+    axes[-1].set_xlabel("phase of the mesh cycle")
+    return figure
+
+
+def _draw_transmission_error(axes: Axes, cycle: xr.Dataset) -> None:
+    axes.plot(cycle["phase"], cycle["transmission_error"] * MICRO, color="black")
+    axes.set_ylabel("transmission\nerror / µrad")
+
+
+def _draw_radii(axes: Axes, cycle: xr.Dataset) -> None:
+    """Both radii, whose ratio is large, on a logarithmic scale."""
+    for name, colour in (("radius_x", "tab:blue"), ("radius_y", "tab:orange")):
+        label = f"along {name[-1]}"
+        axes.semilogy(cycle["phase"], cycle[name] * MILLI, color=colour, label=label)
+    axes.set_ylabel("relative radius\nof curvature / mm")
+    axes.legend(frameon=False, ncols=2)
+
+
+def _draw_contact_point(axes: Axes, cycle: xr.Dataset) -> None:
+    """The contact point less its mean, so that its three components share a scale."""
+    mean = cycle["point"].mean("phase")
+    for axis in cycle["axis"].values:
+        here = mean.sel(axis=axis).item() * MILLI
+        axes.plot(
+            cycle["phase"],
+            cycle["point"].sel(axis=axis) * MILLI - here,
+            label=f"{axis} {'-' if here >= 0 else '+'} {abs(here):.1f} mm",
+        )
+    axes.set_ylabel("contact point\n/ mm")
+    axes.legend(frameon=False, ncols=3)
+
+
+def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
+    """Films with their error bars, and the largest pressure on its own scale."""
+    phase = np.array([solution.phase for solution in solved])
+    for name, label, colour in (
+        ("film_central", "central film", "tab:blue"),
+        ("film_min", "least film", "tab:green"),
+    ):
+        estimates = [getattr(solution.figures, name) for solution in solved]
+        film = np.array([estimate.value for estimate in estimates]) * MICRO
+        error = film * [estimate.error for estimate in estimates]
+        axes.errorbar(phase, film, error, fmt="o-", color=colour, capsize=3, label=label)
+        failed = np.array([not solution.converged for solution in solved])
+        if failed.any():
+            label = "not converged" if name == "film_min" else None
+            axes.plot(phase[failed], film[failed], "x", color="black", markersize=11, label=label)
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("film / µm")
+    pressure_axes = axes.twinx()
+    pressure = [solution.figures.pressure_max.value * MEGA for solution in solved]
+    pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
+    pressure_axes.set_ylim(bottom=0)
+    pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
+    axes.legend(frameon=False, ncols=2, loc="lower left")

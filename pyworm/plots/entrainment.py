@@ -1,0 +1,54 @@
+"""Where the oil is drawn: streamlines of the entrainment."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyworm.plots.style import (
+    MILLI,
+    colour_bar,
+    contact_window,
+    draw_contact_point,
+    draw_dry_outline,
+    draw_tooth,
+    heading,
+    in_window,
+    panels,
+)
+from pyworm.solution import Solution
+
+UNIFORM = 1e-3
+"""Relative range of speed below which a map would show rounding, not motion."""
+
+
+def draw_entrainment(case_name: str, solution: Solution) -> Figure:
+    """Streamlines of the mean surface velocity over its speed, and the dry contact."""
+    window = contact_window(solution.fields)
+    fields = in_window(solution.fields, window)
+    u = fields["entrainment_x"].transpose("y", "x").values
+    v = fields["entrainment_y"].transpose("y", "x").values
+    speed = np.hypot(u, v)
+    uniform = np.ptp(speed) <= UNIFORM * speed.max()
+    title = f"entrainment, {speed.mean():.3g} m/s all over" if uniform else "entrainment"
+    figure, (axes,) = panels(window, [title], heading(case_name, solution))
+    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+    if not uniform:
+        bands = axes.contourf(x, y, speed, levels=24, cmap="cividis")
+        colour_bar(axes, bands, "entrainment speed / (m/s)")
+    # Streamlines want exactly even spacing, which the coordinates have but for rounding.
+    axes.streamplot(
+        np.linspace(x[0], x[-1], x.size),
+        np.linspace(y[0], y[-1], y.size),
+        u,
+        v,
+        color="tab:blue" if uniform else "white",
+        linewidth=0.8,
+        arrowsize=0.9,
+        density=0.8,
+        broken_streamlines=False,
+    )
+    draw_tooth(axes, fields)
+    draw_dry_outline(axes, fields, "tab:red")
+    draw_contact_point(axes)
+    axes.set_xlim(window.left, window.right)
+    axes.set_ylim(window.bottom, window.top)
+    return figure

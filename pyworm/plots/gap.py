@@ -1,0 +1,64 @@
+"""The undeformed gap with the tooth around it."""
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from pyworm.plots.style import (
+    MICRO,
+    MILLI,
+    draw_contact_point,
+    draw_dry_outline,
+    draw_tooth,
+    heading,
+    panels,
+    whole_window,
+)
+from pyworm.solution import Solution
+
+LEVELS = np.array([1, 2, 5])
+"""Gap contours in each decade."""
+
+
+def draw_gap(case_name: str, solution: Solution) -> Figure:
+    """Tooth outline, path of contact, dry contact and contours of the undeformed gap."""
+    fields = solution.fields
+    figure, (axes,) = panels(whole_window(fields), ["undeformed gap"], heading(case_name, solution))
+    gap = fields["gap"].transpose("y", "x").values * MICRO
+    levels = _levels(float(gap.max()))
+    colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
+    contours = axes.contour(
+        fields["x"] * MILLI,
+        fields["y"] * MILLI,
+        gap,
+        levels=levels,
+        colors=colours,
+        linewidths=1.0,
+    )
+    axes.clabel(contours, fmt=lambda value: f"{value:g}", fontsize="small")
+    draw_tooth(axes, fields)
+    draw_dry_outline(axes, fields, "tab:red")
+    legend = [
+        Line2D([], [], color=colours[levels.size // 2], linewidth=1.0, label="gap / µm"),
+        Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"),
+    ]
+    if "contact_path_x" in fields:
+        (path,) = axes.plot(
+            fields["contact_path_x"] * MILLI,
+            fields["contact_path_y"] * MILLI,
+            color="tab:blue",
+            linewidth=1.5,
+            label="path of contact",
+        )
+        legend.append(path)
+    draw_contact_point(axes)
+    figure.legend(handles=legend, loc="outside lower center", ncols=len(legend), frameon=False)
+    return figure
+
+
+def _levels(highest: float) -> np.ndarray:
+    """1, 2, 5, 10, ... over the three decades below the largest gap [um]."""
+    last = np.ceil(np.log10(highest))
+    levels = np.outer(10.0 ** np.arange(last - 4, last), LEVELS).ravel()
+    return levels[(levels >= highest / 1000) & (levels < highest)]

@@ -1,0 +1,48 @@
+"""How a solution converged."""
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from pyworm.plots.style import heading
+from pyworm.solution import Solution
+
+
+def draw_history(case_name: str, solution: Solution) -> Figure:
+    """Residual (dots) and load error (thin) against iteration, a colour for each grid in turn."""
+    history = solution.history
+    iteration = history["iteration"].values
+    grids = np.stack([history["points_x"].values, history["points_y"].values])
+    starts = np.flatnonzero(np.any(np.diff(grids, axis=1) != 0, axis=0)) + 1
+    figure = Figure(figsize=(8, 4.8), layout="constrained")
+    figure.suptitle(heading(case_name, solution))
+    axes = figure.subplots()
+    for stage in np.split(np.arange(iteration.size), starts):
+        if stage.size == 0:
+            continue
+        (residual,) = axes.semilogy(
+            iteration[stage],
+            _positive(history["residual"].values[stage]),
+            "o-",
+            markersize=3.5,
+            label=f"{grids[0, stage[0]]:.0f} by {grids[1, stage[0]]:.0f} points",
+        )
+        axes.semilogy(
+            iteration[stage],
+            _positive(np.abs(history["load_error"].values[stage])),
+            "--",
+            color=residual.get_color(),
+            linewidth=0.9,
+        )
+    axes.plot([], [], "--", color="0.3", linewidth=0.9, label="load error")
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel("iteration")
+    axes.set_ylabel("residual, relative")
+    axes.grid(True, color="0.9")
+    axes.legend(frameon=False)
+    return figure
+
+
+def _positive(values: np.ndarray) -> np.ndarray:
+    """Values for a logarithmic axis, which has no place for an exact zero."""
+    return np.where(values > 0, values, np.nan)

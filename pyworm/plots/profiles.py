@@ -1,0 +1,77 @@
+"""Pressure and film on the two lines through the contact point."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.formulas.hertz import HertzContact, hertz
+from pyworm.plots.film import thickest_shown
+from pyworm.plots.style import MEGA, MICRO, MILLI, contact_window, heading
+from pyworm.solution import Solution
+
+PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
+
+
+def draw_profiles(case_name: str, solution: Solution) -> Figure:
+    """Film pressure, dry pressure, Hertz pressure (dashed) and film along x and along y."""
+    figure = Figure(figsize=(9, 7.5), layout="constrained")
+    figure.suptitle(heading(case_name, solution))
+    window = contact_window(solution.fields)
+    contact = _hertz_of(solution.fields)
+    top = thickest_shown(solution) * MICRO
+    sides = {"x": (window.left, window.right), "y": (window.bottom, window.top)}
+    for axes, (along, across) in zip(figure.subplots(2), (("x", "y"), ("y", "x")), strict=True):
+        line = solution.fields.interp({across: 0.0})
+        handles = _draw_line(axes, line, along, contact, top)
+        axes.set_xlim(*sides[along])
+        axes.set_xlabel(f"{along} / mm   (at {across} = 0)")
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, frameon=False)
+    return figure
+
+
+def _draw_line(axes: Axes, line: xr.Dataset, along: str, contact: HertzContact, top: float) -> list:
+    """One line through the contact; returns what its legend names."""
+    place = line[along].values
+    fine = np.linspace(place[0], place[-1], 2001)
+    zero = np.zeros_like(fine)
+    ideal = contact.pressure(*((fine, zero) if along == "x" else (zero, fine)))
+    pressure = axes.plot(
+        place * MILLI, line["pressure"] * MEGA, color=PRESSURE_COLOUR, label="film pressure"
+    )
+    dry = axes.plot(
+        place * MILLI,
+        line["dry_pressure"] * MEGA,
+        color="0.4",
+        linewidth=1.0,
+        label="dry pressure",
+    )
+    dashed = axes.plot(
+        fine * MILLI, ideal * MEGA, "--", color="black", linewidth=1.0, label="Hertz pressure"
+    )
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("pressure / MPa", color=PRESSURE_COLOUR)
+    if line["covered"].min() < 0.5:
+        axes.fill_between(
+            place * MILLI,
+            0,
+            1,
+            where=line["covered"].values < 0.5,
+            transform=axes.get_xaxis_transform(),
+            color="0.85",
+            hatch="////",
+            edgecolor="0.6",
+        )
+    film_axes = axes.twinx()
+    film = film_axes.plot(place * MILLI, line["film"] * MICRO, color=FILM_COLOUR, label="film")
+    film_axes.set_ylim(0, top)
+    film_axes.set_ylabel("film / µm", color=FILM_COLOUR)
+    return [*pressure, *dry, *dashed, *film]
+
+
+def _hertz_of(fields: xr.Dataset) -> HertzContact:
+    """The Hertz contact of the scene that the fields belong to."""
+    scene = fields.attrs
+    return hertz(
+        scene["radius_x_m"], scene["radius_y_m"], scene["load_N"], scene["reduced_modulus_Pa"]
+    )

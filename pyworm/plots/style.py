@@ -1,0 +1,206 @@
+"""What all pictures share: the window they show, their panels, headings and overlays."""
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colorbar import Colorbar
+from matplotlib.figure import Figure
+
+from pyworm.plots.outline import signed_contact
+from pyworm.solution import Solution
+
+MILLI, MICRO, MEGA = 1e3, 1e6, 1e-6
+"""From SI to what the axes show: mm, um and MPa."""
+
+WIDEST = 4.5
+"""Panels longer than this many times their height are stretched across."""
+
+LONG_SIDE = 7.0
+"""Length of the longer side of a panel [inch]."""
+
+SHORTEST_SIDE = 1.7
+"""Least length of the shorter side of a panel [inch], for its labels' sake."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """A rectangle of the tangent plane [mm].
+
+    Attributes
+    ----------
+    left, right, bottom, top : float
+        Its sides.
+    """
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """Extent along x [mm]."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Extent along y [mm]."""
+        return self.top - self.bottom
+
+    @property
+    def stretch(self) -> float:
+        """Scale of y over scale of x: 1, or a whole number or its inverse for slender windows."""
+        ratio = self.width / self.height
+        if ratio >= 1:
+            return float(ceil(ratio / WIDEST))
+        return 1 / ceil(1 / ratio / WIDEST)
+
+    @property
+    def panel_size(self) -> tuple[float, float]:
+        """Width and height of a panel that shows the window [inch]."""
+        ratio = self.width / (self.height * self.stretch)
+        size = LONG_SIDE if ratio >= 1.3 else 0.75 * LONG_SIDE
+        return (size, size / ratio) if ratio >= 1 else (max(size * ratio, SHORTEST_SIDE), size)
+
+
+def whole_window(fields: xr.Dataset) -> Window:
+    """The grid and, where given, the outline of the tooth, with a narrow margin."""
+    x, y = fields["x"].values, fields["y"].values
+    if "tooth_outline_x" in fields:
+        x = np.append(x, fields["tooth_outline_x"])
+        y = np.append(y, fields["tooth_outline_y"])
+    window = _window(x, y)
+    margin_x, margin_y = 0.02 * window.width, 0.02 * window.height
+    return Window(
+        window.left - margin_x,
+        window.right + margin_x,
+        window.bottom - margin_y,
+        window.top + margin_y,
+    )
+
+
+def contact_window(fields: xr.Dataset) -> Window:
+    """The dry contact with margins that show its inlet and outlet, within the grid."""
+    x, y = fields["x"].values, fields["y"].values
+    loaded = fields["dry_pressure"].transpose("y", "x").values > 0
+    if not loaded.any():
+        return _window(x, y)
+    contact = _window(x[loaded.any(axis=0)], y[loaded.any(axis=1)])
+    short = min(contact.width, contact.height)
+    margin_x = max(0.08 * contact.width, 0.4 * short)
+    margin_y = max(0.08 * contact.height, 0.4 * short)
+    grid = _window(x, y)
+    return Window(
+        max(grid.left, contact.left - margin_x),
+        min(grid.right, contact.right + margin_x),
+        max(grid.bottom, contact.bottom - margin_y),
+        min(grid.top, contact.top + margin_y),
+    )
+
+
+def _window(x: np.ndarray, y: np.ndarray) -> Window:
+    return Window(
+        float(np.nanmin(x)) * MILLI,
+        float(np.nanmax(x)) * MILLI,
+        float(np.nanmin(y)) * MILLI,
+        float(np.nanmax(y)) * MILLI,
+    )
+
+
+def in_window(fields: xr.Dataset, window: Window) -> xr.Dataset:
+    """The part of the fields inside the window, with one more grid line on each side."""
+    return fields.isel(
+        x=_slice(fields["x"].values * MILLI, window.left, window.right),
+        y=_slice(fields["y"].values * MILLI, window.bottom, window.top),
+    )
+
+
+def _slice(coordinate: np.ndarray, low: float, high: float) -> slice:
+    first = int(np.searchsorted(coordinate, low, side="right")) - 1
+    last = int(np.searchsorted(coordinate, high, side="left"))
+    return slice(max(first, 0), last + 1)
+
+
+def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, list[Axes]]:
+    """Panels of one window, side by side or, if it is wide, stacked."""
+    width, height = window.panel_size
+    stacked = width >= 1.3 * height
+    rows, columns = (len(titles), 1) if stacked else (1, len(titles))
+    figure = Figure(
+        figsize=(columns * (width + 1.6), rows * (height + 0.8) + 0.6), layout="constrained"
+    )
+    figure.suptitle(heading)
+    # Panels of one window read one scale: labels on the outer ones only.
+    axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    for number, (panel, title) in enumerate(zip(axes.flat, titles, strict=True)):
+        panel.set_title(title, fontsize="medium")
+        panel.set_xlim(window.left, window.right)
+        panel.set_ylim(window.bottom, window.top)
+        panel.set_aspect(window.stretch)
+        if not stacked or number == rows - 1:
+            panel.set_xlabel(f"x / mm{_stretch_note(1 / window.stretch)}")
+        if stacked or number == 0:
+            panel.set_ylabel(f"y / mm{_stretch_note(window.stretch)}")
+    return figure, list(axes.flat)
+
+
+def colour_bar(axes: Axes, mappable: ScalarMappable, label: str) -> Colorbar:
+    """A colour bar exactly as tall as its panel, which a fixed aspect may have shrunk."""
+    width, _ = axes.get_figure().get_size_inches()
+    bar_axes = axes.inset_axes((1 + 0.12 / width, 0, 0.2 / width, 1))
+    return axes.get_figure().colorbar(mappable, cax=bar_axes, label=label)
+
+
+def _stretch_note(stretch: float) -> str:
+    return f"  (stretched {stretch:.0f} times)" if stretch > 1 else ""
+
+
+def heading(case_name: str, solution: Solution) -> str:
+    """Case, scene, phase, load, and a warning where the solution did not converge."""
+    parts = [case_name]
+    if solution.name != case_name:
+        parts.append(solution.name)
+    if solution.phase is not None:
+        parts.append(f"phase {solution.phase:.3g}")
+    load = solution.load
+    parts.append(f"{load / 1e3:.4g} kN" if load >= 1e3 else f"{load:.4g} N")
+    if not solution.converged:
+        parts.append(f"NOT CONVERGED ({solution.stop_reason})")
+    return "  ·  ".join(parts)
+
+
+def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:
+    """The boundary of the dry contact."""
+    pressure = fields["dry_pressure"].transpose("y", "x").values
+    if pressure.max() > 0:
+        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+        axes.contour(x, y, signed_contact(pressure), levels=[0], colors=colour, linewidths=1.2)
+
+
+def draw_tooth(axes: Axes, fields: xr.Dataset) -> None:
+    """Where a surface is missing, hatched, and the outline and contact path where given."""
+    covered = fields["covered"].transpose("y", "x").values
+    if covered.min() < 0.5:
+        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+        axes.contourf(
+            x, y, covered, levels=[-0.5, 0.5], colors="0.85", hatches=["////"], alpha=0.75
+        )
+        if "tooth_outline_x" not in fields:
+            axes.contour(x, y, covered, levels=[0.5], colors="0.25", linewidths=1.0)
+    if "tooth_outline_x" in fields:
+        axes.plot(
+            fields["tooth_outline_x"] * MILLI,
+            fields["tooth_outline_y"] * MILLI,
+            color="0.25",
+            linewidth=1.5,
+        )
+
+
+def draw_contact_point(axes: Axes) -> None:
+    """A cross at the contact point, the origin of the tangent plane."""
+    axes.plot(0, 0, "+", color="black", markersize=9, markeredgewidth=2.6)
+    axes.plot(0, 0, "+", color="white", markersize=8, markeredgewidth=1.2)
