@@ -1,6 +1,7 @@
 """Unloaded tooth contact over the mesh cycle of one tooth pair."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from scipy.optimize import brentq
@@ -192,13 +193,13 @@ def find_mesh_cycle(
         places = centre + np.linspace(-4, 4, 4001) * worm_tooth.tip_radius
         inside = margin(places) > 0
         edges = np.flatnonzero(inside[:-1] != inside[1:])
-        for low, high in zip(edges[:-1], edges[1:], strict=True):
+        for low, high in pairwise(edges):
             if not inside[low + 1]:
                 continue
             end = brentq(margin, places[low], places[low + 1], xtol=1e-15)
             begin = brentq(margin, places[high], places[high + 1], xtol=1e-15)
             cycle = MeshCycle(worm, flank, line, begin, end, boundary(begin), boundary(end))
-            if min(cycle.contact(0.5).radii) > 0:
+            if all(min(cycle.contact(phase).radii) > 0 for phase in (0.0, 0.5, 1.0)):
                 cycles.append(cycle)
             else:
                 cuts = True
@@ -207,7 +208,8 @@ def find_mesh_cycle(
     if cuts:
         raise ValueError(
             "hob: the wheel it cuts would interfere with the worm (a relative radius of curvature is "
-            "negative); the hob must be at least as large as the worm"
+            "negative); a hob at least as large as the worm, set up near the wheel's mid-plane, "
+            "is needed"
         )
     raise ValueError(
         f"hob.swivel and hob.axial_shift are {np.degrees(flank.hob.swivel):.4g} deg and "

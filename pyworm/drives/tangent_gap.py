@@ -32,6 +32,9 @@ bound; the flank is continued from a little before it."""
 SETTLED = 1e-7
 """Newton step [rad] below which the height, whose error is the step's square, is right to rounding."""
 
+REACH = np.pi / 2
+"""Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
+
 BLOCK = 16384
 """Points solved at once: keeps the work arrays within the processor's cache."""
 
@@ -210,6 +213,8 @@ class FlankHeight:
         step, determinant = _solved(t2, t1)
         sound = determinant / self._start_determinant > EDGE
         sound &= np.max(np.abs(step), axis=0) < SETTLED
+        for value, start in zip(q, self.start, strict=True):
+            sound &= np.abs(value - start) < REACH
         return q, t, sound
 
     def _follow(
@@ -234,7 +239,8 @@ class FlankHeight:
         """Height [m] of the flank at points (x, y), the touching planes' q, and where it exists.
 
         Where the mathematical flank ends before (x, y), it is continued along the ray from the contact
-        point by its second-order expansion at the last sound point, and q is that point's.
+        point with the slope of its last sound point and the contact point's curvatures, so that the
+        gap stays smooth and opens; q is then the last sound point's.
         """
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         flat = x.ravel(), y.ravel()
@@ -266,7 +272,7 @@ class FlankHeight:
         return height, q, sound
 
     def _continued(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
-        """Heights beyond the flank's end: second-order expansion at the last sound point of the ray."""
+        """Heights beyond the flank's end, and q where the flank ends on each ray."""
         reach, beyond = np.zeros(x.shape), np.ones(x.shape)
         q = [np.full(x.shape, value) for value in self.start]
         step = np.full(x.shape, 1 / 16)
@@ -278,8 +284,9 @@ class FlankHeight:
             step = np.where(sound, step, step / 2)
             if np.all(step < 1e-7):
                 break
-        height, slope, bend = self.expansion(q, reach * x, reach * y)
+        height, slope, _ = self.expansion(q, reach * x, reach * y)
         dx, dy = (1 - reach) * x, (1 - reach) * y
         rise = slope[0] * dx + slope[1] * dy
+        bend = self.curvatures
         curl = bend[0, 0] * dx**2 + 2 * bend[0, 1] * dx * dy + bend[1, 1] * dy**2
         return height + rise + curl / 2, q

@@ -1,0 +1,234 @@
+"""Gap, curvatures and velocities over the tangent plane."""
+
+import time
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, root
+from zi_drives import sharif
+
+PHASES = (0.0, 0.3, 0.5, 1.0)
+
+
+def window(half_x, half_y, count):
+    return np.meshgrid(
+        np.linspace(-half_x, half_x, count), np.linspace(-half_y, half_y, count), indexing="ij"
+    )
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_frame(phase):
+    contact = sharif().contact(phase)
+    np.testing.assert_allclose(contact.axes @ contact.axes.T, np.eye(3), rtol=0, atol=1e-14)
+    assert np.linalg.det(contact.axes) == pytest.approx(1)
+    assert contact.radii[0] > contact.radii[1] > 0
+    worm_motion, wheel_motion = sharif().scene(phase).motions
+    assert worm_motion(0.0, 0.0)[0] > 0
+    # larger worm radius at the top, the wheel moving down (Sharif et al. 2001, Figs 2 and 13)
+    assert contact.y_axis[0] > 0
+    assert wheel_motion(0.0, 0.0)[1] < 0
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_curvatures_agree_with_second_differences_of_the_gap(phase):
+    scene = sharif().scene(phase)
+    exact = np.array([[1 / scene.radii[0], 0.0], [0.0, 1 / scene.radii[1]]])
+    errors = []
+    for h in (8e-4, 4e-4, 2e-4):
+        x, y = window(h, h, 3)
+        gap = scene.gap(x, y)[0]
+        xx = (gap[2, 1] - 2 * gap[1, 1] + gap[0, 1]) / h**2
+        yy = (gap[1, 2] - 2 * gap[1, 1] + gap[1, 0]) / h**2
+        xy = (gap[2, 2] - gap[2, 0] - gap[0, 2] + gap[0, 0]) / (4 * h**2)
+        errors.append(np.max(np.abs(np.array([[xx, xy], [xy, yy]]) - exact)))
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    np.testing.assert_allclose(orders, 2.0, atol=0.05)
+    assert errors[-1] < 1e-3 * exact[1, 1]
+
+
+def test_slopes_and_curvatures_of_each_flank_away_from_the_contact():
+    contact = sharif().contact(0.5)
+    for flank in (contact.worm_height, contact.wheel_height):
+        x, y, h = np.array([0.006, -0.01]), np.array([-0.002, 0.003]), 2e-5
+        _, q, _ = flank.solve(x, y)
+        height, slope, bend = flank.expansion(q, x, y)
+        east, west = flank.solve(x + h, y)[0], flank.solve(x - h, y)[0]
+        north, south = flank.solve(x, y + h)[0], flank.solve(x, y - h)[0]
+        np.testing.assert_allclose(slope[0], (east - west) / (2 * h), rtol=0, atol=1e-7)
+        np.testing.assert_allclose(slope[1], (north - south) / (2 * h), rtol=0, atol=1e-7)
+        np.testing.assert_allclose(
+            bend[0, 0], (east - 2 * height + west) / h**2, rtol=1e-6, atol=1e-5
+        )
+        np.testing.assert_allclose(
+            bend[1, 1], (north - 2 * height + south) / h**2, rtol=1e-6, atol=1e-5
+        )
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_gap_is_nowhere_negative(phase):
+    x, y = window(0.025, 0.012, 129)
+    gap, covered = sharif().scene(phase).gap(x, y)
+    assert np.all(np.isfinite(gap))
+    assert gap.min() > -1e-15
+    assert covered.any()
+    assert covered[64, 64]
+
+
+def worm_height_by_involute(drive, contact, x, y):
+    """Height of the worm from its explicit involute, one point at a time."""
+    base = contact.point + x * contact.x_axis + y * contact.y_axis - drive.worm_flank.axis_point
+
+    def miss(height):
+        px, py, pz = base + height * contact.normal
+        pressure = np.arccos(drive.worm.base_radius / np.hypot(px, py))
+        turn = np.arctan2(py, px) - contact.worm_angle + np.tan(pressure) - pressure
+        return pz - drive.worm.lead / (2 * np.pi) * turn
+
+    return brentq(miss, -4e-3, 4e-3, xtol=1e-15)
+
+
+def wheel_height_by_generation(drive, contact, x, y, guess):
+    """Height of the wheel from points of the hob that leave the wheel's tooth no normal velocity."""
+    flank, hob = drive.wheel_flank, drive.wheel_flank.hob
+    across = contact.axes
+    hob_axis = hob.axes[:, 2]
+
+    def place(theta, along, hob_angle):
+        cut = hob.point(theta, along, hob_angle)
+        turn = flank.ratio * hob_angle - contact.wheel_angle
+        cos, sin = np.cos(turn), np.sin(turn)
+        matrix = np.array([[cos, 0, sin], [0, 1, 0], [-sin, 0, cos]])
+        return cut, across @ (matrix @ cut - contact.point)
+
+    def miss(unknown):
+        theta, along, hob_angle = unknown[0], unknown[1] * 0.03, unknown[2]
+        cut, here = place(theta, along, hob_angle)
+        slide = np.cross(hob_axis, cut - hob.axis_point) + np.cross([0, flank.ratio, 0], cut)
+        lift = 1e-5
+        along_theta = hob.point(theta + lift, along) - hob.point(theta - lift, along)
+        along_line = hob.point(theta, along + lift) - hob.point(theta, along - lift)
+        normal = np.cross(along_theta, along_line)
+        normal /= np.linalg.norm(normal)
+        return np.array([here[0] - x, here[1] - y, normal @ slide]) * 1e3
+
+    found = root(miss, guess, method="hybr", options={"xtol": 1e-13})
+    theta, along, hob_angle = found.x[0], found.x[1] * 0.03, found.x[2]
+    assert np.max(np.abs(found.fun)) < 1e-8
+    return place(theta, along, hob_angle)[1][2]
+
+
+@pytest.mark.parametrize("phase", (0.1, 0.5))
+def test_gap_agrees_with_an_independent_evaluation(phase):
+    drive = sharif()
+    contact = drive.contact(phase)
+    gap = drive.gap(contact)
+    hob = drive.wheel_flank.hob
+    line = drive.cycle.line
+    roll = line.lag + contact.wheel_angle
+    cut = drive.wheel_flank.cut_point(line.hob_theta, roll)
+    own = hob.axes.T @ (cut - hob.axis_point)
+    along = np.sqrt(own[0] ** 2 + own[1] ** 2 - hob.base_radius**2) / np.cos(hob.base_lead_angle)
+    guess = np.array([line.hob_theta, along / 0.03, roll / drive.ratio])
+    for x, y in (
+        (0, 0),
+        (4e-3, 1e-3),
+        (-8e-3, 1e-3),
+        (12e-3, -2e-3),
+        (-12e-3, -3e-3),
+        (2e-3, 5e-3),
+    ):
+        worm = worm_height_by_involute(drive, contact, x, y)
+        wheel = wheel_height_by_generation(drive, contact, x, y, guess)
+        assert abs(gap(x, y)[0] - (wheel - worm)) < 1e-10
+
+
+def test_gap_is_the_same_whatever_window_asks():
+    scene = sharif().scene(0.5)
+    x, y = window(0.02, 0.006, 65)
+    whole = scene.gap(x, y)[0]
+    single = [float(scene.gap(x[i, j], y[i, j])[0]) for i, j in ((3, 60), (32, 32), (64, 0))]
+    np.testing.assert_allclose(single, [whole[3, 60], whole[32, 32], whole[64, 0]], atol=1e-15)
+
+
+def test_gap_goes_on_beyond_the_teeth():
+    scene = sharif().scene(0.5)
+    x, y = window(0.06, 0.04, 81)
+    gap, covered = scene.gap(x, y)
+    assert np.all(np.isfinite(gap))
+    assert not covered[0].any() and not covered[-1].any()
+    # without a jump, also where the worm's flank ends at its base cylinder
+    line = np.linspace(-0.04, 0.04, 4001)
+    fine, _ = scene.gap(0 * line, line)
+    steps = np.diff(fine, 2) / (line[1] - line[0]) ** 2
+    assert np.max(np.abs(steps)) < 500
+
+
+def test_a_window_takes_well_below_a_second():
+    scene = sharif().scene(0.5)
+    x, y = window(0.018, 0.005, 257)
+    begin = time.perf_counter()
+    scene.gap(x, y)
+    assert time.perf_counter() - begin < 3.0
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_velocities_agree_with_positions_in_time(phase):
+    drive = sharif()
+    contact = drive.contact(phase)
+    scene = drive.scene(phase)
+    dt = 1e-6
+    span = drive.cycle.worm_rotation / drive.speed
+    ahead, behind = (drive.cycle.contact(phase + s * dt / span, drive.speed) for s in (1, -1))
+    np.testing.assert_allclose(
+        (ahead.point - behind.point) / (2 * dt), contact.velocity, rtol=0, atol=1e-7
+    )
+    assert (ahead.worm_angle - behind.worm_angle) / (2 * dt) == pytest.approx(drive.speed, rel=1e-8)
+
+    x, y = np.array([0.0, 5e-3, -9e-3]), np.array([0.0, 1e-3, -2e-3])
+    flanks = contact.worm_height, contact.wheel_height
+    for motion, flank, angle, about, centre in zip(
+        scene.motions,
+        flanks,
+        ("worm_angle", "wheel_angle"),
+        (np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])),
+        (drive.worm_flank.axis_point, np.zeros(3)),
+        strict=True,
+    ):
+        height = flank.solve(x, y)[0]
+        point = contact.point[:, None] + contact.axes.T @ np.stack([x, y, height])
+
+        def turned(turn, point=point, about=about, centre=centre):
+            arm = point - centre[:, None]
+            along = np.outer(about, about @ arm)
+            across = np.cross(about, arm, axisb=0, axisc=0)
+            return centre[:, None] + along + np.cos(turn) * (arm - along) + np.sin(turn) * across
+
+        late, early = (turned(getattr(c, angle) - getattr(contact, angle)) for c in (ahead, behind))
+        velocity = (late - early - (ahead.point - behind.point)[:, None]) / (2 * dt)
+        np.testing.assert_allclose(
+            motion.velocity(x, y), contact.axes @ velocity, rtol=0, atol=1e-6
+        )
+
+
+@pytest.mark.parametrize("phase", PHASES)
+def test_normal_velocities_agree_at_the_contact(phase):
+    worm, wheel = (motion.velocity(0.0, 0.0) for motion in sharif().scene(phase).motions)
+    assert abs(worm[2]) < 1e-12 and abs(wheel[2]) < 1e-12
+    # nearly simple sliding: slide-roll ratio close to 2 (Sharif et al. 2001, section 3)
+    mean, difference = (worm + wheel) / 2, worm - wheel
+    assert 1.5 < np.linalg.norm(difference) / np.linalg.norm(mean) < 3
+
+
+def test_outline_encloses_the_contact_and_the_path():
+    drive = sharif()
+    contact = drive.contact(0.5)
+    outline = drive.tooth_outline(contact)
+    assert np.all(np.isfinite(outline.x)) and np.all(np.isfinite(outline.y))
+    assert outline.x[0] == pytest.approx(outline.x[-1], abs=1e-12)
+    # every point of it lies on a boundary of the tooth, seen through the flank's height
+    height = contact.wheel_height.solve(outline.x, outline.y)[0]
+    point = contact.point[:, None] + contact.axes.T @ np.stack([outline.x, outline.y, height])
+    margins = np.stack(list(drive.wheel_tooth.margins(point).values()))
+    np.testing.assert_allclose(margins.min(axis=0), 0, atol=1e-9)
+    middle = len(outline.path_x) // 2
+    assert np.hypot(outline.path_x[middle], outline.path_y[middle]) < 1e-12

@@ -1,0 +1,58 @@
+"""Geometry that cannot work is refused in one clear sentence."""
+
+import numpy as np
+import pytest
+from zi_drives import DEGREE, HOB, MM, WHEEL, WORM, changed, sharif
+
+
+def small_hob():
+    base, angle = 25.9 * MM, 27.9 * DEGREE
+    lead = 2 * np.pi * base * np.tan(angle)
+    return changed(
+        HOB,
+        base_radius=base,
+        base_lead_angle=angle,
+        lead=lead,
+        axial_pitch=lead / 3,
+        tip_radius=50.2 * MM,
+        root_radius=30.2 * MM,
+        centre_distance=304.23 * MM,
+        swivel=-0.3 * DEGREE,
+        axial_shift=0.0,
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"worm": changed(WORM, base_lead_angle=28.5 * DEGREE)}, "worm.base_lead_angle is 28.50 deg"),
+        ({"hob": changed(HOB, base_lead_angle=27.61 * DEGREE)}, "hob.base_lead_angle is 27.61 deg"),
+        ({"worm": changed(WORM, axial_pitch=30 * MM)}, "worm.axial_pitch is 30.00 mm"),
+        ({"worm": changed(WORM, tip_radius=29 * MM)}, "worm.tip_radius is 29.00 mm"),
+        ({"worm": changed(WORM, threads=2.5)}, "worm.threads is 2.5"),
+        ({"worm": changed(WORM, lead=-86.18 * MM)}, "worm.lead is -0.08618"),
+        ({"wheel": changed(WHEEL, face_width=0.0)}, "wheel.face_width is 0"),
+        ({"wheel": changed(WHEEL, tip_radius=270 * MM)}, "wheel.tip_radius is 270.00 mm"),
+        ({"centre_distance": 340 * MM}, "centre_distance is 340.00 mm"),
+        ({"centre_distance": 300 * MM}, "centre_distance is 300.00 mm"),
+        ({"hob": changed(HOB, centre_distance=300 * MM)}, "hob.centre_distance is 300.00 mm"),
+        ({"hob": changed(HOB, swivel=2 * DEGREE)}, "hob.swivel and hob.axial_shift are 2 deg"),
+        ({"hob": changed(HOB, base_radius=27 * MM, lead=90 * MM, axial_pitch=30 * MM,
+                         base_lead_angle=np.arctan(90 / (2 * np.pi * 27)))}, "normal base pitch"),
+        ({"hob": small_hob()}, "hob: the wheel it cuts would interfere"),
+        ({"load": -14e3}, "load is -14000"),
+        ({"speed": float("nan")}, "speed is nan"),
+    ],
+)  # fmt: skip
+def test_bad_geometry_is_refused(changes, says):
+    with pytest.raises(ValueError) as caught:
+        sharif(**changes)
+    message = str(caught.value)
+    assert says in message
+    assert "\n" not in message
+    assert type(caught.value) is ValueError
+
+
+def test_phase_outside_the_cycle_is_refused():
+    with pytest.raises(ValueError, match="phase is 1"):
+        sharif().contact(1.5)

@@ -1,0 +1,62 @@
+"""ZI worm drives that the tests share."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from pyworm.bodies import Body
+from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
+from pyworm.oils import Density, Oil, Roelands
+
+MM = 1e-3
+DEGREE = np.pi / 180
+
+WORM = Worm(3, 48.01 * MM, 29.03 * MM, 26.23 * MM, 28.73 * MM, 86.18 * MM, 27.61 * DEGREE)
+WHEEL = Wheel(59, 60.33 * MM, 278.61 * MM, 274.03 * MM)
+HOB = Hob(
+    tip_radius=51.63 * MM,
+    root_radius=31.58 * MM,
+    base_radius=26.48 * MM,
+    lead=85.97 * MM,
+    axial_pitch=28.66 * MM,
+    base_lead_angle=27.33 * DEGREE,
+    centre_distance=305.62 * MM,
+    swivel=0.255 * DEGREE,
+    axial_shift=-0.519 * MM,
+)
+
+
+def sharif(**changes) -> ZiWormDrive:
+    """The drive of Sharif et al. (2001), Part 1, Tables 1 and 2, with some entries changed."""
+    entries = {
+        "worm": WORM,
+        "wheel": WHEEL,
+        "hob": HOB,
+        "centre_distance": 304.8 * MM,
+        "speed": 1500 * 2 * np.pi / 60,
+        "load": 14e3,
+        "bodies": (Body(207e9, 0.3), Body(120e9, 0.35)),
+        "oil": Oil(Roelands(0.227, 0.227), Density.dowson_higginson(1025.0)),
+    }
+    return ZiWormDrive(**(entries | changes))
+
+
+def conjugate() -> ZiWormDrive:
+    """The same worm with a wheel cut by its own likeness: line contact."""
+    hob = Hob(
+        tip_radius=50.81 * MM,
+        root_radius=30.77 * MM,
+        base_radius=WORM.base_radius,
+        lead=WORM.lead,
+        axial_pitch=WORM.axial_pitch,
+        base_lead_angle=WORM.base_lead_angle,
+        centre_distance=304.8 * MM,
+        swivel=0.0,
+        axial_shift=0.0,
+    )
+    return sharif(hob=hob)
+
+
+def changed(table, **entries):
+    """A design table with some entries changed."""
+    return replace(table, **entries)
