@@ -1,0 +1,152 @@
+"""A film on its way up a nest of grids, one rung a grid.
+
+Each rung has half the spacing of the one before and covers the same window or a smaller one. Pressure
+outside its window is that of the rung before: it bends the bodies, carries its share of the load and stands
+on the window's sides.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm import kernels
+from pyworm.grid import Grid
+from pyworm.scales import Scales
+from pyworm.scene import Scene
+
+MOST_STEPS = 30
+"""Newton steps on one grid before it is given up."""
+
+FORCING = 0.03
+"""Share of the residual to which each Newton step solves its linear system."""
+
+FLOOR_SHARE = 1e-3
+"""Film, as a share of the expected central film, below which mobility falls no further."""
+
+DRY_TOLERANCE = 1e-4
+"""Film left in the dry contact, over the approach."""
+
+
+@dataclass(frozen=True)
+class Rung:
+    """A film on one grid.
+
+    Attributes
+    ----------
+    grid : Grid
+        The grid.
+    gap : numpy.ndarray
+        Undeformed gap [m], shape (nx, ny).
+    covered : numpy.ndarray
+        Where both surfaces exist.
+    far : numpy.ndarray or float
+        Deflection by pressure beyond the grid [m].
+    load : float
+        Load that pressure on the grid carries [N].
+    film : kernels.PointFilm
+        The kernel's film, in its present state.
+    """
+
+    grid: Grid
+    gap: np.ndarray
+    covered: np.ndarray
+    far: np.ndarray | float
+    load: float
+    film: kernels.PointFilm
+
+
+@dataclass(frozen=True)
+class Stride:
+    """One Newton step: grid points, balance reached, GMRES iterations."""
+
+    points_x: int
+    points_y: int
+    residual: float
+    load_error: float
+    krylov: int
+
+
+def dry_contact(scene: Scene, grid: Grid, gap, covered, guess) -> kernels.DryContact:
+    """The scene's dry contact on a grid, from a first pressure."""
+    return kernels.dry_contact(
+        gap,
+        covered,
+        grid.dx,
+        grid.dy,
+        scene.reduced_modulus,
+        scene.load,
+        guess,
+        DRY_TOLERANCE,
+    )
+
+
+def first_rung(scene: Scene, size: Scales, grid: Grid) -> Rung:
+    """The outermost grid, entered from the dry contact lifted by the expected film."""
+    x, y = grid.mesh()
+    gap, covered = scene.gap(x, y)
+    dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
+    rung = _rung(scene, size, grid, 0.0, scene.load)
+    rung.film.start(dry.pressure, size.film - dry.approach)
+    return rung
+
+
+def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
+    """A grid of half the spacing within the present one, entered from the present film."""
+    window = rung.grid.window_of(grid)
+    pressure = rung.film.pressure
+    far, load = rung.far, rung.load
+    outside = pressure.copy(order="F")
+    outside[window] = 0.0
+    if outside.any():
+        far = far + kernels.elastic_deflection(
+            outside, rung.grid.dx, rung.grid.dy, scene.reduced_modulus
+        )
+        load = load - outside.sum() * rung.grid.dx * rung.grid.dy
+    if np.ndim(far):
+        far = kernels.prolong(far[window])
+    finer = _rung(scene, size, grid, far, load)
+    finer.film.start(
+        np.where(finer.covered, np.maximum(kernels.prolong(pressure[window]), 0.0), 0.0),
+        rung.film.rigid_film,
+    )
+    return finer
+
+
+def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
+    x, y = grid.mesh()
+    gap, covered = scene.gap(x, y)
+    film = kernels.PointFilm(
+        gap + far,
+        covered,
+        scene.entrainment(x, y),
+        np.zeros_like(gap),
+        grid.dx,
+        grid.dy,
+        scene.reduced_modulus,
+        load,
+        scene.oil,
+        FLOOR_SHARE * size.film,
+    )
+    return Rung(grid, gap, covered, far, load, film)
+
+
+def settle(rung: Rung, tolerance: float) -> list[Stride]:
+    """Newton steps until residual and load error are within the tolerance, or no step helps any more."""
+    strides = []
+    while rung.film.balance.worst > tolerance and len(strides) < MOST_STEPS:
+        try:
+            step = rung.film.step(FORCING)
+        except kernels.KernelError as error:
+            if error.status != kernels.NO_DESCENT:
+                raise
+            break
+        strides.append(
+            Stride(
+                rung.grid.nx,
+                rung.grid.ny,
+                step.balance.residual,
+                step.balance.load_error,
+                step.krylov,
+            )
+        )
+    return strides

@@ -1,0 +1,149 @@
+"""The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
+
+from dataclasses import dataclass
+
+from pyworm.grid import Grid, nest
+from pyworm.scales import Scales, scales
+from pyworm.scene import Scene
+from pyworm.window import FAR, NEAR, window
+
+MODELS = ("isothermal",)
+"""Names that `effects` may take."""
+
+COARSE_CELLS = 16
+"""Cells along the short semi-axis of Hertz's ellipse on the first grid of the figures."""
+
+LARGEST_STRETCH = 3.0
+"""Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
+slender contact scale with its short axis."""
+
+LARGEST_GRID = 1_200_000
+"""Nodes beyond which grids are not refined further."""
+
+ALGEBRA_SHARE = 0.01
+"""Residual allowed, as a share of the accuracy asked for."""
+
+CONVOLUTIONS_A_GRID = 150.0
+"""What a solve costs as a rule, in convolutions on its finest grid."""
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One physical effect and whether it is simulated.
+
+    Attributes
+    ----------
+    name : str
+        What it is called.
+    on : bool
+        Whether the solve includes it.
+    reason : str
+        Why, or why not.
+    """
+
+    name: str
+    on: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a solve will do.
+
+    Attributes
+    ----------
+    accuracy : float
+        Relative error wanted in minimum and central film [-].
+    effects : tuple of Effect
+        Every effect judged.
+    grids : tuple of Grid
+        From the outermost to the first one of the figures; finer ones follow as the accuracy needs.
+    largest_grid : int
+        Nodes beyond which grids are not refined further.
+    tolerance : float
+        Residual and load error at which a grid of the figures is solved.
+    expected_convolutions : float
+        Expected cost in convolutions on the finest grid.
+    """
+
+    accuracy: float
+    effects: tuple[Effect, ...]
+    grids: tuple[Grid, ...]
+    largest_grid: int
+    tolerance: float
+    expected_convolutions: float
+
+
+def plan(scene: Scene, accuracy: float = 0.01, effects: str = "isothermal") -> Plan:
+    """Plan of a solve.
+
+    Parameters
+    ----------
+    scene : Scene
+        The contact.
+    accuracy : float
+        Relative error wanted [-], between 1e-5 and 0.5.
+    effects : str
+        Name of the model; "isothermal" is elastic, piezoviscous, compressible, Newtonian, isothermal.
+
+    Raises
+    ------
+    ValueError
+        For a name or an accuracy that there is none of, or a scene that entrains no oil.
+    """
+    if effects not in MODELS:
+        raise ValueError(f"effects = {effects}: choose one of {', '.join(MODELS)}")
+    if not 1e-5 <= accuracy <= 0.5:
+        raise ValueError(
+            f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"
+        )
+    size = scales(scene)
+    return Plan(
+        accuracy=accuracy,
+        effects=_isothermal(scene),
+        grids=_grids(scene, size),
+        largest_grid=LARGEST_GRID,
+        tolerance=ALGEBRA_SHARE * accuracy,
+        expected_convolutions=CONVOLUTIONS_A_GRID,
+    )
+
+
+def _grids(scene: Scene, size: Scales) -> tuple[Grid, ...]:
+    """Grids from the far window down to the first one of the figures."""
+    short = min(size.hertz.semi_axis_x, size.hertz.semi_axis_y)
+    spacing = [
+        min(semi_axis, LARGEST_STRETCH * short) / COARSE_CELLS
+        for semi_axis in (size.hertz.semi_axis_x, size.hertz.semi_axis_y)
+    ]
+    return nest(window(scene, size, NEAR), window(scene, size, FAR), *spacing)
+
+
+def _isothermal(scene: Scene) -> tuple[Effect, ...]:
+    """Effects of the isothermal Newtonian model; what the kernel does not simulate is named too."""
+    asked = "part of the isothermal model"
+    missing = "not simulated"
+    compressible = scene.oil.density.d1 > 0
+    piezoviscous = scene.oil.viscosity.alpha > 0
+    return (
+        Effect("elastic deflection", True, asked),
+        Effect(
+            "pressure-viscosity", piezoviscous, asked if piezoviscous else "the oil has alpha = 0"
+        ),
+        Effect(
+            "compressibility", compressible, asked if compressible else "the oil is incompressible"
+        ),
+        Effect("real gap", True, asked),
+        Effect("varying velocity and spin", True, asked),
+        *(
+            Effect(name, False, missing)
+            for name in (
+                "shear thinning",
+                "limiting shear stress",
+                "surface flash heating",
+                "film heating",
+                "inlet starvation",
+                "squeeze",
+                "surface roughness",
+            )
+        ),
+    )

@@ -1,0 +1,125 @@
+"""Uniform grids over the tangent plane, and nests of them around a contact."""
+
+from dataclasses import dataclass
+from math import ceil, floor
+
+import numpy as np
+
+CELLS_MULTIPLE = 8
+"""Cells of every grid come in multiples of this, so that multigrid finds coarser grids."""
+
+Box = tuple[float, float, float, float]
+"""West, east, south and north side of a rectangle [m]."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A uniform grid of nodes.
+
+    Attributes
+    ----------
+    west, south : float
+        Position of the first node [m].
+    dx, dy : float
+        Spacing [m].
+    nx, ny : int
+        Number of nodes along x and y.
+    """
+
+    west: float
+    south: float
+    dx: float
+    dy: float
+    nx: int
+    ny: int
+
+    @property
+    def x(self) -> np.ndarray:
+        """Positions of the nodes along x [m]."""
+        return self.west + self.dx * np.arange(self.nx)
+
+    @property
+    def y(self) -> np.ndarray:
+        """Positions of the nodes along y [m]."""
+        return self.south + self.dy * np.arange(self.ny)
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes."""
+        return self.nx * self.ny
+
+    def mesh(self) -> tuple[np.ndarray, np.ndarray]:
+        """Positions of all nodes, each (nx, ny) in Fortran order."""
+        x, y = np.meshgrid(self.x, self.y)
+        return x.T, y.T
+
+    def finer(self) -> "Grid":
+        """The grid of half the spacing over the same rectangle."""
+        return Grid(
+            self.west, self.south, self.dx / 2, self.dy / 2, 2 * self.nx - 1, 2 * self.ny - 1
+        )
+
+    def window_of(self, fine: "Grid") -> tuple[slice, slice]:
+        """Nodes of this grid that a grid of half the spacing, aligned with it, covers."""
+        first_x = round((fine.west - self.west) / self.dx)
+        first_y = round((fine.south - self.south) / self.dy)
+        return (
+            slice(first_x, first_x + (fine.nx + 1) // 2),
+            slice(first_y, first_y + (fine.ny + 1) // 2),
+        )
+
+
+def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
+    """Grids from one that spans `outer` to one of spacing dx, dy that spans `inner`.
+
+    Each has half the spacing of the one before and lies within it, node on node. The origin is a node of
+    all.
+    """
+    west, cells_x = _span(inner[0], inner[1], dx)
+    south, cells_y = _span(inner[2], inner[3], dy)
+    grids = [Grid(west * dx, south * dy, dx, dy, cells_x + 1, cells_y + 1)]
+    while not _holds(grids[0], outer):
+        last = grids[0]
+        step_x, step_y = 2 * last.dx, 2 * last.dy
+        box = _towards(last, outer)
+        west, cells_x = _span(box[0], box[1], step_x)
+        south, cells_y = _span(box[2], box[3], step_y)
+        grids.insert(
+            0, Grid(west * step_x, south * step_y, step_x, step_y, cells_x + 1, cells_y + 1)
+        )
+    return tuple(grids)
+
+
+def _span(low: float, high: float, step: float) -> tuple[int, int]:
+    """First node and number of cells of a grid around an interval.
+
+    First and last node are even, so that the grid of twice the spacing has them too, and the cells are a multiple of
+    CELLS_MULTIPLE.
+    """
+    first, last = 2 * floor(low / step / 2 + 1e-9), 2 * ceil(high / step / 2 - 1e-9)
+    cells = CELLS_MULTIPLE * ceil((last - first) / CELLS_MULTIPLE)
+    first -= 2 * ((cells - (last - first)) // 4)
+    return first, cells
+
+
+def _holds(grid: Grid, box: Box) -> bool:
+    slack_x, slack_y = 1e-9 * grid.dx, 1e-9 * grid.dy
+    return (
+        grid.west <= box[0] + slack_x
+        and grid.x[-1] >= box[1] - slack_x
+        and grid.south <= box[2] + slack_y
+        and grid.y[-1] >= box[3] - slack_y
+    )
+
+
+def _towards(grid: Grid, outer: Box) -> Box:
+    """The grid's rectangle, each side moved outwards by half its span but not beyond `outer`."""
+    reach_x = (grid.nx - 1) * grid.dx / 2
+    reach_y = (grid.ny - 1) * grid.dy / 2
+    west, east, south, north = grid.west, grid.x[-1], grid.south, grid.y[-1]
+    return (
+        min(west, max(outer[0], west - reach_x)),
+        max(east, min(outer[1], east + reach_x)),
+        min(south, max(outer[2], south - reach_y)),
+        max(north, min(outer[3], north + reach_y)),
+    )

@@ -1,0 +1,145 @@
+"""Figures read off fields between the nodes of a grid."""
+
+import numpy as np
+from scipy.interpolate import RectBivariateSpline
+
+from pyworm.grid import Grid
+
+Array = np.ndarray
+
+
+def film_minimum(grid: Grid, film: Array, where: Array) -> tuple[float, tuple[float, float]]:
+    """Smallest film [m] and its place (x, y) [m], between nodes.
+
+    A quadratic surface is fitted through the nine nodes about the smallest nodal film; the minimum over
+    nodes alone converges erratically.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the film is.
+    film : numpy.ndarray
+        Film [m], shape (nx, ny).
+    where : numpy.ndarray
+        Nodes that count.
+    """
+    value, (x, y) = _vertex(np.where(where, film, np.inf), film)
+    return value, (grid.west + grid.dx * x, grid.south + grid.dy * y)
+
+
+def pressure_maximum(pressure: Array) -> float:
+    """Largest pressure [Pa], between nodes."""
+    return -_vertex(-pressure, -pressure)[0]
+
+
+def _vertex(searched: Array, field: Array) -> tuple[float, tuple[float, float]]:
+    """Minimum of the quadratic surface through the nodes about a field's smallest node, in node counts."""
+    i, j = np.unravel_index(np.argmin(searched), searched.shape)
+    lowest = float(field[i, j])
+    if not (0 < i < field.shape[0] - 1 and 0 < j < field.shape[1] - 1):
+        return lowest, (float(i), float(j))
+    patch = field[i - 1 : i + 2, j - 1 : j + 2]
+    if not np.all(np.isfinite(searched[i - 1 : i + 2, j - 1 : j + 2])):
+        return lowest, (float(i), float(j))
+    gradient = np.array([patch[2, 1] - patch[0, 1], patch[1, 2] - patch[1, 0]]) / 2
+    cross = (patch[2, 2] - patch[2, 0] - patch[0, 2] + patch[0, 0]) / 4
+    hessian = np.array(
+        [
+            [patch[2, 1] - 2 * lowest + patch[0, 1], cross],
+            [cross, patch[1, 2] - 2 * lowest + patch[1, 0]],
+        ]
+    )
+    if not (hessian[0, 0] > 0 and np.linalg.det(hessian) > 0):
+        return lowest, (float(i), float(j))
+    shift = np.clip(-np.linalg.solve(hessian, gradient), -1, 1)
+    value = lowest + float(gradient @ shift + shift @ hessian @ shift / 2)
+    return value, (float(i + shift[0]), float(j + shift[1]))
+
+
+def value_at_origin(grid: Grid, field: Array) -> float:
+    """Value of a field at the contact point."""
+    return float(_spline(grid, field)(0.0, 0.0, grid=False))
+
+
+def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
+    """Smallest film [m] on the line through the contact point along the entrainment, and how far along.
+
+    Only the first minimum behind the contact point counts; the film grows without end beyond it.
+    """
+    spline = _spline(grid, film)
+    direction = np.array([np.cos(angle), np.sin(angle)])
+    sides = np.array(
+        [
+            grid.x[-1] if direction[0] > 0 else grid.west,
+            grid.y[-1] if direction[1] > 0 else grid.south,
+        ]
+    )
+    with np.errstate(divide="ignore"):
+        reach = float(np.min(np.abs(sides / direction)))
+    along = np.linspace(0.0, reach, 4 * max(film.shape))
+    profile = spline(along * direction[0], along * direction[1], grid=False)
+    place = int(np.argmin(profile))
+    return float(profile[place]), float(along[place])
+
+
+def _spline(grid: Grid, field: Array) -> RectBivariateSpline:
+    return RectBivariateSpline(grid.x, grid.y, field)
+
+
+def contact_extent(grid: Grid, pressure: Array) -> tuple[float, float]:
+    """Extent [m] of a dry contact along x and along y.
+
+    At the edge of a smooth dry contact the square of the pressure falls linearly, which places the edge
+    between nodes.
+    """
+    return (
+        max(_row_extent(row, grid.dx) for row in pressure.T),
+        max(_row_extent(column, grid.dy) for column in pressure),
+    )
+
+
+def _row_extent(pressure: Array, spacing: float) -> float:
+    inside = np.flatnonzero(pressure > 0)
+    if inside.size < 3:
+        return float(inside.size) * spacing
+    squares = pressure**2
+    return spacing * (
+        inside[-1]
+        - inside[0]
+        + _edge(squares[inside[0]], squares[inside[0] + 1])
+        + _edge(squares[inside[-1]], squares[inside[-1] - 1])
+    )
+
+
+def _edge(outer: float, inner: float) -> float:
+    """Cells from the outermost loaded node to the edge, at most one."""
+    return min(outer / (inner - outer), 1.0) if inner > outer else 0.5
+
+
+def outline_imbalance(
+    grid: Grid, flow: tuple[Array, Array], imbalance: Array, pressurised: Array
+) -> float:
+    """Net over gross flow through the outline of the pressurised film.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the film is.
+    flow : tuple of numpy.ndarray
+        Wedge flow per width [m2/s] at the nodes along x and y: what crosses the outline, where pressure
+        and its slope vanish.
+    imbalance : numpy.ndarray
+        Net outflow per area [m/s] of each node's cell.
+    pressurised : numpy.ndarray
+        Nodes where pressure is above ambient.
+    """
+    net = abs(imbalance[pressurised].sum()) * grid.dx * grid.dy
+    gross = 0.0
+    for axis, width in ((0, grid.dy), (1, grid.dx)):
+        change = np.diff(pressurised.astype(np.int8), axis=axis) != 0
+        near, far = (
+            np.take(flow[axis], range(flow[axis].shape[axis] - 1), axis),
+            np.diff(flow[axis], axis=axis),
+        )
+        gross += np.abs(near + far / 2)[change].sum() * width / 2
+    return net / gross

@@ -1,0 +1,91 @@
+"""How much of the tangent plane a scene needs: far enough out that the oil supply is not felt to end."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.grid import Box
+from pyworm.scales import Scales
+from pyworm.scene import Scene
+
+SAMPLES = 65
+"""Points of the sampling grid along each direction."""
+
+GROWTH = 1.4
+"""How much a side moves out at a time."""
+
+OUTFLOW_SHARE = 0.5
+"""A side is an exit where at least this share of the entrainment leaves through it."""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How high above the film the undeformed gap must have risen at a window's sides.
+
+    Attributes
+    ----------
+    inlet : float
+        In films, where oil comes in or passes by.
+    exit : float
+        In films, where it leaves.
+    """
+
+    inlet: float
+    exit: float
+
+
+NEAR = Reach(inlet=10.0, exit=3.0)
+"""The window of the figures: pressure beyond it comes from a coarser grid."""
+
+FAR = Reach(inlet=150.0, exit=10.0)
+"""The outermost window, beyond which pressure is taken as ambient: costs 0.1 % of film at most."""
+
+
+def window(scene: Scene, scales: Scales, reach: Reach) -> Box:
+    """Smallest rectangle around the contact on whose sides the gap is as high as `reach` asks.
+
+    The gap counts from the surface that a dry contact would flatten to. Where the teeth end the window
+    ends one sample beyond them.
+    """
+    box = [
+        -1.5 * scales.hertz.semi_axis_x,
+        1.5 * scales.hertz.semi_axis_x,
+        -1.5 * scales.hertz.semi_axis_y,
+        1.5 * scales.hertz.semi_axis_y,
+    ]
+    while True:
+        x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
+        gap, covered = scene.gap(*np.meshgrid(x, y, indexing="ij"))
+        open_sides = [
+            side
+            for side, (low, exists) in enumerate(_sides(gap, covered))
+            if exists.any()
+            and low[exists].min()
+            < scales.hertz.approach + _height(scene, box, side, reach) * scales.film
+        ]
+        if not open_sides:
+            return tuple(box)
+        for side in open_sides:
+            box[side] *= GROWTH
+
+
+def _sides(gap, covered):
+    """Gap and existence along the west, east, south and north side."""
+    return (
+        (gap[0], covered[0]),
+        (gap[-1], covered[-1]),
+        (gap[:, 0], covered[:, 0]),
+        (gap[:, -1], covered[:, -1]),
+    )
+
+
+def _height(scene: Scene, box, side: int, reach: Reach) -> float:
+    """Films that the gap must have risen at a side, by whether it is an exit."""
+    middle_x, middle_y = np.array(0.0), np.array(0.0)
+    if side < 2:
+        middle_x = np.array(box[side])
+    else:
+        middle_y = np.array(box[side])
+    u, v = scene.entrainment(middle_x, middle_y)
+    outward = (-u, u, -v, v)[side]
+    return reach.exit if outward > OUTFLOW_SHARE * np.hypot(u, v) else reach.inlet
