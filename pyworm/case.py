@@ -89,7 +89,7 @@ class Case:
                 oil=tables.oil.oil(),
             )
         except ValueError as error:
-            raise CaseError(f"drive: {error}") from error
+            raise CaseError(f"drive.{error}") from error
 
     def scene(self, phase: float | None = None) -> Scene:
         """One contact at one instant.
@@ -152,7 +152,7 @@ class Case:
 
 
 def load(path: str | Path) -> Case:
-    """Read a case file and check it in full.
+    """Read a case file and check it in full: what loads makes scenes.
 
     Parameters
     ----------
@@ -180,4 +180,9 @@ def load(path: str | Path) -> Case:
         tables = model.model_validate(data)
     except ValidationError as error:
         raise CaseError(f"{path}: {sentence(error, model, data)}") from None
-    return Case(path.stem, path.parent, tables)
+    case = Case(path.stem, path.parent, tables)
+    try:
+        list(case.scenes())  # the drive must mesh and the gap file must hold a gap
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+    return case

@@ -199,7 +199,7 @@ def _doctor(options: argparse.Namespace) -> int:
 
 
 def _planned(case: Case, options: argparse.Namespace) -> list:
-    """Scenes and plans of a case, as asked for on the command line."""
+    """Scenes and plans of a case, all of them before the first is solved."""
     accuracy = case.accuracy
     if options.accuracy is not None:
         try:
@@ -207,10 +207,13 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
         except ValueError as error:
             raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
 
-    # Here and not above: a wrong case is told at once, before the kernel is loaded.
-    from pyworm.run import plan_case
+    from pyworm.effects import plan
 
-    return plan_case(case, accuracy, options.effects, options.phase)
+    scenes = list(case.scenes(options.phase))
+    try:
+        return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
+    except ValueError as error:
+        raise CaseError(str(error)) from error
 
 
 @contextmanager

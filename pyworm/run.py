@@ -1,51 +1,26 @@
-"""From a case to its results: every scene planned before the first is solved."""
+"""From planned scenes to a result with its provenance."""
 
 import platform
 from collections.abc import Callable, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
+import xarray as xr
 
 import pyworm
 from pyworm.case import Case
-from pyworm.case_error import CaseError
-from pyworm.effects import Plan, plan
+from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.effects import Plan
 from pyworm.result import Result, mesh_cycle_dataset
 from pyworm.scene import Scene
+from pyworm.solution import Solution
 from pyworm.solve import solve
+from pyworm.variables import describe
 
 MESH_PHASES = 21
 """Phases at which the unloaded mesh cycle is followed for the result."""
-
-
-def plan_case(
-    case: Case, accuracy: float, effects: str, phases: Sequence[float] | None
-) -> list[tuple[Scene, Plan]]:
-    """Make the case's scenes and plan each; cheap, and the place where bad input is found.
-
-    Parameters
-    ----------
-    case : Case
-        The case.
-    accuracy : float
-        Relative error wanted [-].
-    effects : str
-        Name of the model.
-    phases : sequence of float, optional
-        Phases of the mesh cycle in place of the case's own.
-
-    Raises
-    ------
-    CaseError
-        No contact at a phase, or a model or an accuracy that there is none of.
-    """
-    scenes = list(case.scenes(phases))
-    try:
-        return [(scene, plan(scene, accuracy, effects)) for scene in scenes]
-    except ValueError as error:
-        raise CaseError(f"{case.name}: {error}") from error
 
 
 def run(
@@ -58,20 +33,20 @@ def run(
     case : Case
         The case.
     work : sequence of (Scene, Plan)
-        What `plan_case` made of it.
+        Scenes of this case and their plans.
     progress : callable, optional
         Told what is being done and which share of all is done, 0 to 1.
     """
     solutions = []
     for position, (scene, scene_plan) in enumerate(work):
-        solutions.append(solve(scene, scene_plan, progress=_share(progress, position, len(work))))
-    return Result(
-        case_name=case.name,
-        case=case.resolved,
-        solutions=tuple(solutions),
-        mesh_cycle=case.drive and mesh_cycle_dataset(case.drive.mesh_cycle(MESH_PHASES)),
-        provenance=provenance(work),
-    )
+        solution = solve(scene, scene_plan, progress=_share(progress, position, len(work)))
+        if case.drive is not None:
+            solution = _with_tooth(solution, case.drive)
+        solutions.append(solution)
+    cycle = None
+    if case.drive is not None:
+        cycle = mesh_cycle_dataset(case.drive.mesh_cycle(MESH_PHASES))
+    return Result(case.name, case.resolved, tuple(solutions), cycle, provenance(work))
 
 
 def provenance(work: Sequence[tuple[Scene, Plan]]) -> dict[str, Any]:
@@ -84,6 +59,20 @@ def provenance(work: Sequence[tuple[Scene, Plan]]) -> dict[str, Any]:
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
         "plans": [asdict(scene_plan) for _, scene_plan in work],
     }
+
+
+def _with_tooth(solution: Solution, drive: ZiWormDrive) -> Solution:
+    """Put the tooth and its path of contact among the fields; the solver knows of no teeth."""
+    outline = drive.tooth_outline(drive.contact(solution.phase))
+    tooth = xr.Dataset(
+        {
+            "tooth_outline_x": ("outline", outline.x),
+            "tooth_outline_y": ("outline", outline.y),
+            "contact_path_x": ("path", outline.path_x),
+            "contact_path_y": ("path", outline.path_y),
+        }
+    )
+    return replace(solution, fields=solution.fields.merge(describe(tooth)))
 
 
 def _share(progress, position: int, count: int):

@@ -111,13 +111,14 @@ def plan_table(summary: Mapping[str, Any], plan: Plan) -> Table:
     for effect in plan.effects:
         table.add_row(effect.name, f"{'on' if effect.on else 'off'}: {effect.reason}")
     for grid in plan.grids:
-        table.add_row("Grid", str(grid))
+        spacing = f"{grid.dx * 1e6:.3g} x {grid.dy * 1e6:.3g} µm"
+        table.add_row("Grid", f"{grid.nx} x {grid.ny}, spacing {spacing}")
     table.add_row("Expected convolutions", f"{plan.expected_convolutions:.0f}")
     return table
 
 
 def _title(name: str, phase: float | None) -> str:
-    return name if phase is None else f"{name}, mesh phase {phase:g}"
+    return name if phase is None else f"Mesh phase {phase:g}"
 
 
 def _value(value: float, unit: str) -> str:

@@ -1,0 +1,214 @@
+"""Bad input: one sentence on standard error, exit code 2, no traceback, no file left behind."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyworm.cli import BAD_INPUT, main
+
+CASES = Path(__file__).parents[2] / "cases"
+DRIVE = (CASES / "zi_sharif_2001.toml").read_text()
+CONTACT = (CASES / "point_m20_l10.toml").read_text()
+GAP = (CASES / "gap_example.toml").read_text()
+
+
+def changed(text, *changes):
+    """A case file with passages replaced, once each."""
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    return text
+
+
+def refusal(arguments, directory, capsys):
+    """The sentence with which a command is refused; nothing else may happen."""
+    before = sorted(directory.rglob("*"))
+    try:
+        code = main(arguments)
+    except SystemExit as end:  # how argparse ends
+        code = end.code
+    said = capsys.readouterr()
+    assert code == BAD_INPUT
+    assert said.out == ""
+    assert said.err.startswith("pyworm: ")
+    assert said.err.count("\n") == 1
+    assert sorted(directory.rglob("*")) == before
+    return said.err
+
+
+@pytest.fixture
+def refuse(tmp_path, monkeypatch, capsys):
+    """Run a case text in an empty directory and return the refusal."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(text):
+        Path("case.toml").write_text(text)
+        return refusal(["run", "case.toml"], tmp_path, capsys)
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        # unknown and missing keys
+        ('load = "14 kN"', 'lod = "14 kN"', "operation.lod: no such key; did you mean load?"),
+        ("[drive.hob]", "[drive.hub]", "drive.hub: no such key; did you mean hob?"),
+        ("[oil.viscosity]", "[oil.viscosity]\nzz = 1", "oil.viscosity.zz: no such key; did you"),
+        ("title =", "colour =", "colour: no such key; valid keys are accuracy, bodies, drive"),
+        ('load = "14 kN"', "", "operation.load is missing"),
+        ('kind = "zi-worm"', "", "drive.kind is missing"),
+        ('law = "roelands"', "", "oil.viscosity.law is missing"),
+        # wrong units, wrong values
+        ('"14 kN"', "14", 'operation.load = 14: must be a force with its unit, such as "14 kN"'),
+        ('"14 kN"', '"14 mm"', 'operation.load = "14 mm": must be a force with its unit'),
+        ('"48.01 mm"', '"-48.01 mm"', 'drive.worm.tip_radius = "-48.01 mm": must be a length gr'),
+        ("threads = 3", "threads = 3.5", "drive.worm.threads = 3.5: must be a whole number"),
+        ("threads = 3", "threads = 0", "drive.worm.threads = 0: must be greater than 0"),
+        ("z = 0.227", 'z = "0.227"', 'oil.viscosity.z = "0.227": must be a number without unit'),
+        ("z = 0.227", "z = nan", "oil.viscosity.z = nan: must be finite"),
+        ("z = 0.227", "", "oil.viscosity: give either z or alpha, one of the two"),
+        ("= 0.35", "= 0.5", "bodies.wheel.poisson_ratio = 0.5: must be less than 0.5"),
+        ("[0.5]", "[0.5, 1.5]", "operation.phases[1] = 1.5: must be at most 1"),
+        ("[0.5]", "[]", "operation.phases = []: has too few entries, at least 1 needed"),
+        ("[0.5]", "0.5", "operation.phases = 0.5: must be a list"),
+        ('"zi-worm"', '"zk-worm"', 'drive.kind = "zk-worm": must be "zi-worm"'),
+        ('"roelands"', '"rolands"', 'law = "rolands": must be one of "barus", "roelands"'),
+        ('"540 MPa"', '"540 MPx"', 'published.dry_pressure_max = "540 MPx": must be a number'),
+        ('"1 %"', '"1 mm"', 'accuracy = "1 mm": must be a share, such as "1 %"'),
+        ('"1 %"', '"99 %"', "accuracy = 0.99"),
+        ("[drive]", "[drive", "not a TOML file"),
+    ],
+)
+def test_wrong_values_in_a_drive(refuse, old, new, sentence):
+    assert sentence in refuse(changed(DRIVE, (old, new)))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('["10 mm", "10 mm"]', '["10 mm", "-10 mm"]', 'contact.radii[1] = "-10 mm": must be a len'),
+        ('["10 mm", "10 mm"]', '["10 mm"]', "contact.radii[1] is missing"),
+        ('"point-contact"', '"line-contact"', 'must be one of "point-contact", "gap"'),
+        ('"0 m/s"', "0", "motion.velocity_1[1] = 0: must be a velocity with its unit"),
+        ('alpha = "22 1/GPa"', 'alpha = "22 1/GPa"\nz = 0.6', "give either z or alpha"),
+        ('= "196 MPa"', '= "196 MPa"\npole_coefficient = "5.1 1/GPa"', "give either pole_pressure"),
+        ('law = "dowson-higginson"', 'law = "general"', "oil.density.d1 is missing"),
+        ("[contact]", "[drive]", "drive."),
+        ("[contact]", "[touch]", "give either a [drive] or a [contact]"),
+        ("[contact]", "[drive]\n[contact]", "give either a [drive] or a [contact]"),
+    ],
+)
+def test_wrong_values_in_a_contact(refuse, old, new, sentence):
+    assert sentence in refuse(changed(CONTACT, (old, new)))
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        # too far apart, too close
+        ([('centre_distance = "304.8 mm"', 'centre_distance = "330 mm"')], "drive.centre_distance"),
+        ([('centre_distance = "304.8 mm"', 'centre_distance = "290 mm"')], "drive.centre_distance"),
+        # a table that contradicts itself
+        ([("threads = 3", "threads = 2")], "drive.worm.axial_pitch is 28.73 mm"),
+        ([('"27.61 deg"', '"10 deg"')], "drive.worm.base_lead_angle is 10.00 deg"),
+        ([('"48.01 mm"', '"28 mm"')], "drive.worm.tip_radius is 28.00 mm"),
+        # a worm of half the module
+        (
+            [
+                ('"28.73 mm"', '"14.365 mm"'),
+                ('"86.18 mm"', '"43.09 mm"'),
+                ('"27.61 deg"', '"14.65 deg"'),
+            ],
+            "equal to mesh",
+        ),
+        # a hob set up so that the contact leaves the teeth
+        ([('"0.41 deg"', '"1.2 deg"')], "hob.swivel"),
+        # a hob smaller than the worm, of the same normal base pitch
+        (
+            [
+                ('tip_radius = "51.63 mm"', 'tip_radius = "49.5 mm"'),
+                ('"31.58 mm"', '"29.03 mm"'),
+                ('"26.48 mm"', '"25.9 mm"'),
+                ('"85.97 mm"', '"86.48 mm"'),
+                ('"28.66 mm"', '"28.827 mm"'),
+                ('"27.33 deg"', '"27.99 deg"'),
+                ('"305.62 mm"', '"304.5 mm"'),
+                ('"0.41 deg"', '"0 deg"'),
+            ],
+            "a hob at least as large as the worm",
+        ),
+    ],
+)
+def test_parts_that_do_not_mesh(refuse, changes, sentence):
+    assert sentence in refuse(changed(DRIVE, *changes))
+
+
+@pytest.mark.parametrize(
+    ("arrays", "sentence"),
+    [
+        ({"gap": np.zeros((8, 8, 2)), "dx": 1e-5, "dy": 1e-5}, "gap must have two dimensions"),
+        ({"gap": np.zeros((3, 8)), "dx": 1e-5, "dy": 1e-5}, "at least 5 samples a side"),
+        ({"gap": np.zeros((8, 8))}, "dx is missing; it has gap"),
+        ({"height": np.zeros((8, 8)), "dx": 1e-5, "dy": 1e-5}, "gap is missing; it has height"),
+        ({"gap": np.zeros((8, 8)), "dx": 1e-5, "dy": 1e-5}, "gap must open away from the contact"),
+    ],
+)
+def test_files_that_hold_no_gap(refuse, tmp_path, arrays, sentence):
+    np.savez(tmp_path / "gap_example.npz", **arrays)
+    error = refuse(GAP)
+    assert 'contact.file = "gap_example.npz": ' in error
+    assert sentence in error
+
+
+def test_a_gap_file_that_is_not_there(refuse):
+    assert 'contact.file = "gap_example.npz": no such file' in refuse(GAP)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["run", "none.toml"], "none.toml: no such file"),
+        (["run"], "required: CASE.toml"),
+        (["walk"], "invalid choice: 'walk'"),
+        (["run", "CASE", "--effects", "all"], "effects = all: choose one of isothermal"),
+        (["run", "CASE", "--accuracy", "much"], "--accuracy much: must be a share"),
+        (["run", "CASE", "--phase", "0.5"], "it is one contact"),
+        (["run", "DRIVE", "--phase", "1.5"], "phase 1.5: must lie between 0 and 1"),
+        (["run", "CASE", "--out", "a_file"], "a_file: is a file, results need a directory"),
+        (["run", "CASE", "--out", "a_file/b"], "a_file: is a file, results need a directory"),
+        (["plot", "none.nc"], "none.nc"),
+        (["plot", "a_file"], "a_file is not a pyworm result"),
+    ],
+)
+def test_wrong_commands(tmp_path, monkeypatch, capsys, arguments, sentence):
+    monkeypatch.chdir(tmp_path)
+    Path("a_file").write_text("not much")
+    places = {
+        "CASE": str(CASES / "point_m20_l10.toml"),
+        "DRIVE": str(CASES / "zi_sharif_2001.toml"),
+    }
+    arguments = [places.get(word, word) for word in arguments]
+    assert sentence in refusal(arguments, tmp_path, capsys)
+
+
+def test_a_process_ends_the_same_way(tmp_path):
+    """As `main` is tested above, once through a real command line."""
+    (tmp_path / "case.toml").write_text(changed(DRIVE, ('load = "14 kN"', "load = 14")))
+    program = "import sys; from pyworm.cli import main; sys.exit(main())"
+    ended = subprocess.run(
+        [sys.executable, "-c", program, "run", "case.toml"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert ended.returncode == BAD_INPUT
+    assert ended.stdout == ""
+    assert ended.stderr == (
+        'pyworm: case.toml: operation.load = 14: must be a force with its unit, such as "14 kN"\n'
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
