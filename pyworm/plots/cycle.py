@@ -4,8 +4,9 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
 
-from pyworm.plots.style import MEGA, MICRO, MILLI
+from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure
 from pyworm.result import Result
 from pyworm.solution import Solution
 
@@ -18,8 +19,7 @@ def draw_cycle(result: Result) -> Figure:
         key=lambda solution: solution.phase,
     )
     rows = 4 if solved else 3
-    figure = Figure(figsize=(8, 2.3 * rows + 0.6), layout="constrained")
-    figure.suptitle(f"{result.case_name}  ·  mesh cycle")
+    figure = new_figure(8, 2.3 * rows + 0.6, f"{result.case_name}  ·  mesh cycle")
     axes = figure.subplots(rows, sharex=True)
     _draw_transmission_error(axes[0], cycle)
     _draw_radii(axes[1], cycle)
@@ -42,6 +42,9 @@ def _draw_radii(axes: Axes, cycle: xr.Dataset) -> None:
     for name, colour in (("radius_x", "tab:blue"), ("radius_y", "tab:orange")):
         label = f"along {name[-1]}"
         axes.semilogy(cycle["phase"], cycle[name] * MILLI, color=colour, label=label)
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_locator(NullLocator())
     axes.set_ylabel("relative radius\nof curvature / mm")
     axes.legend(frameon=False, ncols=2)
 

@@ -16,12 +16,18 @@ from pyworm.plots.style import (
 )
 from pyworm.solution import Solution
 
+LINES = 20
+"""Streamlines in a picture."""
+
 UNIFORM = 1e-3
 """Relative range of speed below which a map would show rounding, not motion."""
 
 
 def draw_entrainment(case_name: str, solution: Solution) -> Figure:
-    """Streamlines of the mean surface velocity over its speed, and the dry contact."""
+    """Streamlines of the mean surface velocity over its speed, and the dry contact.
+
+    Equal flow enters the picture between neighbouring lines.
+    """
     window = contact_window(solution.fields)
     fields = in_window(solution.fields, window)
     u = fields["entrainment_x"].transpose("y", "x").values
@@ -43,7 +49,9 @@ def draw_entrainment(case_name: str, solution: Solution) -> Figure:
         color="tab:blue" if uniform else "white",
         linewidth=0.8,
         arrowsize=0.9,
-        density=0.8,
+        density=4,
+        start_points=_inflow_points(x, y, u, v),
+        integration_direction="forward",
         broken_streamlines=False,
     )
     draw_tooth(axes, fields)
@@ -52,3 +60,18 @@ def draw_entrainment(case_name: str, solution: Solution) -> Figure:
     axes.set_xlim(window.left, window.right)
     axes.set_ylim(window.bottom, window.top)
     return figure
+
+
+def _inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Points (x, y) of the border with equal flow into the picture between them."""
+    left, right = np.full(y.size, x[0]), np.full(y.size, x[-1])
+    bottom, top = np.full(x.size, y[0]), np.full(x.size, y[-1])
+    # Once around: bottom, right, top, left, with the velocity into the picture on each side.
+    around_x = np.concatenate([x, right, x[::-1], left])
+    around_y = np.concatenate([bottom, y, top, y[::-1]])
+    inward = np.concatenate([v[0], -u[:, -1], -v[-1, ::-1], u[::-1, 0]])
+    length = np.hypot(np.diff(around_x), np.diff(around_y))
+    inflow = np.maximum(inward, 0)
+    flow = np.append(0, np.cumsum(length * (inflow[1:] + inflow[:-1]) / 2))
+    share = flow[-1] * (np.arange(LINES) + 0.5) / LINES
+    return np.stack([np.interp(share, flow, around_x), np.interp(share, flow, around_y)], axis=1)

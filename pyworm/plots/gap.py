@@ -24,7 +24,7 @@ LEVELS = np.array([1, 2, 5])
 def draw_gap(case_name: str, solution: Solution) -> Figure:
     """Tooth outline, path of contact, dry contact and contours of the undeformed gap."""
     fields = solution.fields
-    figure, (axes,) = panels(whole_window(fields), ["undeformed gap"], heading(case_name, solution))
+    figure, (axes,) = panels(whole_window(fields), [""], heading(case_name, solution))
     gap = fields["gap"].transpose("y", "x").values * MICRO
     levels = _levels(float(gap.max()))
     colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
@@ -40,7 +40,7 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     draw_tooth(axes, fields)
     draw_dry_outline(axes, fields, "tab:red")
     legend = [
-        Line2D([], [], color=colours[levels.size // 2], linewidth=1.0, label="gap / µm"),
+        Line2D([], [], color=colours[levels.size // 2], linewidth=1.0, label="undeformed gap / µm"),
         Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"),
     ]
     if "contact_path_x" in fields:
@@ -53,7 +53,13 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
         )
         legend.append(path)
     draw_contact_point(axes)
-    figure.legend(handles=legend, loc="outside lower center", ncols=len(legend), frameon=False)
+    axes.legend(
+        handles=legend,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+        ncols=len(legend),
+        frameon=False,
+    )
     return figure
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from pyworm.plots.style import heading
+from pyworm.plots.style import heading, new_figure
 from pyworm.solution import Solution
 
 
@@ -14,8 +14,7 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
     iteration = history["iteration"].values
     grids = np.stack([history["points_x"].values, history["points_y"].values])
     starts = np.flatnonzero(np.any(np.diff(grids, axis=1) != 0, axis=0)) + 1
-    figure = Figure(figsize=(8, 4.8), layout="constrained")
-    figure.suptitle(heading(case_name, solution))
+    figure = new_figure(8, 4.8, heading(case_name, solution))
     axes = figure.subplots()
     for stage in np.split(np.arange(iteration.size), starts):
         if stage.size == 0:

@@ -2,9 +2,12 @@
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pyworm.plots.outline import signed_square
 from pyworm.plots.style import (
     MEGA,
     MILLI,
@@ -31,12 +34,18 @@ def draw_pressure(case_name: str, solution: Solution) -> Figure:
     levels = MaxNLocator(10).tick_values(0, top if top > 0 else 1)
     # Nearly no pressure is left white, so that the reach of the pressure can be seen.
     lowest = levels[1] / 10
-    colours = colormaps["inferno"](np.linspace(0.15, 1, levels.size - 1))
+    bounds = np.append(lowest, levels[1:])
+    colours = ListedColormap(colormaps["inferno"](np.linspace(0.15, 1, levels.size - 1)))
+    scale = ScalarMappable(BoundaryNorm(bounds, colours.N), colours)
     for panel, values in zip(axes, maps.values(), strict=True):
         x, y = fields["x"] * MILLI, fields["y"] * MILLI
-        bands = panel.contourf(x, y, values, levels=[lowest, *levels[1:]], colors=colours)
-        panel.contour(x, y, values, levels=levels[1:], colors="white", linewidths=0.4, alpha=0.6)
+        # Squared, a dry pressure is linear at its boundary, where contours of it would be stepped.
+        squares, levels_squared = signed_square(values), bounds**2
+        panel.contourf(x, y, squares, levels=levels_squared, colors=colours.colors)
+        panel.contour(
+            x, y, squares, levels=levels_squared[1:], colors="white", linewidths=0.4, alpha=0.6
+        )
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "tab:cyan")
-        colour_bar(panel, bands, "pressure / MPa").set_ticks(np.append(lowest, levels[1:]))
+        colour_bar(panel, scale, "pressure / MPa").set_ticks(bounds)
     return figure

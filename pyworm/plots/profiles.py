@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzContact, hertz
 from pyworm.plots.film import thickest_shown
-from pyworm.plots.style import MEGA, MICRO, MILLI, contact_window, heading
+from pyworm.plots.style import MEGA, MICRO, MILLI, contact_window, heading, new_figure
 from pyworm.solution import Solution
 
 PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
@@ -15,8 +15,7 @@ PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
 
 def draw_profiles(case_name: str, solution: Solution) -> Figure:
     """Film pressure, dry pressure, Hertz pressure (dashed) and film along x and along y."""
-    figure = Figure(figsize=(9, 7.5), layout="constrained")
-    figure.suptitle(heading(case_name, solution))
+    figure = new_figure(9, 7.5, heading(case_name, solution))
     window = contact_window(solution.fields)
     contact = _hertz_of(solution.fields)
     top = thickest_shown(solution) * MICRO

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import ceil
+from textwrap import fill
 
 import numpy as np
 import xarray as xr
@@ -10,7 +11,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colorbar import Colorbar
 from matplotlib.figure import Figure
 
-from pyworm.plots.outline import signed_contact
+from pyworm.plots.outline import signed_square
 from pyworm.solution import Solution
 
 MILLI, MICRO, MEGA = 1e3, 1e6, 1e-6
@@ -24,6 +25,16 @@ LONG_SIDE = 7.0
 
 SHORTEST_SIDE = 1.7
 """Least length of the shorter side of a panel [inch], for its labels' sake."""
+
+
+LEFT, RIGHT, BOTTOM, TOP = 0.9, 1.1, 0.6, 0.4
+"""Room around a panel for its labels, its colour bar and its title [inch]."""
+
+LINE = 0.22
+"""Height of a line of the heading [inch]."""
+
+LETTERS_PER_INCH = 10
+"""Letters of a heading that fit into an inch."""
 
 
 @dataclass(frozen=True)
@@ -126,33 +137,55 @@ def _slice(coordinate: np.ndarray, low: float, high: float) -> slice:
 
 
 def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, list[Axes]]:
-    """Panels of one window, side by side or, if it is wide, stacked."""
+    """Panels of one window, side by side or, if it is wide, stacked.
+
+    Placed by hand: automatic layouts lose labels where the aspect of a panel is fixed.
+    """
     width, height = window.panel_size
-    stacked = width >= 1.3 * height
-    rows, columns = (len(titles), 1) if stacked else (1, len(titles))
-    figure = Figure(
-        figsize=(columns * (width + 1.6), rows * (height + 0.8) + 0.6), layout="constrained"
-    )
-    figure.suptitle(heading)
-    # Panels of one window read one scale: labels on the outer ones only.
-    axes = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-    for number, (panel, title) in enumerate(zip(axes.flat, titles, strict=True)):
+    cell_width, cell_height = LEFT + width + RIGHT, BOTTOM + height + TOP
+    columns = 1 if width >= 1.3 * height else len(titles)
+    rows = len(titles) // columns
+    heading = fill(heading, int(LETTERS_PER_INCH * columns * cell_width))
+    head = LINE * (heading.count("\n") + 1) + 0.1
+    total_width, total_height = columns * cell_width, rows * cell_height + head
+    figure = Figure(figsize=(total_width, total_height))
+    figure.suptitle(heading, y=1 - 0.1 / total_height, verticalalignment="top")
+    panels = []
+    for number, title in enumerate(titles):
+        row, column = divmod(number, columns)
+        left = column * cell_width + LEFT
+        bottom = (rows - 1 - row) * cell_height + BOTTOM
+        panel = figure.add_axes(
+            (
+                left / total_width,
+                bottom / total_height,
+                width / total_width,
+                height / total_height,
+            )
+        )
         panel.set_title(title, fontsize="medium")
         panel.set_xlim(window.left, window.right)
         panel.set_ylim(window.bottom, window.top)
         panel.set_aspect(window.stretch)
-        if not stacked or number == rows - 1:
-            panel.set_xlabel(f"x / mm{_stretch_note(1 / window.stretch)}")
-        if stacked or number == 0:
-            panel.set_ylabel(f"y / mm{_stretch_note(window.stretch)}")
-    return figure, list(axes.flat)
+        panel.set_xlabel(f"x / mm{_stretch_note(1 / window.stretch)}")
+        panel.set_ylabel(f"y / mm{_stretch_note(window.stretch)}")
+        panels.append(panel)
+    return figure, panels
 
 
 def colour_bar(axes: Axes, mappable: ScalarMappable, label: str) -> Colorbar:
-    """A colour bar exactly as tall as its panel, which a fixed aspect may have shrunk."""
-    width, _ = axes.get_figure().get_size_inches()
-    bar_axes = axes.inset_axes((1 + 0.12 / width, 0, 0.2 / width, 1))
-    return axes.get_figure().colorbar(mappable, cax=bar_axes, label=label)
+    """A colour bar beside a panel, as tall as it."""
+    figure = axes.get_figure()
+    width = axes.get_position().width * figure.get_figwidth()
+    bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
+    return figure.colorbar(mappable, cax=bar_axes, label=label)
+
+
+def new_figure(width: float, height: float, heading: str) -> Figure:
+    """An empty figure [inch] with its heading, in as many lines as it takes."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    figure.suptitle(fill(heading, int(LETTERS_PER_INCH * width)))
+    return figure
 
 
 def _stretch_note(stretch: float) -> str:
@@ -178,7 +211,7 @@ def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:
     pressure = fields["dry_pressure"].transpose("y", "x").values
     if pressure.max() > 0:
         x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
-        axes.contour(x, y, signed_contact(pressure), levels=[0], colors=colour, linewidths=1.2)
+        axes.contour(x, y, signed_square(pressure), levels=[0], colors=colour, linewidths=1.2)
 
 
 def draw_tooth(axes: Axes, fields: xr.Dataset) -> None:
