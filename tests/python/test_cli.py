@@ -1,0 +1,197 @@
+"""The command line: what is printed, what is written, how it ends."""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import pyworm
+from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
+from pyworm.result import open_result
+
+CASES = Path(__file__).parents[2] / "cases"
+CASE = str(CASES / "point_m20_l10.toml")
+DRIVE = str(CASES / "zi_sharif_2001.toml")
+
+SCENE_KEYS = {
+    "phase",
+    "load_N",
+    "converged",
+    "film_min_m",
+    "film_central_m",
+    "film_min_at_m",
+    "pressure_max_Pa",
+    "grid",
+    "seconds",
+    "convolutions",
+    "load_error",
+    "mass_error",
+}
+
+
+@pytest.fixture(scope="module")
+def solved(tmp_path_factory):
+    """A directory with one solved case, and its solution for tests that need none of their own."""
+    directory = tmp_path_factory.mktemp("solved")
+    assert main(["run", CASE, "--accuracy", "5%", "--out", str(directory)]) == CONVERGED
+    return directory, open_result(directory / "result.nc").solutions[0]
+
+
+@pytest.fixture
+def solve_at_once(monkeypatch, solved):
+    """Make `run` take the solution at hand and draw one mark; returns how to change the solution."""
+
+    def mark(result, directory):
+        path = directory / "mark.png"
+        path.write_bytes(b"")
+        return [path]
+
+    monkeypatch.setattr("pyworm.plots.draw", mark)
+
+    def install(**changes):
+        solution = replace(solved[1], **changes)
+        monkeypatch.setattr("pyworm.run.solve", lambda scene, plan, progress: solution)
+
+    return install
+
+
+def test_run_writes_the_result_and_the_pictures(solved):
+    directory, solution = solved
+    assert solution.converged
+    pictures = sorted(path.name for path in directory.glob("*.png"))
+    assert any("film" in name for name in pictures)
+    assert any("pressure" in name for name in pictures)
+    result = open_result(directory / "result.nc")
+    assert result.case["contact"]["load"] == pytest.approx(3.6774)
+    assert result.provenance["pyworm"] == pyworm.__version__
+    assert result.provenance["plans"][0]["accuracy"] == 0.05
+
+
+def test_run_prints_one_json_object_and_nothing_else(tmp_path, capfd, solve_at_once):
+    solve_at_once()
+    out = tmp_path / "deep" / "out"
+    assert main(["run", CASE, "--json", "--out", str(out)]) == CONVERGED
+    said = capfd.readouterr()
+    content = json.loads(said.out)
+    assert said.err == ""
+    assert set(content) == {"case", "scenes", "results", "pictures"}
+    assert content["case"] == "point_m20_l10"
+    assert set(content["scenes"][0]) >= SCENE_KEYS
+    written = {str(path) for path in out.iterdir()}
+    assert written == {content["results"], *content["pictures"]}
+    assert [path.name for path in out.parent.iterdir()] == ["out"]
+
+
+def test_run_prints_a_table_with_units(tmp_path, capsys, solve_at_once):
+    solve_at_once()
+    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == CONVERGED
+    said = capsys.readouterr().out
+    for words in ("Minimum film", "µm", "Convolutions", "Mass error", "result.nc", ".png"):
+        assert words in said
+
+
+def test_a_published_figure_stands_beside_the_computed_one(tmp_path, capsys, solve_at_once):
+    solve_at_once()
+    mourier = str(CASES / "mourier_2006.toml")
+    assert main(["run", mourier, "--out", str(tmp_path / "out")]) == CONVERGED
+    assert "209.3 nm" in capsys.readouterr().out
+
+
+def test_not_converged_is_written_and_marked(tmp_path, capsys, solve_at_once):
+    solve_at_once(converged=False, stop_reason="grids as fine as allowed")
+    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == NOT_CONVERGED
+    assert "NO: grids as fine as allowed" in capsys.readouterr().out
+    assert not open_result(tmp_path / "out" / "result.nc").solutions[0].converged
+
+
+def test_not_a_number_is_null_in_json(tmp_path, capsys, solve_at_once, solved):
+    figures = replace(solved[1].figures, mass_error=float("nan"))
+    solve_at_once(converged=False, figures=figures)
+    assert main(["run", CASE, "--json", "--out", str(tmp_path / "out")]) == NOT_CONVERGED
+    assert json.loads(capsys.readouterr().out)["scenes"][0]["mass_error"] is None
+
+
+def test_nothing_is_left_of_results_that_could_not_be_written(
+    tmp_path, capsys, monkeypatch, solve_at_once
+):
+    def full(result, directory):
+        (directory / "half.png").write_text("half")
+        raise OSError("No space left on device")
+
+    solve_at_once()
+    monkeypatch.setattr("pyworm.plots.draw", full)
+    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
+    assert "No space left on device" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_plot_draws_the_pictures_again(tmp_path, capsys, solved):
+    directory, _ = solved
+    result = str(directory / "result.nc")
+    assert main(["plot", result, "--out", str(tmp_path / "again")]) == CONVERGED
+    printed = capsys.readouterr().out.split()
+    assert sorted(Path(name).name for name in printed) == sorted(
+        path.name for path in directory.glob("*.png")
+    )
+    assert all(Path(name).is_file() for name in printed)
+
+
+def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["check", DRIVE]) == CONVERGED
+    said = capsys.readouterr().out
+    for words in (
+        "Mesh phase 0.5",
+        "Hertz pressure",
+        "elastic deflection",
+        "heat is not simulated",
+    ):
+        assert words in said
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_check_prints_one_json_object(capsys):
+    assert main(["check", DRIVE, "--phase", "0.25", "0.75", "--json"]) == CONVERGED
+    content = json.loads(capsys.readouterr().out)
+    assert set(content) == {"case", "resolved", "scenes", "notes"}
+    assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
+    assert content["resolved"]["oil"]["thermal"]["limiting_stress"] == pytest.approx(100e6)
+    assert content["scenes"][0]["plan"]["effects"]
+
+
+def test_doctor_finds_nothing_wrong_here(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code = main(["doctor"])
+    lines = capsys.readouterr().out.splitlines()
+    assert code == CONVERGED, lines
+    assert all(" ok " in line for line in lines)
+    assert any("fftw-3" in line for line in lines)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_doctor_says_what_to_do_about_a_missing_kernel(capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyworm._core", None)
+    monkeypatch.delattr(pyworm, "_core", raising=False)
+    assert main(["doctor"]) == FAILED
+    said = capsys.readouterr().out
+    assert "kernel        NO  not built" in said
+    assert "make install" in said
+
+
+def test_version(capsys):
+    with pytest.raises(SystemExit) as end:
+        main(["--version"])
+    assert end.value.code == CONVERGED
+    assert capsys.readouterr().out == f"pyworm {pyworm.__version__}\n"
+
+
+def test_the_package_offers_its_functions_and_not_its_modules():
+    import pyworm.solve  # what would put the module in the function's place
+
+    assert callable(pyworm.solve)
+    assert callable(pyworm.plan)
+    assert callable(pyworm.load)
+    with pytest.raises(AttributeError, match="no attribute 'solv'"):
+        _ = pyworm.solv
