@@ -141,8 +141,8 @@ def _run(options: argparse.Namespace) -> int:
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        for summary in summaries:
-            console.print(figures_table(summary, case.published))
+        for (scene, _), summary in zip(work, summaries, strict=True):
+            console.print(figures_table(scene, summary, case.published))
         console.print(f"Results  {directory / RESULT_NAME}", highlight=False, soft_wrap=True)
         for name in pictures:
             console.print(f"Picture  {directory / name}", highlight=False, soft_wrap=True)
@@ -169,7 +169,7 @@ def _check(options: argparse.Namespace) -> int:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         for scene, plan in work:
-            console.print(plan_table(scene_summary(scene), plan))
+            console.print(plan_table(scene, plan))
         for note in notes:
             console.print(note, highlight=False, markup=False)
     return CONVERGED

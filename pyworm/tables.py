@@ -11,10 +11,15 @@ from pyworm.formulas.hertz import hertz
 from pyworm.scene import Scene
 from pyworm.schema import PublishedValue
 
-# Label, key in the summary, factor from SI to the unit shown, unit, key of the relative error, and the
-# name under which a case's [published] has the same figure.
+# Label, key in a summary, factor from SI to the unit shown, unit, key of the relative error, and the name
+# under which a case's [published] has the same figure.
 _FIGURES = (
     ("Load", "load_N", 1e-3, "kN", None, "load"),
+    ("Relative radius, larger", "radius_long_m", 1e3, "mm", None, "radius_long"),
+    ("Relative radius, smaller", "radius_short_m", 1e3, "mm", None, "radius_short"),
+    ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa", None, "hertz_pressure_max"),
+    ("Hertz: length", "hertz_length_m", 1e3, "mm", None, "hertz_length"),
+    ("Hertz: width", "hertz_width_m", 1e3, "mm", None, "hertz_width"),
     ("Dry contact: largest pressure", "dry_pressure_max_Pa", 1e-6, "MPa", None, "dry_pressure_max"),
     ("Dry contact: length", "dry_length_m", 1e3, "mm", None, "dry_length"),
     ("Dry contact: width", "dry_width_m", 1e3, "mm", None, "dry_width"),
@@ -33,26 +38,31 @@ _FIGURES = (
 )
 
 
-def figures_table(summary: Mapping[str, Any], published: Mapping[str, PublishedValue]) -> Table:
+def figures_table(
+    scene: Scene, summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
+) -> Table:
     """Figures of one solved scene, with what the source prints beside them.
 
     Parameters
     ----------
+    scene : Scene
+        The scene.
     summary : mapping
-        `Solution.summary()`.
+        `Solution.summary()` of its solution.
     published : mapping
         `Case.published`; shown only for the phase that it belongs to, if it names one.
     """
     if "phase" in published and published["phase"].value != summary["phase"]:
         published = {}
-    table = Table(title=_title(summary["name"], summary["phase"]), title_justify="left")
+    figures = _hertz_figures(scene) | summary
+    table = Table(title=_title(scene), title_justify="left")
     table.add_column("Figure")
     table.add_column("Value", justify="right")
     table.add_column("Error bar", justify="right")
     if published:
         table.add_column("Published", justify="right")
     for label, key, scale, unit, error_key, name in _FIGURES:
-        cells = [label, _value(summary[key] * scale, unit)]
+        cells = [label, _value(figures[key] * scale, unit)]
         cells.append("" if error_key is None else f"± {summary[error_key] * 100:.2g} %")
         if published:
             cells.append(published[name].text if name in published else "")
@@ -72,7 +82,6 @@ def scene_summary(scene: Scene) -> dict[str, Any]:
         [float(component[0]) for component in velocity(origin, origin)]
         for velocity in (scene.entrainment, scene.sliding)
     )
-    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
     return {
         "name": scene.name,
         "phase": scene.phase,
@@ -81,22 +90,13 @@ def scene_summary(scene: Scene) -> dict[str, Any]:
         "reduced_modulus_Pa": scene.reduced_modulus,
         "entrainment_m_per_s": entrainment,
         "sliding_m_per_s": sliding,
-        "hertz_semi_axes_m": [contact.semi_axis_x, contact.semi_axis_y],
-        "hertz_pressure_max_Pa": contact.pressure_max,
-    }
+    } | _hertz_figures(scene)
 
 
-def plan_table(summary: Mapping[str, Any], plan: Plan) -> Table:
-    """A scene and what is planned for it.
-
-    Parameters
-    ----------
-    summary : mapping
-        `scene_summary` of the scene.
-    plan : Plan
-        Its plan.
-    """
-    table = Table(title=_title(summary["name"], summary["phase"]), title_justify="left")
+def plan_table(scene: Scene, plan: Plan) -> Table:
+    """A scene and what is planned for it."""
+    summary = scene_summary(scene)
+    table = Table(title=_title(scene), title_justify="left")
     table.add_column("Scene")
     table.add_column("", overflow="fold")
     table.add_row("Load", _value(summary["load_N"] / 1e3, "kN"))
@@ -104,8 +104,9 @@ def plan_table(summary: Mapping[str, Any], plan: Plan) -> Table:
     table.add_row("Reduced modulus", _value(summary["reduced_modulus_Pa"] / 1e9, "GPa"))
     table.add_row("Entrainment along x, y", _pair(summary["entrainment_m_per_s"], 1, "m/s"))
     table.add_row("Sliding along x, y", _pair(summary["sliding_m_per_s"], 1, "m/s"))
-    table.add_row("Hertz semi-axes along x, y", _pair(summary["hertz_semi_axes_m"], 1e3, "mm"))
-    table.add_row("Hertz pressure", _value(summary["hertz_pressure_max_Pa"] / 1e6, "MPa"))
+    ellipse = summary["hertz_length_m"], summary["hertz_width_m"]
+    table.add_row("Hertz: length, width", _pair(ellipse, 1e3, "mm"))
+    table.add_row("Hertz: largest pressure", _value(summary["hertz_pressure_max_Pa"] / 1e6, "MPa"))
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} %")
     for effect in plan.effects:
@@ -117,8 +118,21 @@ def plan_table(summary: Mapping[str, Any], plan: Plan) -> Table:
     return table
 
 
-def _title(name: str, phase: float | None) -> str:
-    return name if phase is None else f"Mesh phase {phase:g}"
+def _hertz_figures(scene: Scene) -> dict[str, float]:
+    """Radii of a scene and the Hertz contact that they make."""
+    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
+    semi_axes = contact.semi_axis_x, contact.semi_axis_y
+    return {
+        "radius_long_m": max(scene.radii),
+        "radius_short_m": min(scene.radii),
+        "hertz_length_m": 2 * max(semi_axes),
+        "hertz_width_m": 2 * min(semi_axes),
+        "hertz_pressure_max_Pa": contact.pressure_max,
+    }
+
+
+def _title(scene: Scene) -> str:
+    return scene.name if scene.phase is None else f"Mesh phase {scene.phase:g}"
 
 
 def _value(value: float, unit: str) -> str:

@@ -126,7 +126,7 @@ def test_wrong_values_in_a_contact(refuse, old, new, sentence):
             "equal to mesh",
         ),
         # a hob set up so that the contact leaves the teeth
-        ([('"0.41 deg"', '"1.2 deg"')], "hob.swivel"),
+        ([('"0.255 deg"', '"1.2 deg"')], "hob.swivel"),
         # a hob smaller than the worm, of the same normal base pitch
         (
             [
@@ -137,7 +137,8 @@ def test_wrong_values_in_a_contact(refuse, old, new, sentence):
                 ('"28.66 mm"', '"28.827 mm"'),
                 ('"27.33 deg"', '"27.99 deg"'),
                 ('"305.62 mm"', '"304.5 mm"'),
-                ('"0.41 deg"', '"0 deg"'),
+                ('"0.255 deg"', '"0 deg"'),
+                ('"-0.519 mm"', '"0 mm"'),
             ],
             "a hob at least as large as the worm",
         ),

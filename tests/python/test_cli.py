@@ -144,7 +144,7 @@ def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
     said = capsys.readouterr().out
     for words in (
         "Mesh phase 0.5",
-        "Hertz pressure",
+        "Hertz: largest pressure",
         "elastic deflection",
         "heat is not simulated",
     ):
