@@ -3,7 +3,7 @@
 !> A contact that lives through many calls is held by its owner as an opaque address (`handle`), made by
 !> `point_film_new` and given back to `point_film_free`.
 module bindings
-  use iso_c_binding, only: c_double, c_int, c_int64_t, c_ptr, c_loc, c_f_pointer
+  use iso_c_binding, only: c_double, c_int, c_int64_t
   implicit none
   private
 
@@ -60,6 +60,7 @@ contains
       pole_pressure, d1, d2, load, floor, handle, stat)
     use oil_laws, only: oil_law
     use point_film, only: point_contact, new_point_contact
+    use point_film_handle, only: handle_of
     use status, only: status_ok, status_no_memory
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny), squeeze(nx, ny)
@@ -80,7 +81,7 @@ contains
     call new_point_contact(contact, gap, covered /= 0, u, v, squeeze, dx, dy, reduced_modulus, &
       oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
     if (stat == status_ok) then
-      handle = transfer(c_loc(contact), handle)
+      handle = handle_of(contact)
     else
       deallocate (contact)
     end if
@@ -89,16 +90,18 @@ contains
   !> Gives back the memory of a contact.
   subroutine point_film_free(handle)
     use point_film, only: point_contact
+    use point_film_handle, only: contact_of
     integer(c_int64_t), intent(in) :: handle
     type(point_contact), pointer :: contact
 
-    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    contact => contact_of(handle)
     deallocate (contact)
   end subroutine point_film_free
 
   !> Residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine point_film_evaluate(handle, p, nx, ny, h0, residual, load_error)
     use point_film, only: point_contact, film_residual
+    use point_film_handle, only: contact_of
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
@@ -107,7 +110,7 @@ contains
     type(point_contact), pointer :: contact
     !f2py threadsafe
 
-    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    contact => contact_of(handle)
     call film_residual(contact, p, h0, residual, load_error)
   end subroutine point_film_evaluate
 
@@ -115,6 +118,7 @@ contains
   subroutine point_film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
       load_error, krylov, step, stat)
     use point_film, only: point_contact, film_step
+    use point_film_handle, only: contact_of
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
@@ -125,7 +129,7 @@ contains
     type(point_contact), pointer :: contact
     !f2py threadsafe
 
-    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    contact => contact_of(handle)
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
@@ -135,12 +139,13 @@ contains
   !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
   subroutine point_film_fields(handle, nx, ny, film, density, imbalance)
     use point_film, only: point_contact
+    use point_film_handle, only: contact_of
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: film(nx, ny), density(nx, ny), imbalance(nx, ny)
     type(point_contact), pointer :: contact
 
-    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    contact => contact_of(handle)
     film = contact%fields%h
     density = contact%fields%rho
     imbalance = contact%imbalance
@@ -149,6 +154,7 @@ contains
   !> Deflection w [m] under pressure p [Pa] on the contact's own grid: the unit of cost.
   subroutine point_film_convolve(handle, p, nx, ny, w)
     use point_film, only: point_contact
+    use point_film_handle, only: contact_of
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
@@ -156,7 +162,7 @@ contains
     type(point_contact), pointer :: contact
     !f2py threadsafe
 
-    call c_f_pointer(transfer(handle, c_loc(contact)), contact)
+    contact => contact_of(handle)
     call contact%space%deflection(p, w)
   end subroutine point_film_convolve
 

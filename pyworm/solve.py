@@ -17,7 +17,7 @@ from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
 
 Progress = Callable[[str, float], None]
 
-COARSE_TOLERANCE = 1e-3
+COARSE_TOLERANCE = 1e-4
 """Residual at which a grid that only leads to a finer window is left."""
 
 ACCURATE = "the figures are as accurate as asked for"

@@ -148,7 +148,7 @@ contains
   !> The five-point matrix of the local model; rows where pressure is not free are those of the identity.
   pure subroutine set_matrix(level)
     type(grid_level), intent(inout) :: level
-    real(wp) :: centre
+    real(wp) :: centre, west, east, south, north
     integer :: i, j
 
     level%c = 1
@@ -160,11 +160,15 @@ contains
       do i = 2, level%nx - 1
         if (.not. level%free(i, j)) cycle
         centre = 0
-        call couple(level, i, j, i + 1, j, 1/level%dx, level%u(i, j), centre, level%e(i, j))
-        call couple(level, i, j, i - 1, j, 1/level%dx, -level%u(i - 1, j), centre, level%w(i, j))
-        call couple(level, i, j, i, j + 1, 1/level%dy, level%v(i, j), centre, level%n(i, j))
-        call couple(level, i, j, i, j - 1, 1/level%dy, -level%v(i, j - 1), centre, level%s(i, j))
+        call couple(level, i, j, i + 1, j, 1/level%dx, level%u(i, j), centre, east)
+        call couple(level, i, j, i - 1, j, 1/level%dx, -level%u(i - 1, j), centre, west)
+        call couple(level, i, j, i, j + 1, 1/level%dy, level%v(i, j), centre, north)
+        call couple(level, i, j, i, j - 1, 1/level%dy, -level%v(i, j - 1), centre, south)
         level%c(i, j) = centre
+        level%w(i, j) = west
+        level%e(i, j) = east
+        level%s(i, j) = south
+        level%n(i, j) = north
       end do
     end do
   end subroutine set_matrix

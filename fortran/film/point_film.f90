@@ -163,7 +163,6 @@ contains
 
     allocate (right(n + 1), change(n + 1))
     right(:n) = reshape(merge(-self%imbalance, 0.0_wp, self%free), [n])
-    right(n + 1) = 0
     right(n + 1) = load_error*self%load*load_scale(self)
     call gmres(self, right, forcing, most_krylov, self%basis, change, krylov, reduction)
     if (.not. all(abs(change) <= huge(1.0_wp))) then

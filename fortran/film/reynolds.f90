@@ -75,6 +75,7 @@ contains
     real(wp), contiguous, intent(out) :: imbalance(:, :)
     real(wp), allocatable :: mass(:, :)
 
+    allocate (mass, mold=imbalance)
     mass = fields%rho*fields%h
     imbalance = fields%rho*grid%squeeze
     call add_wedge(grid, mass, imbalance)
@@ -88,14 +89,15 @@ contains
     type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
-    real(wp), allocatable :: dm(:, :)
+    real(wp), allocatable :: shift(:, :)
 
+    allocate (shift, mold=change)
     change = fields%rho_p*grid%squeeze*dp
-    dm = fields%rho_p*fields%h*dp + fields%rho*dh
-    call add_wedge(grid, dm, change)
+    shift = fields%rho_p*fields%h*dp + fields%rho*dh
+    call add_wedge(grid, shift, change)
     call add_diffusion(grid, fields%mobility, dp, change)
-    dm = fields%mobility_p*dp + fields%mobility_h*dh
-    call add_diffusion(grid, dm, fields%p, change)
+    shift = fields%mobility_p*dp + fields%mobility_h*dh
+    call add_diffusion(grid, shift, fields%p, change)
     call clear_outline(change)
   end subroutine flow_imbalance_change
 
@@ -146,17 +148,17 @@ contains
         r(i, j) = r(i, j) + flux(i) - flux(i - 1)
       end do
     end do
-    do j = 1, ny - 1
-      if (j == 1 .or. j == ny - 1) then
-        flux = grid%v(:, j)*(q(:, j) + q(:, j + 1))/(2*grid%dy)
-      else
-        do i = 1, nx
-          flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
-        end do
-      end if
-      r(:, j) = r(:, j) + flux
-      r(:, j + 1) = r(:, j + 1) - flux
+    do j = 2, ny - 2
+      do i = 1, nx
+        flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
+        r(i, j) = r(i, j) + flux(i)
+        r(i, j + 1) = r(i, j + 1) - flux(i)
+      end do
     end do
+    flux = grid%v(:, 1)*(q(:, 1) + q(:, 2))/(2*grid%dy)
+    r(:, 2) = r(:, 2) - flux
+    flux = grid%v(:, ny - 1)*(q(:, ny - 1) + q(:, ny))/(2*grid%dy)
+    r(:, ny - 1) = r(:, ny - 1) + flux
   end subroutine add_wedge
 
   !> Flow of q through a face between the second and the third of four nodes.

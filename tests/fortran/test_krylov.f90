@@ -1,0 +1,67 @@
+module small_system
+  use kinds, only: wp
+  use krylov, only: linear_system
+  implicit none(type, external)
+  private
+
+  !> A dense matrix with its diagonal as preconditioner.
+  type, extends(linear_system), public :: dense
+    real(wp), allocatable :: a(:, :)
+  contains
+    procedure :: multiply
+    procedure :: precondition
+  end type dense
+
+contains
+
+  subroutine multiply(self, x, y)
+    class(dense), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+
+    y = matmul(self%a, x)
+  end subroutine multiply
+
+  subroutine precondition(self, x, y)
+    class(dense), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    integer :: i
+
+    do i = 1, size(x)
+      y(i) = x(i)/self%a(i, i)
+    end do
+  end subroutine precondition
+
+end module small_system
+
+program test_krylov
+  use kinds, only: wp
+  use krylov, only: gmres
+  use small_system, only: dense
+  use tap, only: check, close_to, done
+  implicit none(type, external)
+
+  integer, parameter :: n = 12
+  type(dense) :: system
+  real(wp) :: b(n), x(n), basis(n, n + 1), reduction
+  integer :: i, j, iterations
+
+  allocate (system%a(n, n))
+  do j = 1, n
+    do i = 1, n
+      system%a(i, j) = 1/real(1 + abs(i - 2*j), wp)
+    end do
+    system%a(j, j) = 3 + j
+    b(j) = (-1)**j*j
+  end do
+
+  call gmres(system, b, 1e-12_wp, n, basis, x, iterations, reduction)
+  call close_to(maxval(abs(matmul(system%a, x) - b)), 0.0_wp, 1e-10_wp, 'a full basis solves the system')
+  call gmres(system, b, 0.1_wp, n, basis, x, iterations, reduction)
+  call close_to(norm2(matmul(system%a, x) - b)/norm2(b), reduction, 1e-12_wp, 'the reduction told is the true one')
+  call check(reduction <= 0.1_wp .and. iterations < n, 'it stops at the tolerance')
+  call gmres(system, 0*b, 0.1_wp, n, basis, x, iterations, reduction)
+  call check(iterations == 0 .and. maxval(abs(x)) <= 0, 'nothing to solve')
+  call done()
+end program test_krylov
