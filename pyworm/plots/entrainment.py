@@ -50,7 +50,7 @@ def draw_entrainment(case_name: str, solution: Solution) -> Figure:
         linewidth=0.8,
         arrowsize=0.9,
         density=4,
-        start_points=_inflow_points(x, y, u, v),
+        start_points=inflow_points(x, y, u, v),
         integration_direction="forward",
         broken_streamlines=False,
     )
@@ -62,7 +62,7 @@ def draw_entrainment(case_name: str, solution: Solution) -> Figure:
     return figure
 
 
-def _inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+def inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Points (x, y) of the border with equal flow into the picture between them."""
     left, right = np.full(y.size, x[0]), np.full(y.size, x[-1])
     bottom, top = np.full(x.size, y[0]), np.full(x.size, y[-1])
@@ -74,4 +74,7 @@ def _inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) -
     inflow = np.maximum(inward, 0)
     flow = np.append(0, np.cumsum(length * (inflow[1:] + inflow[:-1]) / 2))
     share = flow[-1] * (np.arange(LINES) + 0.5) / LINES
-    return np.stack([np.interp(share, flow, around_x), np.interp(share, flow, around_y)], axis=1)
+    points = np.stack([np.interp(share, flow, around_x), np.interp(share, flow, around_y)], axis=1)
+    # A hair inside, since rounding would put some of them outside.
+    centre = np.array([x[0] + x[-1], y[0] + y[-1]]) / 2
+    return points + 1e-6 * (centre - points)

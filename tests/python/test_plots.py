@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import xarray as xr
+from hypothesis import given
+from hypothesis import strategies as st
 from matplotlib.contour import ContourSet
 from matplotlib.image import imread
 from matplotlib.text import Text
@@ -12,7 +14,7 @@ from synthetic_solution import make_mesh_cycle, make_result, make_solution, make
 
 from pyworm.formulas.hertz import hertz
 from pyworm.plots import draw
-from pyworm.plots.entrainment import LINES, draw_entrainment
+from pyworm.plots.entrainment import LINES, draw_entrainment, inflow_points
 from pyworm.plots.film import draw_film, interferogram
 from pyworm.plots.gap import draw_gap
 from pyworm.plots.outline import signed_square
@@ -140,6 +142,15 @@ def test_streamlines_enter_evenly(circle):
     heights = np.unique(np.round(segments[:, :, 1], 6))
     assert heights.size == LINES
     assert np.ptp(np.diff(heights)) == pytest.approx(0, abs=3e-6)
+
+
+@given(left=st.floats(-30, -0.1), width=st.floats(0.1, 60), angle=st.floats(0, 6.3))
+def test_streamlines_start_inside_whatever_the_rounding(left, width, angle):
+    x, y = left + np.linspace(0, width, 7), left / 3 + np.linspace(0, width / 3, 7)
+    u, v = np.cos(angle) * np.ones((7, 7)), np.sin(angle) * np.ones((7, 7))
+    points = inflow_points(x, y, u, v)
+    assert np.all((points >= [x[0], y[0]]) & (points <= [x[-1], y[-1]]))
+    assert np.all(points <= [x[0] + (x[-1] - x[0]), y[0] + (y[-1] - y[0])])
 
 
 def test_interferogram_is_dark_without_a_film_and_grey_where_fringes_are_too_fine():
