@@ -32,25 +32,30 @@ command -v "$python" >/dev/null || fail "there is no $python; install Python 3.1
 "$python" -c 'import sys; raise SystemExit(sys.version_info < (3, 11))' ||
     fail "$("$python" --version) is too old; name a newer one: make PYTHON=python3.11"
 
-packages=$(missing | tr '\n' ' ')
+# shellcheck disable=SC2046,SC2116  lines become words
+packages=$(echo $(missing))
 if [ -n "$packages" ]; then
+    by_hand="install $packages (their Debian names), then run make again"
     if ! command -v apt-get >/dev/null; then
-        fail "install (Debian names) $packages, then run make again"
+        fail "$by_hand"
     elif [ "$(id -u)" = 0 ]; then
         root=
     elif ! command -v sudo >/dev/null; then
-        fail "as root, run: apt-get install $packages; then run make again"
+        fail "neither root nor sudo: let an administrator $by_hand"
     elif [ -t 0 ]; then
         root=sudo
     else
         root="sudo -n"
     fi
     echo "Installing $packages" >&2
-    $root apt-get update -qq
-    # shellcheck disable=SC2086  both are lists of words
-    $root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $packages
-    packages=$(missing | tr '\n' ' ')
-    [ -z "$packages" ] || fail "$packages still missing for $(command -v "$python"); install by hand"
+    # shellcheck disable=SC2086  root and packages are lists of words
+    {
+        $root apt-get update -qq &&
+            $root env DEBIAN_FRONTEND=noninteractive \
+                apt-get install -qq -y --no-install-recommends $packages
+    } || fail "apt-get failed: $by_hand"
+    packages=$(echo $(missing))
+    [ -z "$packages" ] || fail "for $(command -v "$python"), $by_hand"
 fi
 
 [ -x "$venv/bin/python" ] || "$python" -m venv "$venv"

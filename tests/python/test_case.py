@@ -1,6 +1,7 @@
 """Case files become cases and cases become scenes."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,8 @@ from pyworm.case import load
 from pyworm.oils import Roelands
 from pyworm.sampled_gap import SampledGap, read_gap
 
-CASES = Path(__file__).parents[2] / "cases"
+ROOT = Path(__file__).parents[2]
+CASES = ROOT / "cases"
 SHIPPED = sorted(CASES.glob("*.toml"))
 CONTACTS = [path for path in SHIPPED if path.stem != "zi_sharif_2001"]
 
@@ -76,6 +78,14 @@ def test_sharif_case_holds_the_tables_of_the_paper():
     assert case.published["dry_pressure_max"].value == pytest.approx(540e6)
     # The paper's equivalent coefficient follows from z and eta0: a check of both and of the pole.
     assert tables.oil.oil().viscosity.alpha == pytest.approx(9.5e-9, rel=5e-3)
+
+
+def test_the_case_in_the_readme_is_right(tmp_path):
+    blocks = re.findall(r"```toml\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    assert len(blocks) == 1
+    path = tmp_path / "readme.toml"
+    path.write_text(blocks[0])
+    assert load(path).scene().load == pytest.approx(20.0)
 
 
 def test_both_published_forms_of_the_pole_are_taken(tmp_path):
