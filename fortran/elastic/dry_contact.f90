@@ -64,7 +64,7 @@ contains
       if (contact_grew) last_norm = huge(norm)
       where (p > 0)
         direction = film + (norm/last_norm)*direction
-      elsewhere
+      else where
         direction = 0
       end where
       last_norm = norm

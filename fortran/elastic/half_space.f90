@@ -9,7 +9,9 @@
 module half_space
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, &
     c_double_complex
-  use fftw
+  use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_many_dft, fftw_plan_many_dft_r2c, &
+    fftw_plan_many_dft_c2r, fftw_plan_r2r_2d, fftw_execute_dft, fftw_execute_dft_r2c, fftw_execute_dft_c2r, &
+    fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, FFTW_BACKWARD, FFTW_REDFT00
   use kinds, only: wp
   use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)

@@ -291,7 +291,7 @@ contains
     associate (level => self%level(size(self%level)))
       points = level%nx*level%ny
       b = reshape(level%f, [points, 1])
-      call dgbtrs('N', points, level%nx, level%nx, 1, self%band, 3*level%nx + 1, self%pivots, b, points, info)
+      call dgbtrs("N", points, level%nx, level%nx, 1, self%band, 3*level%nx + 1, self%pivots, b, points, info)
       level%x = reshape(b, [level%nx, level%ny])
     end associate
   end subroutine solve_coarsest

@@ -6,7 +6,7 @@ module tap
 
   public :: check, close_to, done
 
-  integer, save :: checks = 0
+  integer :: checks = 0
 
 contains
 
@@ -16,7 +16,7 @@ contains
     character(len=*), intent(in) :: what
 
     checks = checks + 1
-    write (*, '(a, i0, a)') merge('ok     ', 'not ok ', passed), checks, ' - '//what
+    write (*, "(a, i0, a)") merge("ok     ", "not ok ", passed), checks, " - "//what
   end subroutine check
 
   !> One check of a number, with both printed when it fails.
@@ -26,13 +26,13 @@ contains
 
     call check(abs(value - wanted) <= tolerance, what)
     if (.not. abs(value - wanted) <= tolerance) then
-      write (*, '(a, es24.16, a, es24.16, a, es9.2)') '# got ', value, ', wanted ', wanted, ' within ', tolerance
+      write (*, "(a, es24.16, a, es24.16, a, es9.2)") "# got ", value, ", wanted ", wanted, " within ", tolerance
     end if
   end subroutine close_to
 
   !> Prints how many checks there were.
   subroutine done()
-    write (*, '(a, i0)') '1..', checks
+    write (*, "(a, i0)") "1..", checks
   end subroutine done
 
 end module tap

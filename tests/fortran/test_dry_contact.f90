@@ -14,9 +14,9 @@ program test_dry_contact
 
   call hertz(24, coarse, unused)
   call hertz(48, fine, unused)
-  call check(fine < coarse/2, 'Hertz pressure: the error falls with the grid')
-  call close_to(fine, 0.0_wp, 4e-3_wp, 'Hertz pressure: mean error')
-  call close_to(unused, 1.0_wp, 2e-3_wp, 'Hertz approach')
+  call check(fine < coarse/2, "Hertz pressure: the error falls with the grid")
+  call close_to(fine, 0.0_wp, 4e-3_wp, "Hertz pressure: mean error")
+  call close_to(unused, 1.0_wp, 2e-3_wp, "Hertz approach")
   call edge()
   call refusals()
   call done()
@@ -43,9 +43,9 @@ contains
     p = 1
     call new_half_space(space, n + 1, n + 1, d, d, modulus, stat)
     call solve_dry_contact(space, gap, covered, load, 1e-8_wp, 400, p, approach, iterations, stat)
-    call check(stat == status_ok, 'Hertz contact converges')
-    call close_to(sum(p)*d*d, load, 1e-12_wp, 'the load is carried')
-    call check(iterations < 60, 'in a few dozen iterations')
+    call check(stat == status_ok, "Hertz contact converges")
+    call close_to(sum(p)*d*d, load, 1e-12_wp, "the load is carried")
+    call check(iterations < 60, "in a few dozen iterations")
     error = sum(abs(p - exact))*d*d/pi
   end subroutine hertz
 
@@ -67,9 +67,9 @@ contains
     p = 1
     call new_half_space(space, n + 1, n + 1, d, d, modulus, stat)
     call solve_dry_contact(space, gap, covered, load, 1e-7_wp, 1000, p, approach, iterations, stat)
-    call check(stat == status_ok, 'a contact that runs off an edge converges')
-    call check(maxval(abs(p(27:, :))) <= 0, 'no pressure beyond the edge')
-    call check(p(26, 21) > p(24, 21), 'pressure rises towards the edge')
+    call check(stat == status_ok, "a contact that runs off an edge converges")
+    call check(maxval(abs(p(27:, :))) <= 0, "no pressure beyond the edge")
+    call check(p(26, 21) > p(24, 21), "pressure rises towards the edge")
   end subroutine edge
 
   subroutine refusals()
@@ -83,13 +83,13 @@ contains
     call new_half_space(space, 9, 9, 1.0_wp, 1.0_wp, 1.0_wp, stat)
     p = 1
     call solve_dry_contact(space, gap, covered, 0.0_wp, 1e-6_wp, 100, p, approach, iterations, stat)
-    call check(stat == status_bad_argument, 'no load is refused')
+    call check(stat == status_bad_argument, "no load is refused")
     p = 0
     call solve_dry_contact(space, gap, covered, 1.0_wp, 1e-6_wp, 100, p, approach, iterations, stat)
-    call check(stat == status_bad_argument, 'a first guess without load is refused')
+    call check(stat == status_bad_argument, "a first guess without load is refused")
     p = 1
     call solve_dry_contact(space, gap, covered, 1.0_wp, 1e-14_wp, 1, p, approach, iterations, stat)
-    call check(stat == status_not_converged, 'too few iterations are told')
+    call check(stat == status_not_converged, "too few iterations are told")
   end subroutine refusals
 
 end program test_dry_contact

@@ -22,12 +22,12 @@ program test_fields
       worst = max(worst, abs(fine(i, j) - cubic(x, y)))
     end do
   end do
-  call close_to(worst, 0.0_wp, 1e-11_wp, 'a cubic is interpolated exactly, ends included')
+  call close_to(worst, 0.0_wp, 1e-11_wp, "a cubic is interpolated exactly, ends included")
 
-  call close_to(dot([(real(i, wp), i=1, 100)], [(1/real(i, wp), i=1, 100)]), 100.0_wp, 1e-12_wp, 'inner product')
-  call close_to(total(reshape([(real(i, wp), i=1, 42)], [7, 6])), 903.0_wp, 1e-12_wp, 'sum of a field')
+  call close_to(dot([(real(i, wp), i=1, 100)], [(1/real(i, wp), i=1, 100)]), 100.0_wp, 1e-12_wp, "inner product")
+  call close_to(total(reshape([(real(i, wp), i=1, 42)], [7, 6])), 903.0_wp, 1e-12_wp, "sum of a field")
   call check(abs(dot(coarse(:, 1), coarse(:, 1)) - sum(coarse(:, 1)**2)) < 1e-12_wp*sum(coarse(:, 1)**2), &
-    'inner product of a column')
+    "inner product of a column")
   call done()
 
 contains

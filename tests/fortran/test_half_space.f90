@@ -9,7 +9,7 @@ program test_half_space
   integer :: stat
 
   call check(padded_size(257) == 512 .and. padded_size(130) == 270 .and. padded_size(3) == 4, &
-    'padded sizes are even and 7-smooth')
+    "padded sizes are even and 7-smooth")
   call against_direct_sum(23, 18)
   call against_direct_sum(16, 33)
   call under_uniform_square()
@@ -33,7 +33,7 @@ contains
       end do
     end do
     call new_half_space(space, nx, ny, dx, dy, 2.0_wp, stat)
-    call check(stat == status_ok, 'a half-space is made')
+    call check(stat == status_ok, "a half-space is made")
     call space%deflection(p, w)
     direct = 0
     k = 4
@@ -44,7 +44,7 @@ contains
       end do
     end do
     ! w = 2/(pi E') int p/r
-    call close_to(w(k, l), direct/pi, 1e-9_wp*w(k, l), 'convolution against direct summation')
+    call close_to(w(k, l), direct/pi, 1e-9_wp*w(k, l), "convolution against direct summation")
   end subroutine against_direct_sum
 
   !> Integral of 1/r over a rectangle centred at (x, y): the inner one in closed form, the outer one by
@@ -82,17 +82,17 @@ contains
     p = 1
     call space%deflection(p, w)
     a = n*0.1_wp/2
-    call close_to(w(16, 16), 2/(pi*3)*8*a*log(1 + sqrt(2.0_wp)), 1e-13_wp, 'middle of a uniform square')
-    call close_to(w(1, 1), w(n, n), 1e-14_wp, 'corners are alike')
+    call close_to(w(16, 16), 2/(pi*3)*8*a*log(1 + sqrt(2.0_wp)), 1e-13_wp, "middle of a uniform square")
+    call close_to(w(1, 1), w(n, n), 1e-14_wp, "corners are alike")
   end subroutine under_uniform_square
 
   subroutine between_negative_sizes()
     type(elastic_half_space) :: space
 
     call new_half_space(space, 2, 5, 1.0_wp, 1.0_wp, 1.0_wp, stat)
-    call check(stat == status_bad_argument, 'two points are refused')
+    call check(stat == status_bad_argument, "two points are refused")
     call new_half_space(space, 5, 5, -1.0_wp, 1.0_wp, 1.0_wp, stat)
-    call check(stat == status_bad_argument, 'a negative spacing is refused')
+    call check(stat == status_bad_argument, "a negative spacing is refused")
   end subroutine between_negative_sizes
 
 end program test_half_space

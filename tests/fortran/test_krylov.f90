@@ -57,11 +57,11 @@ program test_krylov
   end do
 
   call gmres(system, b, 1e-12_wp, n, basis, x, iterations, reduction)
-  call close_to(maxval(abs(matmul(system%a, x) - b)), 0.0_wp, 1e-10_wp, 'a full basis solves the system')
+  call close_to(maxval(abs(matmul(system%a, x) - b)), 0.0_wp, 1e-10_wp, "a full basis solves the system")
   call gmres(system, b, 0.1_wp, n, basis, x, iterations, reduction)
-  call close_to(norm2(matmul(system%a, x) - b)/norm2(b), reduction, 1e-12_wp, 'the reduction told is the true one')
-  call check(reduction <= 0.1_wp .and. iterations < n, 'it stops at the tolerance')
+  call close_to(norm2(matmul(system%a, x) - b)/norm2(b), reduction, 1e-12_wp, "the reduction told is the true one")
+  call check(reduction <= 0.1_wp .and. iterations < n, "it stops at the tolerance")
   call gmres(system, 0*b, 0.1_wp, n, basis, x, iterations, reduction)
-  call check(iterations == 0 .and. maxval(abs(x)) <= 0, 'nothing to solve')
+  call check(iterations == 0 .and. maxval(abs(x)) <= 0, "nothing to solve")
   call done()
 end program test_krylov

@@ -36,10 +36,10 @@ contains
         r = max(r, abs(left(i, j)*x(i - 1, j) + centre(i, j)*x(i, j) + right(i, j)*x(i + 1, j) - f(i, j)))
       end do
     end do
-    call close_to(r, 0.0_wp, 1e-12_wp, 'a line is solved exactly')
+    call close_to(r, 0.0_wp, 1e-12_wp, "a line is solved exactly")
     none = x
     call sweep_lines(all, f, .false., x)
-    call close_to(maxval(abs(none - x)), 0.0_wp, 1e-14_wp, 'and stays solved')
+    call close_to(maxval(abs(none - x)), 0.0_wp, 1e-14_wp, "and stays solved")
   end subroutine solves_lines
 
 end program test_line_smoother

@@ -30,7 +30,7 @@ contains
     call still(nx, ny, dx, dy, grid, fields, free)
     call new_film_multigrid(grid, 0.0_wp, cycles)
     call set_film_multigrid(cycles, fields, free, stat)
-    call check(stat == status_ok, 'levels are set up')
+    call check(stat == status_ok, "levels are set up")
     wanted = 0
     do j = 2, ny - 1
       do i = 2, nx - 1
@@ -45,7 +45,7 @@ contains
       call film_cycle(cycles, r, f)
       x = x + f
     end do
-    call check(maxval(abs(wanted - x)) < first*0.15_wp**6, 'six cycles shrink the error by 0.15 each')
+    call check(maxval(abs(wanted - x)) < first*0.15_wp**6, "six cycles shrink the error by 0.15 each")
   end subroutine reduces
 
   subroutine leaves_ruptured_nodes()
@@ -63,8 +63,8 @@ contains
     call set_film_multigrid(cycles, fields, free, stat)
     f = 1
     call film_cycle(cycles, f, x)
-    call check(maxval(abs(x(20:, :))) <= 0, 'pressure that is not free does not change')
-    call check(minval(x(2:19, 2:n - 1)) > 0, 'all other does')
+    call check(maxval(abs(x(20:, :))) <= 0, "pressure that is not free does not change")
+    call check(minval(x(2:19, 2:n - 1)) > 0, "all other does")
   end subroutine leaves_ruptured_nodes
 
   !> A scene mirrored in the entrainment's direction gives a mirrored cycle up to the order of the lines.
@@ -90,7 +90,7 @@ contains
     call set_film_multigrid(cycles, fields, free, stat)
     call film_cycle(cycles, f(n:1:-1, :), mirrored)
     call close_to(maxval(abs(mirrored(n:1:-1, :) - x)), 0.0_wp, 1e-12_wp*maxval(abs(x)), &
-      'sweeps follow the entrainment')
+      "sweeps follow the entrainment")
   end subroutine mirrors
 
   !> A film of even thickness at rest.

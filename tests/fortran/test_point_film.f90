@@ -19,13 +19,13 @@ program test_point_film
   integer :: krylov
 
   call solve(1.0_wp, 0.0_wp, p, film, krylov)
-  call close_to(maxval(abs(p(:, n:1:-1) - p)), 0.0_wp, 1e-5_wp, 'the film is symmetric about its centre line')
-  call check(krylov < 80, 'few Krylov iterations')
+  call close_to(maxval(abs(p(:, n:1:-1) - p)), 0.0_wp, 1e-5_wp, "the film is symmetric about its centre line")
+  call check(krylov < 80, "few Krylov iterations")
   call solve(0.0_wp, 1.0_wp, q, other, krylov)
-  call close_to(maxval(abs(transpose(q) - p)), 0.0_wp, 1e-5_wp, 'along y as along x')
-  call close_to(other, film, 1e-5_wp, 'with the same minimum film')
+  call close_to(maxval(abs(transpose(q) - p)), 0.0_wp, 1e-5_wp, "along y as along x")
+  call close_to(other, film, 1e-5_wp, "with the same minimum film")
   call solve(-1.0_wp, 0.0_wp, q, other, krylov)
-  call close_to(maxval(abs(q(n:1:-1, :) - p)), 0.0_wp, 1e-5_wp, 'backwards as forwards')
+  call close_to(maxval(abs(q(n:1:-1, :) - p)), 0.0_wp, 1e-5_wp, "backwards as forwards")
   call refusals()
   call done()
 
@@ -49,7 +49,7 @@ contains
     covered = .true.
     call new_point_contact(contact, gap, covered, 0*gap + u, 0*gap + v, 0*gap, place(2) - place(1), &
       place(2) - place(1), modulus, oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp), load, 1e-4_wp, stat)
-    call check(stat == status_ok, 'a contact is made')
+    call check(stat == status_ok, "a contact is made")
     p = sqrt(max(0.0_wp, 1 - 2*gap))
     h0 = -0.5_wp
     krylov = 0
@@ -60,9 +60,9 @@ contains
       if (stat /= status_ok) exit
       krylov = krylov + iterations
     end do
-    call check(residual + abs(load_error) < 1e-8_wp, 'Newton converges')
-    call close_to(sum(p)*(place(2) - place(1))**2, load, 1e-7_wp*load, 'the load is carried')
-    call check(all(p >= 0) .and. all(contact%imbalance > -1e-5_wp), 'pressure and outflow are complementary')
+    call check(residual + abs(load_error) < 1e-8_wp, "Newton converges")
+    call close_to(sum(p)*(place(2) - place(1))**2, load, 1e-7_wp*load, "the load is carried")
+    call check(all(p >= 0) .and. all(contact%imbalance > -1e-5_wp), "pressure and outflow are complementary")
     thinnest = minval(contact%fields%h)
   end subroutine solve
 
@@ -85,17 +85,17 @@ contains
     oil = oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp)
     call new_point_contact(contact, field, covered, field, field, field, 1.0_wp, 1.0_wp, modulus, oil, 0.0_wp, &
       1e-4_wp, stat)
-    call check(stat == status_bad_argument, 'no load is refused')
+    call check(stat == status_bad_argument, "no load is refused")
     oil%eta0 = 0
     call new_point_contact(contact, field, covered, field, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
       1e-4_wp, stat)
-    call check(stat == status_bad_argument, 'an oil without viscosity is refused')
+    call check(stat == status_bad_argument, "an oil without viscosity is refused")
     oil%eta0 = eta0
     broken = field
     broken(3, 3) = ieee_value(1.0_wp, ieee_positive_inf)
     call new_point_contact(contact, broken, covered, field, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
       1e-4_wp, stat)
-    call check(stat == status_not_finite, 'a gap that is not finite is refused')
+    call check(stat == status_not_finite, "a gap that is not finite is refused")
   end subroutine refusals
 
 end program test_point_film

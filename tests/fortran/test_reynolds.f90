@@ -63,11 +63,11 @@ program test_reynolds
   real(wp), parameter :: radius_x = 1.0_wp, radius_y = 2.5_wp, eta = 0.3_wp, h0 = 0.5_wp
   real(wp), parameter :: floor = 1e-9_wp
 
-  call exact('entrainment along x', 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp)
-  call exact('entrainment along y', 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp)
-  call exact('spin', 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp)
-  call exact('squeeze', 0.0_wp, 0.0_wp, 0.0_wp, -1.0_wp)
-  call exact('all of them, against the axes', -0.8_wp, -0.5_wp, 0.7_wp, -0.3_wp)
+  call exact("entrainment along x", 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp)
+  call exact("entrainment along y", 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp)
+  call exact("spin", 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp)
+  call exact("squeeze", 0.0_wp, 0.0_wp, 0.0_wp, -1.0_wp)
+  call exact("all of them, against the axes", -0.8_wp, -0.5_wp, 0.7_wp, -0.3_wp)
   call jacobian()
   call conservation()
   call done()
@@ -99,8 +99,8 @@ contains
 
     coarse = solved_error(48, u, v, spin, squeeze)
     fine = solved_error(96, u, v, spin, squeeze)
-    call check(log(coarse/fine)/log(2.0_wp) > 1.8_wp, what//': second order')
-    call check(fine < 0.01_wp, what//': close to the exact solution')
+    call check(log(coarse/fine)/log(2.0_wp) > 1.8_wp, what//": second order")
+    call check(fine < 0.01_wp, what//": close to the exact solution")
   end subroutine exact
 
   !> Error over the largest exact pressure.
@@ -141,11 +141,11 @@ contains
     call flow_imbalance(system%grid, system%fields, imbalance)
     call new_film_multigrid(system%grid, 0.0_wp, system%cycles)
     call set_film_multigrid(system%cycles, system%fields, free, stat)
-    call check(stat == status_ok, 'multigrid is set up')
+    call check(stat == status_ok, "multigrid is set up")
     right = reshape(-imbalance, [size(imbalance)])
     allocate (change(size(right)), basis(size(right), 31))
     call gmres(system, right, 1e-10_wp, 30, basis, change, iterations, reduction)
-    call check(reduction <= 1e-10_wp .and. iterations <= 15, 'GMRES with multigrid converges fast')
+    call check(reduction <= 1e-10_wp .and. iterations <= 15, "GMRES with multigrid converges fast")
     solved_error = maxval(abs(reshape(change, shape(wanted)) + system%fields%p - wanted))/maxval(abs(wanted))
   end function solved_error
 
@@ -178,7 +178,7 @@ contains
     call imbalance_at(grid, oil, p, h, fields, change)
     call flow_imbalance_change(grid, fields, dp, dh, change)
     call close_to(maxval(abs(change - (above - below)/(2*step))), 0.0_wp, 1e-7_wp*maxval(abs(change)), &
-      'Jacobian against differences')
+      "Jacobian against differences")
   end subroutine jacobian
 
   subroutine imbalance_at(grid, oil, p, h, fields, r)
@@ -209,8 +209,8 @@ contains
     fields%p(10, 10) = 3
     call set_film_fields(oil_law(law_barus, 1.0_wp, 0.5_wp, 1.0_wp, 0.2_wp, 0.3_wp), floor, fields)
     call flow_imbalance(grid, fields, r)
-    call check(maxval(abs(r)) > 1, 'a peak drives flow')
-    call close_to(sum(r), 0.0_wp, 1e-11_wp*maxval(abs(r)), 'and mass is conserved')
+    call check(maxval(abs(r)) > 1, "a peak drives flow")
+    call close_to(sum(r), 0.0_wp, 1e-11_wp*maxval(abs(r)), "and mass is conserved")
   end subroutine conservation
 
 end program test_reynolds
