@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
 
 from pyworm.plots.style import (
     MICRO,
@@ -19,6 +20,9 @@ from pyworm.solution import Solution
 
 LEVELS = np.array([1, 2, 5])
 """Gap contours in each decade."""
+
+LABELLED = 15
+"""Contours of less than the largest gap over this are too small for a label."""
 
 
 def draw_gap(case_name: str, solution: Solution) -> Figure:
@@ -36,13 +40,30 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
         colors=colours,
         linewidths=1.0,
     )
-    axes.clabel(contours, fmt=lambda value: f"{value:g}", fontsize="small")
+    axes.clabel(
+        contours,
+        levels[levels >= gap.max() / LABELLED],
+        fmt=lambda value: f"{value:g}",
+        fontsize="small",
+    )
     draw_tooth(axes, fields)
     draw_dry_outline(axes, fields, "tab:red")
     legend = [
         Line2D([], [], color=colours[levels.size // 2], linewidth=1.0, label="undeformed gap / µm"),
         Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"),
     ]
+    if "tooth_outline_x" in fields:
+        solved = Rectangle(
+            (fields["x"][0] * MILLI, fields["y"][0] * MILLI),
+            np.ptp(fields["x"].values) * MILLI,
+            np.ptp(fields["y"].values) * MILLI,
+            fill=False,
+            edgecolor="0.5",
+            linestyle=":",
+            label="grid",
+        )
+        axes.add_patch(solved)
+        legend.append(solved)
     if "contact_path_x" in fields:
         (path,) = axes.plot(
             fields["contact_path_x"] * MILLI,

@@ -193,12 +193,12 @@ def _stretch_note(stretch: float) -> str:
 
 
 def heading(case_name: str, solution: Solution) -> str:
-    """Case, scene, phase, load, and a warning where the solution did not converge."""
+    """Case, phase or else scene, load, and a warning where the solution did not converge."""
     parts = [case_name]
-    if solution.name != case_name:
-        parts.append(solution.name)
     if solution.phase is not None:
         parts.append(f"phase {solution.phase:.3g}")
+    elif solution.name != case_name:
+        parts.append(solution.name)
     load = solution.load
     parts.append(f"{load / 1e3:.4g} kN" if load >= 1e3 else f"{load:.4g} N")
     if not solution.converged:

@@ -169,7 +169,7 @@ def test_interferogram_is_dark_without_a_film_and_grey_where_fringes_are_too_fin
 
 
 def test_heading_names_case_phase_load_and_failure(worm):
-    assert heading("case", replace(worm, name="case")) == "case  ·  phase 0.5  ·  14 kN"
+    assert heading("case", worm) == "case  ·  phase 0.5  ·  14 kN"
     failed = make_solution(converged=False)
     assert heading("ball", failed) == (
         "ball  ·  circular  ·  15 N  ·  NOT CONVERGED (too many iterations)"
