@@ -39,6 +39,8 @@ class Rung:
         Undeformed gap [m], shape (nx, ny).
     covered : numpy.ndarray
         Where both surfaces exist.
+    entrainment, sliding : tuple of numpy.ndarray
+        Components (u, v) of the mean velocity and of body 1 relative to body 2 [m/s].
     far : numpy.ndarray or float
         Deflection by pressure beyond the grid [m].
     load : float
@@ -50,6 +52,8 @@ class Rung:
     grid: Grid
     gap: np.ndarray
     covered: np.ndarray
+    entrainment: tuple[np.ndarray, np.ndarray]
+    sliding: tuple[np.ndarray, np.ndarray]
     far: np.ndarray | float
     load: float
     film: kernels.PointFilm
@@ -115,10 +119,12 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
 def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
     x, y = grid.mesh()
     gap, covered = scene.gap(x, y)
+    (u1, v1), (u2, v2) = (motion(x, y) for motion in scene.motions)
+    entrainment, sliding = ((u1 + u2) / 2, (v1 + v2) / 2), (u1 - u2, v1 - v2)
     film = kernels.PointFilm(
         gap + far,
         covered,
-        scene.entrainment(x, y),
+        entrainment,
         np.zeros_like(gap),
         grid.dx,
         grid.dy,
@@ -127,7 +133,7 @@ def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return Rung(grid, gap, covered, far, load, film)
+    return Rung(grid, gap, covered, entrainment, sliding, far, load, film)
 
 
 def settle(rung: Rung, tolerance: float) -> list[Stride]:

@@ -88,7 +88,7 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
-        figures=_figures(scene, size, rung, readings, dry),
+        figures=_figures(size, rung, readings, dry),
         fields=_fields(scene, rung, dry),
         history=_history(strides),
         cost=Cost(seconds, seconds / _convolution_seconds(rung)),
@@ -141,11 +141,9 @@ def _error(values: Sequence[float]) -> float:
     return last / abs(values[-1]) / max(min(fall, 4.0) - 1, 1.0)
 
 
-def _figures(
-    scene: Scene, size: Scales, rung: Rung, readings: Sequence[_Reading], dry: DryContact
-) -> Figures:
+def _figures(size: Scales, rung: Rung, readings: Sequence[_Reading], dry: DryContact) -> Figures:
     film, density, imbalance = rung.film.fields()
-    u, v = scene.entrainment(*rung.grid.mesh())
+    u, v = rung.entrainment
     exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, size.angle)
     extents = reading.contact_extent(rung.grid, dry.pressure)
     estimates = {
@@ -174,18 +172,16 @@ def _figures(
 
 
 def _fields(scene: Scene, rung: Rung, dry: DryContact) -> xr.Dataset:
-    x, y = rung.grid.mesh()
-    entrainment, sliding = scene.entrainment(x, y), scene.sliding(x, y)
     variables = {
         "gap": (rung.gap, "m", "undeformed gap"),
         "covered": (rung.covered.astype(np.int8), "1", "both surfaces exist"),
         "dry_pressure": (dry.pressure, "Pa", "pressure of the dry contact"),
         "pressure": (rung.film.pressure, "Pa", "film pressure"),
         "film": (rung.film.fields()[0], "m", "film thickness"),
-        "entrainment_x": (entrainment[0], "m/s", "entrainment velocity along x"),
-        "entrainment_y": (entrainment[1], "m/s", "entrainment velocity along y"),
-        "sliding_x": (sliding[0], "m/s", "velocity of body 1 relative to body 2 along x"),
-        "sliding_y": (sliding[1], "m/s", "velocity of body 1 relative to body 2 along y"),
+        "entrainment_x": (rung.entrainment[0], "m/s", "entrainment velocity along x"),
+        "entrainment_y": (rung.entrainment[1], "m/s", "entrainment velocity along y"),
+        "sliding_x": (rung.sliding[0], "m/s", "velocity of body 1 relative to body 2 along x"),
+        "sliding_y": (rung.sliding[1], "m/s", "velocity of body 1 relative to body 2 along y"),
     }
     return xr.Dataset(
         {
