@@ -118,14 +118,20 @@ def _run(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm.kernels import KernelError
     from pyworm.plots import draw
     from pyworm.run import run
     from pyworm.tables import figures_table
 
-    with _progress() as progress:
-        result = run(case, work, progress)
+    try:
+        with _progress() as progress:
+            result = run(case, work, progress)
+    except KernelError as error:
+        return _end(f"{case.name}: {error}", FAILED)
     with whole(directory) as aside:
         result.save(aside / RESULT_NAME)
+    # Apart, so that a picture that cannot be drawn does not cost the solve.
+    with whole(directory) as aside:
         pictures = [path.name for path in draw(result, aside)]
 
     summaries = [solution.summary() for solution in result.solutions]

@@ -9,7 +9,8 @@ import pytest
 
 import pyworm
 from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
-from pyworm.result import open_result
+from pyworm.kernels import KernelError
+from pyworm.result import Result, open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 CASE = str(CASES / "point_m20_l10.toml")
@@ -113,7 +114,21 @@ def test_not_a_number_is_null_in_json(tmp_path, capsys, solve_at_once, solved):
     assert json.loads(capsys.readouterr().out)["scenes"][0]["mass_error"] is None
 
 
-def test_nothing_is_left_of_results_that_could_not_be_written(
+def test_nothing_is_left_of_a_result_that_could_not_be_written(
+    tmp_path, capsys, monkeypatch, solve_at_once
+):
+    def full(result, path):
+        path.write_text("half")
+        raise OSError("No space left on device")
+
+    solve_at_once()
+    monkeypatch.setattr(Result, "save", full)
+    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
+    assert "No space left on device" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_pictures_that_could_not_be_drawn_do_not_cost_the_result(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
     def full(result, directory):
@@ -124,6 +139,16 @@ def test_nothing_is_left_of_results_that_could_not_be_written(
     monkeypatch.setattr("pyworm.plots.draw", full)
     assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
     assert "No space left on device" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.rglob("*")] == ["out", "result.nc"]
+
+
+def test_a_kernel_that_gives_up_is_told_in_one_sentence(tmp_path, capsys, monkeypatch):
+    def give_up(scene, plan, progress):
+        raise KernelError(6)
+
+    monkeypatch.setattr("pyworm.run.solve", give_up)
+    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
+    assert capsys.readouterr().err == "pyworm: point_m20_l10: there is not enough memory\n"
     assert list(tmp_path.iterdir()) == []
 
 
