@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyworm import kernels
+from pyworm.far_field import far_field
 from pyworm.grid import Grid
 from pyworm.scales import Scales
 from pyworm.scene import Scene
@@ -22,6 +23,9 @@ FORCING = 0.03
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected central film, below which mobility falls no further."""
+
+TRACE = 1e-6
+"""Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
 
 DRY_TOLERANCE = 1e-4
 """Film left in the dry contact, over the approach."""
@@ -89,8 +93,15 @@ def first_rung(scene: Scene, size: Scales, grid: Grid) -> Rung:
     x, y = grid.mesh()
     gap, covered = scene.gap(x, y)
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
-    rung = _rung(scene, size, grid, 0.0, scene.load)
-    rung.film.start(dry.pressure, size.film - dry.approach)
+    rigid_film = size.film - dry.approach
+    beyond = far_field(scene, grid, gap + rigid_film, covered)
+    rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load)
+    # Some pressure everywhere: a rupture line that starts too far out is found in a few Newton steps, one
+    # that starts too near moves by a cell a step.
+    everywhere = np.where(covered, TRACE * dry.pressure.max(), 0.0)
+    rung.film.start(
+        np.where(beyond.outline, beyond.pressure, dry.pressure + everywhere), rigid_film
+    )
     return rung
 
 

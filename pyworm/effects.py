@@ -1,6 +1,7 @@
 """The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
 
 from dataclasses import dataclass
+from math import sqrt
 
 from pyworm.grid import Grid, nest
 from pyworm.scales import Scales, scales
@@ -11,7 +12,8 @@ MODELS = ("isothermal",)
 """Names that `effects` may take."""
 
 COARSE_CELLS = 16
-"""Cells along the short semi-axis of Hertz's ellipse on the first grid of the figures."""
+"""Cells of the first grid of the figures along the short one of the contact's lengths: Hertz's semi-axis and,
+where the film is thick, the distance over which the undeformed gap rises by a film, together."""
 
 LARGEST_STRETCH = 3.0
 """Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
@@ -110,12 +112,15 @@ def plan(scene: Scene, accuracy: float = 0.01, effects: str = "isothermal") -> P
 
 def _grids(scene: Scene, size: Scales) -> tuple[Grid, ...]:
     """Grids from the far window down to the first one of the figures."""
-    short = min(size.hertz.semi_axis_x, size.hertz.semi_axis_y)
-    spacing = [
-        min(semi_axis, LARGEST_STRETCH * short) / COARSE_CELLS
-        for semi_axis in (size.hertz.semi_axis_x, size.hertz.semi_axis_y)
+    lengths = [
+        sqrt(semi_axis**2 + 2 * radius * size.film)
+        for semi_axis, radius in zip(
+            (size.hertz.semi_axis_x, size.hertz.semi_axis_y), scene.radii, strict=True
+        )
     ]
-    return nest(window(scene, size, NEAR), window(scene, size, FAR), *spacing)
+    short = min(lengths)
+    dx, dy = (min(length, LARGEST_STRETCH * short) / COARSE_CELLS for length in lengths)
+    return nest(window(scene, size, NEAR), window(scene, size, FAR), dx, dy)
 
 
 def _isothermal(scene: Scene) -> tuple[Effect, ...]:

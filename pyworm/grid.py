@@ -93,8 +93,8 @@ def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
 def _span(low: float, high: float, step: float) -> tuple[int, int]:
     """First node and number of cells of a grid around an interval.
 
-    First and last node are even, so that the grid of twice the spacing has them too, and the cells are a multiple of
-    CELLS_MULTIPLE.
+    First and last node are even, so that the grid of twice the spacing has them too, and the cells are a
+    multiple of CELLS_MULTIPLE.
     """
     first, last = 2 * floor(low / step / 2 + 1e-9), 2 * ceil(high / step / 2 - 1e-9)
     cells = CELLS_MULTIPLE * ceil((last - first) / CELLS_MULTIPLE)

@@ -103,12 +103,10 @@ def _row_extent(pressure: Array, spacing: float) -> float:
     if inside.size < 3:
         return float(inside.size) * spacing
     squares = pressure**2
-    return spacing * (
-        inside[-1]
-        - inside[0]
-        + _edge(squares[inside[0]], squares[inside[0] + 1])
-        + _edge(squares[inside[-1]], squares[inside[-1] - 1])
-    )
+    cells = inside[-1] - inside[0]
+    cells += _edge(squares[inside[0]], squares[inside[0] + 1])
+    cells += _edge(squares[inside[-1]], squares[inside[-1] - 1])
+    return float(spacing * cells)
 
 
 def _edge(outer: float, inner: float) -> float:
@@ -142,4 +140,4 @@ def outline_imbalance(
             np.diff(flow[axis], axis=axis),
         )
         gross += np.abs(near + far / 2)[change].sum() * width / 2
-    return net / gross
+    return float(net / gross)

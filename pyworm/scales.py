@@ -59,14 +59,14 @@ def scales(scene: Scene) -> Scales:
         )
     angle = atan2(v, u) if speed > 0 else 0.0
     groups = point_groups(
-        *radii_at_angle(*scene.radii, angle),
+        *(float(radius) for radius in radii_at_angle(*scene.radii, angle)),
         scene.load,
         scene.reduced_modulus,
         max(speed, typical / 10),
         scene.oil.viscosity.eta0,
         scene.oil.viscosity.alpha,
     )
-    return Scales(contact, groups, angle, nijenbanning_venner_moes(groups).central)
+    return Scales(contact, groups, angle, float(nijenbanning_venner_moes(groups).central))
 
 
 def _typical_speed(scene: Scene, contact: HertzContact) -> float:

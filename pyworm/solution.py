@@ -60,7 +60,7 @@ class Figures:
     load_error, mass_error : float
         Relative load imbalance; net over gross mass flow through the outline of the contact.
     residual : float
-        Largest Reynolds residual over the largest mass-flow change, at the end.
+        Summed Reynolds residual over the summed wedge flow, at the end.
     """
 
     film_min: Estimate

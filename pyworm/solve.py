@@ -1,7 +1,7 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import dataclass, fields
 from time import perf_counter
 
 import numpy as np
@@ -14,6 +14,7 @@ from pyworm.kernels import DryContact
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
+from pyworm.variables import describe
 
 Progress = Callable[[str, float], None]
 
@@ -22,6 +23,9 @@ COARSE_TOLERANCE = 1e-4
 
 ACCURATE = "the figures are as accurate as asked for"
 """The stop reason of a converged solution."""
+
+MOST_UNSETTLED = 2
+"""Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
 
 TIMED_CONVOLUTIONS = 5
 """Convolutions timed for the unit of cost; the fastest counts, since a machine may be shared."""
@@ -64,6 +68,7 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
     size = scales(scene)
     strides: list[Stride] = []
     readings: list[_Reading] = []
+    unsettled = 0
 
     started = perf_counter()
     tell(f"{scene.name}: dry contact", 0.0)
@@ -75,7 +80,8 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
         tell(f"{scene.name}: {rung.grid.nx} x {rung.grid.ny}", 1 - 0.5 ** (len(readings) + 1))
         strides += settle(rung, plan.tolerance)
         readings.append(_read(rung))
-        stop_reason = _stop_reason(rung, readings, plan)
+        unsettled += rung.film.balance.worst > plan.tolerance
+        stop_reason = _stop_reason(rung, readings, unsettled, plan)
         if stop_reason is not None:
             break
         rung = next_rung(scene, size, rung, rung.grid.finer())
@@ -106,19 +112,26 @@ def _read(rung: Rung) -> _Reading:
     )
 
 
-def _stop_reason(rung: Rung, readings: Sequence[_Reading], plan: Plan) -> str | None:
+def _stop_reason(
+    rung: Rung, readings: Sequence[_Reading], unsettled: int, plan: Plan
+) -> str | None:
     """Why the climb ends here, or None if it goes on."""
     error = max(_error([getattr(r, name) for r in readings]) for name in _JUDGED)
     settled = rung.film.balance.worst <= plan.tolerance
     resolved = readings[-1].film_min > 0
     if settled and resolved and error <= plan.accuracy:
         return ACCURATE
-    if rung.grid.finer().nodes <= plan.largest_grid:
+    last = rung.grid.finer().nodes > plan.largest_grid
+    if not settled and (last or unsettled >= MOST_UNSETTLED):
+        return (
+            f"the residual stayed at {rung.film.balance.worst:.1e}, {plan.tolerance:.1e} is wanted"
+        )
+    if not last:
         return None
-    if not settled:
-        return f"the residual stayed at {rung.film.balance.worst:.1e} on the largest grid allowed"
     if not resolved:
         return "the largest grid allowed does not resolve the film"
+    if len(readings) < 2:
+        return "the largest grid allowed leaves no second grid to compare with"
     return f"the largest grid allowed leaves an error of {error:.1%}"
 
 
@@ -173,25 +186,19 @@ def _figures(size: Scales, rung: Rung, readings: Sequence[_Reading], dry: DryCon
 
 def _fields(scene: Scene, rung: Rung, dry: DryContact) -> xr.Dataset:
     variables = {
-        "gap": (rung.gap, "m", "undeformed gap"),
-        "covered": (rung.covered.astype(np.int8), "1", "both surfaces exist"),
-        "dry_pressure": (dry.pressure, "Pa", "pressure of the dry contact"),
-        "pressure": (rung.film.pressure, "Pa", "film pressure"),
-        "film": (rung.film.fields()[0], "m", "film thickness"),
-        "entrainment_x": (rung.entrainment[0], "m/s", "entrainment velocity along x"),
-        "entrainment_y": (rung.entrainment[1], "m/s", "entrainment velocity along y"),
-        "sliding_x": (rung.sliding[0], "m/s", "velocity of body 1 relative to body 2 along x"),
-        "sliding_y": (rung.sliding[1], "m/s", "velocity of body 1 relative to body 2 along y"),
+        "gap": rung.gap,
+        "covered": rung.covered.astype(np.int8),
+        "dry_pressure": dry.pressure,
+        "pressure": rung.film.pressure,
+        "film": rung.film.fields()[0],
+        "entrainment_x": rung.entrainment[0],
+        "entrainment_y": rung.entrainment[1],
+        "sliding_x": rung.sliding[0],
+        "sliding_y": rung.sliding[1],
     }
-    return xr.Dataset(
-        {
-            name: (("y", "x"), values.T, {"units": unit, "long_name": meaning})
-            for name, (values, unit, meaning) in variables.items()
-        },
-        coords={
-            "x": ("x", rung.grid.x, {"units": "m", "long_name": "along x in the tangent plane"}),
-            "y": ("y", rung.grid.y, {"units": "m", "long_name": "along y in the tangent plane"}),
-        },
+    dataset = xr.Dataset(
+        {name: (("y", "x"), values.T) for name, values in variables.items()},
+        coords={"x": rung.grid.x, "y": rung.grid.y},
         attrs={
             "radius_x_m": scene.radii[0],
             "radius_y_m": scene.radii[1],
@@ -199,16 +206,15 @@ def _fields(scene: Scene, rung: Rung, dry: DryContact) -> xr.Dataset:
             "reduced_modulus_Pa": scene.reduced_modulus,
         },
     )
+    return describe(dataset)
 
 
 def _history(strides: Sequence[Stride]) -> xr.Dataset:
-    rows = [asdict(stride) for stride in strides]
-    return xr.Dataset(
-        {
-            field.name: ("iteration", np.array([row[field.name] for row in rows]), {"units": "1"})
-            for field in fields(Stride)
-        }
-    )
+    columns = {
+        field.name: ("iteration", np.array([getattr(stride, field.name) for stride in strides]))
+        for field in fields(Stride)
+    }
+    return describe(xr.Dataset(columns, coords={"iteration": np.arange(len(strides))}))
 
 
 def _convolution_seconds(rung: Rung) -> float:

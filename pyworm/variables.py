@@ -21,7 +21,7 @@ VARIABLES = {
     "iteration": ("1", "iteration, counted over all grids"),
     "points_x": ("1", "grid points along x"),
     "points_y": ("1", "grid points along y"),
-    "residual": ("1", "largest Reynolds residual over the largest mass-flow change"),
+    "residual": ("1", "summed Reynolds residual over the summed wedge flow"),
     "load_error": ("1", "relative load imbalance"),
     "krylov": ("1", "inner iterations of the linear solver"),
     "phase": ("1", "place in the mesh cycle"),

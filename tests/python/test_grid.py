@@ -1,0 +1,65 @@
+"""Nests of grids share their nodes, and windows reach as far as they should."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from test_film import RADIUS, circular
+
+from pyworm.grid import CELLS_MULTIPLE, Grid, nest
+from pyworm.kernels import prolong
+from pyworm.scales import scales
+from pyworm.window import Reach, window
+
+side = st.floats(0.5, 20.0)
+
+
+@given(side, side, side, side, st.floats(1.0, 5.0), st.floats(0.05, 0.3), st.floats(0.05, 0.3))
+def test_every_grid_of_a_nest_is_a_window_of_the_one_before(w, e, s, n, growth, dx, dy):
+    inner = (-w, e, -s, n)
+    outer = tuple(growth * place for place in inner)
+    grids = nest(inner, outer, dx, dy)
+    assert grids[-1].dx == dx and grids[-1].dy == dy
+    assert grids[0].west <= outer[0] + 1e-9 and grids[0].x[-1] >= outer[1] - 1e-9
+    for grid in grids:
+        assert (grid.nx - 1) % CELLS_MULTIPLE == 0 == (grid.ny - 1) % CELLS_MULTIPLE
+        assert np.abs(grid.x).min() < 1e-9 and np.abs(grid.y).min() < 1e-9
+    for wide, narrow in pairwise(grids):
+        columns, rows = wide.window_of(narrow)
+        assert np.allclose(wide.x[columns], narrow.x[::2], atol=1e-9)
+        assert np.allclose(wide.y[rows], narrow.y[::2], atol=1e-9)
+
+
+def test_a_finer_grid_keeps_the_nodes():
+    grid = Grid(-1.0, -2.0, 0.25, 0.5, 9, 9)
+    assert np.allclose(grid.finer().x[::2], grid.x)
+    x, y = grid.mesh()
+    fine_x, _ = grid.finer().mesh()
+    assert np.allclose(prolong(x**3 + y), fine_x**3 + grid.finer().mesh()[1])
+
+
+def test_a_window_reaches_until_the_gap_has_risen():
+    scene = circular(100, 10)
+    size = scales(scene)
+    west, east, south, north = window(scene, size, Reach(inlet=50.0, exit=5.0))
+    wanted = size.hertz.approach + 50 * size.film
+    assert west**2 / (2 * RADIUS) >= wanted
+    assert north**2 / (2 * RADIUS) >= wanted
+    assert (west / 1.4) ** 2 / (2 * RADIUS) < wanted
+    assert east < -west
+    assert south == pytest.approx(-north)
+
+
+def test_a_window_ends_where_the_teeth_do():
+    scene = circular(100, 10)
+
+    def short(x, y):
+        gap, _ = scene.gap(x, y)
+        return gap, y < 1e-4
+
+    size = scales(scene)
+    north = window(replace(scene, gap=short), size, Reach(150.0, 10.0))[3]
+    assert north < window(scene, size, Reach(150.0, 10.0))[3]
