@@ -14,6 +14,9 @@ SAMPLES = 65
 GROWTH = 1.4
 """How much a side moves out at a time."""
 
+MOST_GROWTHS = 40
+"""Moves after which a gap that has not risen never will."""
+
 OUTFLOW_SHARE = 0.5
 """A side is an exit where at least this share of the entrainment leaves through it."""
 
@@ -62,7 +65,7 @@ def window(scene: Scene, size: Scales, reach: Reach) -> Box:
         -1.5 * size.hertz.semi_axis_y,
         1.5 * size.hertz.semi_axis_y,
     ]
-    while True:
+    for _ in range(MOST_GROWTHS):
         x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
         gap, covered = scene.gap(*np.meshgrid(x, y, indexing="ij"))
         open_sides = [
@@ -76,6 +79,10 @@ def window(scene: Scene, size: Scales, reach: Reach) -> Box:
             return tuple(box)
         for side in open_sides:
             box[side] *= GROWTH
+    raise ValueError(
+        f"{scene.name}: the gap does not rise above {reach.inlet:g} films within {abs(box[0]):.1g} m of the "
+        "contact point; give it curvature, or ends, in every direction"
+    )
 
 
 def _sides(gap, covered):

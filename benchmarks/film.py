@@ -1,0 +1,70 @@
+"""What a film costs: whole solves to a residual of 1e-6 on 257 x 257 nodes, in padded FFT convolutions.
+
+A convolution on the finest grid, timed in the same run, is the unit; coarser and outer grids are included, and
+so is the sampling of the scene. Run from the repository's root:
+
+    python benchmarks/film.py [CASE.toml ...]
+"""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pyworm
+from pyworm.grid import nest
+from pyworm.scales import scales
+from pyworm.window import FAR, NEAR, window
+
+NODES = 257
+COARSEST = 64
+TOLERANCE = 1e-6
+CASES = (
+    "point_m20_l10",
+    "point_m100_l10",
+    "point_m200_l10",
+    "mourier_2006",
+    "ellipse10_across",
+    "ellipse10_along",
+    "ellipse10_oblique",
+    "spin_zi_like",
+)
+
+
+def solved(case: Path) -> pyworm.Solution:
+    """The case's scene on grids that climb to NODES x NODES over its window."""
+    scene = pyworm.load(case).scene()
+    size = scales(scene)
+    west, east, south, north = window(scene, size, NEAR)
+    grids = nest(
+        (west, east, south, north),
+        window(scene, size, FAR),
+        (east - west) / COARSEST,
+        (north - south) / COARSEST,
+    )
+    return pyworm.solve(
+        scene,
+        replace(
+            pyworm.plan(scene, accuracy=1e-5),
+            grids=grids,
+            tolerance=TOLERANCE,
+            largest_grid=(grids[-1].nx * 4 - 3) * (grids[-1].ny * 4 - 3),
+        ),
+    )
+
+
+def main() -> None:
+    cases = [Path(name) for name in sys.argv[1:]] or [Path(f"cases/{name}.toml") for name in CASES]
+    print(f"{'case':20} {'grid':>11} {'seconds':>8} {'convolutions':>12} {'residual':>9} {'krylov':>6}")
+    for case in cases:
+        solution = solved(case)
+        nx, ny = solution.fields.sizes["x"], solution.fields.sizes["y"]
+        on_finest = (solution.history.points_x == nx) & (solution.history.points_y == ny)
+        print(
+            f"{case.stem:20} {nx:>5} x {ny:<3} {solution.cost.seconds:8.2f} "
+            f"{solution.cost.convolutions:12.0f} {solution.figures.residual:9.1e} "
+            f"{int(solution.history.krylov[on_finest].sum()):6}"
+        )
+
+
+if __name__ == "__main__":
+    main()
