@@ -54,7 +54,9 @@ def solved(case: Path) -> pyworm.Solution:
 
 def main() -> None:
     cases = [Path(name) for name in sys.argv[1:]] or [Path(f"cases/{name}.toml") for name in CASES]
-    print(f"{'case':20} {'grid':>11} {'seconds':>8} {'convolutions':>12} {'residual':>9} {'krylov':>6}")
+    print(
+        f"{'case':20} {'grid':>11} {'seconds':>8} {'convolutions':>12} {'residual':>9} {'krylov':>6}"
+    )
     for case in cases:
         solution = solved(case)
         nx, ny = solution.fields.sizes["x"], solution.fields.sizes["y"]
