@@ -1,7 +1,7 @@
 """What a film costs: whole solves to a residual of 1e-6 on 257 x 257 nodes, in padded FFT convolutions.
 
-A convolution on the finest grid, timed in the same run, is the unit; coarser and outer grids are included, and
-so is the sampling of the scene. Run from the repository's root:
+A convolution on the finest grid, timed in the same run, is the unit; coarser and outer grids are included,
+and so is the sampling of the scene. Run from the repository's root:
 
     python benchmarks/film.py [CASE.toml ...]
 """
