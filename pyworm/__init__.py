@@ -7,9 +7,7 @@ plan = pyworm.plan(scene, accuracy=0.01)
 solution = pyworm.solve(scene, plan)
 """
 
-import sys
 from importlib import import_module
-from types import ModuleType
 from typing import Any
 
 __all__ = ["Case", "CaseError", "Scene", "Solution", "load", "plan", "solve"]
@@ -21,27 +19,16 @@ _HOMES = {
     "Solution": "pyworm.solution",
     "load": "pyworm.case",
     "plan": "pyworm.effects",
-    "solve": "pyworm.solve",
+    "solve": "pyworm.solver",
 }
 
 
-class _Package(ModuleType):
-    """The package, which answers with the function `solve` where Python would put the module `solve`."""
+def __getattr__(name: str) -> Any:
+    # Late, so that a look at the version or a check of a case does not wait for, or need, the kernel.
+    if name == "__version__":
+        from importlib.metadata import version
 
-    def __getattr__(self, name: str) -> Any:
-        # Late, so that a look at the version or a check of a case does not wait for, or need, the kernel.
-        if name == "__version__":
-            from importlib.metadata import version
-
-            return version("pyworm")
-        if name not in _HOMES:
-            raise AttributeError(f"module 'pyworm' has no attribute {name!r}")
-        return getattr(import_module(_HOMES[name]), name)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name in _HOMES and isinstance(value, ModuleType):
-            value = getattr(value, name)
-        super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package
+        return version("pyworm")
+    if name not in _HOMES:
+        raise AttributeError(f"module 'pyworm' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)

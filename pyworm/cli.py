@@ -121,7 +121,7 @@ def _run(options: argparse.Namespace) -> int:
     from pyworm.kernels import KernelError
     from pyworm.plots import draw
     from pyworm.run import run
-    from pyworm.tables import figures_table
+    from pyworm.tables import figures_table, published_for, scenes_table
 
     try:
         with _progress() as progress:
@@ -147,11 +147,20 @@ def _run(options: argparse.Namespace) -> int:
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        for (scene, _), summary in zip(work, summaries, strict=True):
-            console.print(figures_table(scene, summary, case.published))
-        console.print(f"Results  {directory / RESULT_NAME}", highlight=False, soft_wrap=True)
-        for name in pictures:
-            console.print(f"Picture  {directory / name}", highlight=False, soft_wrap=True)
+        scenes = [scene for scene, _ in work]
+        for scene, summary in zip(scenes, summaries, strict=True):
+            published = published_for(summary, case.published)
+            if published or len(scenes) == 1:
+                console.print(figures_table(scene, summary, published))
+        if len(scenes) > 1:
+            console.print(scenes_table(scenes, summaries))
+        for summary in summaries:
+            if not summary["converged"]:
+                console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
+        console.print(f"Results   {directory / RESULT_NAME}", highlight=False, soft_wrap=True)
+        console.print(
+            f"Pictures  {directory}/*.png ({len(pictures)})", highlight=False, soft_wrap=True
+        )
     return CONVERGED if all(summary["converged"] for summary in summaries) else NOT_CONVERGED
 
 

@@ -64,12 +64,15 @@ class DryContact:
     approach : float
         Rigid approach of the bodies [m].
     iterations : int
-        Conjugate-gradient iterations, two convolutions each.
+        Conjugate-gradient iterations.
+    converged : bool
+        Whether they met the tolerance.
     """
 
     pressure: np.ndarray
     approach: float
     iterations: int
+    converged: bool
 
 
 def dry_contact(
@@ -93,7 +96,7 @@ def dry_contact(
     Raises
     ------
     KernelError
-        If the contact does not converge.
+        If the contact makes no sense to the kernel.
     """
     pressure = _field(guess).copy(order="F")
     approach, iterations, status = _core.bindings.dry_contact_solve(
@@ -107,8 +110,9 @@ def dry_contact(
         _MOST_DRY_ITERATIONS,
         pressure,
     )
-    _check(status)
-    return DryContact(pressure, approach, iterations)
+    if status != NOT_CONVERGED:
+        _check(status)
+    return DryContact(pressure, approach, iterations, status != NOT_CONVERGED)
 
 
 _MOST_DRY_ITERATIONS = 2000

@@ -16,7 +16,7 @@ from pyworm.effects import Plan
 from pyworm.result import Result, mesh_cycle_dataset
 from pyworm.scene import Scene
 from pyworm.solution import Solution
-from pyworm.solve import solve
+from pyworm.solver import solve
 from pyworm.variables import describe
 
 MESH_PHASES = 21

@@ -1,6 +1,6 @@
 """Tables for people: what a scene is, what is planned for it, and what came out, in workshop units."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -50,29 +50,60 @@ def figures_table(
     summary : mapping
         `Solution.summary()` of its solution.
     published : mapping
-        `Case.published`; shown only for the phase that it belongs to, if it names one.
+        What the case's source prints for this scene; empty if nothing.
     """
-    if "phase" in published and published["phase"].value != summary["phase"]:
-        published = {}
     figures = _hertz_figures(scene) | summary
-    table = Table(title=_title(scene), title_justify="left")
-    table.add_column("Figure")
+    table = Table("Figure", title=_title(scene), title_justify="left")
     table.add_column("Value", justify="right")
-    table.add_column("Error bar", justify="right")
     if published:
         table.add_column("Published", justify="right")
     for label, key, scale, unit, error_key, name in _FIGURES:
-        cells = [label, _value(figures[key] * scale, unit)]
-        cells.append("" if error_key is None else f"± {summary[error_key] * 100:.2g} %")
+        cells = [label, _value(figures[key] * scale, unit, figures.get(error_key))]
         if published:
             cells.append(published[name].text if name in published else "")
         table.add_row(*cells)
         if key == "film_min_m":
-            x, y = (coordinate * 1e3 for coordinate in summary["film_min_at_m"])
+            x, y = (place * 1e3 for place in summary["film_min_at_m"])
             table.add_row("  at x, y", f"{x:.3g}, {y:.3g} mm")
     table.add_row("Grid", " x ".join(str(count) for count in summary["grid"]))
-    table.add_row("Converged", "yes" if summary["converged"] else f"NO: {summary['stop_reason']}")
+    table.add_row("Converged", "yes" if summary["converged"] else "NO")
     return table
+
+
+def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
+    """The figures by which scenes are compared, a row a scene.
+
+    Parameters
+    ----------
+    scenes : sequence of Scene
+        The scenes.
+    summaries : sequence of mapping
+        `Solution.summary()` of each one's solution.
+    """
+    table = Table("Scene", title="All scenes", title_justify="left")
+    for heading in ("Dry\nMPa", "Largest\nMPa", "Central film\nµm", "Minimum film\nµm", "s"):
+        table.add_column(heading, justify="right")
+    table.add_column("Converged")
+    for scene, values in zip(scenes, summaries, strict=True):
+        table.add_row(
+            _title(scene),
+            _value(values["dry_pressure_max_Pa"] / 1e6, ""),
+            _value(values["pressure_max_Pa"] / 1e6, ""),
+            _value(values["film_central_m"] * 1e6, "", values["film_central_error"]),
+            _value(values["film_min_m"] * 1e6, "", values["film_min_error"]),
+            f"{values['seconds']:.1f}",
+            "yes" if values["converged"] else "NO",
+        )
+    return table
+
+
+def published_for(
+    summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
+) -> Mapping[str, PublishedValue]:
+    """What a case's source prints for a scene: all of it, unless it names another phase."""
+    if "phase" in published and published["phase"].value != summary["phase"]:
+        return {}
+    return published
 
 
 def scene_summary(scene: Scene) -> dict[str, Any]:
@@ -135,8 +166,9 @@ def _title(scene: Scene) -> str:
     return scene.name if scene.phase is None else f"Mesh phase {scene.phase:g}"
 
 
-def _value(value: float, unit: str) -> str:
-    return f"{value:.4g} {unit}".rstrip()
+def _value(value: float, unit: str, error: float | None = None) -> str:
+    text = f"{value:.4g} {unit}".rstrip()
+    return text if error is None else f"{text} ± {error * 100:.2g} %"
 
 
 def _pair(values, scale: float, unit: str) -> str:

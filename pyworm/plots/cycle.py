@@ -72,7 +72,7 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     ):
         estimates = [getattr(solution.figures, name) for solution in solved]
         film = np.array([estimate.value for estimate in estimates]) * MICRO
-        error = film * [estimate.error for estimate in estimates]
+        error = abs(film) * [estimate.error for estimate in estimates]
         axes.errorbar(phase, film, error, fmt="o-", color=colour, capsize=3, label=label)
         failed = np.array([not solution.converged for solution in solved])
         if failed.any():

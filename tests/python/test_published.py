@@ -10,8 +10,8 @@ import pyworm
 CASES = Path(__file__).parents[2] / "cases"
 
 
-def solved(name, accuracy):
-    scene = pyworm.load(CASES / f"{name}.toml").scene()
+def solved(name, accuracy, phase=None):
+    scene = pyworm.load(CASES / f"{name}.toml").scene(phase)
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy))
     assert solution.converged
     return solution
@@ -29,7 +29,7 @@ def test_mourier_ball_on_disc():
 
 @pytest.fixture(scope="module")
 def worm():
-    return solved("zi_sharif_2001", 0.03)
+    return solved("zi_sharif_2001", 0.03, phase=0.5)
 
 
 def test_worm_dry_contact(worm):

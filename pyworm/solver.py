@@ -88,6 +88,8 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
     seconds = perf_counter() - started
 
     dry = dry_contact(scene, rung.grid, rung.gap, rung.covered, rung.film.pressure)
+    if not dry.converged:
+        stop_reason = "the dry contact did not converge"
     return Solution(
         name=scene.name,
         phase=scene.phase,
