@@ -148,7 +148,7 @@ class Step:
     balance : Balance
         Where the step led.
     krylov : int
-        GMRES iterations.
+        GMRES iterations; none where the linear system was solved directly.
     share : float
         Share of the full Newton step that was taken.
     """
@@ -156,6 +156,14 @@ class Step:
     balance: Balance
     krylov: int
     share: float
+
+
+def _oil_numbers(oil: Oil) -> tuple:
+    """The oil as the kernel takes it: law, eta0, exponent, pole pressure, d1, d2 (`oil_laws`)."""
+    law, density = oil.viscosity, oil.density
+    if isinstance(law, Barus):
+        return 1, law.eta0, law.alpha, 1.0, density.d1, density.d2
+    return 2, law.eta0, law.z, law.p0, density.d1, density.d2
 
 
 class PointFilm:
@@ -182,8 +190,6 @@ class PointFilm:
     def __init__(
         self, gap, covered, entrainment, squeeze, dx, dy, reduced_modulus, load, oil: Oil, floor
     ):
-        law = oil.viscosity
-        barus = isinstance(law, Barus)
         handle, status = _core.bindings.point_film_new(
             _field(gap),
             np.asfortranarray(covered, dtype=np.int32),
@@ -193,12 +199,7 @@ class PointFilm:
             dx,
             dy,
             reduced_modulus,
-            1 if barus else 2,
-            law.eta0,
-            law.alpha if barus else law.z,
-            1.0 if barus else law.p0,
-            oil.density.d1,
-            oil.density.d2,
+            *_oil_numbers(oil),
             load,
             floor,
         )
@@ -244,6 +245,81 @@ class PointFilm:
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return _core.bindings.point_film_convolve(self._handle, self.pressure)
+
+
+class LineFilm:
+    """A line contact on one grid and its present state, held by the kernel.
+
+    Parameters
+    ----------
+    gap, covered : array_like
+        Undeformed gap [m] and where both surfaces exist, shape (n,).
+    entrainment, squeeze : array_like
+        Nodal entrainment velocity and rate of change of the gap [m/s].
+    dx : float
+        Grid spacing [m].
+    reduced_modulus, load : float
+        E' [Pa] and load for each length [N/m].
+    oil : Oil
+        Oil at its inlet temperature.
+    floor : float
+        Film [m] below which the mobility falls no further, far below any film of interest.
+
+    Notes
+    -----
+    The rigid film counts deflection from where a line load leaves none: at the distance of the grid's length
+    (`fortran/elastic/half_plane.f90`). It is the same on every grid over one interval.
+    """
+
+    def __init__(self, gap, covered, entrainment, squeeze, dx, reduced_modulus, load, oil, floor):
+        handle, status = _core.bindings.line_film_new(
+            _field(gap),
+            np.asarray(covered, dtype=np.int32),
+            _field(entrainment),
+            _field(squeeze),
+            dx,
+            reduced_modulus,
+            *_oil_numbers(oil),
+            load,
+            floor,
+        )
+        _check(status)
+        self._handle = handle
+        self._size = len(gap)
+        weakref.finalize(self, _core.bindings.line_film_free, handle)
+
+    def start(self, pressure, rigid_film: float) -> Balance:
+        """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure at both ends stays as given."""
+        self.pressure = _field(pressure).copy()
+        self.rigid_film = rigid_film
+        self.balance = Balance(
+            *_core.bindings.line_film_evaluate(self._handle, self.pressure, rigid_film)
+        )
+        return self.balance
+
+    def step(self) -> Step:
+        """One Newton step, its linear system solved directly.
+
+        Raises
+        ------
+        KernelError
+            If the step cannot be made.
+        """
+        rigid_film, residual, load_error, share, status = _core.bindings.line_film_step(
+            self._handle,
+            self.pressure,
+            self.rigid_film,
+            self.balance.residual,
+            self.balance.load_error,
+        )
+        _check(status)
+        self.rigid_film = rigid_film
+        self.balance = Balance(residual, load_error)
+        return Step(self.balance, 0, share)
+
+    def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Film [m], relative density and net outflow per length [m/s] at the present state."""
+        return _core.bindings.line_film_fields(self._handle, self._size)
 
 
 def prolong(field) -> np.ndarray:

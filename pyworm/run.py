@@ -19,6 +19,9 @@ from pyworm.solution import Solution
 from pyworm.solver import solve
 from pyworm.variables import describe
 
+TOOTH_SAMPLES = 129
+"""Points along each direction at which the gap is sampled over the whole tooth, for its picture."""
+
 MESH_PHASES = 21
 """Phases at which the unloaded mesh cycle is followed for the result."""
 
@@ -41,7 +44,7 @@ def run(
     for position, (scene, scene_plan) in enumerate(work):
         solution = solve(scene, scene_plan, progress=_share(progress, position, len(work)))
         if case.drive is not None:
-            solution = _with_tooth(solution, case.drive)
+            solution = _with_tooth(solution, scene, case.drive)
         solutions.append(solution)
     cycle = None
     if case.drive is not None:
@@ -61,16 +64,21 @@ def provenance(work: Sequence[tuple[Scene, Plan]]) -> dict[str, Any]:
     }
 
 
-def _with_tooth(solution: Solution, drive: ZiWormDrive) -> Solution:
-    """Put the tooth and its path of contact among the fields; the solver knows of no teeth."""
+def _with_tooth(solution: Solution, scene: Scene, drive: ZiWormDrive) -> Solution:
+    """Put the tooth, its whole gap and its path of contact among the fields; the solver knows of no teeth."""
     outline = drive.tooth_outline(drive.contact(solution.phase))
+    x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
+    y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
+    gap, covered = scene.gap(*np.meshgrid(x, y))
     tooth = xr.Dataset(
         {
+            "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, gap, np.nan)),
             "tooth_outline_x": ("outline", outline.x),
             "tooth_outline_y": ("outline", outline.y),
             "contact_path_x": ("path", outline.path_x),
             "contact_path_y": ("path", outline.path_y),
-        }
+        },
+        coords={"tooth_x": x, "tooth_y": y},
     )
     return replace(solution, fields=solution.fields.merge(describe(tooth)))
 

@@ -118,7 +118,8 @@ def _stop_reason(
     rung: Rung, readings: Sequence[_Reading], unsettled: int, plan: Plan
 ) -> str | None:
     """Why the climb ends here, or None if it goes on."""
-    error = max(_error([getattr(r, name) for r in readings]) for name in _JUDGED)
+    errors = _errors(readings)
+    error = max(errors[name] for name in _JUDGED)
     settled = rung.film.balance.worst <= plan.tolerance
     resolved = readings[-1].film_min > 0
     if settled and resolved and error <= plan.accuracy:
@@ -142,18 +143,26 @@ _JUDGED = ("film_min", "film_central")
 light loads it is the tip of a spike at the exit, which no practicable grid resolves."""
 
 
-def _error(values: Sequence[float]) -> float:
-    """Relative error of the last of a figure's values on grids of halving spacing.
+def _errors(readings: Sequence[_Reading]) -> dict[str, float]:
+    """Relative error of each figure on the last of grids of halving spacing.
 
-    The last change, divided by what the observed fall of the changes promises: at second order three
-    quarters of the error are gone at each grid. Until a third grid shows the order, or where the changes do
-    not fall by half, the whole last change is the error.
+    The last change, or a quarter of the one before if that is larger (a figure may stand still by chance),
+    divided by what the observed fall of the changes promises: at second order three quarters of the error are
+    gone at each grid. On two grids no fall is seen; then the larger change of both films is the error of all.
     """
-    if len(values) < 2:
-        return np.inf
-    last = abs(values[-1] - values[-2])
-    fall = abs(values[-2] - values[-3]) / last if len(values) > 2 and last > 0 else 1.0
-    return last / abs(values[-1]) / max(min(fall, 4.0) - 1, 1.0)
+    values = {name: [getattr(r, name) for r in readings] for name in (*_JUDGED, "pressure_max")}
+    changes = {name: np.abs(np.diff(of) / of[-1]) for name, of in values.items()}
+    if len(readings) == 1:
+        return dict.fromkeys(values, np.inf)
+    if len(readings) == 2:
+        films = max(float(changes[name][-1]) for name in _JUDGED)
+        return {name: max(films, float(change[-1])) for name, change in changes.items()}
+    errors = {}
+    for name, change in changes.items():
+        before, last = change[-2:]
+        fall = np.clip(before / last, 2.0, 4.0) if last > 0 else 4.0
+        errors[name] = float(max(last, before / 4) / (fall - 1))
+    return errors
 
 
 def _figures(size: Scales, rung: Rung, readings: Sequence[_Reading], dry: DryContact) -> Figures:
@@ -162,8 +171,8 @@ def _figures(size: Scales, rung: Rung, readings: Sequence[_Reading], dry: DryCon
     exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, size.angle)
     extents = reading.contact_extent(rung.grid, dry.pressure)
     estimates = {
-        name: Estimate(getattr(readings[-1], name), _error([getattr(r, name) for r in readings]))
-        for name in (*_JUDGED, "pressure_max")
+        name: Estimate(getattr(readings[-1], name), error)
+        for name, error in _errors(readings).items()
     }
     return Figures(
         **estimates,

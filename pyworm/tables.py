@@ -81,16 +81,18 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
         `Solution.summary()` of each one's solution.
     """
     table = Table("Scene", title="All scenes", title_justify="left")
-    for heading in ("Dry\nMPa", "Largest\nMPa", "Central film\nµm", "Minimum film\nµm", "s"):
+    for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
     table.add_column("Converged")
     for scene, values in zip(scenes, summaries, strict=True):
         table.add_row(
-            _title(scene),
-            _value(values["dry_pressure_max_Pa"] / 1e6, ""),
-            _value(values["pressure_max_Pa"] / 1e6, ""),
-            _value(values["film_central_m"] * 1e6, "", values["film_central_error"]),
-            _value(values["film_min_m"] * 1e6, "", values["film_min_error"]),
+            scene.name if scene.phase is None else f"{scene.phase:g}",
+            f"{values['dry_pressure_max_Pa'] / 1e6:.4g}",
+            f"{values['pressure_max_Pa'] / 1e6:.4g}",
+            f"{values['film_central_m'] * 1e6:.4g}",
+            f"{values['film_central_error'] * 100:.2g}",
+            f"{values['film_min_m'] * 1e6:.4g}",
+            f"{values['film_min_error'] * 100:.2g}",
             f"{values['seconds']:.1f}",
             "yes" if values["converged"] else "NO",
         )

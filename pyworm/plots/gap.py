@@ -1,6 +1,7 @@
 """The undeformed gap with the tooth around it."""
 
 import numpy as np
+import xarray as xr
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -29,12 +30,12 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     """Tooth outline, path of contact, dry contact and contours of the undeformed gap."""
     fields = solution.fields
     figure, (axes,) = panels(whole_window(fields), [""], heading(case_name, solution))
-    gap = fields["gap"].transpose("y", "x").values * MICRO
-    levels = _levels(float(gap.max()))
+    gap, x, y = _widest_gap(fields)
+    levels = _levels(float(np.nanmax(gap)))
     colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
     contours = axes.contour(
-        fields["x"] * MILLI,
-        fields["y"] * MILLI,
+        x,
+        y,
         gap,
         levels=levels,
         colors=colours,
@@ -42,7 +43,7 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     )
     axes.clabel(
         contours,
-        levels[levels >= gap.max() / LABELLED],
+        levels[levels >= np.nanmax(gap) / LABELLED],
         fmt=lambda value: f"{value:g}",
         fontsize="small",
     )
@@ -82,6 +83,14 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
         frameon=False,
     )
     return figure
+
+
+def _widest_gap(fields: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Gap [um] over the whole tooth where it was sampled there, else over the grid, with x and y [mm]."""
+    prefix = "tooth_" if "tooth_gap" in fields else ""
+    names = f"{prefix}y", f"{prefix}x"
+    gap = fields[f"{prefix}gap"].transpose(*names).values * MICRO
+    return gap, fields[names[1]].values * MILLI, fields[names[0]].values * MILLI
 
 
 def _levels(highest: float) -> np.ndarray:
