@@ -10,6 +10,7 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
     point_film_convolve
+  public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields
   public :: prolong_cubic
 
 contains
@@ -165,6 +166,101 @@ contains
     contact => contact_of(handle)
     call contact%space%deflection(p, w)
   end subroutine point_film_convolve
+
+  !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
+  subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
+      d1, d2, load, floor, handle, stat)
+    use oil_laws, only: oil_law
+    use line_film, only: line_contact, new_line_contact
+    use line_film_handle, only: handle_of
+    use status, only: status_ok, status_no_memory
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: gap(n), u(n), squeeze(n)
+    integer(c_int), intent(in) :: covered(n)
+    real(c_double), intent(in) :: dx, reduced_modulus
+    integer(c_int), intent(in) :: law
+    real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2, load, floor
+    integer(c_int64_t), intent(out) :: handle
+    integer(c_int), intent(out) :: stat
+    type(line_contact), pointer :: contact
+    integer :: err
+    !f2py threadsafe
+
+    handle = 0
+    stat = status_no_memory
+    allocate (contact, stat=err)
+    if (err /= 0) return
+    call new_line_contact(contact, gap, covered /= 0, u, squeeze, dx, reduced_modulus, &
+      oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
+    if (stat == status_ok) then
+      handle = handle_of(contact)
+    else
+      deallocate (contact)
+    end if
+  end subroutine line_film_new
+
+  !> Gives back the memory of a line contact.
+  subroutine line_film_free(handle)
+    use line_film, only: line_contact
+    use line_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    type(line_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    deallocate (contact)
+  end subroutine line_film_free
+
+  !> Residual and load error of a line contact at pressure p [Pa] and rigid film h0 [m].
+  subroutine line_film_evaluate(handle, p, n, h0, residual, load_error)
+    use line_film, only: line_contact, line_residual
+    use line_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: p(n)
+    real(c_double), intent(in) :: h0
+    real(c_double), intent(out) :: residual, load_error
+    type(line_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call line_residual(contact, p, h0, residual, load_error)
+  end subroutine line_film_evaluate
+
+  !> One Newton step of a line contact from the state last evaluated; p and h0 are replaced.
+  subroutine line_film_step(handle, p, n, h0, last_residual, last_load_error, new_h0, residual, load_error, step, &
+      stat)
+    use line_film, only: line_contact, line_step
+    use line_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(inout) :: p(n)
+    real(c_double), intent(in) :: h0, last_residual, last_load_error
+    real(c_double), intent(out) :: new_h0, residual, load_error, step
+    integer(c_int), intent(out) :: stat
+    type(line_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    new_h0 = h0
+    residual = last_residual
+    load_error = last_load_error
+    call line_step(contact, p, new_h0, residual, load_error, step, stat)
+  end subroutine line_film_step
+
+  !> Film [m], relative density and net outflow per length [m/s] of a line contact as last evaluated.
+  subroutine line_film_fields(handle, n, film, density, imbalance)
+    use line_film, only: line_contact
+    use line_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(out) :: film(n), density(n), imbalance(n)
+    type(line_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    film = contact%fields%h(:, 1)
+    density = contact%fields%rho(:, 1)
+    imbalance = contact%imbalance
+  end subroutine line_film_fields
 
   !> Field on a grid of half the spacing.
   subroutine prolong_cubic(coarse, nx, ny, fine)

@@ -4,7 +4,7 @@ module lapack
   implicit none(type, external)
   private
 
-  public :: dgbtrf, dgbtrs
+  public :: dgbtrf, dgbtrs, dgesv
 
   interface
     !> LU factors of a general band matrix.
@@ -28,6 +28,16 @@ module lapack
       real(wp), intent(inout) :: b(ldb, *)
       integer, intent(out) :: info
     end subroutine dgbtrs
+
+    !> Solution of a general system by LU; `a` leaves as its factors, `b` as the solution.
+    pure subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
+      import :: wp
+      implicit none(type, external)
+      integer, intent(in) :: n, nrhs, lda, ldb
+      real(wp), intent(inout) :: a(lda, *), b(ldb, *)
+      integer, intent(out) :: ipiv(*)
+      integer, intent(out) :: info
+    end subroutine dgesv
   end interface
 
 end module lapack

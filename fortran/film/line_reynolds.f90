@@ -1,0 +1,110 @@
+!> Reynolds' equation d(rho h um)/dx - d(rho h^3 / (12 eta) dp/dx)/dx + rho dh/dt = 0 of a line contact.
+!>
+!> The scheme is that of `reynolds` in one dimension: node-centred finite volumes, diffusive fluxes with the mean
+!> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. In one dimension the Jacobian is
+!> small enough to be written out, as two bands.
+module line_reynolds
+  use kinds, only: wp
+  use reynolds, only: film_fields
+  implicit none(type, external)
+  private
+
+  public :: line_grid, line_imbalance, line_bands
+
+  !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
+  type :: line_grid
+    integer :: n = 0
+    real(wp) :: dx = 0
+    !> Entrainment through the face after a node.
+    real(wp), allocatable :: u(:)
+    !> Rate of change of the gap.
+    real(wp), allocatable :: squeeze(:)
+  end type line_grid
+
+contains
+
+  !> Net volume outflow per length [m/s] of each inner node's cell; zero at both ends.
+  pure subroutine line_imbalance(grid, fields, imbalance)
+    type(line_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    real(wp), contiguous, intent(out) :: imbalance(:)
+    real(wp) :: flux(grid%n - 1)
+    integer :: i, first, last
+
+    do i = 1, grid%n - 1
+      first = max(i - 1, 1)
+      last = min(i + 2, grid%n)
+      associate (weights => wedge_weights(grid, i), rho => fields%rho(first:last, 1), h => fields%h(first:last, 1))
+        flux(i) = sum(weights(first - i + 2:last - i + 2)*rho*h)
+      end associate
+      flux(i) = flux(i) + mean_mobility(grid, fields, i)*(fields%p(i, 1) - fields%p(i + 1, 1))
+    end do
+    imbalance(1) = 0
+    imbalance(grid%n) = 0
+    do i = 2, grid%n - 1
+      imbalance(i) = (flux(i) - flux(i - 1))/grid%dx + fields%rho(i, 1)*grid%squeeze(i)
+    end do
+  end subroutine line_imbalance
+
+  !> Derivatives of the imbalance at node i by the pressure and by the film at node i + k, k from -2 to 2.
+  !>
+  !> Entries that would belong to a node beyond an end are zero, and so are the rows of both ends.
+  pure subroutine line_bands(grid, fields, by_pressure, by_film)
+    type(line_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    real(wp), intent(out) :: by_pressure(:, -2:), by_film(:, -2:)
+    real(wp) :: weight(-1:2), p(-1:2), h(-1:2), drop
+    integer :: i, k, node
+
+    by_pressure = 0
+    by_film = 0
+    do i = 1, grid%n - 1
+      weight = wedge_weights(grid, i)
+      p = 0
+      h = 0
+      do k = max(-1, 1 - i), min(2, grid%n - i)
+        node = i + k
+        p(k) = weight(k)*fields%rho_p(node, 1)*fields%h(node, 1)
+        h(k) = weight(k)*fields%rho(node, 1)
+      end do
+      drop = (fields%p(i, 1) - fields%p(i + 1, 1))/(2*grid%dx)
+      p(0:1) = p(0:1) + fields%mobility_p(i:i + 1, 1)*drop + mean_mobility(grid, fields, i)*[1, -1]
+      h(0:1) = h(0:1) + fields%mobility_h(i:i + 1, 1)*drop
+      by_pressure(i, -1:2) = by_pressure(i, -1:2) + p/grid%dx
+      by_film(i, -1:2) = by_film(i, -1:2) + h/grid%dx
+      by_pressure(i + 1, -2:1) = by_pressure(i + 1, -2:1) - p/grid%dx
+      by_film(i + 1, -2:1) = by_film(i + 1, -2:1) - h/grid%dx
+    end do
+    by_pressure(:, 0) = by_pressure(:, 0) + fields%rho_p(:, 1)*grid%squeeze
+    do i = 1, grid%n, grid%n - 1
+      by_pressure(i, :) = 0
+      by_film(i, :) = 0
+    end do
+  end subroutine line_bands
+
+  !> Wedge flow through the face after node i as weights of rho h at the nodes i - 1 to i + 2: upwind to second
+  !> order, next to an end the mean of the face's two nodes.
+  pure function wedge_weights(grid, i) result(weights)
+    type(line_grid), intent(in) :: grid
+    integer, intent(in) :: i
+    real(wp) :: weights(4)
+
+    if (i == 1 .or. i == grid%n - 1) then
+      weights = grid%u(i)*[0.0_wp, 0.5_wp, 0.5_wp, 0.0_wp]
+    else if (grid%u(i) > 0) then
+      weights = grid%u(i)*[-0.5_wp, 1.5_wp, 0.0_wp, 0.0_wp]
+    else
+      weights = grid%u(i)*[0.0_wp, 0.0_wp, 1.5_wp, -0.5_wp]
+    end if
+  end function wedge_weights
+
+  !> Mobility at the face after node i, over the spacing.
+  pure real(wp) function mean_mobility(grid, fields, i)
+    type(line_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    integer, intent(in) :: i
+
+    mean_mobility = (fields%mobility(i, 1) + fields%mobility(i + 1, 1))/(2*grid%dx)
+  end function mean_mobility
+
+end module line_reynolds

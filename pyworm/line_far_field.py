@@ -1,0 +1,83 @@
+"""Oil pressure before the inlet end of a line contact's grid.
+
+Far from the contact viscosity and density are the ambient ones and pressure is too small to deform anything,
+so that the film there is known, and Reynolds' equation with its flow u h* (h* the film where the pressure is
+largest) is an integral,
+
+    p(x) = int 12 eta0 u (h - h*) / h^3 dx from afar to x.
+
+For h = x^2/2R it is 4 eta0 u (2R)^2 / |x|^3 to leading order. Barus' law is brought in exactly: the integral
+is [1 - exp(-alpha p)] / alpha. Where the gap has risen by 12 films the inlet's place changes the film by 0.02 %,
+by 3 films by 0.2 % (M from 0.5 to 200), without this pressure by up to percents.
+"""
+
+from dataclasses import dataclass
+from math import log1p
+
+import numpy as np
+
+from pyworm.line_scene import Array, LineScene
+
+POINTS = 24
+"""Points of Gauss and Legendre over the reciprocal distance, in which the integrands are smooth."""
+
+LARGEST_REDUCED = 0.9
+"""Largest alpha times integral that is believed: at 1 the pressure is infinite."""
+
+
+@dataclass(frozen=True)
+class LineFarField:
+    """What lies before the inlet end of a grid.
+
+    Attributes
+    ----------
+    pressure : float
+        Pressure at the inlet node [Pa].
+    load : float
+        Load for each length that the pressure beyond it carries [N/m].
+    """
+
+    pressure: float
+    load: float
+
+
+def line_far_field(scene: LineScene, x: Array, pressure: Array, film: Array) -> LineFarField:
+    """Pressure of the oil that comes to a grid's inlet end.
+
+    Parameters
+    ----------
+    scene : LineScene
+        The contact.
+    x : numpy.ndarray
+        Nodes of a uniform grid [m].
+    pressure, film : numpy.ndarray
+        Pressure [Pa] and film [m] on them, at least roughly.
+    """
+    inlet = 0 if scene.speed > 0 else -1
+    if not scene.gap(x[[inlet]])[1][0]:
+        return LineFarField(0.0, 0.0)
+    viscosity, density = scene.oil.viscosity, scene.oil.density
+    peak = np.argmax(pressure)
+    flow = density(pressure[peak]) / density(0.0) * film[peak]
+
+    nodes, weights = np.polynomial.legendre.leggauss(POINTS)
+    share = (nodes + 1) / 2
+    far = x[inlet] / share
+    thickness = film[inlet] + (far**2 - x[inlet] ** 2) / (2 * scene.radius)
+    thickness += _deflection(scene, far, x, pressure) - _deflection(scene, x[[inlet]], x, pressure)
+    slope = 12 * viscosity.eta0 * abs(scene.speed) * (thickness - flow) / thickness**3
+    steps = weights / 2 * abs(x[inlet]) / share**2
+    reduced = max(float(slope @ steps), 0.0)
+    # by parts: the integral of pressure is that of its slope times the distance from the inlet
+    load = float((slope * abs(far - x[inlet])) @ steps)
+    if viscosity.alpha > 0:
+        believed = min(viscosity.alpha * reduced, LARGEST_REDUCED)
+        reduced = -log1p(-believed) / viscosity.alpha
+    return LineFarField(reduced, max(load, 0.0))
+
+
+def _deflection(scene: LineScene, at: Array, x: Array, pressure: Array) -> Array:
+    """Deflection [m], up to a constant, beyond a grid; strips of pressure are lines from there."""
+    dx = x[1] - x[0]
+    distance = np.maximum(abs(at[:, None] - x[None, :]), dx / 2)
+    return -4 * dx / (np.pi * scene.reduced_modulus) * np.log(distance) @ pressure
