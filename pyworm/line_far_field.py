@@ -7,8 +7,7 @@ largest) is an integral,
     p(x) = int 12 eta0 u (h - h*) / h^3 dx from afar to x.
 
 For h = x^2/2R it is 4 eta0 u (2R)^2 / |x|^3 to leading order. Barus' law is brought in exactly: the integral
-is [1 - exp(-alpha p)] / alpha. Where the gap has risen by 12 films the inlet's place changes the film by 0.02 %,
-by 3 films by 0.2 % (M from 0.5 to 200), without this pressure by up to percents.
+is [1 - exp(-alpha p)] / alpha.
 """
 
 from dataclasses import dataclass
@@ -70,10 +69,12 @@ def line_far_field(scene: LineScene, x: Array, pressure: Array, film: Array) -> 
     reduced = max(float(slope @ steps), 0.0)
     # by parts: the integral of pressure is that of its slope times the distance from the inlet
     load = float((slope * abs(far - x[inlet])) @ steps)
-    if viscosity.alpha > 0:
-        believed = min(viscosity.alpha * reduced, LARGEST_REDUCED)
-        reduced = -log1p(-believed) / viscosity.alpha
-    return LineFarField(reduced, max(load, 0.0))
+    if not viscosity.alpha > 0:
+        return LineFarField(reduced, max(load, 0.0))
+    believed = min(viscosity.alpha * reduced, LARGEST_REDUCED)
+    # alpha/2 times the squared integral, which falls with the sixth power of the distance
+    stiffening = viscosity.alpha * reduced**2 * abs(x[inlet]) / 10
+    return LineFarField(-log1p(-believed) / viscosity.alpha, max(load, 0.0) + stiffening)
 
 
 def _deflection(scene: LineScene, at: Array, x: Array, pressure: Array) -> Array:

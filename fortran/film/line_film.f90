@@ -138,9 +138,9 @@ contains
     real(wp), intent(in) :: load_error
     real(wp), intent(out) :: change(:), change_h0
     integer, intent(out) :: stat
-    integer, allocatable :: nodes(:), pivots(:)
-    real(wp), allocatable :: matrix(:, :), right(:, :)
-    real(wp) :: row_scale
+    integer :: nodes(count(self%free)), pivots(count(self%free) + 1)
+    real(wp) :: right(count(self%free) + 1, 1), row_scale
+    real(wp), allocatable :: matrix(:, :)
     integer :: i, m, info
 
     change = 0
@@ -148,7 +148,7 @@ contains
     nodes = pack([(i, i=1, self%grid%n)], self%free)
     m = size(nodes)
     stat = status_no_memory
-    allocate (matrix(m + 1, m + 1), right(m + 1, 1), pivots(m + 1), stat=info)
+    allocate (matrix(m + 1, m + 1), stat=info)
     if (info /= 0) return
     call line_jacobian(self, nodes, matrix)
     stat = status_not_finite
