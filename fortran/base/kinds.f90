@@ -1,10 +1,13 @@
-!> The one real kind of the kernel.
+!> The real kinds of the kernel.
 module kinds
-  use, intrinsic :: iso_c_binding, only: c_double
+  use, intrinsic :: iso_c_binding, only: c_double, c_float
   implicit none(type, external)
   private
 
-  !> Double precision, the same as C's, so that arrays cross to Python uncopied.
+  !> Working precision: double, the same as C's, so that arrays cross to Python uncopied.
   integer, parameter, public :: wp = c_double
+
+  !> Precision of preconditioners, which decide how fast an iteration converges and not to what.
+  integer, parameter, public :: pp = c_float
 
 end module kinds

@@ -39,9 +39,9 @@ contains
     integer, intent(out) :: iterations
     real(wp), intent(out) :: reduction
     real(wp) :: hessenberg(most + 1, most), cosine(most), sine(most), projection(most + 1)
-    real(wp) :: norm, lift, weight
+    real(wp) :: norm, lift
     real(wp), allocatable :: z(:)
-    integer :: i, j, pass
+    integer :: i, j
 
     x = 0
     iterations = 0
@@ -58,13 +58,9 @@ contains
     do j = 1, most
       call system%precondition(basis(:, j), z)
       call system%multiply(z, basis(:, j + 1))
-      ! Gram-Schmidt twice keeps the basis orthogonal to rounding
-      do pass = 1, 2
-        do i = 1, j
-          weight = dot(basis(:, i), basis(:, j + 1))
-          hessenberg(i, j) = hessenberg(i, j) + weight
-          basis(:, j + 1) = basis(:, j + 1) - weight*basis(:, i)
-        end do
+      do i = 1, j
+        hessenberg(i, j) = dot(basis(:, i), basis(:, j + 1))
+        basis(:, j + 1) = basis(:, j + 1) - hessenberg(i, j)*basis(:, i)
       end do
       lift = sqrt(dot(basis(:, j + 1), basis(:, j + 1)))
       hessenberg(j + 1, j) = lift

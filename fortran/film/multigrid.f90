@@ -1,13 +1,17 @@
 !> An approximate solve of the linearised Reynolds equation, by one multigrid V-cycle on a local model.
 !>
 !> The model keeps the five nearest points: diffusion as it is, first-order upwind wedge, and the deflection
-!> kernel cut down to a multiple of its centre value. Alternating line Gauss-Seidel, swept downstream, smooths;
-!> the coarsest grid is solved by band LU. It preconditions the exact system and decides only how fast that
-!> converges, not what to.
+!> kernel cut down to a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the entrainment
+!> and swept downstream, so that the wedge of the model is solved exactly by a sweep; the coarsest grid is solved
+!> by band LU. The cycle preconditions the exact system and decides only how fast that converges, not to what:
+!> hence single precision.
+!>
+!> Fields of a level have the direction of the lines as their first index: (length, count). They are those of the
+!> film transposed if the entrainment runs, on the whole, along x.
 module multigrid
-  use kinds, only: wp
-  use lapack, only: dgbtrf, dgbtrs
-  use line_smoother, only: lines, factor_lines, sweep_lines
+  use kinds, only: pp, wp
+  use lapack, only: sgbtrf, sgbtrs
+  use line_smoother, only: five_points, line_factors, new_line_factors, factor_lines, sweep_lines
   use reynolds, only: film_fields, film_grid
   use status, only: status_ok, status_not_converged
   implicit none(type, external)
@@ -16,33 +20,36 @@ module multigrid
   public :: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
 
   !> The kernel's stand-in, in units of its centre value: its nearest neighbours count too.
-  real(wp), parameter, public :: kernel_share = 4.0_wp
+  real(pp), parameter :: kernel_share = 4.0_pp
   !> Coarsening ends where a direction has at most this many points.
   integer, parameter :: coarsest_points = 12
 
   type :: grid_level
-    integer :: nx = 0, ny = 0
-    real(wp) :: dx = 0, dy = 0
-    !> Deflection [m/Pa] of a node by its own pressure.
-    real(wp) :: centre = 0
-    !> Entrainment at faces and what the model needs at nodes.
-    real(wp), allocatable :: u(:, :), v(:, :)
-    real(wp), allocatable :: p(:, :), m(:, :), m_p(:, :), m_h(:, :), q_p(:, :), q_h(:, :)
-    !> True where pressure is free to change.
-    logical, allocatable :: free(:, :)
-    !> Five-point matrix: centre, west, east, south, north.
-    real(wp), allocatable :: c(:, :), w(:, :), e(:, :), s(:, :), n(:, :)
-    type(lines) :: along_x, along_y
-    !> Solution, right-hand side, residual; solution and right-hand side transposed.
-    real(wp), allocatable :: x(:, :), f(:, :), r(:, :), xt(:, :), ft(:, :)
-    !> Whether oil moves towards rising x and y, on the whole.
-    logical :: rising_x = .true., rising_y = .true.
+    !> Points along a line and lines; spacing [m] along a line and between lines.
+    integer :: length = 0, count = 0
+    real(pp) :: d_along = 0, d_across = 0
+    !> Deflection [m/Pa] that stands for the kernel under a node's own pressure.
+    real(pp) :: compliance = 0
+    !> Entrainment through the face after a node, along the line and towards the next line [m/s].
+    real(pp), allocatable :: along(:, :), across(:, :)
+    !> Mobility, and what multiplies a pressure change in the change of mobility and of rho h.
+    real(pp), allocatable :: m(:, :), dm(:, :), dq(:, :)
+    !> Pressure, and 1 where it is free to change, else 0.
+    real(pp), allocatable :: p(:, :), free(:, :)
+    type(five_points) :: matrix
+    type(line_factors) :: factors
+    !> Solution, right-hand side, residual.
+    real(pp), allocatable :: x(:, :), f(:, :), r(:, :)
   end type grid_level
 
   type :: film_multigrid
+    !> Whether lines run along y, across an entrainment along x.
+    logical :: transposed = .false.
+    !> Whether oil moves towards later lines, on the whole.
+    logical :: rising = .true.
     type(grid_level), allocatable :: level(:)
     !> Band LU factors of the coarsest grid.
-    real(wp), allocatable :: band(:, :)
+    real(pp), allocatable :: band(:, :)
     integer, allocatable :: pivots(:)
   end type film_multigrid
 
@@ -53,54 +60,104 @@ contains
     type(film_grid), intent(in) :: grid
     real(wp), intent(in) :: centre
     type(film_multigrid), intent(out) :: self
-    integer :: levels, nx, ny, l
+    real(wp) :: sum_u, sum_v
+    integer :: levels, length, count, l
 
-    levels = 1
-    nx = grid%nx
-    ny = grid%ny
-    do while (mod(nx, 2) == 1 .and. mod(ny, 2) == 1 .and. min(nx, ny) > coarsest_points)
-      nx = (nx + 1)/2
-      ny = (ny + 1)/2
-      levels = levels + 1
-    end do
+    sum_u = sum(grid%u)
+    sum_v = sum(grid%v)
+    self%transposed = abs(sum_u) >= abs(sum_v)
+    self%rising = merge(sum_u, sum_v, self%transposed) >= 0
+    length = merge(grid%ny, grid%nx, self%transposed)
+    count = merge(grid%nx, grid%ny, self%transposed)
+    levels = coarsenings(length, count) + 1
     allocate (self%level(levels))
-    nx = grid%nx
-    ny = grid%ny
     do l = 1, levels
       associate (level => self%level(l))
-        level%nx = nx
-        level%ny = ny
-        level%dx = grid%dx*2**(l - 1)
-        level%dy = grid%dy*2**(l - 1)
-        level%centre = centre*2**(l - 1)
-        allocate (level%u(nx, ny), level%v(nx, ny), level%p(nx, ny), level%m(nx, ny), level%m_p(nx, ny), &
-          level%m_h(nx, ny), level%q_p(nx, ny), level%q_h(nx, ny), level%free(nx, ny), level%c(nx, ny), &
-          level%w(nx, ny), level%e(nx, ny), level%s(nx, ny), level%n(nx, ny), level%x(nx, ny), &
-          level%f(nx, ny), level%r(nx, ny), level%xt(ny, nx), level%ft(ny, nx))
+        level%length = length
+        level%count = count
+        level%d_along = real(merge(grid%dy, grid%dx, self%transposed)*2**(l - 1), pp)
+        level%d_across = real(merge(grid%dx, grid%dy, self%transposed)*2**(l - 1), pp)
+        level%compliance = kernel_share*real(centre*2**(l - 1), pp)
+        call allocate_level(level)
         if (l == 1) then
-          level%u = grid%u
-          level%v = grid%v
+          call orient(self%transposed, merge(grid%v, grid%u, self%transposed), level%along)
+          call orient(self%transposed, merge(grid%u, grid%v, self%transposed), level%across)
         else
           call coarsen_entrainment(self%level(l - 1), level)
         end if
-        level%rising_x = sum(level%u) >= 0
-        level%rising_y = sum(level%v) >= 0
       end associate
-      nx = (nx + 1)/2
-      ny = (ny + 1)/2
+      length = (length + 1)/2
+      count = (count + 1)/2
     end do
+    associate (coarsest => self%level(levels))
+      allocate (self%band(3*coarsest%length + 1, coarsest%length*coarsest%count))
+      allocate (self%pivots(coarsest%length*coarsest%count))
+    end associate
   end subroutine new_film_multigrid
+
+  !> How often both directions can be halved.
+  pure integer function coarsenings(length, count)
+    integer, intent(in) :: length, count
+    integer :: n, m
+
+    n = length
+    m = count
+    coarsenings = 0
+    do while (mod(n, 2) == 1 .and. mod(m, 2) == 1 .and. min(n, m) > coarsest_points)
+      n = (n + 1)/2
+      m = (m + 1)/2
+      coarsenings = coarsenings + 1
+    end do
+  end function coarsenings
+
+  subroutine allocate_level(level)
+    type(grid_level), intent(inout) :: level
+    integer :: n, m
+
+    n = level%length
+    m = level%count
+    allocate (level%along(n, m), level%across(n, m), level%m(n, m), level%dm(n, m), level%dq(n, m), &
+      level%p(n, m), level%free(n, m), level%x(n, m), level%f(n, m), level%r(n, m), source=0.0_pp)
+    allocate (level%matrix%centre(n, m), level%matrix%left(n, m), level%matrix%right(n, m), &
+      level%matrix%before(n, m), level%matrix%after(n, m), source=0.0_pp)
+    call new_line_factors(n, m, level%factors)
+  end subroutine allocate_level
+
+  !> A film's field as the finest level has it.
+  pure subroutine orient(transposed, field, oriented)
+    logical, intent(in) :: transposed
+    real(wp), intent(in) :: field(:, :)
+    real(pp), intent(out) :: oriented(:, :)
+    integer, parameter :: block = 16
+    integer :: i, j, k, l
+
+    if (.not. transposed) then
+      oriented = real(field, pp)
+      return
+    end if
+    do j = 1, size(field, 2), block
+      do i = 1, size(field, 1), block
+        do k = i, min(i + block - 1, size(field, 1))
+          do l = j, min(j + block - 1, size(field, 2))
+            oriented(l, k) = real(field(k, l), pp)
+          end do
+        end do
+      end do
+    end do
+  end subroutine orient
 
   !> Entrainment at coarse faces: the mean of the two fine faces that they span.
   pure subroutine coarsen_entrainment(fine, coarse)
     type(grid_level), intent(in) :: fine
     type(grid_level), intent(inout) :: coarse
-    integer :: i, j
+    integer :: i, j, k, l
 
-    do j = 1, coarse%ny
-      do i = 1, coarse%nx
-        coarse%u(i, j) = (fine%u(2*i - 1, 2*j - 1) + fine%u(min(2*i, fine%nx), 2*j - 1))/2
-        coarse%v(i, j) = (fine%v(2*i - 1, 2*j - 1) + fine%v(2*i - 1, min(2*j, fine%ny)))/2
+    do j = 1, coarse%count
+      l = 2*j - 1
+      do i = 1, coarse%length
+        k = 2*i - 1
+        coarse%along(i, j) = (fine%along(k, l) + fine%along(min(k + 1, fine%length), l))/2
+        coarse%across(i, j) = (fine%across(k, l) + fine%across(k, min(l + 1, fine%count)))/2
       end do
     end do
   end subroutine coarsen_entrainment
@@ -111,121 +168,105 @@ contains
     type(film_fields), intent(in) :: fields
     logical, intent(in) :: free(:, :)
     integer, intent(out) :: stat
-    integer :: l
+    integer :: l, stride
 
-    associate (finest => self%level(1))
-      finest%p = fields%p
-      finest%m = fields%mobility
-      finest%m_p = fields%mobility_p
-      finest%m_h = fields%mobility_h
-      finest%q_p = fields%rho_p*fields%h
-      finest%q_h = fields%rho
-      finest%free = free
-    end associate
+    call orient(self%transposed, fields%mobility, self%level(1)%m)
     do l = 1, size(self%level)
-      if (l > 1) call coarsen_fields(self%level(l - 1), self%level(l))
-      call set_matrix(self%level(l))
-      if (l < size(self%level)) call factor_level(self%level(l))
+      if (l > 1) then
+        self%level(l)%m = self%level(l - 1)%m(::2, ::2)
+        call restrict(self%level(l - 1)%m, self%level(l)%m)
+      end if
+      stride = 2**(l - 1)
+      associate (level => self%level(l))
+        call orient(self%transposed, fields%p(::stride, ::stride), level%p)
+        call orient(self%transposed, fields%mobility_p(::stride, ::stride) &
+          + level%compliance*fields%mobility_h(::stride, ::stride), level%dm)
+        call orient(self%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
+          + level%compliance*fields%rho(::stride, ::stride), level%dq)
+        call orient(self%transposed, merge(1.0_wp, 0.0_wp, free(::stride, ::stride)), level%free)
+        call set_matrix(level)
+        if (l < size(self%level)) call factor_lines(level%matrix, level%factors)
+      end associate
     end do
     call factor_coarsest(self, stat)
   end subroutine set_film_multigrid
 
-  !> Mobility by full weighting, all else by injection.
-  pure subroutine coarsen_fields(fine, coarse)
-    type(grid_level), intent(in) :: fine
-    type(grid_level), intent(inout) :: coarse
-
-    coarse%p = fine%p(::2, ::2)
-    coarse%m_p = fine%m_p(::2, ::2)
-    coarse%m_h = fine%m_h(::2, ::2)
-    coarse%q_p = fine%q_p(::2, ::2)
-    coarse%q_h = fine%q_h(::2, ::2)
-    coarse%free = fine%free(::2, ::2)
-    coarse%m = fine%m(::2, ::2)
-    call restrict(fine%m, coarse%m)
-  end subroutine coarsen_fields
-
   !> The five-point matrix of the local model; rows where pressure is not free are those of the identity.
   pure subroutine set_matrix(level)
     type(grid_level), intent(inout) :: level
-    real(wp) :: centre, west, east, south, north
-    integer :: i, j
+    real(pp) :: leave(level%length), enter(level%length)
+    integer :: i, j, n
 
-    level%c = 1
-    level%w = 0
-    level%e = 0
-    level%s = 0
-    level%n = 0
-    do j = 2, level%ny - 1
-      do i = 2, level%nx - 1
-        if (.not. level%free(i, j)) cycle
-        centre = 0
-        call couple(level, i, j, i + 1, j, 1/level%dx, level%u(i, j), centre, east)
-        call couple(level, i, j, i - 1, j, 1/level%dx, -level%u(i - 1, j), centre, west)
-        call couple(level, i, j, i, j + 1, 1/level%dy, level%v(i, j), centre, north)
-        call couple(level, i, j, i, j - 1, 1/level%dy, -level%v(i, j - 1), centre, south)
-        level%c(i, j) = centre
-        level%w(i, j) = west
-        level%e(i, j) = east
-        level%s(i, j) = south
-        level%n(i, j) = north
+    n = level%length
+    associate (a => level%matrix, m => level%m, p => level%p, dm => level%dm, dq => level%dq, free => level%free)
+      a%centre = 0
+      do j = 1, level%count - 1
+        ! through the faces within line j: what a node's pressure drives out of it, and the next one's into it
+        call face_flow(m(:n - 1, j), m(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
+          dq(2:, j), level%along(:n - 1, j), 1/level%d_along, leave(:n - 1), enter(:n - 1))
+        do i = 1, n - 1
+          a%centre(i, j) = a%centre(i, j) + leave(i)
+          a%right(i, j) = -enter(i)
+          a%left(i + 1, j) = -leave(i)
+        end do
+        a%centre(2:, j) = a%centre(2:, j) + enter(:n - 1)
+        ! through the faces towards the next line
+        call face_flow(m(:, j), m(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), dq(:, j), dq(:, j + 1), &
+          level%across(:, j), 1/level%d_across, leave, enter)
+        do i = 1, n
+          a%centre(i, j) = a%centre(i, j) + leave(i)
+          a%after(i, j) = -enter(i)
+          a%before(i, j + 1) = -leave(i)
+          a%centre(i, j + 1) = a%centre(i, j + 1) + enter(i)
+        end do
       end do
-    end do
+      do j = 2, level%count - 1
+        do i = 2, n - 1
+          a%centre(i, j) = free(i, j)*a%centre(i, j) + (1 - free(i, j))
+          a%left(i, j) = free(i, j)*free(i - 1, j)*a%left(i, j)
+          a%right(i, j) = free(i, j)*free(i + 1, j)*a%right(i, j)
+          a%before(i, j) = free(i, j)*free(i, j - 1)*a%before(i, j)
+          a%after(i, j) = free(i, j)*free(i, j + 1)*a%after(i, j)
+        end do
+      end do
+    end associate
   end subroutine set_matrix
 
-  !> Flow from node (i, j) to its neighbour (k, l), `outward` being the entrainment towards the neighbour.
-  pure subroutine couple(level, i, j, k, l, per_length, outward, centre, neighbour)
-    type(grid_level), intent(in) :: level
-    integer, intent(in) :: i, j, k, l
-    real(wp), intent(in) :: per_length, outward
-    real(wp), intent(inout) :: centre
-    real(wp), intent(out) :: neighbour
-    real(wp) :: diffusion, drop, share
+  !> Flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, less that by one at 2, `enter`.
+  elemental subroutine face_flow(m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length, leave, enter)
+    real(pp), intent(in) :: m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length
+    real(pp), intent(out) :: leave, enter
+    real(pp) :: diffusion, drop
 
-    share = kernel_share*level%centre
-    diffusion = (level%m(i, j) + level%m(k, l))/2*per_length**2
-    drop = (level%p(i, j) - level%p(k, l))/2*per_length**2
-    centre = centre + diffusion + drop*(level%m_p(i, j) + level%m_h(i, j)*share)
-    neighbour = -diffusion
-    if (level%free(k, l)) neighbour = neighbour + drop*(level%m_p(k, l) + level%m_h(k, l)*share)
-    if (outward > 0) then
-      centre = centre + outward*(level%q_p(i, j) + level%q_h(i, j)*share)*per_length
-    else
-      neighbour = neighbour + outward*(level%q_p(k, l) + level%q_h(k, l)*share)*per_length
-    end if
-  end subroutine couple
-
-  pure subroutine factor_level(level)
-    type(grid_level), intent(inout) :: level
-
-    call factor_lines(level%w, level%c, level%e, level%s, level%n, level%along_x)
-    call factor_lines(transpose(level%s), transpose(level%c), transpose(level%n), transpose(level%w), &
-      transpose(level%e), level%along_y)
-  end subroutine factor_level
+    diffusion = (m1 + m2)/2*per_length**2
+    drop = (p1 - p2)/2*per_length**2
+    leave = diffusion + drop*dm1 + max(u, 0.0_pp)*dq1*per_length
+    enter = diffusion - drop*dm2 - min(u, 0.0_pp)*dq2*per_length
+  end subroutine face_flow
 
   subroutine factor_coarsest(self, stat)
     type(film_multigrid), intent(inout) :: self
     integer, intent(out) :: stat
-    integer :: i, j, row, nx, points, info, diagonal
+    integer :: i, j, row, n, points, info, diagonal
 
-    associate (level => self%level(size(self%level)))
-      nx = level%nx
-      points = nx*level%ny
-      diagonal = 2*nx + 1
-      if (.not. allocated(self%band)) allocate (self%band(3*nx + 1, points), self%pivots(points))
+    associate (level => self%level(size(self%level)), a => self%level(size(self%level))%matrix)
+      n = level%length
+      points = n*level%count
+      diagonal = 2*n + 1
       self%band = 0
+      self%band(diagonal, :) = 1
       ! LAPACK's band storage: element (row, column) stands at (diagonal + row - column, column)
-      do j = 1, level%ny
-        do i = 1, nx
-          row = i + nx*(j - 1)
-          self%band(diagonal, row) = level%c(i, j)
-          if (i > 1) self%band(diagonal + 1, row - 1) = level%w(i, j)
-          if (i < nx) self%band(diagonal - 1, row + 1) = level%e(i, j)
-          if (j > 1) self%band(diagonal + nx, row - nx) = level%s(i, j)
-          if (j < level%ny) self%band(diagonal - nx, row + nx) = level%n(i, j)
+      do j = 2, level%count - 1
+        do i = 2, n - 1
+          row = i + n*(j - 1)
+          self%band(diagonal, row) = a%centre(i, j)
+          self%band(diagonal + 1, row - 1) = a%left(i, j)
+          self%band(diagonal - 1, row + 1) = a%right(i, j)
+          self%band(diagonal + n, row - n) = a%before(i, j)
+          self%band(diagonal - n, row + n) = a%after(i, j)
         end do
       end do
-      call dgbtrf(points, points, nx, nx, self%band, 3*nx + 1, self%pivots, info)
+      call sgbtrf(points, points, n, n, self%band, 3*n + 1, self%pivots, info)
     end associate
     stat = merge(status_ok, status_not_converged, info == 0)
   end subroutine factor_coarsest
@@ -236,10 +277,34 @@ contains
     real(wp), intent(in) :: f(:, :)
     real(wp), intent(out) :: x(:, :)
 
-    self%level(1)%f = merge(f, 0.0_wp, self%level(1)%free)
+    call orient(self%transposed, f, self%level(1)%f)
+    self%level(1)%f = self%level(1)%f*self%level(1)%free
     call cycle_from(self, 1)
-    x = self%level(1)%x
+    call orient_back(self%transposed, self%level(1)%x, x)
   end subroutine film_cycle
+
+  !> The inverse of `orient`.
+  pure subroutine orient_back(transposed, oriented, field)
+    logical, intent(in) :: transposed
+    real(pp), intent(in) :: oriented(:, :)
+    real(wp), intent(out) :: field(:, :)
+    integer, parameter :: block = 16
+    integer :: i, j, k, l
+
+    if (.not. transposed) then
+      field = oriented
+      return
+    end if
+    do j = 1, size(field, 2), block
+      do i = 1, size(field, 1), block
+        do l = j, min(j + block - 1, size(field, 2))
+          do k = i, min(i + block - 1, size(field, 1))
+            field(k, l) = oriented(l, k)
+          end do
+        end do
+      end do
+    end do
+  end subroutine orient_back
 
   recursive subroutine cycle_from(self, l)
     type(film_multigrid), intent(inout) :: self
@@ -249,57 +314,51 @@ contains
       call solve_coarsest(self)
       return
     end if
-    self%level(l)%x = 0
-    call smooth(self%level(l))
-    call residual(self%level(l))
-    call restrict(self%level(l)%r, self%level(l + 1)%f)
-    where (.not. self%level(l + 1)%free) self%level(l + 1)%f = 0
-    call cycle_from(self, l + 1)
-    call add_prolonged(self%level(l + 1)%x, self%level(l)%free, self%level(l)%x)
-    call smooth(self%level(l))
+    associate (level => self%level(l), coarser => self%level(l + 1))
+      level%x = 0
+      call sweep_lines(level%matrix, level%factors, level%f, self%rising, level%x)
+      call residual(level)
+      call restrict(level%r, coarser%f)
+      coarser%f = coarser%f*coarser%free
+      call cycle_from(self, l + 1)
+      call add_prolonged(coarser%x, level%free, level%x)
+      call sweep_lines(level%matrix, level%factors, level%f, self%rising, level%x)
+    end associate
   end subroutine cycle_from
 
-  subroutine smooth(level)
-    type(grid_level), intent(inout) :: level
-
-    level%xt = transpose(level%x)
-    level%ft = transpose(level%f)
-    call sweep_lines(level%along_y, level%ft, level%rising_x, level%xt)
-    level%x = transpose(level%xt)
-    call sweep_lines(level%along_x, level%f, level%rising_y, level%x)
-  end subroutine smooth
-
-  subroutine residual(level)
+  pure subroutine residual(level)
     type(grid_level), intent(inout) :: level
     integer :: i, j
 
-    level%r = 0
-    do j = 2, level%ny - 1
-      do i = 2, level%nx - 1
-        level%r(i, j) = level%f(i, j) - level%c(i, j)*level%x(i, j) &
-          - level%w(i, j)*level%x(i - 1, j) - level%e(i, j)*level%x(i + 1, j) &
-          - level%s(i, j)*level%x(i, j - 1) - level%n(i, j)*level%x(i, j + 1)
+    associate (a => level%matrix, x => level%x)
+      do j = 2, level%count - 1
+        do i = 2, level%length - 1
+          level%r(i, j) = level%f(i, j) - a%centre(i, j)*x(i, j) - a%left(i, j)*x(i - 1, j) &
+            - a%right(i, j)*x(i + 1, j) - a%before(i, j)*x(i, j - 1) - a%after(i, j)*x(i, j + 1)
+        end do
       end do
-    end do
+    end associate
   end subroutine residual
 
   subroutine solve_coarsest(self)
     type(film_multigrid), intent(inout) :: self
-    real(wp), allocatable :: b(:, :)
+    real(pp), allocatable :: b(:, :)
     integer :: info, points
 
     associate (level => self%level(size(self%level)))
-      points = level%nx*level%ny
+      points = level%length*level%count
+      allocate (b(points, 1))
       b = reshape(level%f, [points, 1])
-      call dgbtrs("N", points, level%nx, level%nx, 1, self%band, 3*level%nx + 1, self%pivots, b, points, info)
-      level%x = reshape(b, [level%nx, level%ny])
+      call sgbtrs("N", points, level%length, level%length, 1, self%band, 3*level%length + 1, self%pivots, b, points, &
+        info)
+      level%x = reshape(b, [level%length, level%count])
     end associate
   end subroutine solve_coarsest
 
   !> Full weighting at inner points; the outline keeps what it has.
   pure subroutine restrict(fine, coarse)
-    real(wp), intent(in) :: fine(:, :)
-    real(wp), intent(inout) :: coarse(:, :)
+    real(pp), intent(in) :: fine(:, :)
+    real(pp), intent(inout) :: coarse(:, :)
     integer :: i, j, k, l
 
     do j = 2, size(coarse, 2) - 1
@@ -315,13 +374,11 @@ contains
 
   !> Adds the bilinear interpolant of the coarse field where pressure is free.
   pure subroutine add_prolonged(coarse, free, fine)
-    real(wp), intent(in) :: coarse(:, :)
-    logical, intent(in) :: free(:, :)
-    real(wp), intent(inout) :: fine(:, :)
-    real(wp) :: row(size(coarse, 1))
-    integer :: i, j, k, n
+    real(pp), intent(in) :: coarse(:, :), free(:, :)
+    real(pp), intent(inout) :: fine(:, :)
+    real(pp) :: row(size(coarse, 1))
+    integer :: i, j, k
 
-    n = size(coarse, 1)
     do j = 1, size(fine, 2)
       k = (j + 1)/2
       if (mod(j, 2) == 1) then
@@ -329,11 +386,9 @@ contains
       else
         row = (coarse(:, k) + coarse(:, k + 1))/2
       end if
-      do i = 1, n
-        if (free(2*i - 1, j)) fine(2*i - 1, j) = fine(2*i - 1, j) + row(i)
-      end do
-      do i = 1, n - 1
-        if (free(2*i, j)) fine(2*i, j) = fine(2*i, j) + (row(i) + row(i + 1))/2
+      do i = 1, size(coarse, 1) - 1
+        fine(2*i - 1, j) = fine(2*i - 1, j) + free(2*i - 1, j)*row(i)
+        fine(2*i, j) = fine(2*i, j) + free(2*i, j)*(row(i) + row(i + 1))/2
       end do
     end do
   end subroutine add_prolonged

@@ -35,6 +35,9 @@ module point_film
     logical, allocatable :: covered(:, :)
     !> Load [N] and the film [m] below which mobility falls no further.
     real(wp) :: load = 0, floor = 0
+    !> Summed wedge flow of the undeformed gap [m/s], by which residuals are measured, and what brings the
+    !> load's row to the size of the others [m/(N s)].
+    real(wp) :: wedge = 0, load_weight = 0
     !> True where pressure is free in the present step.
     logical, allocatable :: free(:, :)
     !> Net outflow per area [m/s].
@@ -80,6 +83,8 @@ contains
     self%covered(:, ny) = .false.
     self%load = load
     self%floor = floor
+    self%wedge = wedge_flow(self%grid, gap)
+    self%load_weight = self%wedge/load/sqrt(real(nx*ny, wp))
     call new_film_fields(nx, ny, self%fields)
     call new_film_multigrid(self%grid, self%space%centre, self%cycles)
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny))
@@ -118,25 +123,24 @@ contains
     call set_film_fields(self%oil, self%floor, self%fields)
     call flow_imbalance(self%grid, self%fields, self%imbalance)
     self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
-    residual = sum(abs(self%imbalance), mask=self%free)/wedge_scale(self)
+    residual = sum(abs(self%imbalance), mask=self%free)/self%wedge
     load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
   end subroutine film_residual
 
-  !> Sum of |um . grad h|: what the residual is measured by.
-  pure real(wp) function wedge_scale(self)
-    type(point_contact), intent(in) :: self
+  !> Sum of |um . grad g| and of the squeeze over the inner nodes [m/s], g being the undeformed gap [m].
+  pure real(wp) function wedge_flow(grid, gap)
+    type(film_grid), intent(in) :: grid
+    real(wp), intent(in) :: gap(:, :)
     integer :: i, j
 
-    wedge_scale = 0
-    associate (h => self%gap, g => self%grid)
-      do j = 2, g%ny - 1
-        do i = 2, g%nx - 1
-          wedge_scale = wedge_scale + abs(g%u(i, j)*(h(i + 1, j) - h(i - 1, j))/(2*g%dx) &
-            + g%v(i, j)*(h(i, j + 1) - h(i, j - 1))/(2*g%dy)) + abs(g%squeeze(i, j))
-        end do
+    wedge_flow = 0
+    do j = 2, grid%ny - 1
+      do i = 2, grid%nx - 1
+        wedge_flow = wedge_flow + abs(grid%u(i, j)*(gap(i + 1, j) - gap(i - 1, j))/(2*grid%dx) &
+          + grid%v(i, j)*(gap(i, j + 1) - gap(i, j - 1))/(2*grid%dy)) + abs(grid%squeeze(i, j))
       end do
-    end associate
-  end function wedge_scale
+    end do
+  end function wedge_flow
 
   !> One Newton step from (p, h0), about which `film_residual` was last evaluated; both are replaced.
   !>
@@ -163,7 +167,7 @@ contains
 
     allocate (right(n + 1), change(n + 1))
     right(:n) = reshape(merge(-self%imbalance, 0.0_wp, self%free), [n])
-    right(n + 1) = load_error*self%load*load_scale(self)
+    right(n + 1) = load_error*self%load*self%load_weight
     call gmres(self, right, forcing, most_krylov, self%basis, change, krylov, reduction)
     if (.not. all(abs(change) <= huge(1.0_wp))) then
       stat = status_not_finite
@@ -187,13 +191,6 @@ contains
     end do
     stat = status_ok
   end subroutine film_step
-
-  !> Brings the load's row to the size of the others.
-  pure real(wp) function load_scale(self)
-    type(point_contact), intent(in) :: self
-
-    load_scale = wedge_scale(self)/self%load/sqrt(real(size(self%gap), wp))
-  end function load_scale
 
   !> Pressure by which the preconditioner answers a unit rise of the rigid film.
   subroutine set_softness(self)
@@ -223,7 +220,7 @@ contains
     self%dh = self%dh + x(n + 1)
     call flow_imbalance_change(self%grid, self%fields, dp, self%dh, dr)
     where (.not. self%free) dr = 0
-    y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*load_scale(self)
+    y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*self%load_weight
   end subroutine multiply
 
   !> Bordered approximate solve: a multigrid cycle for the pressure, with h0 such that the load comes out.
@@ -238,7 +235,7 @@ contains
     r(1:self%grid%nx, 1:self%grid%ny) => x(:n)
     dp(1:self%grid%nx, 1:self%grid%ny) => y(:n)
     call film_cycle(self%cycles, r, dp)
-    y(n + 1) = (total(dp) - x(n + 1)/(self%grid%dx*self%grid%dy*load_scale(self)))/self%softness_load
+    y(n + 1) = (total(dp) - x(n + 1)/(self%grid%dx*self%grid%dy*self%load_weight))/self%softness_load
     dp = dp - self%softness*y(n + 1)
   end subroutine precondition
 
