@@ -227,16 +227,17 @@ contains
   end subroutine line_film_evaluate
 
   !> One Newton step of a line contact from the state last evaluated; p and h0 are replaced.
-  subroutine line_film_step(handle, p, n, h0, last_residual, last_load_error, new_h0, residual, load_error, step, &
-      stat)
+  subroutine line_film_step(handle, forcing, p, n, h0, last_residual, last_load_error, new_h0, residual, &
+      load_error, krylov, step, stat)
     use line_film, only: line_contact, line_step
     use line_film_handle, only: contact_of
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: forcing
     real(c_double), intent(inout) :: p(n)
     real(c_double), intent(in) :: h0, last_residual, last_load_error
     real(c_double), intent(out) :: new_h0, residual, load_error, step
-    integer(c_int), intent(out) :: stat
+    integer(c_int), intent(out) :: krylov, stat
     type(line_contact), pointer :: contact
     !f2py threadsafe
 
@@ -244,7 +245,7 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    call line_step(contact, p, new_h0, residual, load_error, step, stat)
+    call line_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
   end subroutine line_film_step
 
   !> Film [m], relative density and net outflow per length [m/s] of a line contact as last evaluated.

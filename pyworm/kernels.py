@@ -148,7 +148,7 @@ class Step:
     balance : Balance
         Where the step led.
     krylov : int
-        GMRES iterations; none where the linear system was solved directly.
+        GMRES iterations.
     share : float
         Share of the full Newton step that was taken.
     """
@@ -297,16 +297,17 @@ class LineFilm:
         )
         return self.balance
 
-    def step(self) -> Step:
-        """One Newton step, its linear system solved directly.
+    def step(self, forcing: float) -> Step:
+        """One Newton step, its linear system solved to `forcing` times the right-hand side.
 
         Raises
         ------
         KernelError
             If the step cannot be made.
         """
-        rigid_film, residual, load_error, share, status = _core.bindings.line_film_step(
+        rigid_film, residual, load_error, krylov, share, status = _core.bindings.line_film_step(
             self._handle,
+            forcing,
             self.pressure,
             self.rigid_film,
             self.balance.residual,
@@ -315,7 +316,7 @@ class LineFilm:
         _check(status)
         self.rigid_film = rigid_film
         self.balance = Balance(residual, load_error)
-        return Step(self.balance, 0, share)
+        return Step(self.balance, krylov, share)
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Film [m], relative density and net outflow per length [m/s] at the present state."""

@@ -1,10 +1,10 @@
 !> Explicit interfaces to the LAPACK procedures in use.
 module lapack
-  use kinds, only: pp, wp
+  use kinds, only: wp
   implicit none(type, external)
   private
 
-  public :: dgbtrf, dgbtrs, sgbtrf, sgbtrs, dgesv
+  public :: dgbtrf, dgbtrs
 
   interface
     !> LU factors of a general band matrix.
@@ -28,38 +28,6 @@ module lapack
       real(wp), intent(inout) :: b(ldb, *)
       integer, intent(out) :: info
     end subroutine dgbtrs
-
-    !> Solution of a general system by LU; `a` leaves as its factors, `b` as the solution.
-    pure subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
-      import :: wp
-      implicit none(type, external)
-      integer, intent(in) :: n, nrhs, lda, ldb
-      real(wp), intent(inout) :: a(lda, *), b(ldb, *)
-      integer, intent(out) :: ipiv(*)
-      integer, intent(out) :: info
-    end subroutine dgesv
-
-    !> LU factors of a general band matrix, single precision.
-    pure subroutine sgbtrf(m, n, kl, ku, ab, ldab, ipiv, info)
-      import :: pp
-      implicit none(type, external)
-      integer, intent(in) :: m, n, kl, ku, ldab
-      real(pp), intent(inout) :: ab(ldab, *)
-      integer, intent(out) :: ipiv(*)
-      integer, intent(out) :: info
-    end subroutine sgbtrf
-
-    !> Solution with the factors of sgbtrf.
-    pure subroutine sgbtrs(trans, n, kl, ku, nrhs, ab, ldab, ipiv, b, ldb, info)
-      import :: pp
-      implicit none(type, external)
-      character(len=1), intent(in) :: trans
-      integer, intent(in) :: n, kl, ku, nrhs, ldab, ldb
-      real(pp), intent(in) :: ab(ldab, *)
-      integer, intent(in) :: ipiv(*)
-      real(pp), intent(inout) :: b(ldb, *)
-      integer, intent(out) :: info
-    end subroutine sgbtrs
   end interface
 
 end module lapack

@@ -4,11 +4,14 @@
 !> Contact Mechanics, section 2.4). Here a line load leaves none at the distance of the grid's length: the
 !> constant is then the same on every grid over one interval, whatever its spacing.
 !>
-!> The product with the influence coefficients is done directly. It costs n^2, next to n^3 for the linear system
-!> of `line_film`: a transform would save nothing.
+!> The convolution is done by FFT. Its kernel is even, so that zero padding to 2 (n - 1) points is exact.
 module half_plane
+  use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
+  use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_1d, fftw_plan_dft_c2r_1d, fftw_plan_r2r_1d, &
+    fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_REDFT00
+  use half_space, only: padded_size
   use kinds, only: wp
-  use status, only: status_ok, status_bad_argument
+  use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)
   private
 
@@ -17,38 +20,59 @@ module half_plane
   real(wp), parameter :: pi = acos(-1.0_wp)
 
   type :: elastic_half_plane
-    !> Points and spacing [m] of the grid.
-    integer :: n = 0
+    !> Points and spacing [m] of the grid, and points with padding.
+    integer :: n = 0, padded = 0
     real(wp) :: dx = 0
-    !> Deflection [m/Pa] under unit pressure on one strip, by signed distance in nodes, -(n + 1) to n + 1: two
-    !> more than the grid is long, for the stencils that read it.
+    !> Deflection [m/Pa] under unit pressure on one strip, by distance in nodes from 0 to padded/2.
     real(wp), allocatable :: influence(:)
+    !> Transform of the influence coefficients over the padded size [m/Pa].
+    real(wp), allocatable :: kernel(:)
+    !> Half a spectrum, and the same memory as reals.
+    complex(c_double_complex), pointer, contiguous :: spectrum(:) => null()
+    real(wp), pointer, contiguous :: values(:) => null()
+    type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr, memory = c_null_ptr
   contains
     procedure :: deflection
+    final :: release
   end type elastic_half_plane
 
 contains
 
   !> Half-plane of a grid; `reduced_modulus` is E' [Pa] with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2.
-  pure subroutine new_half_plane(self, n, dx, reduced_modulus, stat)
+  subroutine new_half_plane(self, n, dx, reduced_modulus, stat)
     type(elastic_half_plane), intent(inout) :: self
     integer, intent(in) :: n
     real(wp), intent(in) :: dx, reduced_modulus
     integer, intent(out) :: stat
-    integer :: i
+    integer :: half
 
     stat = status_bad_argument
     if (n < 5 .or. .not. (dx > 0 .and. reduced_modulus > 0)) return
     self%n = n
     self%dx = dx
-    if (allocated(self%influence)) deallocate (self%influence)
-    allocate (self%influence(-(n + 1):n + 1))
-    do i = 0, n + 1
-      self%influence(i) = -4*dx/(pi*reduced_modulus)*(mean_log(i) - log(real(n - 1, wp)))
-      self%influence(-i) = self%influence(i)
-    end do
-    stat = status_ok
+    self%padded = padded_size(n)
+    half = self%padded/2
+    stat = status_no_memory
+    self%memory = fftw_alloc_complex(int(half + 1, c_size_t))
+    if (.not. c_associated(self%memory)) return
+    call c_f_pointer(self%memory, self%spectrum, [half + 1])
+    call c_f_pointer(self%memory, self%values, [self%padded + 2])
+
+    allocate (self%influence(0:half), self%kernel(0:half))
+    call set_influence(self, reduced_modulus)
+    call plan_transforms(self, stat)
+    if (stat == status_ok) call transform_kernel(self, stat)
   end subroutine new_half_plane
+
+  pure subroutine set_influence(self, reduced_modulus)
+    type(elastic_half_plane), intent(inout) :: self
+    real(wp), intent(in) :: reduced_modulus
+    integer :: i
+
+    do i = 0, self%padded/2
+      self%influence(i) = -4*self%dx/(pi*reduced_modulus)*(mean_log(i) - log(real(self%n - 1, wp)))
+    end do
+  end subroutine set_influence
 
   !> Mean of ln|x| over a strip of unit width whose middle is `i` widths away.
   pure real(wp) function mean_log(i)
@@ -60,17 +84,60 @@ contains
     mean_log = far*log(far) - near*log(abs(near)) - 1
   end function mean_log
 
-  !> Deflection w [m] of both bodies together under pressure p [Pa].
-  pure subroutine deflection(self, p, w)
-    class(elastic_half_plane), intent(in) :: self
-    real(wp), contiguous, intent(in) :: p(:)
-    real(wp), contiguous, intent(out) :: w(:)
-    integer :: j
+  subroutine plan_transforms(self, stat)
+    type(elastic_half_plane), intent(inout) :: self
+    integer, intent(out) :: stat
 
-    w = 0
-    do j = 1, self%n
-      w = w + p(j)*self%influence(1 - j:self%n - j)
-    end do
+    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
+    !$omp critical (fftw_planner)
+    self%forward = fftw_plan_dft_r2c_1d(self%padded, self%values, self%spectrum, FFTW_ESTIMATE)
+    self%backward = fftw_plan_dft_c2r_1d(self%padded, self%spectrum, self%values, FFTW_ESTIMATE)
+    !$omp end critical (fftw_planner)
+    stat = merge(status_ok, status_no_plan, c_associated(self%forward) .and. c_associated(self%backward))
+  end subroutine plan_transforms
+
+  !> Transform of the influence coefficients: a cosine transform of their first half.
+  subroutine transform_kernel(self, stat)
+    type(elastic_half_plane), intent(inout) :: self
+    integer, intent(out) :: stat
+    type(c_ptr) :: plan
+    real(wp) :: image(0:self%padded/2)
+
+    !$omp critical (fftw_planner)
+    plan = fftw_plan_r2r_1d(size(image), image, self%kernel, FFTW_REDFT00, FFTW_ESTIMATE)
+    !$omp end critical (fftw_planner)
+    stat = status_no_plan
+    if (.not. c_associated(plan)) return
+    image = self%influence/self%padded
+    call fftw_execute_r2r(plan, image, self%kernel)
+    !$omp critical (fftw_planner)
+    call fftw_destroy_plan(plan)
+    !$omp end critical (fftw_planner)
+    stat = status_ok
+  end subroutine transform_kernel
+
+  !> Deflection w [m] of both bodies together under pressure p [Pa].
+  subroutine deflection(self, p, w)
+    class(elastic_half_plane), intent(inout) :: self
+    real(wp), intent(in) :: p(self%n)
+    real(wp), intent(out) :: w(self%n)
+
+    self%values(:self%n) = p
+    self%values(self%n + 1:) = 0
+    call fftw_execute_dft_r2c(self%forward, self%values, self%spectrum)
+    self%spectrum = self%spectrum*self%kernel
+    call fftw_execute_dft_c2r(self%backward, self%spectrum, self%values)
+    w = self%values(:self%n)
   end subroutine deflection
+
+  subroutine release(self)
+    type(elastic_half_plane), intent(inout) :: self
+
+    !$omp critical (fftw_planner)
+    if (c_associated(self%forward)) call fftw_destroy_plan(self%forward)
+    if (c_associated(self%backward)) call fftw_destroy_plan(self%backward)
+    !$omp end critical (fftw_planner)
+    if (c_associated(self%memory)) call fftw_free(self%memory)
+  end subroutine release
 
 end module half_plane

@@ -5,28 +5,32 @@
 !> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
 !> system. Pressure at both ends is kept as it is given. Python owns the loop; each call does one step.
 !>
-!> Each step solves the exact Jacobian of the free nodes by dense LU.
+!> Each step solves the exact Jacobian by GMRES, with `line_preconditioner` before it.
 module line_film
   use half_plane, only: elastic_half_plane, new_half_plane
   use kinds, only: wp
-  use lapack, only: dgesv
-  use line_reynolds, only: line_grid, line_imbalance, line_bands
+  use krylov, only: linear_system, gmres
+  use line_preconditioner, only: band_model, set_band_model
+  use line_reynolds, only: line_grid, line_imbalance, line_bands, band_product
   use oil_laws, only: oil_law
   use reynolds, only: film_fields, new_film_fields, set_film_fields
-  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
+  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent
   implicit none(type, external)
   private
 
-  public :: line_contact, new_line_contact, line_residual, line_step, line_jacobian
+  public :: line_contact, new_line_contact, line_residual, set_line_system, line_step
 
+  !> Most Krylov iterations in one Newton step.
+  integer, parameter :: most_krylov = 60
   !> Shortest step tried along a Newton direction.
   real(wp), parameter :: shortest_step = 1.0_wp/64
 
-  type :: line_contact
+  type, extends(linear_system) :: line_contact
     type(line_grid) :: grid
     type(oil_law) :: oil
     type(elastic_half_plane) :: plane
     type(film_fields) :: fields
+    type(band_model) :: model
     !> Undeformed gap [m]; true where both surfaces exist.
     real(wp), allocatable :: gap(:)
     logical, allocatable :: covered(:)
@@ -34,8 +38,15 @@ module line_film
     real(wp) :: load = 0, floor = 0
     !> True where pressure is free in the present step.
     logical, allocatable :: free(:)
-    !> Net outflow per length [m/s].
-    real(wp), allocatable :: imbalance(:)
+    !> Net outflow per length [m/s], and its derivatives by pressure and film at the nodes -2 to 2 further on.
+    real(wp), allocatable :: imbalance(:), by_pressure(:, :), by_film(:, :)
+    !> Response of pressure to a rise of the rigid film, by the preconditioner.
+    real(wp), allocatable :: softness(:)
+    !> Krylov basis.
+    real(wp), allocatable :: basis(:, :)
+  contains
+    procedure :: multiply
+    procedure :: precondition
   end type line_contact
 
 contains
@@ -67,7 +78,8 @@ contains
     self%load = load
     self%floor = floor
     call new_film_fields(n, 1, self%fields)
-    allocate (self%free(n), self%imbalance(n))
+    allocate (self%free(n), self%imbalance(n), self%by_pressure(n, -2:2), self%by_film(n, -2:2), self%softness(n))
+    allocate (self%basis(n + 1, most_krylov + 1))
   end subroutine new_line_contact
 
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
@@ -102,26 +114,36 @@ contains
 
   !> One Newton step from (p, h0), about which `line_residual` was last evaluated; both are replaced.
   !>
+  !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
   !> `step` is the share of the Newton step taken.
-  subroutine line_step(self, p, h0, residual, load_error, step, stat)
+  subroutine line_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
     type(line_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing
     real(wp), contiguous, intent(inout) :: p(:)
     real(wp), intent(inout) :: h0, residual, load_error
+    integer, intent(out) :: krylov, stat
     real(wp), intent(out) :: step
-    integer, intent(out) :: stat
-    real(wp) :: start(size(p)), change(size(p)), change_h0, start_h0, merit
+    real(wp) :: start(size(p)), right(size(p) + 1), change(size(p) + 1), start_h0, merit, reduction
+    integer :: n
 
+    n = size(p)
     step = 0
-    call newton_direction(self, load_error, change, change_h0, stat)
+    krylov = 0
+    call set_line_system(self, stat)
     if (stat /= status_ok) return
+    right(:n) = merge(-self%imbalance, 0.0_wp, self%free)
+    right(n + 1) = load_error*self%load*load_scale(self)
+    call gmres(self, right, forcing, most_krylov, self%basis, change, krylov, reduction)
+    stat = status_not_finite
+    if (.not. all(abs(change) <= huge(1.0_wp))) return
 
     start = p
     start_h0 = h0
     merit = residual + abs(load_error)
     step = 1
     do
-      p = max(start + step*change, 0.0_wp)
-      h0 = start_h0 + step*change_h0
+      p = max(start + step*change(:n), 0.0_wp)
+      h0 = start_h0 + step*change(n + 1)
       call line_residual(self, p, h0, residual, load_error)
       if (residual + abs(load_error) <= 2*merit) exit
       if (step < shortest_step) then
@@ -130,69 +152,55 @@ contains
       end if
       step = step/2
     end do
+    stat = status_ok
   end subroutine line_step
 
-  !> Change of pressure and rigid film that removes imbalance and missing load to first order.
-  subroutine newton_direction(self, load_error, change, change_h0, stat)
-    type(line_contact), intent(in) :: self
-    real(wp), intent(in) :: load_error
-    real(wp), intent(out) :: change(:), change_h0
+  !> Jacobian and preconditioner at the state last evaluated.
+  subroutine set_line_system(self, stat)
+    type(line_contact), intent(inout) :: self
     integer, intent(out) :: stat
-    integer :: nodes(count(self%free)), pivots(count(self%free) + 1)
-    real(wp) :: right(count(self%free) + 1, 1), row_scale
-    real(wp), allocatable :: matrix(:, :)
-    integer :: i, m, info
 
-    change = 0
-    change_h0 = 0
-    nodes = pack([(i, i=1, self%grid%n)], self%free)
-    m = size(nodes)
-    stat = status_no_memory
-    allocate (matrix(m + 1, m + 1), stat=info)
-    if (info /= 0) return
-    call line_jacobian(self, nodes, matrix)
-    stat = status_not_finite
-    if (.not. all(abs(matrix) <= huge(1.0_wp))) return
+    call line_bands(self%grid, self%fields, self%by_pressure, self%by_film)
+    call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free, stat)
+    if (stat /= status_ok) return
+    self%softness = merge(sum(self%by_film, 2), 0.0_wp, self%free)
+    call self%model%solve(self%softness)
+  end subroutine set_line_system
 
-    ! pivoting compares rows: the load's is brought to the size of the others
-    row_scale = maxval(abs(matrix(:m, :m)))/self%grid%dx
-    matrix(m + 1, :) = matrix(m + 1, :)*row_scale
-    right(:m, 1) = -self%imbalance(nodes)
-    right(m + 1, 1) = load_error*self%load*row_scale
-    call dgesv(m + 1, 1, matrix, m + 1, pivots, right, m + 1, info)
-    stat = status_no_descent
-    if (info /= 0) return
-    stat = status_not_finite
-    if (.not. all(abs(right) <= huge(1.0_wp))) return
-    change(nodes) = right(:m, 1)
-    change_h0 = right(m + 1, 1)
-    stat = status_ok
-  end subroutine newton_direction
-
-  !> Derivatives of (imbalance at `nodes`, load) by (pressure at `nodes`, h0), at the state last evaluated.
-  subroutine line_jacobian(self, nodes, matrix)
+  !> Brings the load's row to the size of the others.
+  pure real(wp) function load_scale(self)
     type(line_contact), intent(in) :: self
-    integer, intent(in) :: nodes(:)
-    real(wp), contiguous, intent(out) :: matrix(:, :)
-    real(wp) :: by_pressure(self%grid%n, -2:2), by_film(self%grid%n, -2:2), column(self%grid%n)
-    integer :: j, k, m, n, node
+
+    load_scale = wedge_scale(self)/self%load/sqrt(real(self%grid%n, wp))
+  end function load_scale
+
+  !> The Jacobian: (change of pressure, of h0) to (change of imbalance, of load).
+  subroutine multiply(self, x, y)
+    class(line_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    real(wp) :: dh(self%grid%n)
+    integer :: n
 
     n = self%grid%n
-    m = size(nodes)
-    call line_bands(self%grid, self%fields, by_pressure, by_film)
-    do j = 1, m
-      node = nodes(j)
-      column = 0
-      do k = -2, 2
-        column = column + by_film(:, k)*self%plane%influence(1 + k - node:n + k - node)
-        if (node - k >= 1 .and. node - k <= n) column(node - k) = column(node - k) + by_pressure(node - k, k)
-      end do
-      matrix(:m, j) = column(nodes)
-    end do
-    column = sum(by_film, 2)
-    matrix(:m, m + 1) = column(nodes)
-    matrix(m + 1, :m) = self%grid%dx
-    matrix(m + 1, m + 1) = 0
-  end subroutine line_jacobian
+    call self%plane%deflection(x(:n), dh)
+    dh = dh + x(n + 1)
+    y(:n) = merge(band_product(self%by_pressure, x(:n)) + band_product(self%by_film, dh), 0.0_wp, self%free)
+    y(n + 1) = sum(x(:n))*self%grid%dx*load_scale(self)
+  end subroutine multiply
+
+  !> Bordered approximate solve: the band model for the pressure, with h0 such that the load comes out.
+  subroutine precondition(self, x, y)
+    class(line_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    integer :: n
+
+    n = self%grid%n
+    y(:n) = x(:n)
+    call self%model%solve(y(:n))
+    y(n + 1) = (sum(y(:n)) - x(n + 1)/(self%grid%dx*load_scale(self)))/sum(self%softness)
+    y(:n) = y(:n) - self%softness*y(n + 1)
+  end subroutine precondition
 
 end module line_film

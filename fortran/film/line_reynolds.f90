@@ -1,15 +1,15 @@
 !> Reynolds' equation d(rho h um)/dx - d(rho h^3 / (12 eta) dp/dx)/dx + rho dh/dt = 0 of a line contact.
 !>
 !> The scheme is that of `reynolds` in one dimension: node-centred finite volumes, diffusive fluxes with the mean
-!> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. In one dimension the Jacobian is
-!> small enough to be written out, as two bands.
+!> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. The Jacobian is
+!> written out as two bands, one to multiply the change of pressure and one to multiply that of the film.
 module line_reynolds
   use kinds, only: wp
   use reynolds, only: film_fields
   implicit none(type, external)
   private
 
-  public :: line_grid, line_imbalance, line_bands
+  public :: line_grid, line_imbalance, line_bands, band_product
 
   !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
   type :: line_grid
@@ -81,6 +81,21 @@ contains
       by_film(i, :) = 0
     end do
   end subroutine line_bands
+
+  !> Product of such a band with the changes at the nodes.
+  pure function band_product(band, change) result(product)
+    real(wp), intent(in) :: band(:, -2:), change(:)
+    real(wp) :: product(size(change))
+    integer :: k, n
+
+    n = size(change)
+    product = 0
+    do k = -2, 2
+      associate (first => max(1, 1 - k), last => min(n, n - k))
+        product(first:last) = product(first:last) + band(first:last, k)*change(first + k:last + k)
+      end associate
+    end do
+  end function band_product
 
   !> Wedge flow through the face after node i as weights of rho h at the nodes i - 1 to i + 2: upwind to second
   !> order, next to an end the mean of the face's two nodes.

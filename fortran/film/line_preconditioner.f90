@@ -1,0 +1,85 @@
+!> Preconditioner of a line contact's Jacobian: the same with a kernel cut off at a few nodes, solved by band LU.
+!>
+!> Within the cut-off the model is exact, wedge and mobility included; beyond it the kernel is smooth, and the
+!> constant taken off it is the rigid film's. GMRES takes 2 to 4 iterations to a thousandth on the first grids and
+!> 8 to 17 at 16641 nodes (M from 0.1 to 500, L from 1 to 25); a step costs about n log n.
+!>
+!> Measured against it and left: dense LU of the free nodes, the same Newton steps at 0.1 s each for 1500 nodes and
+!> growing with their cube, whole solves 20 to 50 times slower; the kernel's centre value alone in place of the
+!> cut-off kernel, 18 to 46 iterations to a millionth where this takes 9 to 14 (1041 nodes).
+module line_preconditioner
+  use kinds, only: wp
+  use lapack, only: dgbtrf, dgbtrs
+  use status, only: status_ok, status_no_descent
+  implicit none(type, external)
+  private
+
+  public :: band_model, set_band_model
+
+  !> Nodes at which the kernel is cut off.
+  integer, parameter :: reach = 16
+  !> Half of the band: the stencil reaches two nodes further.
+  integer, parameter :: half = reach + 2
+
+  type :: band_model
+    !> LU factors in LAPACK's band storage.
+    real(wp), allocatable :: factors(:, :)
+    integer, allocatable :: pivots(:)
+    !> What each row was multiplied by.
+    real(wp), allocatable :: row_scale(:)
+  contains
+    procedure :: solve
+  end type band_model
+
+contains
+
+  !> Factors of the model for the Jacobian's bands (see `line_reynolds`) and the kernel by distance in nodes.
+  !>
+  !> The change of pressure is zero where it is not free.
+  subroutine set_band_model(self, by_pressure, by_film, influence, free, stat)
+    type(band_model), intent(inout) :: self
+    real(wp), intent(in) :: by_pressure(:, -2:), by_film(:, -2:), influence(0:)
+    logical, intent(in) :: free(:)
+    integer, intent(out) :: stat
+    real(wp) :: kernel(-reach:reach), row(-half:half)
+    integer :: i, j, k, n, last, info
+
+    n = size(free)
+    last = min(reach, ubound(influence, 1))
+    kernel = 0
+    do k = -last, last
+      kernel(k) = influence(abs(k)) - influence(last)
+    end do
+    if (.not. allocated(self%factors)) allocate (self%factors(3*half + 1, n), self%pivots(n), self%row_scale(n))
+    self%factors = 0
+    do i = 1, n
+      row = 0
+      if (free(i)) then
+        row(-2:2) = by_pressure(i, :)
+        do k = -2, 2
+          row(k - reach:k + reach) = row(k - reach:k + reach) + by_film(i, k)*kernel
+        end do
+      else
+        row(0) = 1
+      end if
+      ! pivoting compares rows, and the mobility of some is that of others times 1e8
+      self%row_scale(i) = 1/maxval(abs(row))
+      do j = max(1, i - half), min(n, i + half)
+        self%factors(2*half + 1 + i - j, j) = row(j - i)*self%row_scale(i)
+      end do
+    end do
+    call dgbtrf(n, n, half, half, self%factors, size(self%factors, 1), self%pivots, info)
+    stat = merge(status_ok, status_no_descent, info == 0)
+  end subroutine set_band_model
+
+  !> Solves the model for one right-hand side, which must be zero where pressure is not free.
+  subroutine solve(self, x)
+    class(band_model), intent(in) :: self
+    real(wp), contiguous, intent(inout) :: x(:)
+    integer :: info
+
+    x = x*self%row_scale
+    call dgbtrs("N", size(x), half, half, 1, self%factors, size(self%factors, 1), self%pivots, x, size(x), info)
+  end subroutine solve
+
+end module line_preconditioner
