@@ -1,23 +1,33 @@
 !> Frictionless dry contact of two half-spaces with an arbitrary gap under a given load.
 !>
-!> Conjugate gradients with the FFT deflection, the contact set found on the way (Polonsky and Keer 1999,
-!> Wear 231:206), restricted to the nodes where both bodies exist.
+!> Grids of halving spacing, each entered from the pressure of the one before, so that only the boundary of
+!> the contact is left to find; conjugate gradients with bounds on each (contact_gradients).
 module dry_contact
-  use half_space, only: elastic_half_space
+  use contact_gradients, only: close_gap
+  use half_space, only: elastic_half_space, new_half_space
   use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
-  use vectors, only: dot, total
+  use pressure_transfer, only: refine_pressure
+  use status, only: status_ok, status_bad_argument, status_not_converged, status_no_memory
+  use vectors, only: total
   implicit none(type, external)
   private
 
   public :: solve_dry_contact
 
+  real(wp), parameter :: pi = acos(-1.0_wp)
+  !> Nodes that the coarsest grid has at least along each direction.
+  integer, parameter :: fewest_nodes = 12
+  !> Coarser grids only have to be as accurate as their spacing, and no grid has time to lose on them.
+  real(wp), parameter :: coarse_tolerance = 1e-5_wp
+  integer, parameter :: most_coarse_iterations = 100
+
 contains
 
-  !> Pressure p [Pa] that carries `load` [N] and closes the gap to one approach [m].
+  !> Pressure p [Pa] that carries `load` [N] and closes the gap [m] to one approach [m].
   !>
   !> On entry p >= 0 is a first guess with a positive sum. `covered` is true where both bodies exist.
-  !> Stops when the film left in the contact, on average, is `tolerance` times the approach.
+  !> Converged when the film left in the contact is `tolerance` times the approach, in the mean square, and no
+  !> node outside overlaps. `iterations` counts those on the grid itself, not those on coarser ones.
   subroutine solve_dry_contact(space, gap, covered, load, tolerance, most_iterations, p, approach, &
       iterations, stat)
     type(elastic_half_space), intent(inout) :: space
@@ -28,74 +38,71 @@ contains
     real(wp), intent(inout) :: p(space%nx, space%ny)
     real(wp), intent(out) :: approach
     integer, intent(out) :: iterations, stat
-    real(wp), allocatable :: film(:, :), direction(:, :), response(:, :)
-    real(wp) :: norm, last_norm, step, mean
-    logical :: contact_grew
-    integer :: j
+    real(wp), allocatable :: solid_gap(:, :), film(:, :)
+    real(wp) :: modulus
+    integer :: err
 
     approach = 0
     iterations = 0
     stat = status_bad_argument
-    if (load <= 0) return
+    if (.not. load > 0) return
     where (.not. covered) p = 0
-    if (total(p) <= 0) return
-    stat = status_not_converged
-    p = p*load/(total(p)*space%dx*space%dy)
-    allocate (film, direction, response, mold=gap)
-    direction = 0
-    last_norm = 1
-    contact_grew = .false.
+    if (.not. total(p) > 0) return
+    stat = status_no_memory
+    allocate (film, mold=gap, stat=err)
+    if (err /= 0) return
 
-    do iterations = 1, most_iterations
-      call space%deflection(p, film)
-      film = film + gap
-      approach = sum(film, mask=p > 0)/count(p > 0)
-      film = film - approach
-      norm = sum(film**2, mask=p > 0)
-      if (.not. norm <= huge(norm)) then
-        stat = status_not_finite
-        return
-      end if
-      if (sqrt(norm/count(p > 0)) <= tolerance*abs(approach) .and. .not. any(film < -10*tolerance*abs(approach) .and. covered)) then
-        stat = status_ok
-        return
-      end if
-
-      if (contact_grew) last_norm = huge(norm)
-      where (p > 0)
-        direction = film + (norm/last_norm)*direction
-      else where
-        direction = 0
-      end where
-      last_norm = norm
-      call space%deflection(direction, response)
-      mean = sum(response, mask=p > 0)/count(p > 0)
-      step = sum(film*direction, mask=p > 0)/sum((response - mean)*direction, mask=p > 0)
-
-      contact_grew = .false.
-      do j = 1, space%ny
-        call advance(p(:, j), film(:, j), direction(:, j), covered(:, j), step, contact_grew)
-      end do
-      p = p*load/(total(p)*space%dx*space%dy)
-    end do
-    iterations = most_iterations
+    ! where a body ends its gap may be anything
+    solid_gap = merge(gap, 0.0_wp, covered)
+    modulus = reduced_modulus(space)
+    call start_from_coarser(solid_gap, covered, space%dx, space%dy, modulus, load, tolerance, p, stat)
+    if (stat /= status_ok) return
+    call close_gap(space, modulus, size(gap), solid_gap, covered, load, tolerance, most_iterations, p, film, &
+      approach, iterations, stat)
   end subroutine solve_dry_contact
 
-  !> Moves one row along the direction; nodes that would pull leave the contact, those that overlap join it.
-  pure subroutine advance(p, film, direction, covered, step, contact_grew)
-    real(wp), intent(inout) :: p(:)
-    real(wp), intent(in) :: film(:), direction(:), step
-    logical, intent(in) :: covered(:)
-    logical, intent(inout) :: contact_grew
-    integer :: i
+  !> A pressure that carries the load, from the contact on a grid of twice the spacing.
+  recursive subroutine start_from_coarser(gap, covered, dx, dy, modulus, load, tolerance, p, stat)
+    real(wp), contiguous, intent(in) :: gap(:, :)
+    logical, contiguous, intent(in) :: covered(:, :)
+    real(wp), intent(in) :: dx, dy, modulus, load, tolerance
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    integer, intent(out) :: stat
+    type(elastic_half_space) :: space
+    real(wp), allocatable :: coarse_gap(:, :), coarse_p(:, :), film(:, :)
+    logical, allocatable :: coarse_covered(:, :)
+    real(wp) :: approach
+    integer :: iterations
 
-    do i = 1, size(p)
-      if (p(i) > 0) p(i) = max(p(i) - step*direction(i), 0.0_wp)
-      if (p(i) <= 0 .and. film(i) < 0 .and. covered(i)) then
-        p(i) = -step*film(i)
-        contact_grew = .true.
-      end if
-    end do
-  end subroutine advance
+    stat = status_ok
+    coarse_covered = covered(::2, ::2)
+    if (minval(shape(coarse_covered)) >= fewest_nodes .and. any(coarse_covered)) then
+      coarse_gap = gap(::2, ::2)
+      coarse_p = merge(p(::2, ::2), 0.0_wp, coarse_covered)
+      ! a guess may fall between the nodes
+      if (.not. total(coarse_p) > 0) coarse_p = merge(1.0_wp, 0.0_wp, coarse_covered)
+      call start_from_coarser(coarse_gap, coarse_covered, 2*dx, 2*dy, modulus, load, tolerance, coarse_p, stat)
+      if (stat /= status_ok) return
+      call new_half_space(space, size(coarse_gap, 1), size(coarse_gap, 2), 2*dx, 2*dy, modulus, stat)
+      if (stat /= status_ok) return
+      allocate (film, mold=coarse_gap)
+      call close_gap(space, modulus, size(coarse_gap), coarse_gap, coarse_covered, load, &
+        max(tolerance, coarse_tolerance), most_coarse_iterations, coarse_p, film, approach, iterations, stat)
+      if (stat == status_not_converged) stat = status_ok
+      if (stat /= status_ok) return
+      call refine_pressure(coarse_p, p)
+      where (.not. covered) p = 0
+    end if
+    p = p*load/(total(p)*dx*dy)
+  end subroutine start_from_coarser
+
+  !> E' [Pa] of a half-space, from its deflection at the centre of one rectangle.
+  pure real(wp) function reduced_modulus(space)
+    type(elastic_half_space), intent(in) :: space
+
+    associate (dx => space%dx, dy => space%dy)
+      reduced_modulus = 4*(dx*asinh(dy/dx) + dy*asinh(dx/dy))/(pi*space%centre)
+    end associate
+  end function reduced_modulus
 
 end module dry_contact
