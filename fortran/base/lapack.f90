@@ -1,10 +1,10 @@
 !> Explicit interfaces to the LAPACK procedures in use.
 module lapack
-  use kinds, only: wp
+  use kinds, only: pp, wp
   implicit none(type, external)
   private
 
-  public :: dgbtrf, dgbtrs
+  public :: dgbtrf, dgbtrs, sgbtrf, sgbtrs
 
   interface
     !> LU factors of a general band matrix.
@@ -28,6 +28,28 @@ module lapack
       real(wp), intent(inout) :: b(ldb, *)
       integer, intent(out) :: info
     end subroutine dgbtrs
+
+    !> LU factors of a general band matrix, single precision.
+    pure subroutine sgbtrf(m, n, kl, ku, ab, ldab, ipiv, info)
+      import :: pp
+      implicit none(type, external)
+      integer, intent(in) :: m, n, kl, ku, ldab
+      real(pp), intent(inout) :: ab(ldab, *)
+      integer, intent(out) :: ipiv(*)
+      integer, intent(out) :: info
+    end subroutine sgbtrf
+
+    !> Solution with the factors of sgbtrf.
+    pure subroutine sgbtrs(trans, n, kl, ku, nrhs, ab, ldab, ipiv, b, ldb, info)
+      import :: pp
+      implicit none(type, external)
+      character(len=1), intent(in) :: trans
+      integer, intent(in) :: n, kl, ku, nrhs, ldab, ldb
+      real(pp), intent(in) :: ab(ldab, *)
+      integer, intent(in) :: ipiv(*)
+      real(pp), intent(inout) :: b(ldb, *)
+      integer, intent(out) :: info
+    end subroutine sgbtrs
   end interface
 
 end module lapack
