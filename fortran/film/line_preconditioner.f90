@@ -63,7 +63,7 @@ contains
         row(0) = 1
       end if
       ! pivoting compares rows, and the mobility of some is that of others times 1e8
-      self%row_scale(i) = 1/maxval(abs(row))
+      self%row_scale(i) = 1/max(maxval(abs(row)), tiny(1.0_wp))
       do j = max(1, i - half), min(n, i + half)
         self%factors(2*half + 1 + i - j, j) = row(j - i)*self%row_scale(i)
       end do
