@@ -1,4 +1,4 @@
-"""What the solve of a line contact leaves behind: figures with error bars, profiles, and how they came about."""
+"""What a line contact's solve leaves behind: figures with error bars, profiles, and how they came about."""
 
 from dataclasses import dataclass
 
