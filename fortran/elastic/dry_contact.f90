@@ -3,11 +3,12 @@
 !> Grids of halving spacing, each entered from the pressure of the one before, so that only the boundary of
 !> the contact is left to find; conjugate gradients with bounds on each (contact_gradients).
 module dry_contact
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
   use contact_gradients, only: close_gap
   use half_space, only: elastic_half_space, new_half_space
   use kinds, only: wp
   use pressure_transfer, only: refine_pressure
-  use status, only: status_ok, status_bad_argument, status_not_converged, status_no_memory
+  use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite, status_no_memory
   use vectors, only: total
   implicit none(type, external)
   private
@@ -44,15 +45,17 @@ contains
 
     approach = 0
     iterations = 0
-    stat = status_bad_argument
-    if (.not. load > 0) return
     where (.not. covered) p = 0
-    if (.not. total(p) > 0) return
+    stat = status_not_finite
+    if (.not. (ieee_is_finite(load) .and. all(ieee_is_finite(p)))) return
+    if (.not. all(ieee_is_finite(gap) .or. .not. covered)) return
+    stat = status_bad_argument
+    if (load <= 0 .or. total(p) <= 0) return
     stat = status_no_memory
     allocate (film, mold=gap, stat=err)
     if (err /= 0) return
 
-    ! where a body ends its gap may be anything
+    ! where a body ends its gap may be anything, not even finite
     solid_gap = merge(gap, 0.0_wp, covered)
     modulus = reduced_modulus(space)
     call start_from_coarser(solid_gap, covered, space%dx, space%dy, modulus, load, tolerance, p, stat)
