@@ -13,7 +13,7 @@ from pathlib import Path
 import pyworm
 from pyworm.grid import nest
 from pyworm.scales import scales
-from pyworm.window import FAR, NEAR, window
+from pyworm.window import FAR, near_reach, window
 
 NODES = 257
 COARSEST = 64
@@ -34,7 +34,7 @@ def solved(case: Path) -> pyworm.Solution:
     """The case's scene on grids that climb to NODES x NODES over its window."""
     scene = pyworm.load(case).scene()
     size = scales(scene)
-    west, east, south, north = window(scene, size, NEAR)
+    west, east, south, north = window(scene, size, near_reach(size))
     grids = nest(
         (west, east, south, north),
         window(scene, size, FAR),
@@ -46,6 +46,7 @@ def solved(case: Path) -> pyworm.Solution:
         replace(
             pyworm.plan(scene, accuracy=1e-5),
             grids=grids,
+            wider_grids=(),
             tolerance=TOLERANCE,
             largest_grid=(grids[-1].nx * 4 - 3) * (grids[-1].ny * 4 - 3),
         ),

@@ -10,8 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyworm import kernels
+from pyworm.accuracy import FIGURES, JUDGED, Reading, algebra_errors
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
+from pyworm.reading import film_minimum, pressure_maximum, value_at_origin
 from pyworm.scales import Scales
 from pyworm.scene import Scene
 
@@ -147,16 +149,53 @@ def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
     return Rung(grid, gap, covered, entrainment, sliding, far, load, film)
 
 
-def settle(rung: Rung, tolerance: float) -> list[Stride]:
-    """Newton steps until residual and load error are within the tolerance, or no step helps any more."""
-    strides = []
-    while rung.film.balance.worst > tolerance and len(strides) < MOST_STEPS:
+@dataclass(frozen=True)
+class Settled:
+    """Where Newton's iteration on one grid ended.
+
+    Attributes
+    ----------
+    strides : tuple of Stride
+        Its steps.
+    reading : Reading
+        The figures at its end.
+    algebra : dict
+        Relative error of each figure that further steps would mend.
+    """
+
+    strides: tuple[Stride, ...]
+    reading: Reading
+    algebra: dict[str, float]
+
+
+def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Settled:
+    """Newton steps until the film is settled, or no step helps any more.
+
+    Parameters
+    ----------
+    rung : Rung
+        The film.
+    tolerance : float
+        Residual and load error wanted.
+    algebra_wanted : float
+        Relative error of both films wanted; it takes at least one step to see it.
+    """
+    strides: list[Stride] = []
+    reading = read(rung)
+    algebra = dict.fromkeys(FIGURES, np.inf)
+    while len(strides) < MOST_STEPS and (
+        rung.film.balance.worst > tolerance
+        or max(algebra[name] for name in JUDGED) > algebra_wanted
+    ):
+        before = rung.film.balance.worst
         try:
             step = rung.film.step(FORCING)
         except kernels.KernelError as error:
             if error.status != kernels.NO_DESCENT:
                 raise
             break
+        last, reading = reading, read(rung)
+        algebra = algebra_errors(last, reading, step.balance.worst / before)
         strides.append(
             Stride(
                 rung.grid.nx,
@@ -166,4 +205,16 @@ def settle(rung: Rung, tolerance: float) -> list[Stride]:
                 step.krylov,
             )
         )
-    return strides
+    return Settled(tuple(strides), reading, algebra)
+
+
+def read(rung: Rung) -> Reading:
+    """The film's figures in its present state."""
+    film, _, _ = rung.film.fields()
+    film_min, at = film_minimum(rung.grid, film, rung.film.pressure > 0)
+    return Reading(
+        film_min,
+        value_at_origin(rung.grid, film),
+        pressure_maximum(rung.film.pressure),
+        at,
+    )

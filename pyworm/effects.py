@@ -6,7 +6,7 @@ from math import sqrt
 from pyworm.grid import Grid, nest
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
-from pyworm.window import FAR, NEAR, window
+from pyworm.window import FAR, Reach, near_reach, window
 
 MODELS = ("isothermal",)
 """Names that `effects` may take."""
@@ -22,8 +22,8 @@ slender contact scale with its short axis."""
 LARGEST_GRID = 1_200_000
 """Nodes beyond which grids are not refined further."""
 
-ALGEBRA_SHARE = 0.01
-"""Residual allowed, as a share of the accuracy asked for."""
+RESIDUAL_SHARE = 0.1
+"""Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
 
 CONVOLUTIONS_A_GRID = 150.0
 """What a solve costs as a rule, in convolutions on its finest grid."""
@@ -60,10 +60,13 @@ class Plan:
         Every effect judged.
     grids : tuple of Grid
         From the outermost to the first one of the figures; finer ones follow as the accuracy needs.
+    wider_grids : tuple of Grid
+        The same to a window of twice the reach and the same spacing, for the error by the window; none if
+        that is not to be estimated.
     largest_grid : int
         Nodes beyond which grids are not refined further.
     tolerance : float
-        Residual and load error at which a grid of the figures is solved.
+        Residual and load error, at most, at which a grid of the figures is solved.
     expected_convolutions : float
         Expected cost in convolutions on the finest grid.
     """
@@ -71,6 +74,7 @@ class Plan:
     accuracy: float
     effects: tuple[Effect, ...]
     grids: tuple[Grid, ...]
+    wider_grids: tuple[Grid, ...]
     largest_grid: int
     tolerance: float
     expected_convolutions: float
@@ -103,14 +107,15 @@ def plan(scene: Scene, accuracy: float = 0.01, effects: str = "isothermal") -> P
     return Plan(
         accuracy=accuracy,
         effects=_isothermal(scene),
-        grids=_grids(scene, size),
+        grids=_grids(scene, size, near_reach(size), FAR),
+        wider_grids=_grids(scene, size, near_reach(size).doubled(), FAR.doubled()),
         largest_grid=LARGEST_GRID,
-        tolerance=ALGEBRA_SHARE * accuracy,
+        tolerance=RESIDUAL_SHARE * accuracy,
         expected_convolutions=CONVOLUTIONS_A_GRID,
     )
 
 
-def _grids(scene: Scene, size: Scales) -> tuple[Grid, ...]:
+def _grids(scene: Scene, size: Scales, near: Reach, far: Reach) -> tuple[Grid, ...]:
     """Grids from the far window down to the first one of the figures."""
     lengths = [
         sqrt(semi_axis**2 + 2 * radius * size.film)
@@ -120,7 +125,7 @@ def _grids(scene: Scene, size: Scales) -> tuple[Grid, ...]:
     ]
     short = min(lengths)
     dx, dy = (min(length, LARGEST_STRETCH * short) / COARSE_CELLS for length in lengths)
-    return nest(window(scene, size, NEAR), window(scene, size, FAR), dx, dy)
+    return nest(window(scene, size, near), window(scene, size, far), dx, dy)
 
 
 def _isothermal(scene: Scene) -> tuple[Effect, ...]:

@@ -57,8 +57,17 @@ def _vertex(searched: Array, field: Array) -> tuple[float, tuple[float, float]]:
 
 
 def value_at_origin(grid: Grid, field: Array) -> float:
-    """Value of a field at the contact point."""
-    return float(_spline(grid, field)(0.0, 0.0, grid=False))
+    """Value of a field at the contact point, by splines through the nodes nearest to it."""
+    columns = _around(-grid.west / grid.dx, grid.nx)
+    rows = _around(-grid.south / grid.dy, grid.ny)
+    spline = RectBivariateSpline(grid.x[columns], grid.y[rows], field[columns, rows])
+    return float(spline(0.0, 0.0, grid=False))
+
+
+def _around(place: float, count: int) -> slice:
+    """Eight nodes around a place given in nodes, or those nearest to it at an end."""
+    first = min(max(round(place) - 4, 0), count - 8)
+    return slice(first, first + 8)
 
 
 def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
@@ -66,7 +75,7 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
 
     Only the first minimum behind the contact point counts; the film grows without end beyond it.
     """
-    spline = _spline(grid, film)
+    spline = RectBivariateSpline(grid.x, grid.y, film)
     direction = np.array([np.cos(angle), np.sin(angle)])
     sides = np.array(
         [
@@ -80,10 +89,6 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
     profile = spline(along * direction[0], along * direction[1], grid=False)
     place = int(np.argmin(profile))
     return float(profile[place]), float(along[place])
-
-
-def _spline(grid: Grid, field: Array) -> RectBivariateSpline:
-    return RectBivariateSpline(grid.x, grid.y, field)
 
 
 def contact_extent(grid: Grid, pressure: Array) -> tuple[float, float]:

@@ -7,18 +7,29 @@ import xarray as xr
 
 @dataclass(frozen=True)
 class Estimate:
-    """A figure and its relative error bar.
+    """A figure and its relative error bar, by origin (`pyworm.accuracy`).
 
     Attributes
     ----------
     value : float
         The figure in SI units.
-    error : float
-        Estimated relative error [-], from the comparison of the last two grids.
+    grid : float
+        Error by the grid, from the climb over grids of halving spacing [-].
+    domain : float
+        Error by the end of the window, from one of twice the reach [-].
+    algebra : float
+        Error by stopping the Newton iteration [-].
     """
 
     value: float
-    error: float
+    grid: float
+    domain: float = 0.0
+    algebra: float = 0.0
+
+    @property
+    def error(self) -> float:
+        """Relative error, all origins together [-]."""
+        return self.grid + self.domain + self.algebra
 
 
 @dataclass(frozen=True)
@@ -141,13 +152,16 @@ class Solution:
             "stop_reason": self.stop_reason,
             "film_min_m": figures.film_min.value,
             "film_min_error": figures.film_min.error,
+            **_parts("film_min", figures.film_min),
             "film_min_at_m": list(figures.film_min_at),
             "film_central_m": figures.film_central.value,
             "film_central_error": figures.film_central.error,
+            **_parts("film_central", figures.film_central),
             "film_exit_min_m": figures.film_exit_min,
             "film_exit_min_at_m": figures.film_exit_min_at,
             "pressure_max_Pa": figures.pressure_max.value,
             "pressure_max_error": figures.pressure_max.error,
+            **_parts("pressure_max", figures.pressure_max),
             "dry_pressure_max_Pa": figures.dry.pressure_max,
             "dry_length_m": figures.dry.length,
             "dry_width_m": figures.dry.width,
@@ -160,3 +174,10 @@ class Solution:
             "mass_error": figures.mass_error,
             **asdict(self.cost),
         }
+
+
+def _parts(name: str, estimate: Estimate) -> dict[str, float]:
+    """The parts of an error bar under flat names."""
+    return {
+        f"{name}_error_{part}": getattr(estimate, part) for part in ("grid", "domain", "algebra")
+    }

@@ -1,15 +1,24 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import fields
 from time import perf_counter, process_time
 
 import numpy as np
 import xarray as xr
 
 from pyworm import reading
-from pyworm.climb import Rung, Stride, dry_contact, first_rung, next_rung, settle
+from pyworm.accuracy import (
+    FIGURES,
+    JUDGED,
+    WIDER_SHARE,
+    Reading,
+    domain_errors,
+    grid_errors,
+)
+from pyworm.climb import Rung, Settled, Stride, dry_contact, first_rung, next_rung, settle
 from pyworm.effects import Plan
+from pyworm.grid import Grid
 from pyworm.kernels import DryContact
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
@@ -24,21 +33,17 @@ COARSE_TOLERANCE = 1e-4
 ACCURATE = "the figures are as accurate as asked for"
 """The stop reason of a converged solution."""
 
+ALGEBRA_SHARE = 0.1
+"""Error of the films by unfinished algebra that is left on a grid, as a share of the accuracy."""
+
+DOMAIN_SHARE = 0.3
+"""Error of the films by the window beyond which the wider one is taken, as a share of the accuracy."""
+
 MOST_UNSETTLED = 2
 """Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
 
 TIMED_CONVOLUTIONS = 10
 """Convolutions timed for the unit of cost."""
-
-
-@dataclass(frozen=True)
-class _Reading:
-    """Figures on one grid: films [m] and their place [m], pressure [Pa]."""
-
-    film_min: float
-    film_min_at: tuple[float, float]
-    film_central: float
-    pressure_max: float
 
 
 def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solution:
@@ -66,25 +71,33 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
     """
     tell = progress or (lambda message, share: None)
     size = scales(scene)
-    strides: list[Stride] = []
-    readings: list[_Reading] = []
     unsettled = 0
 
     started, started_work = perf_counter(), process_time()
-    tell(f"{scene.name}: dry contact", 0.0)
-    rung = first_rung(scene, size, plan.grids[0])
-    for grid in plan.grids[1:]:
-        strides += settle(rung, COARSE_TOLERANCE)
-        rung = next_rung(scene, size, rung, grid)
+    tell(f"{scene.name}: first grids", 0.0)
+    rung, settled, strides = _first_figures(scene, size, plan.grids, plan)
+    domain = dict.fromkeys(FIGURES, np.inf)
+    if plan.wider_grids:
+        tell(f"{scene.name}: wider window", 0.1)
+        wider, settled_wider, steps = _first_figures(scene, size, plan.wider_grids, plan)
+        strides += steps
+        domain = domain_errors(settled.reading, settled_wider.reading)
+        if max(domain[name] for name in JUDGED) > DOMAIN_SHARE * plan.accuracy:
+            rung, settled = wider, settled_wider
+            domain = {name: WIDER_SHARE * error for name, error in domain.items()}
+    readings = [settled.reading]
     while True:
-        tell(f"{scene.name}: {rung.grid.nx} x {rung.grid.ny}", 1 - 0.5 ** (len(readings) + 1))
-        strides += settle(rung, plan.tolerance)
-        readings.append(_read(rung))
         unsettled += rung.film.balance.worst > plan.tolerance
-        stop_reason = _stop_reason(rung, readings, unsettled, plan)
+        estimates = _estimates(readings, domain, settled.algebra)
+        stop_reason = _stop_reason(rung, estimates, unsettled, plan)
         if stop_reason is not None:
             break
-        rung = next_rung(scene, size, rung, rung.grid.finer())
+        finer = rung.grid.finer()
+        tell(f"{scene.name}: {finer.nx} x {finer.ny}", 1 - 0.7 ** (len(readings) + 1))
+        rung = next_rung(scene, size, rung, finer)
+        settled = _settle_figures(rung, plan)
+        strides += settled.strides
+        readings.append(settled.reading)
     seconds, work = perf_counter() - started, process_time() - started_work
 
     dry = dry_contact(scene, rung.grid, rung.gap, rung.covered, rung.film.pressure)
@@ -96,34 +109,52 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
-        figures=_figures(size, rung, readings, dry),
+        figures=_figures(size, rung, settled.reading, estimates, dry),
         fields=_fields(scene, rung, dry),
         history=_history(strides),
         cost=Cost(seconds, work / _convolution_work(rung)),
     )
 
 
-def _read(rung: Rung) -> _Reading:
-    film, _, _ = rung.film.fields()
-    film_min, at = reading.film_minimum(rung.grid, film, rung.film.pressure > 0)
-    return _Reading(
-        film_min,
-        at,
-        reading.value_at_origin(rung.grid, film),
-        reading.pressure_maximum(rung.film.pressure),
-    )
+def _first_figures(
+    scene: Scene, size: Scales, grids: Sequence[Grid], plan: Plan
+) -> tuple[Rung, Settled, list[Stride]]:
+    """Up the nest to the first grid of the figures."""
+    strides: list[Stride] = []
+    rung = first_rung(scene, size, grids[0])
+    for grid in grids[1:]:
+        strides += settle(rung, COARSE_TOLERANCE).strides
+        rung = next_rung(scene, size, rung, grid)
+    settled = _settle_figures(rung, plan)
+    return rung, settled, [*strides, *settled.strides]
+
+
+def _settle_figures(rung: Rung, plan: Plan) -> Settled:
+    return settle(rung, plan.tolerance, ALGEBRA_SHARE * plan.accuracy)
+
+
+def _estimates(
+    readings: Sequence[Reading], domain: Mapping[str, float], algebra: Mapping[str, float]
+) -> dict[str, Estimate]:
+    grid = grid_errors(readings)
+    return {
+        name: Estimate(getattr(readings[-1], name), grid[name], domain[name], algebra[name])
+        for name in FIGURES
+    }
 
 
 def _stop_reason(
-    rung: Rung, readings: Sequence[_Reading], unsettled: int, plan: Plan
+    rung: Rung, estimates: Mapping[str, Estimate], unsettled: int, plan: Plan
 ) -> str | None:
     """Why the climb ends here, or None if it goes on."""
-    errors = _errors(readings)
-    error = max(errors[name] for name in _JUDGED)
+    error = max(estimates[name].error for name in JUDGED)
     settled = rung.film.balance.worst <= plan.tolerance
-    resolved = readings[-1].film_min > 0
+    resolved = estimates["film_min"].value > 0
     if settled and resolved and error <= plan.accuracy:
         return ACCURATE
+    domain = max(estimates[name].domain for name in JUDGED)
+    if np.isfinite(domain) and domain > plan.accuracy:
+        return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
     last = rung.grid.finer().nodes > plan.largest_grid
     if not settled and (last or unsettled >= MOST_UNSETTLED):
         return (
@@ -133,50 +164,25 @@ def _stop_reason(
         return None
     if not resolved:
         return "the largest grid allowed does not resolve the film"
-    if len(readings) < 2:
-        return "the largest grid allowed leaves no second grid to compare with"
+    if np.isinf(error):
+        return "the largest grid allowed leaves no second grid, or window, to compare with"
     return f"the largest grid allowed leaves an error of {error:.1%}"
 
 
-_JUDGED = ("film_min", "film_central")
-"""Figures that the accuracy is asked of. The largest pressure has its error bar, but is not among them: under
-light loads it is the tip of a spike at the exit, which no practicable grid resolves."""
-
-
-def _errors(readings: Sequence[_Reading]) -> dict[str, float]:
-    """Relative error of each figure on the last of grids of halving spacing.
-
-    The last change, or a quarter of the one before if that is larger (a figure may stand still by chance),
-    divided by what the observed fall of the changes promises: at second order three quarters of the error are
-    gone at each grid. On two grids no fall is seen; then the larger change of both films is the error of all.
-    """
-    values = {name: [getattr(r, name) for r in readings] for name in (*_JUDGED, "pressure_max")}
-    changes = {name: np.abs(np.diff(of) / of[-1]) for name, of in values.items()}
-    if len(readings) == 1:
-        return dict.fromkeys(values, np.inf)
-    if len(readings) == 2:
-        films = max(float(changes[name][-1]) for name in _JUDGED)
-        return {name: max(films, float(change[-1])) for name, change in changes.items()}
-    errors = {}
-    for name, change in changes.items():
-        before, last = change[-2:]
-        fall = np.clip(before / last, 2.0, 4.0) if last > 0 else 4.0
-        errors[name] = float(max(last, before / 4) / (fall - 1))
-    return errors
-
-
-def _figures(size: Scales, rung: Rung, readings: Sequence[_Reading], dry: DryContact) -> Figures:
+def _figures(
+    size: Scales,
+    rung: Rung,
+    last: Reading,
+    estimates: Mapping[str, Estimate],
+    dry: DryContact,
+) -> Figures:
     film, density, imbalance = rung.film.fields()
     u, v = rung.entrainment
     exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, size.angle)
     extents = reading.contact_extent(rung.grid, dry.pressure)
-    estimates = {
-        name: Estimate(getattr(readings[-1], name), error)
-        for name, error in _errors(readings).items()
-    }
     return Figures(
         **estimates,
-        film_min_at=readings[-1].film_min_at,
+        film_min_at=last.film_min_at,
         film_exit_min=exit_min,
         film_exit_min_at=exit_min_at,
         dry=DryFigures(

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.formulas.film import point_asymptotes
 from pyworm.grid import Box
 from pyworm.scales import Scales
 from pyworm.scene import Scene
@@ -45,12 +46,31 @@ class Reach:
         """
         return cls(inlet, inlet / 5)
 
+    def doubled(self) -> "Reach":
+        """Twice as high a gap: the next larger window, for its influence."""
+        return Reach(2 * self.inlet, 2 * self.exit)
 
-NEAR = Reach.around(12.0)
-"""The window of the figures: pressure beyond it comes from a coarser grid."""
 
-FAR = Reach.around(150.0)
+FAR = Reach.around(600.0)
 """The outermost window; pressure beyond it is that of a rigid film (`pyworm.far_field`)."""
+
+NEAR_ELASTIC = 12.0
+"""Reach of the window of the figures in the elastic limit [films]."""
+
+NEAR_RIGID = 100.0
+"""What a rigid film adds to that reach, for then pressure on the coarser grids around carries much load."""
+
+
+def near_reach(size: Scales) -> Reach:
+    """Reach of the window of the figures; pressure beyond it comes from coarser grids.
+
+    The share of the load that a rigid film of the expected thickness would carry, which goes with its square
+    root (Nijenbanning, Venner and Moes' rigid-isoviscous asymptote), leads from the one limit to the other.
+    """
+    groups = size.groups
+    rigid = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio).rigid_isoviscous
+    share_squared = min(1.0, rigid * groups.moes_film / size.film)
+    return Reach.around(NEAR_ELASTIC + NEAR_RIGID * share_squared)
 
 
 def window(scene: Scene, size: Scales, reach: Reach) -> Box:

@@ -52,7 +52,11 @@ def climb(scene, box, cells):
     for _ in range(3):
         grids.append(grids[-1].finer())
         plan = replace(
-            pyworm.plan(scene), grids=tuple(grids), largest_grid=grids[-1].nodes, tolerance=1e-6
+            pyworm.plan(scene),
+            grids=tuple(grids),
+            wider_grids=(),
+            largest_grid=grids[-1].nodes,
+            tolerance=1e-6,
         )
         solution = pyworm.solve(scene, plan)
         assert solution.figures.residual <= 1e-6
@@ -136,21 +140,37 @@ def test_spin_turns_the_film_and_its_mirror_image_the_other_way():
     assert lopsided > 0.2
 
 
-def test_pure_spin_of_an_elliptic_contact_forms_a_film():
+def pure_spin(reach):
+    """An elliptic contact whose surfaces only spin, and end at a distance in half-widths."""
     like = circular(5, 2)
-    turning = RigidMotion(0.0, 0.0, like.motions[0].u / scales(like).hertz.semi_axis_x)
-    scene = replace(
-        like,
-        gap=Paraboloid(2 * RADIUS, RADIUS),
-        radii=(2 * RADIUS, RADIUS),
-        motions=(turning, turning),
+    a = scales(like).hertz.semi_axis_x
+    turning = RigidMotion(0.0, 0.0, like.motions[0].u / a)
+    whole = Paraboloid(2 * RADIUS, RADIUS)
+
+    def ends(x, y):
+        return whole(x, y)[0], x**2 + y**2 < (reach * a) ** 2
+
+    return replace(
+        like, gap=ends, radii=(whole.radius_x, whole.radius_y), motions=(turning, turning)
     )
+
+
+def test_pure_spin_of_an_elliptic_contact_forms_a_film():
+    scene = pure_spin(6.0)
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.05))
     assert solution.converged
     film = solution.fields.film
     assert solution.figures.film_min.value > 0
     # half a turn about the contact point maps the scene onto itself
     assert np.allclose(film.values[::-1, ::-1], film.values, rtol=2e-2)
+
+
+def test_a_film_that_depends_on_surfaces_far_out_is_marked():
+    """Pressure by spin falls with the square of the distance only: its load has no bound on a plane."""
+    scene = pure_spin(1e6)
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.05))
+    assert not solution.converged
+    assert "window" in solution.stop_reason
 
 
 def test_rigid_isoviscous_sphere():
