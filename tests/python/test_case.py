@@ -47,9 +47,10 @@ def test_every_shipped_contact_makes_one_scene(path):
     assert abs(gap.item()) < 1e-9
 
 
-@pytest.mark.parametrize("m", [20, 100, 200])
-def test_model_contacts_have_the_parameters_in_their_name(m):
-    assert moes(load(CASES / f"point_m{m}_l10.toml").scene()) == pytest.approx((m, 10), rel=1e-4)
+@pytest.mark.parametrize(("m", "el"), [(20, 10), (100, 10), (200, 10), (1000, 10), (200, 20)])
+def test_model_contacts_have_the_parameters_in_their_name(m, el):
+    scene = load(CASES / f"point_m{m}_l{el}.toml").scene()
+    assert moes(scene) == pytest.approx((m, el), rel=1e-4)
 
 
 def test_mourier_has_the_published_parameters():
