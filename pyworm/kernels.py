@@ -1,9 +1,15 @@
 """The one door to the compiled kernel: arrays in Fortran order go in, status numbers become exceptions."""
 
+import os
 import weakref
 from dataclasses import dataclass
 
 import numpy as np
+
+# One thread a process unless asked otherwise, since batch work runs a process a core. This stands before the
+# kernel is loaded, which counts its threads then.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from pyworm import _core
 from pyworm.oils import Barus, Oil

@@ -1,7 +1,7 @@
 !> GMRES with right preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.5).
 module krylov
   use kinds, only: wp
-  use vectors, only: dot
+  use vectors, only: dot, step_along
   implicit none(type, external)
   private
 
@@ -60,7 +60,7 @@ contains
       call system%multiply(z, basis(:, j + 1))
       do i = 1, j
         hessenberg(i, j) = dot(basis(:, i), basis(:, j + 1))
-        basis(:, j + 1) = basis(:, j + 1) - hessenberg(i, j)*basis(:, i)
+        call step_along(-hessenberg(i, j), basis(:, i), basis(:, j + 1))
       end do
       lift = sqrt(dot(basis(:, j + 1), basis(:, j + 1)))
       hessenberg(j + 1, j) = lift
@@ -85,7 +85,7 @@ contains
     end do
     z = 0
     do i = 1, iterations
-      z = z + projection(i)*basis(:, i)
+      call step_along(projection(i), basis(:, i), z)
     end do
     call system%precondition(z, x)
   end subroutine gmres

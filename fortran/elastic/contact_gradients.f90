@@ -97,7 +97,7 @@ contains
   end subroutine close_gap
 
   !> Mean of a field over the contact and its standard deviation there.
-  pure subroutine spread_in(contact, field, mean, deviation)
+  subroutine spread_in(contact, field, mean, deviation)
     real(wp), contiguous, intent(in) :: contact(:), field(:)
     real(wp), intent(out) :: mean, deviation
     real(wp) :: nodes, squares
@@ -114,7 +114,7 @@ contains
   end subroutine spread_in
 
   !> Takes from a field all that is outside the contact and its mean inside: it then keeps the load.
-  pure subroutine keep_balanced(contact, field)
+  subroutine keep_balanced(contact, field)
     real(wp), contiguous, intent(in) :: contact(:)
     real(wp), contiguous, intent(inout) :: field(:)
 

@@ -12,6 +12,7 @@ module half_space
   use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_many_dft, fftw_plan_many_dft_r2c, &
     fftw_plan_many_dft_c2r, fftw_plan_r2r_2d, fftw_execute_dft, fftw_execute_dft_r2c, fftw_execute_dft_c2r, &
     fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, FFTW_BACKWARD, FFTW_REDFT00
+  use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use kinds, only: wp
   use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)
@@ -36,8 +37,8 @@ module half_space
     !> Half spectra of the rows, (mx/2+1, ny), and the same memory as reals, (mx+2, ny).
     complex(c_double_complex), pointer, contiguous :: spectra(:, :) => null()
     real(wp), pointer, contiguous :: rows(:, :) => null()
-    !> One block of columns, (my, block_columns).
-    complex(c_double_complex), pointer, contiguous :: columns(:, :) => null()
+    !> One block of columns for each thread, (my, block_columns, threads).
+    complex(c_double_complex), pointer, contiguous :: columns(:, :, :) => null()
     type(c_ptr) :: rows_forward = c_null_ptr, rows_backward = c_null_ptr
     type(c_ptr) :: columns_forward = c_null_ptr, columns_backward = c_null_ptr
     type(c_ptr) :: spectra_memory = c_null_ptr, columns_memory = c_null_ptr
@@ -54,7 +55,7 @@ contains
     integer, intent(in) :: nx, ny
     real(wp), intent(in) :: dx, dy, reduced_modulus
     integer, intent(out) :: stat
-    integer :: err
+    integer :: err, threads
 
     stat = status_bad_argument
     if (nx < 3 .or. ny < 3 .or. .not. (dx > 0 .and. dy > 0 .and. reduced_modulus > 0)) return
@@ -67,11 +68,12 @@ contains
 
     stat = status_no_memory
     self%spectra_memory = fftw_alloc_complex(int(self%mx/2 + 1, c_size_t)*ny)
-    self%columns_memory = fftw_alloc_complex(int(self%my, c_size_t)*block_columns)
+    threads = omp_get_max_threads()
+    self%columns_memory = fftw_alloc_complex(int(self%my, c_size_t)*block_columns*threads)
     if (.not. (c_associated(self%spectra_memory) .and. c_associated(self%columns_memory))) return
     call c_f_pointer(self%spectra_memory, self%spectra, [self%mx/2 + 1, ny])
     call c_f_pointer(self%spectra_memory, self%rows, [self%mx + 2, ny])
-    call c_f_pointer(self%columns_memory, self%columns, [self%my, block_columns])
+    call c_f_pointer(self%columns_memory, self%columns, [self%my, block_columns, threads])
     allocate (self%kernel(self%my/2 + 1, self%mx/2 + 1), stat=err)
     if (err /= 0) return
 
@@ -106,9 +108,9 @@ contains
     length_y = self%my
     ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
     !$omp critical (fftw_planner)
-    self%rows_forward = fftw_plan_many_dft_r2c(1, length_x, self%ny, &
+    self%rows_forward = fftw_plan_many_dft_r2c(1, length_x, 1, &
       self%rows, [self%mx + 2], 1, self%mx + 2, self%spectra, [self%mx/2 + 1], 1, self%mx/2 + 1, FFTW_ESTIMATE)
-    self%rows_backward = fftw_plan_many_dft_c2r(1, length_x, self%ny, &
+    self%rows_backward = fftw_plan_many_dft_c2r(1, length_x, 1, &
       self%spectra, [self%mx/2 + 1], 1, self%mx/2 + 1, self%rows, [self%mx + 2], 1, self%mx + 2, FFTW_ESTIMATE)
     self%columns_forward = fftw_plan_many_dft(1, length_y, block_columns, &
       self%columns, length_y, 1, self%my, self%columns, length_y, 1, self%my, FFTW_FORWARD, FFTW_ESTIMATE)
@@ -171,49 +173,52 @@ contains
     class(elastic_half_space), intent(inout) :: self
     real(wp), intent(in) :: p(self%nx, self%ny)
     real(wp), intent(out) :: w(self%nx, self%ny)
-    integer :: i, j, first
+    integer :: j, first, thread
 
+    !$omp parallel do schedule(static)
     do j = 1, self%ny
       self%rows(1:self%nx, j) = p(:, j)
       self%rows(self%nx + 1:self%mx, j) = 0
+      call fftw_execute_dft_r2c(self%rows_forward, self%rows(:, j), self%spectra(:, j))
     end do
-    call fftw_execute_dft_r2c(self%rows_forward, self%rows, self%spectra)
+    !$omp parallel do private(thread) schedule(static) num_threads(size(self%columns, 3))
     do first = 1, self%mx/2 + 1, block_columns
-      call convolve_columns(self, first, min(block_columns, self%mx/2 + 2 - first))
+      thread = omp_get_thread_num() + 1
+      call convolve_columns(self, first, min(block_columns, self%mx/2 + 2 - first), self%columns(:, :, thread))
     end do
-    call fftw_execute_dft_c2r(self%rows_backward, self%spectra, self%rows)
+    !$omp parallel do schedule(static)
     do j = 1, self%ny
-      do i = 1, self%nx
-        w(i, j) = self%rows(i, j)
-      end do
+      call fftw_execute_dft_c2r(self%rows_backward, self%spectra(:, j), self%rows(:, j))
+      w(:, j) = self%rows(1:self%nx, j)
     end do
   end subroutine deflection
 
   !> Convolution along y of `count` columns of the half spectra, from column `first` on.
-  subroutine convolve_columns(self, first, count)
+  subroutine convolve_columns(self, first, count, columns)
     class(elastic_half_space), intent(inout) :: self
     integer, intent(in) :: first, count
+    complex(c_double_complex), contiguous, intent(inout) :: columns(:, :)
     integer :: j, k, half
 
     half = self%my/2
     do j = 1, self%ny
       do k = 1, count
-        self%columns(j, k) = self%spectra(first + k - 1, j)
+        columns(j, k) = self%spectra(first + k - 1, j)
       end do
     end do
-    self%columns(:, count + 1:) = 0
-    self%columns(self%ny + 1:, :count) = 0
-    call fftw_execute_dft(self%columns_forward, self%columns, self%columns)
+    columns(:, count + 1:) = 0
+    columns(self%ny + 1:, :count) = 0
+    call fftw_execute_dft(self%columns_forward, columns, columns)
     do k = 1, count
       associate (symbol => self%kernel(:, first + k - 1))
-        self%columns(:half + 1, k) = self%columns(:half + 1, k)*symbol
-        self%columns(half + 2:, k) = self%columns(half + 2:, k)*symbol(half:2:-1)
+        columns(:half + 1, k) = columns(:half + 1, k)*symbol
+        columns(half + 2:, k) = columns(half + 2:, k)*symbol(half:2:-1)
       end associate
     end do
-    call fftw_execute_dft(self%columns_backward, self%columns, self%columns)
+    call fftw_execute_dft(self%columns_backward, columns, columns)
     do j = 1, self%ny
       do k = 1, count
-        self%spectra(first + k - 1, j) = self%columns(j, k)
+        self%spectra(first + k - 1, j) = columns(j, k)
       end do
     end do
   end subroutine convolve_columns

@@ -34,13 +34,14 @@ contains
   end subroutine new_line_factors
 
   !> Factors the lines; points of the outline are never touched.
-  pure subroutine factor_lines(matrix, self)
+  subroutine factor_lines(matrix, self)
     type(five_points), intent(in) :: matrix
     type(line_factors), intent(inout) :: self
     integer :: i, j, n, middle
 
     n = size(matrix%centre, 1)
     middle = n/2
+    !$omp parallel do private(i) schedule(static)
     do j = 2, size(matrix%centre, 2) - 1
       do i = 2, middle
         self%pivot(i, j) = 1/(matrix%centre(i, j) - matrix%left(i, j)*self%inward(i - 1, j))

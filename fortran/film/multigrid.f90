@@ -124,7 +124,7 @@ contains
   end subroutine allocate_level
 
   !> A film's field as the finest level has it.
-  pure subroutine orient(transposed, field, oriented)
+  subroutine orient(transposed, field, oriented)
     logical, intent(in) :: transposed
     real(wp), intent(in) :: field(:, :)
     real(pp), intent(out) :: oriented(:, :)
@@ -135,6 +135,7 @@ contains
       oriented = real(field, pp)
       return
     end if
+    !$omp parallel do private(i, k, l) schedule(static)
     do j = 1, size(field, 2), block
       do i = 1, size(field, 1), block
         do k = i, min(i + block - 1, size(field, 1))
@@ -192,41 +193,38 @@ contains
   end subroutine set_film_multigrid
 
   !> The five-point matrix of the local model; rows where pressure is not free are those of the identity.
-  pure subroutine set_matrix(level)
+  subroutine set_matrix(level)
     type(grid_level), intent(inout) :: level
     real(pp) :: leave(level%length), enter(level%length)
     integer :: i, j, n
 
     n = level%length
     associate (a => level%matrix, m => level%m, p => level%p, dm => level%dm, dq => level%dq, free => level%free)
-      a%centre = 0
-      do j = 1, level%count - 1
-        ! through the faces within line j: what a node's pressure drives out of it, and the next one's into it
+      !$omp parallel do private(i, leave, enter) schedule(static)
+      do j = 2, level%count - 1
+        ! through the faces within the line: what a node's pressure drives out of it, and the next one's into it
         call face_flow(m(:n - 1, j), m(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
           dq(2:, j), level%along(:n - 1, j), 1/level%d_along, leave(:n - 1), enter(:n - 1))
-        do i = 1, n - 1
-          a%centre(i, j) = a%centre(i, j) + leave(i)
-          a%right(i, j) = -enter(i)
-          a%left(i + 1, j) = -leave(i)
+        do i = 2, n - 1
+          a%centre(i, j) = leave(i) + enter(i - 1)
+          a%right(i, j) = -enter(i)*free(i + 1, j)
+          a%left(i, j) = -leave(i - 1)*free(i - 1, j)
         end do
-        a%centre(2:, j) = a%centre(2:, j) + enter(:n - 1)
-        ! through the faces towards the next line
+        ! through the faces towards the next line, and from the one before
         call face_flow(m(:, j), m(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), dq(:, j), dq(:, j + 1), &
           level%across(:, j), 1/level%d_across, leave, enter)
-        do i = 1, n
-          a%centre(i, j) = a%centre(i, j) + leave(i)
-          a%after(i, j) = -enter(i)
-          a%before(i, j + 1) = -leave(i)
-          a%centre(i, j + 1) = a%centre(i, j + 1) + enter(i)
-        end do
-      end do
-      do j = 2, level%count - 1
+        a%centre(:, j) = a%centre(:, j) + leave
+        a%after(:, j) = -enter*free(:, j + 1)
+        call face_flow(m(:, j - 1), m(:, j), p(:, j - 1), p(:, j), dm(:, j - 1), dm(:, j), dq(:, j - 1), dq(:, j), &
+          level%across(:, j - 1), 1/level%d_across, leave, enter)
+        a%centre(:, j) = a%centre(:, j) + enter
+        a%before(:, j) = -leave*free(:, j - 1)
         do i = 2, n - 1
           a%centre(i, j) = free(i, j)*a%centre(i, j) + (1 - free(i, j))
-          a%left(i, j) = free(i, j)*free(i - 1, j)*a%left(i, j)
-          a%right(i, j) = free(i, j)*free(i + 1, j)*a%right(i, j)
-          a%before(i, j) = free(i, j)*free(i, j - 1)*a%before(i, j)
-          a%after(i, j) = free(i, j)*free(i, j + 1)*a%after(i, j)
+          a%left(i, j) = free(i, j)*a%left(i, j)
+          a%right(i, j) = free(i, j)*a%right(i, j)
+          a%before(i, j) = free(i, j)*a%before(i, j)
+          a%after(i, j) = free(i, j)*a%after(i, j)
         end do
       end do
     end associate
@@ -284,7 +282,7 @@ contains
   end subroutine film_cycle
 
   !> The inverse of `orient`.
-  pure subroutine orient_back(transposed, oriented, field)
+  subroutine orient_back(transposed, oriented, field)
     logical, intent(in) :: transposed
     real(pp), intent(in) :: oriented(:, :)
     real(wp), intent(out) :: field(:, :)
@@ -295,6 +293,7 @@ contains
       field = oriented
       return
     end if
+    !$omp parallel do private(i, k, l) schedule(static)
     do j = 1, size(field, 2), block
       do i = 1, size(field, 1), block
         do l = j, min(j + block - 1, size(field, 2))
@@ -326,11 +325,12 @@ contains
     end associate
   end subroutine cycle_from
 
-  pure subroutine residual(level)
+  subroutine residual(level)
     type(grid_level), intent(inout) :: level
     integer :: i, j
 
     associate (a => level%matrix, x => level%x)
+      !$omp parallel do private(i) schedule(static)
       do j = 2, level%count - 1
         do i = 2, level%length - 1
           level%r(i, j) = level%f(i, j) - a%centre(i, j)*x(i, j) - a%left(i, j)*x(i - 1, j) &
@@ -356,11 +356,12 @@ contains
   end subroutine solve_coarsest
 
   !> Full weighting at inner points; the outline keeps what it has.
-  pure subroutine restrict(fine, coarse)
+  subroutine restrict(fine, coarse)
     real(pp), intent(in) :: fine(:, :)
     real(pp), intent(inout) :: coarse(:, :)
     integer :: i, j, k, l
 
+    !$omp parallel do private(i, k, l) schedule(static)
     do j = 2, size(coarse, 2) - 1
       l = 2*j - 1
       do i = 2, size(coarse, 1) - 1
@@ -373,12 +374,13 @@ contains
   end subroutine restrict
 
   !> Adds the bilinear interpolant of the coarse field where pressure is free.
-  pure subroutine add_prolonged(coarse, free, fine)
+  subroutine add_prolonged(coarse, free, fine)
     real(pp), intent(in) :: coarse(:, :), free(:, :)
     real(pp), intent(inout) :: fine(:, :)
     real(pp) :: row(size(coarse, 1))
     integer :: i, j, k
 
+    !$omp parallel do private(i, k, row) schedule(static)
     do j = 1, size(fine, 2)
       k = (j + 1)/2
       if (mod(j, 2) == 1) then

@@ -55,6 +55,7 @@ contains
     real(wp) :: eta, slope, thickness
     integer :: i, j
 
+    !$omp parallel do private(i, eta, slope, thickness) schedule(static)
     do j = 1, size(fields%p, 2)
       do i = 1, size(fields%p, 1)
         call viscosity(oil, fields%p(i, j), eta, slope)
@@ -74,10 +75,14 @@ contains
     type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(out) :: imbalance(:, :)
     real(wp), allocatable :: mass(:, :)
+    integer :: j
 
     allocate (mass, mold=imbalance)
-    mass = fields%rho*fields%h
-    imbalance = fields%rho*grid%squeeze
+    !$omp parallel do schedule(static)
+    do j = 1, grid%ny
+      mass(:, j) = fields%rho(:, j)*fields%h(:, j)
+      imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
+    end do
     call add_wedge(grid, mass, imbalance)
     call add_diffusion(grid, fields%mobility, fields%p, imbalance)
     call clear_outline(imbalance)
@@ -89,15 +94,19 @@ contains
     type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
-    real(wp), allocatable :: shift(:, :)
+    real(wp), allocatable :: mass(:, :), mobility(:, :)
+    integer :: j
 
-    allocate (shift, mold=change)
-    change = fields%rho_p*grid%squeeze*dp
-    shift = fields%rho_p*fields%h*dp + fields%rho*dh
-    call add_wedge(grid, shift, change)
+    allocate (mass, mobility, mold=change)
+    !$omp parallel do schedule(static)
+    do j = 1, grid%ny
+      mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+      mobility(:, j) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
+      change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
+    end do
+    call add_wedge(grid, mass, change)
     call add_diffusion(grid, fields%mobility, dp, change)
-    shift = fields%mobility_p*dp + fields%mobility_h*dh
-    call add_diffusion(grid, shift, fields%p, change)
+    call add_diffusion(grid, mobility, fields%p, change)
     call clear_outline(change)
   end subroutine flow_imbalance_change
 
@@ -106,24 +115,19 @@ contains
     type(film_grid), intent(in) :: grid
     real(wp), contiguous, intent(in) :: m(:, :), p(:, :)
     real(wp), contiguous, intent(inout) :: r(:, :)
-    real(wp) :: flux(grid%nx), scale
+    real(wp) :: along_x, along_y
     integer :: i, j
 
-    scale = 0.5_wp/grid%dx**2
+    along_x = 0.5_wp/grid%dx**2
+    along_y = 0.5_wp/grid%dy**2
+    !$omp parallel do private(i) schedule(static)
     do j = 2, grid%ny - 1
-      do i = 1, grid%nx - 1
-        flux(i) = scale*(m(i, j) + m(i + 1, j))*(p(i, j) - p(i + 1, j))
-      end do
       do i = 2, grid%nx - 1
-        r(i, j) = r(i, j) + flux(i) - flux(i - 1)
-      end do
-    end do
-    scale = 0.5_wp/grid%dy**2
-    do j = 1, grid%ny - 1
-      do i = 1, grid%nx
-        flux(i) = scale*(m(i, j) + m(i, j + 1))*(p(i, j) - p(i, j + 1))
-        r(i, j) = r(i, j) + flux(i)
-        r(i, j + 1) = r(i, j + 1) - flux(i)
+        r(i, j) = r(i, j) &
+          + along_x*((m(i, j) + m(i + 1, j))*(p(i, j) - p(i + 1, j)) &
+          + (m(i, j) + m(i - 1, j))*(p(i, j) - p(i - 1, j))) &
+          + along_y*((m(i, j) + m(i, j + 1))*(p(i, j) - p(i, j + 1)) &
+          + (m(i, j) + m(i, j - 1))*(p(i, j) - p(i, j - 1)))
       end do
     end do
   end subroutine add_diffusion
@@ -133,33 +137,41 @@ contains
     type(film_grid), intent(in) :: grid
     real(wp), contiguous, intent(in) :: q(:, :)
     real(wp), contiguous, intent(inout) :: r(:, :)
-    real(wp) :: flux(grid%nx)
-    integer :: i, j, nx, ny
+    real(wp) :: flux(grid%nx), before(grid%nx), after(grid%nx)
+    integer :: i, j, nx
 
     nx = grid%nx
-    ny = grid%ny
-    do j = 2, ny - 1
+    !$omp parallel do private(i, flux, before, after) schedule(static)
+    do j = 2, grid%ny - 1
       flux(1) = grid%u(1, j)*(q(1, j) + q(2, j))/(2*grid%dx)
       flux(nx - 1) = grid%u(nx - 1, j)*(q(nx - 1, j) + q(nx, j))/(2*grid%dx)
       do i = 2, nx - 2
         flux(i) = upwind(grid%u(i, j), q(i - 1, j), q(i, j), q(i + 1, j), q(i + 2, j))/grid%dx
       end do
+      call flow_between_rows(grid, q, j - 1, before)
+      call flow_between_rows(grid, q, j, after)
       do i = 2, nx - 1
-        r(i, j) = r(i, j) + flux(i) - flux(i - 1)
+        r(i, j) = r(i, j) + flux(i) - flux(i - 1) + after(i) - before(i)
       end do
     end do
-    do j = 2, ny - 2
-      do i = 1, nx
-        flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
-        r(i, j) = r(i, j) + flux(i)
-        r(i, j + 1) = r(i, j + 1) - flux(i)
-      end do
-    end do
-    flux = grid%v(:, 1)*(q(:, 1) + q(:, 2))/(2*grid%dy)
-    r(:, 2) = r(:, 2) - flux
-    flux = grid%v(:, ny - 1)*(q(:, ny - 1) + q(:, ny))/(2*grid%dy)
-    r(:, ny - 1) = r(:, ny - 1) + flux
   end subroutine add_wedge
+
+  !> Wedge flow through the faces between row j and the next, per spacing [m/s].
+  pure subroutine flow_between_rows(grid, q, j, flux)
+    type(film_grid), intent(in) :: grid
+    real(wp), contiguous, intent(in) :: q(:, :)
+    integer, intent(in) :: j
+    real(wp), intent(out) :: flux(grid%nx)
+    integer :: i
+
+    if (j == 1 .or. j == grid%ny - 1) then
+      flux = grid%v(:, j)*(q(:, j) + q(:, j + 1))/(2*grid%dy)
+    else
+      do i = 1, grid%nx
+        flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
+      end do
+    end if
+  end subroutine flow_between_rows
 
   !> Flow of q through a face between the second and the third of four nodes.
   pure real(wp) function upwind(u, q1, q2, q3, q4)
