@@ -1,6 +1,6 @@
 """How far a figure may be from the truth: by its grid, by its window, by its unfinished algebra."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,13 +17,13 @@ class Reading:
     pressure_max : float
         Largest pressure, between nodes [Pa].
     film_min_at : tuple of float
-        Where the minimum film is, (x, y) [m].
+        Where the minimum film is, along each direction of the grid [m].
     """
 
     film_min: float
     film_central: float
     pressure_max: float
-    film_min_at: tuple[float, float]
+    film_min_at: tuple[float, ...]
 
 
 JUDGED = ("film_min", "film_central")
@@ -32,12 +32,24 @@ light loads it is the tip of a spike at the exit, which no practicable grid reso
 
 FIGURES = (*JUDGED, "pressure_max")
 
-WINDOW_LIMIT = 1.7
-"""Error of a window over what doubling its reach (in gap) changes; it falls with the power -3/2 of the reach
-(1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were measured against a reach 15 times larger)."""
 
-WIDER_SHARE = 0.35
-"""Share of a window's error that is left when its reach is doubled, 2^-1.5."""
+@dataclass(frozen=True)
+class Convergence:
+    """How the figures of a kind of contact come near the truth.
+
+    Attributes
+    ----------
+    orders : mapping
+        The highest order to believe in by which each figure converges with the spacing.
+    window_limit : float
+        Error of a window over what doubling its reach (in gap) changes.
+    wider_share : float
+        Share of a window's error that is left when its reach is doubled.
+    """
+
+    orders: Mapping[str, float]
+    window_limit: float
+    wider_share: float
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
@@ -48,7 +60,7 @@ def change(before: Reading, after: Reading) -> dict[str, float]:
     }
 
 
-def grid_errors(readings: Sequence[Reading]) -> dict[str, float]:
+def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
     """Relative error of each figure on the last of grids of halving spacing.
 
     The last change, or a quarter of the one before if that is larger (a figure may stand still by chance),
@@ -64,14 +76,18 @@ def grid_errors(readings: Sequence[Reading]) -> dict[str, float]:
     before = change(readings[-3], readings[-2])
     errors = {}
     for name in FIGURES:
-        fall = np.clip(before[name] / last[name], 2.0, 4.0) if last[name] > 0 else 4.0
+        steepest = 2 ** orders[name]
+        fall = np.clip(before[name] / last[name], 2.0, steepest) if last[name] > 0 else steepest
         errors[name] = float(max(last[name], before[name] / 4) / (fall - 1))
     return errors
 
 
-def domain_errors(this: Reading, wider: Reading) -> dict[str, float]:
-    """Relative error of each figure by the end of its window, from a window of twice the reach."""
-    return {name: WINDOW_LIMIT * of for name, of in change(wider, this).items()}
+def domain_errors(this: Reading, wider: Reading, limit: float) -> dict[str, float]:
+    """Relative error of each figure by the end of its window, from a window of twice the reach.
+
+    `limit` is that error over the change seen (`Convergence.window_limit`).
+    """
+    return {name: limit * of for name, of in change(wider, this).items()}
 
 
 def algebra_errors(before: Reading, after: Reading, rate: float) -> dict[str, float]:

@@ -6,22 +6,17 @@ on the window's sides.
 """
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from pyworm import kernels
-from pyworm.accuracy import FIGURES, JUDGED, Reading, algebra_errors
+from pyworm.accuracy import Reading
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
 from pyworm.reading import film_minimum, pressure_maximum, value_at_origin
 from pyworm.scales import Scales
 from pyworm.scene import Scene
-
-MOST_STEPS = 30
-"""Newton steps on one grid before it is given up."""
-
-FORCING = 0.03
-"""Share of the residual to which each Newton step solves its linear system."""
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected central film, below which mobility falls no further."""
@@ -55,6 +50,8 @@ class Rung:
         The kernel's film, in its present state.
     """
 
+    forcing: ClassVar[float] = 0.03
+
     grid: Grid
     gap: np.ndarray
     covered: np.ndarray
@@ -64,16 +61,16 @@ class Rung:
     load: float
     film: kernels.PointFilm
 
-
-@dataclass(frozen=True)
-class Stride:
-    """One Newton step: grid points, balance reached, GMRES iterations."""
-
-    points_x: int
-    points_y: int
-    residual: float
-    load_error: float
-    krylov: int
+    def read(self) -> Reading:
+        """The film's figures in its present state."""
+        film, _, _ = self.film.fields()
+        film_min, at = film_minimum(self.grid, film, self.film.pressure > 0)
+        return Reading(
+            film_min,
+            value_at_origin(self.grid, film),
+            pressure_maximum(self.film.pressure),
+            at,
+        )
 
 
 def dry_contact(scene: Scene, grid: Grid, gap, covered, guess) -> kernels.DryContact:
@@ -147,74 +144,3 @@ def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
         FLOOR_SHARE * size.film,
     )
     return Rung(grid, gap, covered, entrainment, sliding, far, load, film)
-
-
-@dataclass(frozen=True)
-class Settled:
-    """Where Newton's iteration on one grid ended.
-
-    Attributes
-    ----------
-    strides : tuple of Stride
-        Its steps.
-    reading : Reading
-        The figures at its end.
-    algebra : dict
-        Relative error of each figure that further steps would mend.
-    """
-
-    strides: tuple[Stride, ...]
-    reading: Reading
-    algebra: dict[str, float]
-
-
-def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Settled:
-    """Newton steps until the film is settled, or no step helps any more.
-
-    Parameters
-    ----------
-    rung : Rung
-        The film.
-    tolerance : float
-        Residual and load error wanted.
-    algebra_wanted : float
-        Relative error of both films wanted; it takes at least one step to see it.
-    """
-    strides: list[Stride] = []
-    reading = read(rung)
-    algebra = dict.fromkeys(FIGURES, np.inf)
-    while len(strides) < MOST_STEPS and (
-        rung.film.balance.worst > tolerance
-        or max(algebra[name] for name in JUDGED) > algebra_wanted
-    ):
-        before = rung.film.balance.worst
-        try:
-            step = rung.film.step(FORCING)
-        except kernels.KernelError as error:
-            if error.status != kernels.NO_DESCENT:
-                raise
-            break
-        last, reading = reading, read(rung)
-        algebra = algebra_errors(last, reading, step.balance.worst / before)
-        strides.append(
-            Stride(
-                rung.grid.nx,
-                rung.grid.ny,
-                step.balance.residual,
-                step.balance.load_error,
-                step.krylov,
-            )
-        )
-    return Settled(tuple(strides), reading, algebra)
-
-
-def read(rung: Rung) -> Reading:
-    """The film's figures in its present state."""
-    film, _, _ = rung.film.fields()
-    film_min, at = film_minimum(rung.grid, film, rung.film.pressure > 0)
-    return Reading(
-        film_min,
-        value_at_origin(rung.grid, film),
-        pressure_maximum(rung.film.pressure),
-        at,
-    )

@@ -44,6 +44,11 @@ class Grid:
         return self.south + self.dy * np.arange(self.ny)
 
     @property
+    def shape(self) -> tuple[int, int]:
+        """Number of nodes along x and y."""
+        return self.nx, self.ny
+
+    @property
     def nodes(self) -> int:
         """Number of nodes."""
         return self.nx * self.ny

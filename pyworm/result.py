@@ -5,7 +5,7 @@ Layout of the file:
     /                       attributes: format, format_version, case_name, case, provenance
     /mesh_cycle             the unloaded mesh cycle over phase, if the case is a drive
     /scene_000              attributes: the scalars of the solution, units in their names
-    /scene_000/fields       fields over (y, x)
+    /scene_000/fields       fields over (y, x), or over x for a line contact
     /scene_000/history      convergence over iterations
 
 Attributes that are not numbers or plain text (case, provenance, solution) are JSON.
@@ -25,7 +25,7 @@ from pyworm.solution import Solution
 from pyworm.variables import describe
 
 FORMAT = "pyworm result"
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 
 
 @dataclass(frozen=True)

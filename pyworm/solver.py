@@ -1,34 +1,24 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import fields
 from time import perf_counter, process_time
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from pyworm import reading
-from pyworm.accuracy import (
-    FIGURES,
-    JUDGED,
-    WIDER_SHARE,
-    Reading,
-    domain_errors,
-    grid_errors,
-)
-from pyworm.climb import Rung, Settled, Stride, dry_contact, first_rung, next_rung, settle
+from pyworm.accuracy import FIGURES, JUDGED, domain_errors, grid_errors
 from pyworm.effects import Plan
-from pyworm.grid import Grid
-from pyworm.kernels import DryContact
-from pyworm.scales import Scales, scales
+from pyworm.ladder import Ladder, Rung, Settled, Stride, settle
+from pyworm.point_ladder import PointLadder
 from pyworm.scene import Scene
-from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
+from pyworm.solution import Cost, Estimate, Figures, Solution
 from pyworm.variables import describe
 
 Progress = Callable[[str, float], None]
 
-COARSE_TOLERANCE = 1e-4
-"""Residual at which a grid that only leads to a finer window is left."""
+LADDERS: dict[type, type[Ladder]] = {Scene: PointLadder}
+"""The climb of each kind of contact, by its scene."""
 
 ACCURATE = "the figures are as accurate as asked for"
 """The stop reason of a converged solution."""
@@ -70,77 +60,76 @@ def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solutio
         If the scene makes no sense to the kernel (values that are not finite) or memory runs out.
     """
     tell = progress or (lambda message, share: None)
-    size = scales(scene)
+    ladder = LADDERS[type(scene)](scene)
+    convergence = ladder.convergence
     unsettled = 0
 
     started, started_work = perf_counter(), process_time()
     tell(f"{scene.name}: first grids", 0.0)
-    rung, settled, strides = _first_figures(scene, size, plan.grids, plan)
+    rung, settled, strides = _first_figures(ladder, plan.grids, plan)
     domain = dict.fromkeys(FIGURES, np.inf)
     if plan.wider_grids:
         tell(f"{scene.name}: wider window", 0.1)
-        wider, settled_wider, steps = _first_figures(scene, size, plan.wider_grids, plan)
+        wider, settled_wider, steps = _first_figures(ladder, plan.wider_grids, plan)
         strides += steps
-        domain = domain_errors(settled.reading, settled_wider.reading)
+        domain = domain_errors(settled.reading, settled_wider.reading, convergence.window_limit)
         if max(domain[name] for name in JUDGED) > DOMAIN_SHARE * plan.accuracy:
             rung, settled = wider, settled_wider
-            domain = {name: WIDER_SHARE * error for name, error in domain.items()}
+            domain = {name: convergence.wider_share * error for name, error in domain.items()}
     readings = [settled.reading]
     while True:
         unsettled += rung.film.balance.worst > plan.tolerance
-        estimates = _estimates(readings, domain, settled.algebra)
+        grid = grid_errors(readings, convergence.orders)
+        estimates = {
+            name: Estimate(
+                getattr(settled.reading, name), grid[name], domain[name], settled.algebra[name]
+            )
+            for name in FIGURES
+        }
         stop_reason = _stop_reason(rung, estimates, unsettled, plan)
         if stop_reason is not None:
             break
-        finer = rung.grid.finer()
-        tell(f"{scene.name}: {finer.nx} x {finer.ny}", 1 - 0.7 ** (len(readings) + 1))
-        rung = next_rung(scene, size, rung, finer)
+        rung = ladder.higher(rung)
+        size = " x ".join(str(count) for count in rung.grid.shape)
+        tell(f"{scene.name}: {size}", 1 - 0.7 ** (len(readings) + 1))
         settled = _settle_figures(rung, plan)
         strides += settled.strides
         readings.append(settled.reading)
     seconds, work = perf_counter() - started, process_time() - started_work
 
-    dry = dry_contact(scene, rung.grid, rung.gap, rung.covered, rung.film.pressure)
-    if not dry.converged:
-        stop_reason = "the dry contact did not converge"
+    outcome = ladder.outcome(rung)
+    stop_reason = outcome.flaw or stop_reason
     return Solution(
         name=scene.name,
+        kind=ladder.kind,
         phase=scene.phase,
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
-        figures=_figures(size, rung, settled.reading, estimates, dry),
-        fields=_fields(scene, rung, dry),
-        history=_history(strides),
+        figures=Figures(
+            **estimates,
+            film_min_at=settled.reading.film_min_at,
+            load_error=rung.film.balance.load_error,
+            residual=rung.film.balance.residual,
+            **outcome.figures,
+        ),
+        fields=outcome.fields,
+        history=_history(strides, "xy"[: len(rung.grid.shape)]),
         cost=Cost(seconds, work / _convolution_work(rung)),
     )
 
 
 def _first_figures(
-    scene: Scene, size: Scales, grids: Sequence[Grid], plan: Plan
+    ladder: Ladder, grids: Sequence[Any], plan: Plan
 ) -> tuple[Rung, Settled, list[Stride]]:
-    """Up the nest to the first grid of the figures."""
-    strides: list[Stride] = []
-    rung = first_rung(scene, size, grids[0])
-    for grid in grids[1:]:
-        strides += settle(rung, COARSE_TOLERANCE).strides
-        rung = next_rung(scene, size, rung, grid)
+    """Up the plan's grids, to the first figures."""
+    rung, strides = ladder.enter(grids)
     settled = _settle_figures(rung, plan)
     return rung, settled, [*strides, *settled.strides]
 
 
 def _settle_figures(rung: Rung, plan: Plan) -> Settled:
     return settle(rung, plan.tolerance, ALGEBRA_SHARE * plan.accuracy)
-
-
-def _estimates(
-    readings: Sequence[Reading], domain: Mapping[str, float], algebra: Mapping[str, float]
-) -> dict[str, Estimate]:
-    grid = grid_errors(readings)
-    return {
-        name: Estimate(getattr(readings[-1], name), grid[name], domain[name], algebra[name])
-        for name in FIGURES
-    }
 
 
 def _stop_reason(
@@ -169,69 +158,20 @@ def _stop_reason(
     return f"the largest grid allowed leaves an error of {error:.1%}"
 
 
-def _figures(
-    size: Scales,
-    rung: Rung,
-    last: Reading,
-    estimates: Mapping[str, Estimate],
-    dry: DryContact,
-) -> Figures:
-    film, density, imbalance = rung.film.fields()
-    u, v = rung.entrainment
-    exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, size.angle)
-    extents = reading.contact_extent(rung.grid, dry.pressure)
-    return Figures(
-        **estimates,
-        film_min_at=last.film_min_at,
-        film_exit_min=exit_min,
-        film_exit_min_at=exit_min_at,
-        dry=DryFigures(
-            reading.pressure_maximum(dry.pressure), max(extents), min(extents), dry.approach
-        ),
-        moes_m=size.groups.moes_m,
-        moes_l=size.groups.moes_l,
-        load_error=rung.film.balance.load_error,
-        mass_error=reading.outline_imbalance(
-            rung.grid,
-            (density * film * u, density * film * v),
-            imbalance,
-            rung.film.pressure > 0,
-        ),
-        residual=rung.film.balance.residual,
-    )
-
-
-def _fields(scene: Scene, rung: Rung, dry: DryContact) -> xr.Dataset:
-    variables = {
-        "gap": rung.gap,
-        "covered": rung.covered.astype(np.int8),
-        "dry_pressure": dry.pressure,
-        "pressure": rung.film.pressure,
-        "film": rung.film.fields()[0],
-        "entrainment_x": rung.entrainment[0],
-        "entrainment_y": rung.entrainment[1],
-        "sliding_x": rung.sliding[0],
-        "sliding_y": rung.sliding[1],
-    }
-    dataset = xr.Dataset(
-        {name: (("y", "x"), values.T) for name, values in variables.items()},
-        coords={"x": rung.grid.x, "y": rung.grid.y},
-        attrs={
-            "radius_x_m": scene.radii[0],
-            "radius_y_m": scene.radii[1],
-            "load_N": scene.load,
-            "reduced_modulus_Pa": scene.reduced_modulus,
-        },
-    )
-    return describe(dataset)
-
-
-def _history(strides: Sequence[Stride]) -> xr.Dataset:
+def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:
+    """Newton's steps, with the grid points along each of the axes."""
     columns = {
-        field.name: ("iteration", np.array([getattr(stride, field.name) for stride in strides]))
-        for field in fields(Stride)
+        f"points_{axis}": [stride.points[number] for stride in strides]
+        for number, axis in enumerate(axes)
     }
-    return describe(xr.Dataset(columns, coords={"iteration": np.arange(len(strides))}))
+    for name in ("residual", "load_error", "krylov"):
+        columns[name] = [getattr(stride, name) for stride in strides]
+    return describe(
+        xr.Dataset(
+            {name: ("iteration", np.array(values)) for name, values in columns.items()},
+            coords={"iteration": np.arange(len(strides))},
+        )
+    )
 
 
 def _convolution_work(rung: Rung) -> float:

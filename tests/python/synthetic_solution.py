@@ -91,6 +91,7 @@ def make_solution(
     )
     return Solution(
         name=name,
+        kind="point",
         phase=phase,
         load=load,
         converged=converged,

@@ -17,6 +17,7 @@ CASE = str(CASES / "point_m20_l10.toml")
 DRIVE = str(CASES / "zi_sharif_2001.toml")
 
 SCENE_KEYS = {
+    "kind",
     "phase",
     "load_N",
     "converged",

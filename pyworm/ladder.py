@@ -1,0 +1,140 @@
+"""What all kinds of contact share on their way up the grids: rungs, Newton steps, what the top shows."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol
+
+import numpy as np
+import xarray as xr
+
+from pyworm.accuracy import FIGURES, JUDGED, Convergence, Reading, algebra_errors
+from pyworm.kernels import NO_DESCENT, KernelError, LineFilm, PointFilm
+
+MOST_STEPS = 30
+"""Newton steps on one grid before it is given up."""
+
+
+class Rung(Protocol):
+    """A film on one grid.
+
+    Attributes
+    ----------
+    grid : object
+        The grid, with its `shape`, its number of `nodes` and the `finer()` one of half its spacing.
+    film : kernels.PointFilm or kernels.LineFilm
+        The kernel's film, in its present state.
+    forcing : float
+        Share of the residual to which each Newton step solves its linear system.
+    """
+
+    grid: Any
+    film: PointFilm | LineFilm
+    forcing: ClassVar[float]
+
+    def read(self) -> Reading:
+        """The film's figures in its present state."""
+
+
+@dataclass(frozen=True)
+class Stride:
+    """One Newton step: grid points along each direction, balance reached, GMRES iterations."""
+
+    points: tuple[int, ...]
+    residual: float
+    load_error: float
+    krylov: int
+
+
+@dataclass(frozen=True)
+class Settled:
+    """Where Newton's iteration on one grid ended.
+
+    Attributes
+    ----------
+    strides : tuple of Stride
+        Its steps.
+    reading : Reading
+        The figures at its end.
+    algebra : dict
+        Relative error of each figure that further steps would mend.
+    """
+
+    strides: tuple[Stride, ...]
+    reading: Reading
+    algebra: dict[str, float]
+
+
+def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Settled:
+    """Newton steps until the film is settled, or no step helps any more.
+
+    Parameters
+    ----------
+    rung : Rung
+        The film.
+    tolerance : float
+        Residual and load error wanted.
+    algebra_wanted : float
+        Relative error of both films wanted; it takes at least one step to see it.
+    """
+    strides: list[Stride] = []
+    reading = rung.read()
+    algebra = dict.fromkeys(FIGURES, np.inf)
+    while len(strides) < MOST_STEPS and (
+        rung.film.balance.worst > tolerance
+        or max(algebra[name] for name in JUDGED) > algebra_wanted
+    ):
+        before = rung.film.balance.worst
+        try:
+            step = rung.film.step(rung.forcing)
+        except KernelError as error:
+            if error.status != NO_DESCENT:
+                raise
+            break
+        balance = step.balance
+        last, reading = reading, rung.read()
+        algebra = algebra_errors(last, reading, balance.worst / before)
+        strides.append(Stride(rung.grid.shape, balance.residual, balance.load_error, step.krylov))
+    return Settled(tuple(strides), reading, algebra)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a kind of contact shows on its last rung.
+
+    Attributes
+    ----------
+    figures : dict
+        The `solution.Figures` that only this kind knows how to come by.
+    fields : xarray.Dataset
+        Fields over the grid.
+    flaw : str or None
+        Why they are not to be trusted, whatever the film says.
+    """
+
+    figures: dict[str, Any]
+    fields: xr.Dataset
+    flaw: str | None = None
+
+
+class Ladder(Protocol):
+    """A kind of contact as `pyworm.solver` sees it; made from its scene.
+
+    Attributes
+    ----------
+    kind : str
+        What results call it.
+    convergence : Convergence
+        How its figures come near the truth.
+    """
+
+    kind: ClassVar[str]
+    convergence: ClassVar[Convergence]
+
+    def enter(self, grids: Sequence[Any]) -> tuple[Rung, list[Stride]]:
+        """Up the plan's grids to the last of them, not yet settled there."""
+
+    def higher(self, rung: Rung) -> Rung:
+        """Half the spacing over the same window, entered from the present film."""
+
+    def outcome(self, rung: Rung) -> Outcome:
+        """What the last rung shows."""
