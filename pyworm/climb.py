@@ -24,7 +24,7 @@ FLOOR_SHARE = 1e-3
 TRACE = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
 
-DRY_TOLERANCE = 1e-4
+DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
 
 

@@ -84,7 +84,7 @@ class DryContact:
 def dry_contact(
     gap, covered, dx: float, dy: float, reduced_modulus: float, load: float, guess, tolerance: float
 ) -> DryContact:
-    """Dry contact of a gap [m], shape (nx, ny), by conjugate gradients (Polonsky and Keer 1999).
+    """Dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
 
     Parameters
     ----------
@@ -327,6 +327,10 @@ class LineFilm:
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Film [m], relative density and net outflow per length [m/s] at the present state."""
         return _core.bindings.line_film_fields(self._handle, self._size)
+
+    def convolve(self) -> np.ndarray:
+        """Deflection [m] under the present pressure: one convolution, the unit of cost."""
+        return _core.bindings.line_film_convolve(self._handle, self.pressure)
 
 
 def prolong(field) -> np.ndarray:

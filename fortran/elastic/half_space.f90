@@ -128,6 +128,7 @@ contains
     real(wp), intent(in) :: reduced_modulus
     integer, intent(out) :: stat
     type(c_ptr) :: plan
+    real(wp), allocatable :: before(:), after(:)
     integer :: i, j
 
     !$omp critical (fftw_planner)
@@ -138,10 +139,13 @@ contains
     stat = status_no_plan
     if (.not. c_associated(plan)) return
 
+    allocate (before(self%my/2 + 2), after(self%my/2 + 2))
+    after = corner(-self%dx/2, [((j - 1.5_wp)*self%dy, j=1, self%my/2 + 2)])
     do i = 0, self%mx/2
-      do j = 0, self%my/2
-        self%kernel(j + 1, i + 1) = influence(i*self%dx, j*self%dy, self%dx, self%dy)
-      end do
+      ! Love's integral of 1/r over a rectangle, from its antiderivative at the four corners
+      before = after
+      after = corner((i + 0.5_wp)*self%dx, [((j - 1.5_wp)*self%dy, j=1, self%my/2 + 2)])
+      self%kernel(:, i + 1) = after(2:) - after(:self%my/2 + 1) - before(2:) + before(:self%my/2 + 1)
     end do
     self%kernel = self%kernel*2/(pi*reduced_modulus)
     self%centre = self%kernel(1, 1)
@@ -153,16 +157,8 @@ contains
     stat = status_ok
   end subroutine transform_kernel
 
-  !> Integral of 1/r [m] over a rectangle dx by dy whose centre is at (x, y).
-  pure real(wp) function influence(x, y, dx, dy)
-    real(wp), intent(in) :: x, y, dx, dy
-
-    influence = corner(x + dx/2, y + dy/2) - corner(x - dx/2, y + dy/2) &
-      - corner(x + dx/2, y - dy/2) + corner(x - dx/2, y - dy/2)
-  end function influence
-
   !> Antiderivative of 1/r over x and y; no corner of an influence rectangle lies on an axis.
-  pure real(wp) function corner(x, y)
+  elemental real(wp) function corner(x, y)
     real(wp), intent(in) :: x, y
 
     corner = x*asinh(y/abs(x)) + y*asinh(x/abs(y))
