@@ -40,7 +40,6 @@ contains
     real(wp), intent(out) :: reduction
     real(wp) :: hessenberg(most + 1, most), cosine(most), sine(most), projection(most + 1)
     real(wp) :: norm, lift
-    real(wp), allocatable :: z(:)
     integer :: i, j
 
     x = 0
@@ -48,7 +47,6 @@ contains
     norm = sqrt(dot(b, b))
     reduction = 0
     if (.not. norm > 0) return
-    allocate (z, mold=b)
     basis(:, 1) = b/norm
     projection = 0
     projection(1) = norm
@@ -56,8 +54,9 @@ contains
     reduction = 1
 
     do j = 1, most
-      call system%precondition(basis(:, j), z)
-      call system%multiply(z, basis(:, j + 1))
+      ! x is scratch until the end
+      call system%precondition(basis(:, j), x)
+      call system%multiply(x, basis(:, j + 1))
       do i = 1, j
         hessenberg(i, j) = dot(basis(:, i), basis(:, j + 1))
         call step_along(-hessenberg(i, j), basis(:, i), basis(:, j + 1))
@@ -83,11 +82,14 @@ contains
       projection(i) = (projection(i) &
         - dot_product(hessenberg(i, i + 1:iterations), projection(i + 1:iterations)))/hessenberg(i, i)
     end do
-    z = 0
-    do i = 1, iterations
-      call step_along(projection(i), basis(:, i), z)
-    end do
-    call system%precondition(z, x)
+    ! the basis vector after the last one used holds the combination
+    associate (combination => basis(:, iterations + 1))
+      combination = 0
+      do i = 1, iterations
+        call step_along(projection(i), basis(:, i), combination)
+      end do
+      call system%precondition(combination, x)
+    end associate
   end subroutine gmres
 
   !> Givens rotation of the pair (a, b).

@@ -14,7 +14,7 @@ module line_film
   use line_reynolds, only: line_grid, line_imbalance, line_bands, band_product
   use oil_laws, only: oil_law
   use reynolds, only: film_fields, new_film_fields, set_film_fields
-  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent
+  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
   implicit none(type, external)
   private
 
@@ -24,6 +24,8 @@ module line_film
   integer, parameter :: most_krylov = 60
   !> Shortest step tried along a Newton direction.
   real(wp), parameter :: shortest_step = 1.0_wp/64
+  !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
+  real(wp), parameter :: most_growth = 2
 
   type, extends(linear_system) :: line_contact
     type(line_grid) :: grid
@@ -59,7 +61,7 @@ contains
     real(wp), intent(in) :: dx, reduced_modulus, load, floor
     type(oil_law), intent(in) :: oil
     integer, intent(out) :: stat
-    integer :: n
+    integer :: n, err
 
     n = size(gap)
     stat = status_bad_argument
@@ -77,9 +79,11 @@ contains
     self%covered([1, n]) = .false.
     self%load = load
     self%floor = floor
-    call new_film_fields(n, 1, self%fields)
-    allocate (self%free(n), self%imbalance(n), self%by_pressure(n, -2:2), self%by_film(n, -2:2), self%softness(n))
-    allocate (self%basis(n + 1, most_krylov + 1))
+    call new_film_fields(n, 1, self%fields, stat)
+    if (stat /= status_ok) return
+    allocate (self%free(n), self%imbalance(n), self%by_pressure(n, -2:2), self%by_film(n, -2:2), self%softness(n), &
+      self%basis(n + 1, most_krylov + 1), stat=err)
+    if (err /= 0) stat = status_no_memory
   end subroutine new_line_contact
 
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
@@ -115,7 +119,7 @@ contains
   !> One Newton step from (p, h0), about which `line_residual` was last evaluated; both are replaced.
   !>
   !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
-  !> `step` is the share of the Newton step taken.
+  !> `step` is the share of the Newton step taken. If none is taken the state is as it was.
   subroutine line_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
     type(line_contact), intent(inout) :: self
     real(wp), intent(in) :: forcing
@@ -145,12 +149,15 @@ contains
       p = max(start + step*change(:n), 0.0_wp)
       h0 = start_h0 + step*change(n + 1)
       call line_residual(self, p, h0, residual, load_error)
-      if (residual + abs(load_error) <= 2*merit) exit
+      if (residual + abs(load_error) <= most_growth*merit) exit
+      step = step/2
       if (step < shortest_step) then
+        p = start
+        h0 = start_h0
+        call line_residual(self, p, h0, residual, load_error)
         stat = status_no_descent
         return
       end if
-      step = step/2
     end do
     stat = status_ok
   end subroutine line_step

@@ -4,6 +4,7 @@
 !> two independent recurrences side by side and divides nowhere.
 module line_smoother
   use kinds, only: pp
+  use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -23,14 +24,15 @@ module line_smoother
 contains
 
   !> Space for the factors of `count` lines of `length` points.
-  subroutine new_line_factors(length, count, self)
+  subroutine new_line_factors(length, count, self, stat)
     integer, intent(in) :: length, count
     type(line_factors), intent(out) :: self
+    integer, intent(out) :: stat
+    integer :: err
 
-    allocate (self%pivot(length, count), self%outward(length, count), self%inward(length, count))
-    self%pivot = 0
-    self%outward = 0
-    self%inward = 0
+    allocate (self%pivot(length, count), self%outward(length, count), self%inward(length, count), &
+      source=0.0_pp, stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_line_factors
 
   !> Factors the lines; points of the outline are never touched.

@@ -13,7 +13,7 @@ module multigrid
   use lapack, only: sgbtrf, sgbtrs
   use line_smoother, only: five_points, line_factors, new_line_factors, factor_lines, sweep_lines
   use reynolds, only: film_fields, film_grid
-  use status, only: status_ok, status_not_converged
+  use status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)
   private
 
@@ -56,12 +56,13 @@ module multigrid
 contains
 
   !> Levels of a grid; `centre` [m/Pa] is its kernel's centre value.
-  subroutine new_film_multigrid(grid, centre, self)
+  subroutine new_film_multigrid(grid, centre, self, stat)
     type(film_grid), intent(in) :: grid
     real(wp), intent(in) :: centre
     type(film_multigrid), intent(out) :: self
+    integer, intent(out) :: stat
     real(wp) :: sum_u, sum_v
-    integer :: levels, length, count, l
+    integer :: levels, length, count, l, err
 
     sum_u = sum(grid%u)
     sum_v = sum(grid%v)
@@ -78,7 +79,8 @@ contains
         level%d_along = real(merge(grid%dy, grid%dx, self%transposed)*2**(l - 1), pp)
         level%d_across = real(merge(grid%dx, grid%dy, self%transposed)*2**(l - 1), pp)
         level%compliance = kernel_share*real(centre*2**(l - 1), pp)
-        call allocate_level(level)
+        call allocate_level(level, stat)
+        if (stat /= status_ok) return
         if (l == 1) then
           call orient(self%transposed, merge(grid%v, grid%u, self%transposed), level%along)
           call orient(self%transposed, merge(grid%u, grid%v, self%transposed), level%across)
@@ -90,9 +92,10 @@ contains
       count = (count + 1)/2
     end do
     associate (coarsest => self%level(levels))
-      allocate (self%band(3*coarsest%length + 1, coarsest%length*coarsest%count))
-      allocate (self%pivots(coarsest%length*coarsest%count))
+      allocate (self%band(3*coarsest%length + 1, coarsest%length*coarsest%count), &
+        self%pivots(coarsest%length*coarsest%count), stat=err)
     end associate
+    stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_multigrid
 
   !> How often both directions can be halved.
@@ -110,17 +113,20 @@ contains
     end do
   end function coarsenings
 
-  subroutine allocate_level(level)
+  subroutine allocate_level(level, stat)
     type(grid_level), intent(inout) :: level
-    integer :: n, m
+    integer, intent(out) :: stat
+    integer :: n, m, err
 
     n = level%length
     m = level%count
     allocate (level%along(n, m), level%across(n, m), level%m(n, m), level%dm(n, m), level%dq(n, m), &
-      level%p(n, m), level%free(n, m), level%x(n, m), level%f(n, m), level%r(n, m), source=0.0_pp)
+      level%p(n, m), level%free(n, m), level%x(n, m), level%f(n, m), level%r(n, m), source=0.0_pp, stat=err)
+    stat = status_no_memory
+    if (err /= 0) return
     allocate (level%matrix%centre(n, m), level%matrix%left(n, m), level%matrix%right(n, m), &
-      level%matrix%before(n, m), level%matrix%after(n, m), source=0.0_pp)
-    call new_line_factors(n, m, level%factors)
+      level%matrix%before(n, m), level%matrix%after(n, m), source=0.0_pp, stat=err)
+    if (err == 0) call new_line_factors(n, m, level%factors, stat)
   end subroutine allocate_level
 
   !> A film's field as the finest level has it.

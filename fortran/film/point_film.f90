@@ -12,7 +12,7 @@ module point_film
   use oil_laws, only: oil_law
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
     flow_imbalance_change
-  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent
+  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
   use vectors, only: total
   implicit none(type, external)
   private
@@ -20,9 +20,11 @@ module point_film
   public :: point_contact, new_point_contact, film_residual, film_step
 
   !> Most Krylov iterations in one Newton step.
-  integer, parameter :: most_krylov = 40
+  integer, parameter :: most_krylov = 24
   !> Shortest step tried along a Newton direction.
   real(wp), parameter :: shortest_step = 1.0_wp/64
+  !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
+  real(wp), parameter :: most_growth = 2
 
   type, extends(linear_system) :: point_contact
     type(film_grid) :: grid
@@ -45,8 +47,9 @@ module point_film
     !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
     real(wp), allocatable :: softness(:, :)
     real(wp) :: softness_load = 0
-    !> Scratch of one field, and the Krylov basis.
-    real(wp), allocatable :: dh(:, :), basis(:, :)
+    !> Scratch of one field; the Newton step's right-hand side, its solution, the pressure it starts from; the
+    !> Krylov basis.
+    real(wp), allocatable :: dh(:, :), right(:), change(:), start(:, :), basis(:, :)
   contains
     procedure :: multiply
     procedure :: precondition
@@ -62,7 +65,7 @@ contains
     real(wp), intent(in) :: dx, dy, reduced_modulus, load, floor
     type(oil_law), intent(in) :: oil
     integer, intent(out) :: stat
-    integer :: nx, ny
+    integer :: nx, ny, err
 
     nx = size(gap, 1)
     ny = size(gap, 2)
@@ -85,10 +88,13 @@ contains
     self%floor = floor
     self%wedge = wedge_flow(self%grid, gap)
     self%load_weight = self%wedge/load/sqrt(real(nx*ny, wp))
-    call new_film_fields(nx, ny, self%fields)
-    call new_film_multigrid(self%grid, self%space%centre, self%cycles)
-    allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny))
-    allocate (self%basis(nx*ny + 1, most_krylov + 1))
+    call new_film_fields(nx, ny, self%fields, stat)
+    if (stat == status_ok) call new_film_multigrid(self%grid, self%space%centre, self%cycles, stat)
+    if (stat /= status_ok) return
+    allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
+      self%start(nx, ny), self%right(nx*ny + 1), self%change(nx*ny + 1), &
+      self%basis(nx*ny + 1, most_krylov + 1), stat=err)
+    if (err /= 0) stat = status_no_memory
   end subroutine new_point_contact
 
   !> Mean of each node and the next along x; the last column is not used.
@@ -145,7 +151,7 @@ contains
   !> One Newton step from (p, h0), about which `film_residual` was last evaluated; both are replaced.
   !>
   !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
-  !> `step` is the share of the Newton step taken.
+  !> `step` is the share of the Newton step taken. If none is taken the state is as it was.
   subroutine film_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
     type(point_contact), intent(inout) :: self
     real(wp), intent(in) :: forcing
@@ -154,10 +160,10 @@ contains
     real(wp), intent(inout) :: residual, load_error
     integer, intent(out) :: krylov, stat
     real(wp), intent(out) :: step
-    real(wp), allocatable :: right(:), change(:), start(:, :)
     real(wp) :: reduction, merit, start_h0
-    integer :: n
+    integer :: j, k, nx, n
 
+    nx = self%grid%nx
     n = size(p)
     step = 0
     krylov = 0
@@ -165,29 +171,37 @@ contains
     if (stat /= status_ok) return
     call set_softness(self)
 
-    allocate (right(n + 1), change(n + 1))
-    right(:n) = reshape(merge(-self%imbalance, 0.0_wp, self%free), [n])
-    right(n + 1) = load_error*self%load*self%load_weight
-    call gmres(self, right, forcing, most_krylov, self%basis, change, krylov, reduction)
-    if (.not. all(abs(change) <= huge(1.0_wp))) then
+    do j = 1, self%grid%ny
+      k = nx*(j - 1)
+      self%right(k + 1:k + nx) = merge(-self%imbalance(:, j), 0.0_wp, self%free(:, j))
+    end do
+    self%right(n + 1) = load_error*self%load*self%load_weight
+    call gmres(self, self%right, forcing, most_krylov, self%basis, self%change, krylov, reduction)
+    if (.not. all(abs(self%change) <= huge(1.0_wp))) then
       stat = status_not_finite
       return
     end if
 
-    start = p
+    self%start = p
     start_h0 = h0
     merit = residual + abs(load_error)
     step = 1
     do
-      p = max(start + step*reshape(change(:n), shape(p)), 0.0_wp)
-      h0 = start_h0 + step*change(n + 1)
+      do j = 1, self%grid%ny
+        k = nx*(j - 1)
+        p(:, j) = max(self%start(:, j) + step*self%change(k + 1:k + nx), 0.0_wp)
+      end do
+      h0 = start_h0 + step*self%change(n + 1)
       call film_residual(self, p, h0, residual, load_error)
-      if (residual + abs(load_error) <= 2*merit) exit
+      if (residual + abs(load_error) <= most_growth*merit) exit
+      step = step/2
       if (step < shortest_step) then
+        p = self%start
+        h0 = start_h0
+        call film_residual(self, p, h0, residual, load_error)
         stat = status_no_descent
         return
       end if
-      step = step/2
     end do
     stat = status_ok
   end subroutine film_step
@@ -195,13 +209,13 @@ contains
   !> Pressure by which the preconditioner answers a unit rise of the rigid film.
   subroutine set_softness(self)
     type(point_contact), intent(inout) :: self
-    real(wp), allocatable :: nothing(:, :), ones(:, :), rise(:, :)
 
-    allocate (nothing, ones, rise, mold=self%gap)
-    nothing = 0
-    ones = 1
-    call flow_imbalance_change(self%grid, self%fields, nothing, ones, rise)
-    call film_cycle(self%cycles, rise, self%softness)
+    ! start and dh are free at this point of a step
+    self%start = 0
+    self%dh = 1
+    call flow_imbalance_change(self%grid, self%fields, self%start, self%dh, self%softness)
+    self%start = self%softness
+    call film_cycle(self%cycles, self%start, self%softness)
     self%softness_load = total(self%softness)
   end subroutine set_softness
 

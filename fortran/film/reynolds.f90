@@ -6,6 +6,7 @@
 module reynolds
   use kinds, only: wp
   use oil_laws, only: oil_law, viscosity, density
+  use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -29,17 +30,24 @@ module reynolds
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
+    !> Scratch: rho h, or its change, and the change of the mobility.
+    real(wp), allocatable :: mass(:, :), mobility_change(:, :)
   end type film_fields
 
 contains
 
   !> Space for the fields of a grid.
-  subroutine new_film_fields(nx, ny, fields)
+  subroutine new_film_fields(nx, ny, fields, stat)
     integer, intent(in) :: nx, ny
     type(film_fields), intent(out) :: fields
+    integer, intent(out) :: stat
+    integer :: err
 
     allocate (fields%p(nx, ny), fields%h(nx, ny), fields%rho(nx, ny), fields%rho_p(nx, ny), &
-      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny))
+      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), fields%mass(nx, ny), &
+      fields%mobility_change(nx, ny), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
     fields%p = 0
     fields%h = 0
   end subroutine new_film_fields
@@ -72,18 +80,16 @@ contains
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine flow_imbalance(grid, fields, imbalance)
     type(film_grid), intent(in) :: grid
-    type(film_fields), intent(in) :: fields
+    type(film_fields), intent(inout) :: fields
     real(wp), contiguous, intent(out) :: imbalance(:, :)
-    real(wp), allocatable :: mass(:, :)
     integer :: j
 
-    allocate (mass, mold=imbalance)
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      mass(:, j) = fields%rho(:, j)*fields%h(:, j)
+      fields%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
       imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
     end do
-    call add_wedge(grid, mass, imbalance)
+    call add_wedge(grid, fields%mass, imbalance)
     call add_diffusion(grid, fields%mobility, fields%p, imbalance)
     call clear_outline(imbalance)
   end subroutine flow_imbalance
@@ -91,22 +97,20 @@ contains
   !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
   subroutine flow_imbalance_change(grid, fields, dp, dh, change)
     type(film_grid), intent(in) :: grid
-    type(film_fields), intent(in) :: fields
+    type(film_fields), intent(inout) :: fields
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
-    real(wp), allocatable :: mass(:, :), mobility(:, :)
     integer :: j
 
-    allocate (mass, mobility, mold=change)
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
-      mobility(:, j) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
+      fields%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+      fields%mobility_change(:, j) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
       change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
     end do
-    call add_wedge(grid, mass, change)
+    call add_wedge(grid, fields%mass, change)
     call add_diffusion(grid, fields%mobility, dp, change)
-    call add_diffusion(grid, mobility, fields%p, change)
+    call add_diffusion(grid, fields%mobility_change, fields%p, change)
     call clear_outline(change)
   end subroutine flow_imbalance_change
 

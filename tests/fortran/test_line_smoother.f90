@@ -18,7 +18,7 @@ contains
     type(line_factors) :: factors
     real(pp) :: f(n, 4), x(n, 4), again(n, 4)
     real(wp) :: worst
-    integer :: i, j
+    integer :: i, j, stat
 
     allocate (a%centre(n, 4), a%left(n, 4), a%right(n, 4), a%before(n, 4), a%after(n, 4))
     do j = 1, 4
@@ -32,7 +32,7 @@ contains
     a%before = 0
     a%after = 0
     x = 0
-    call new_line_factors(n, 4, factors)
+    call new_line_factors(n, 4, factors, stat)
     call factor_lines(a, factors)
     call sweep_lines(a, factors, f, .true., x)
     worst = 0

@@ -30,7 +30,7 @@ contains
     integer :: i, j, k, stat
 
     call still(nx, ny, dx, dy, grid, fields, free)
-    call new_film_multigrid(grid, 0.0_wp, cycles)
+    call new_film_multigrid(grid, 0.0_wp, cycles, stat)
     call set_film_multigrid(cycles, fields, free, stat)
     call check(stat == status_ok, "levels are set up")
     wanted = 0
@@ -62,7 +62,7 @@ contains
 
     call still(n, n, 1.0_wp, 1.0_wp, grid, fields, free)
     free(20:, :) = .false.
-    call new_film_multigrid(grid, 0.0_wp, cycles)
+    call new_film_multigrid(grid, 0.0_wp, cycles, stat)
     call set_film_multigrid(cycles, fields, free, stat)
     f = 1
     call film_cycle(cycles, f, x)
@@ -85,11 +85,11 @@ contains
     f(8, 12) = 1
     f(30, 5) = -2
     grid%u = 1
-    call new_film_multigrid(grid, 1.0_wp, cycles)
+    call new_film_multigrid(grid, 1.0_wp, cycles, stat)
     call set_film_multigrid(cycles, fields, free, stat)
     call film_cycle(cycles, f, x)
     grid%u = -1
-    call new_film_multigrid(grid, 1.0_wp, cycles)
+    call new_film_multigrid(grid, 1.0_wp, cycles, stat)
     call set_film_multigrid(cycles, fields, free, stat)
     call film_cycle(cycles, f(n:1:-1, :), mirrored)
     call close_to(maxval(abs(mirrored(n:1:-1, :) - x)), 0.0_wp, 1e-5_wp*maxval(abs(x)), &
@@ -104,10 +104,11 @@ contains
     type(film_fields), intent(out) :: fields
     logical, intent(out) :: free(nx, ny)
     real(wp) :: nothing(nx, ny)
+    integer :: stat
 
     nothing = 0
     grid = film_grid(nx, ny, dx, dy, nothing, nothing, nothing)
-    call new_film_fields(nx, ny, fields)
+    call new_film_fields(nx, ny, fields, stat)
     fields%h = 1
     call set_film_fields(oil_law(law_barus, 1.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp), 1e-9_wp, fields)
     free = .false.

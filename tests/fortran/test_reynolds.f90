@@ -124,7 +124,7 @@ contains
     system%grid%dx = d
     system%grid%dy = d
     system%grid%squeeze = squeeze
-    call new_film_fields(n + 1, ny + 1, system%fields)
+    call new_film_fields(n + 1, ny + 1, system%fields, stat)
     do j = 1, ny + 1
       do i = 1, n + 1
         system%grid%u(i, j) = u - spin*y(j)
@@ -139,7 +139,7 @@ contains
     free(2:n, 2:ny) = .true.
     call set_film_fields(oil_law(law_barus, eta, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp), floor, system%fields)
     call flow_imbalance(system%grid, system%fields, imbalance)
-    call new_film_multigrid(system%grid, 0.0_wp, system%cycles)
+    call new_film_multigrid(system%grid, 0.0_wp, system%cycles, stat)
     call set_film_multigrid(system%cycles, system%fields, free, stat)
     call check(stat == status_ok, "multigrid is set up")
     right = reshape(-imbalance, [size(imbalance)])
@@ -158,7 +158,7 @@ contains
     type(oil_law) :: oil
     real(wp) :: p(nx, ny), h(nx, ny), dp(nx, ny), dh(nx, ny), change(nx, ny), above(nx, ny), below(nx, ny)
     real(wp), parameter :: step = 1e-5_wp
-    integer :: i, j
+    integer :: i, j, stat
 
     grid = film_grid(nx, ny, 0.3_wp, 0.2_wp, spread([(1.0_wp - 0.2_wp*i, i=1, nx)], 2, ny), &
       spread([(0.7_wp - 0.15_wp*j, j=1, ny)], 1, nx), spread([(0.1_wp*i, i=1, nx)], 2, ny))
@@ -172,7 +172,7 @@ contains
       end do
     end do
     h(5, 5) = 0.02_wp
-    call new_film_fields(nx, ny, fields)
+    call new_film_fields(nx, ny, fields, stat)
     call imbalance_at(grid, oil, p + step*dp, h + step*dh, fields, above)
     call imbalance_at(grid, oil, p - step*dp, h - step*dh, fields, below)
     call imbalance_at(grid, oil, p, h, fields, change)
@@ -200,10 +200,11 @@ contains
     type(film_grid) :: grid
     type(film_fields) :: fields
     real(wp) :: r(n, n), nothing(n, n)
+    integer :: stat
 
     nothing = 0
     grid = film_grid(n, n, 0.1_wp, 0.1_wp, nothing + 1, nothing - 2, nothing)
-    call new_film_fields(n, n, fields)
+    call new_film_fields(n, n, fields, stat)
     fields%h = 1
     fields%h(9:12, 8:13) = 0.6_wp
     fields%p(10, 10) = 3
