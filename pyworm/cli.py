@@ -26,6 +26,7 @@ BAD_INPUT = 2
 NOT_CONVERGED = 3
 
 RESULT_NAME = "result.nc"
+PICTURES = ("scene_*.png", "mesh_cycle.png")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -131,7 +132,7 @@ def _run(options: argparse.Namespace) -> int:
     with whole(directory) as aside:
         result.save(aside / RESULT_NAME)
     # Apart, so that a picture that cannot be drawn does not cost the solve.
-    with whole(directory) as aside:
+    with whole(directory, instead_of=PICTURES) as aside:
         pictures = [path.name for path in draw(result, aside)]
 
     summaries = [solution.summary() for solution in result.solutions]
@@ -200,7 +201,7 @@ def _plot(options: argparse.Namespace) -> int:
         result = open_result(options.result)
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
-    with whole(directory) as aside:
+    with whole(directory, instead_of=PICTURES) as aside:
         pictures = [path.name for path in draw(result, aside)]
     for name in pictures:
         print(directory / name)

@@ -3,7 +3,7 @@
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -26,7 +26,7 @@ def check_writable(directory: Path) -> None:
 
 
 @contextmanager
-def whole(directory: Path) -> Iterator[Path]:
+def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
     """Collect files aside and move them into a directory once all are written.
 
     Files of the same name from an earlier run are replaced; others are left alone.
@@ -35,6 +35,8 @@ def whole(directory: Path) -> Iterator[Path]:
     ----------
     directory : Path
         Where the files are to appear; made if need be.
+    instead_of : sequence of str
+        Patterns of files from an earlier run that go when these appear.
 
     Yields
     ------
@@ -48,6 +50,9 @@ def whole(directory: Path) -> Iterator[Path]:
     try:
         yield aside
         directory.mkdir(exist_ok=True)
+        for pattern in instead_of:
+            for old in directory.glob(pattern):
+                old.unlink()
         for file in aside.iterdir():
             file.replace(directory / file.name)
     finally:

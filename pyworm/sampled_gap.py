@@ -17,6 +17,10 @@ SMALLEST = 5
 FIT_SHARE = 0.1
 """Half side of the window in which the radii are fitted, as a share of the array's side."""
 
+OFF_CENTRE = 0.25
+"""Distance of the least gap from the contact point beyond which a gap is refused, in half sides of the window
+in which the radii are fitted."""
+
 FLATTEST = 1e-3
 """Curvature along the flatter direction is taken as at least this share of the other one, so that a
 straight roller has radii too; they only set the scale of the contact."""
@@ -71,12 +75,26 @@ class SampledGap:
             raise ValueError("gap must be finite, or NaN where a body is missing")
         if not self._covered(np.zeros(1), np.zeros(1)).all():
             raise ValueError("gap must be a number at the contact point x = y = 0")
+        for name, place, reach in zip("xy", self._closest, self._half_window, strict=True):
+            if abs(place) > OFF_CENTRE * reach:
+                raise ValueError(
+                    f"gap is least near {name} = {place:.3g} m, not at the contact point x = y = 0; "
+                    f"shift the coordinates by that ({name}0 in an npz file)"
+                )
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Gap [m] and where both bodies exist."""
+        """Gap [m], zero at the contact point, and where both bodies exist."""
+        return self._height(x, y) - self._datum, self._covered(x, y)
+
+    def _height(self, x: Array, y: Array) -> Array:
         inside_x = np.clip(x, self.x[0], self.x[-1])
         inside_y = np.clip(y, self.y[0], self.y[-1])
-        return self._rest.ev(inside_y, inside_x) + self._quadratic(x, y), self._covered(x, y)
+        return self._rest.ev(inside_y, inside_x) + self._quadratic(x, y)
+
+    @cached_property
+    def _datum(self) -> float:
+        """What the array has at the contact point: a constant only shifts the rigid film."""
+        return float(self._height(np.zeros(1), np.zeros(1))[0])
 
     @cached_property
     def radii(self) -> tuple[float, float]:
@@ -87,16 +105,43 @@ class SampledGap:
         ValueError
             The gap opens in neither direction.
         """
-        half = [
+        curvatures = self._curvatures
+        return 1 / curvatures[0], 1 / curvatures[1]
+
+    @cached_property
+    def _half_window(self) -> tuple[float, float]:
+        """Half sides of the window about the contact point in which curvatures are fitted [m]."""
+        return tuple(
             max(FIT_SHARE * np.ptp(axis), 2.5 * np.diff(axis).max()) for axis in (self.x, self.y)
-        ]
-        near = (np.abs(self.x) <= half[0])[None, :] & (np.abs(self.y) <= half[1])[:, None]
-        coefficients = _fit_quadratic(self.x, self.y, np.where(near, self.gap, np.nan))
-        curvatures = [2 * float(coefficients[term]) for term in (3, 5)]
+        )
+
+    @cached_property
+    def _near_fit(self) -> Array:
+        """The quadratic that fits the samples near the contact point best."""
+        near_x, near_y = (
+            np.abs(axis) <= half
+            for axis, half in zip((self.x, self.y), self._half_window, strict=True)
+        )
+        return _fit_quadratic(
+            self.x, self.y, np.where(near_x[None, :] & near_y[:, None], self.gap, np.nan)
+        )
+
+    @cached_property
+    def _curvatures(self) -> tuple[float, float]:
+        """Relative curvatures along x and y near the contact point [1/m], none flatter than FLATTEST."""
+        curvatures = [2 * float(self._near_fit[term]) for term in (3, 5)]
         if max(curvatures) <= 0:
             raise ValueError("gap must open away from the contact point x = y = 0")
         floor = FLATTEST * max(curvatures)
-        return 1 / max(curvatures[0], floor), 1 / max(curvatures[1], floor)
+        return max(curvatures[0], floor), max(curvatures[1], floor)
+
+    @property
+    def _closest(self) -> tuple[float, float]:
+        """Where the gap is least, along x and along y [m], by slope over curvature at the contact point."""
+        return tuple(
+            -float(slope) / curvature
+            for slope, curvature in zip(self._near_fit[1:3], self._curvatures, strict=True)
+        )
 
     def _covered(self, x: Array, y: Array) -> Array:
         inside = (self.x[0] <= x) & (x <= self.x[-1]) & (self.y[0] <= y) & (y <= self.y[-1])

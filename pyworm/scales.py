@@ -14,6 +14,12 @@ from pyworm.formulas.film import (
 from pyworm.formulas.hertz import HertzContact, hertz
 from pyworm.scene import Scene
 
+MOST_SLENDER = 1e6
+"""Largest ratio of the relative radii."""
+
+LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-4, 1e7, 1e3
+"""Bounds of Moes' parameters beyond which an input can only be a slip."""
+
 
 @dataclass(frozen=True)
 class Scales:
@@ -40,14 +46,21 @@ class Scales:
 def scales(scene: Scene) -> Scales:
     """Sizes of a scene from its radii, load, oil and entrainment at the contact point.
 
-    Where the contact point is at rest (pure spin), the root mean square of the entrainment over Hertz's
+    Where the contact point is at rest (pure spin), the mean speed of the entrainment over Hertz's
     ellipse stands in for it.
 
     Raises
     ------
     ValueError
-        If the surfaces entrain no oil anywhere in the contact.
+        If the surfaces entrain no oil anywhere in the contact, or radii, load, speed and oil are out of all
+        proportion.
     """
+    if not max(scene.radii) <= MOST_SLENDER * min(scene.radii):
+        raise ValueError(
+            f"{scene.name}: the relative radii are {scene.radii[0]:g} and {scene.radii[1]:g} m; a point "
+            f"contact has both finite and within a factor of {MOST_SLENDER:g} (surfaces that touch along "
+            "a line, as a worm and a wheel cut by a hob equal to it, make a line contact)"
+        )
     contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
     u, v = (float(component) for component in scene.entrainment(np.zeros(()), np.zeros(())))
     speed = hypot(u, v)
@@ -66,13 +79,19 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.eta0,
         scene.oil.viscosity.alpha,
     )
+    if not (LIGHTEST < groups.moes_m < HEAVIEST and groups.moes_l < MOST_PIEZOVISCOUS):
+        raise ValueError(
+            f"{scene.name}: load, speed and oil give Moes' M = {groups.moes_m:.3g} and "
+            f"L = {groups.moes_l:.3g}, beyond all experience (M {LIGHTEST:g} to {HEAVIEST:g}, "
+            f"L to {MOST_PIEZOVISCOUS:g}); check their units"
+        )
     return Scales(contact, groups, angle, float(nijenbanning_venner_moes(groups).central))
 
 
 def _typical_speed(scene: Scene, contact: HertzContact) -> float:
-    """Root mean square of the entrainment over eight points halfway out in Hertz's ellipse [m/s]."""
+    """Mean speed of the entrainment over eight points halfway out in Hertz's ellipse [m/s]."""
     angles = [k * pi / 4 for k in range(8)]
     x = np.array([contact.semi_axis_x * cos(angle) / 2 for angle in angles])
     y = np.array([contact.semi_axis_y * sin(angle) / 2 for angle in angles])
     u, v = scene.entrainment(x, y)
-    return float(np.sqrt(np.mean(u**2 + v**2)))
+    return float(np.mean(np.hypot(u, v)))

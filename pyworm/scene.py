@@ -16,7 +16,8 @@ Array = np.ndarray
 Gap = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
 
-The gap is finite everywhere: outside the teeth it continues the surfaces, since oil still flows there."""
+The gap is zero at the contact point and finite everywhere: outside the teeth it continues the surfaces, since
+oil still flows there."""
 
 Motion = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> velocity components (u, v) [m/s] of one surface."""

@@ -83,6 +83,6 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     pressure_axes = axes.twinx()
     pressure = [solution.figures.pressure_max.value * MEGA for solution in solved]
     pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
-    pressure_axes.set_ylim(bottom=0)
+    pressure_axes.set_ylim(0, 1.08 * max(pressure))
     pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
     axes.legend(frameon=False, ncols=2, loc="lower left")

@@ -98,9 +98,10 @@ def contact_window(fields: xr.Dataset) -> Window:
     """The dry contact with margins that show its inlet and outlet, within the grid."""
     x, y = fields["x"].values, fields["y"].values
     loaded = fields["dry_pressure"].transpose("y", "x").values > 0
-    if not loaded.any():
+    columns, rows = loaded.any(axis=0), loaded.any(axis=1)
+    if min(columns.sum(), rows.sum()) < 2:
         return _window(x, y)
-    contact = _window(x[loaded.any(axis=0)], y[loaded.any(axis=1)])
+    contact = _window(x[columns], y[rows])
     short = min(contact.width, contact.height)
     margin_x = max(0.08 * contact.width, 0.4 * short)
     margin_y = max(0.08 * contact.height, 0.4 * short)

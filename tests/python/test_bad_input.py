@@ -169,6 +169,27 @@ def test_files_that_hold_no_gap(refuse, tmp_path, arrays, sentence):
     assert sentence in error
 
 
+def test_a_gap_that_is_least_elsewhere(refuse, tmp_path):
+    x = 1e-5 * np.arange(-60, 61)
+    gap = (x - 1.5e-4) ** 2 / 0.02 + x[:, None] ** 2 / 0.02
+    np.savez(tmp_path / "gap_example.npz", gap=gap, dx=1e-5, dy=1e-5)
+    assert "gap is least near x = 0.00015 m, not at the contact point" in refuse(GAP)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('radii = ["10 mm", "10 mm"]', 'radii = ["1e300 mm", "10 mm"]', "within a factor of 1e+06"),
+        ('"0.46227 m/s"', '"1e200 m/s"', "beyond all experience"),
+    ],
+)
+def test_values_out_of_all_proportion(tmp_path, capsys, old, new, sentence):
+    text = (CASES / "point_m20_l10.toml").read_text()
+    assert old in text
+    (tmp_path / "case.toml").write_text(text.replace(old, new))
+    assert sentence in refusal(["check", str(tmp_path / "case.toml")], tmp_path, capsys)
+
+
 def test_a_gap_file_that_is_not_there(refuse):
     assert 'contact.file = "gap_example.npz": no such file' in refuse(GAP)
 

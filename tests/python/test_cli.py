@@ -101,6 +101,17 @@ def test_a_published_figure_stands_beside_the_computed_one(tmp_path, capsys, sol
     assert "209.3 nm" in capsys.readouterr().out
 
 
+def test_pictures_of_an_earlier_run_do_not_stay(tmp_path, capsys, solve_at_once):
+    solve_at_once()
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "scene_007_film.png").write_text("old")
+    (out / "my_own.png").write_text("mine")
+    assert main(["run", CASE, "--out", str(out)]) == CONVERGED
+    assert not (out / "scene_007_film.png").exists()
+    assert (out / "my_own.png").exists()
+
+
 def test_not_converged_is_written_and_marked(tmp_path, capsys, solve_at_once):
     solve_at_once(converged=False, stop_reason="grids as fine as allowed")
     assert main(["run", CASE, "--out", str(tmp_path / "out")]) == NOT_CONVERGED

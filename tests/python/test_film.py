@@ -11,6 +11,7 @@ from pyworm.bodies import Body
 from pyworm.grid import Grid
 from pyworm.kernels import KernelError
 from pyworm.oils import Barus, Density, Oil, Roelands
+from pyworm.sampled_gap import SampledGap
 from pyworm.scales import scales
 from pyworm.scene import Paraboloid, RigidMotion, Scene
 
@@ -196,6 +197,19 @@ def test_isoviscous_incompressible_film():
     figures = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.005)).figures
     assert figures.film_central.value / unit == pytest.approx(1.429, rel=0.01)
     assert figures.film_min.value / unit == pytest.approx(1.058, rel=0.01)
+
+
+@pytest.mark.parametrize("offset", [1e-3, -1e-3])
+def test_a_constant_added_to_a_sampled_gap_changes_nothing(offset):
+    scene = circular(30, 6)
+    x = np.linspace(-1.2e-3, 1.2e-3, 121)
+    gap = scene.gap(x[None, :], x[:, None])[0]
+    plain, shifted = (
+        pyworm.solve(of, pyworm.plan(of, 0.05)).figures
+        for of in (replace(scene, gap=SampledGap(x, x, gap + shift)) for shift in (0.0, offset))
+    )
+    assert shifted.film_central.value == pytest.approx(plain.film_central.value, rel=1e-6)
+    assert shifted.film_min.value == pytest.approx(plain.film_min.value, rel=1e-6)
 
 
 def test_a_tooth_edge_carries_no_pressure_beyond_it():
