@@ -10,7 +10,8 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
     point_film_convolve
-  public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields
+  public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
+    line_film_convolve
   public :: prolong_cubic
 
 contains
@@ -262,6 +263,21 @@ contains
     density = contact%fields%rho(:, 1)
     imbalance = contact%imbalance
   end subroutine line_film_fields
+
+  !> Deflection w [m] under pressure p [Pa] on a line contact's own grid: the unit of cost.
+  subroutine line_film_convolve(handle, p, n, w)
+    use line_film, only: line_contact
+    use line_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: p(n)
+    real(c_double), intent(out) :: w(n)
+    type(line_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call contact%plane%deflection(p, w)
+  end subroutine line_film_convolve
 
   !> Field on a grid of half the spacing.
   subroutine prolong_cubic(coarse, nx, ny, fine)

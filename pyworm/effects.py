@@ -4,6 +4,10 @@ from dataclasses import dataclass
 from math import sqrt
 
 from pyworm.grid import Grid, nest
+from pyworm.line.grid import LineGrid, first_grids
+from pyworm.line.scales import line_scales
+from pyworm.line.scene import LineScene
+from pyworm.oils import Oil
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.window import FAR, Reach, near_reach, window
@@ -22,11 +26,17 @@ slender contact scale with its short axis."""
 LARGEST_GRID = 1_200_000
 """Nodes beyond which grids are not refined further."""
 
+LARGEST_LINE = 33_000
+"""The same for a line contact. A step costs some milliseconds at 2000 and grows nearly as their number."""
+
+LINE_TOLERANCE = 1e-6
+"""Residual allowed in a line contact: Newton's last step falls far below it at no cost."""
+
 RESIDUAL_SHARE = 0.1
 """Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
 
-CONVOLUTIONS_A_GRID = 150.0
-"""What a solve costs as a rule, in convolutions on its finest grid."""
+CONVOLUTIONS, LINE_CONVOLUTIONS = 150.0, 2000.0
+"""What a solve of a point and of a line contact costs as a rule, in convolutions on its finest grid."""
 
 
 @dataclass(frozen=True)
@@ -58,9 +68,9 @@ class Plan:
         Relative error wanted in minimum and central film [-].
     effects : tuple of Effect
         Every effect judged.
-    grids : tuple of Grid
+    grids : tuple of Grid or LineGrid
         From the outermost to the first one of the figures; finer ones follow as the accuracy needs.
-    wider_grids : tuple of Grid
+    wider_grids : tuple of Grid or LineGrid
         The same to a window of twice the reach and the same spacing, for the error by the window; none if
         that is not to be estimated.
     largest_grid : int
@@ -73,19 +83,19 @@ class Plan:
 
     accuracy: float
     effects: tuple[Effect, ...]
-    grids: tuple[Grid, ...]
-    wider_grids: tuple[Grid, ...]
+    grids: tuple[Grid | LineGrid, ...]
+    wider_grids: tuple[Grid | LineGrid, ...]
     largest_grid: int
     tolerance: float
     expected_convolutions: float
 
 
-def plan(scene: Scene, accuracy: float = 0.01, effects: str = "isothermal") -> Plan:
+def plan(scene: Scene | LineScene, accuracy: float = 0.01, effects: str = "isothermal") -> Plan:
     """Plan of a solve.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene or LineScene
         The contact.
     accuracy : float
         Relative error wanted [-], between 1e-5 and 0.5.
@@ -103,16 +113,37 @@ def plan(scene: Scene, accuracy: float = 0.01, effects: str = "isothermal") -> P
         raise ValueError(
             f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"
         )
+    return PLANS[type(scene)](scene, accuracy)
+
+
+def _plan_point(scene: Scene, accuracy: float) -> Plan:
     size = scales(scene)
     return Plan(
         accuracy=accuracy,
-        effects=_isothermal(scene),
+        effects=_isothermal(scene.oil, across=True),
         grids=_grids(scene, size, near_reach(size), FAR),
         wider_grids=_grids(scene, size, near_reach(size).doubled(), FAR.doubled()),
         largest_grid=LARGEST_GRID,
         tolerance=RESIDUAL_SHARE * accuracy,
-        expected_convolutions=CONVOLUTIONS_A_GRID,
+        expected_convolutions=CONVOLUTIONS,
     )
+
+
+def _plan_line(scene: LineScene, accuracy: float) -> Plan:
+    grid, wider = first_grids(scene, line_scales(scene), accuracy)
+    return Plan(
+        accuracy=accuracy,
+        effects=_isothermal(scene.oil, across=False),
+        grids=(grid,),
+        wider_grids=(wider,),
+        largest_grid=LARGEST_LINE,
+        tolerance=LINE_TOLERANCE,
+        expected_convolutions=LINE_CONVOLUTIONS,
+    )
+
+
+PLANS = {Scene: _plan_point, LineScene: _plan_line}
+"""What plans each kind of contact, by its scene."""
 
 
 def _grids(scene: Scene, size: Scales, near: Reach, far: Reach) -> tuple[Grid, ...]:
@@ -128,12 +159,16 @@ def _grids(scene: Scene, size: Scales, near: Reach, far: Reach) -> tuple[Grid, .
     return nest(window(scene, size, near), window(scene, size, far), dx, dy)
 
 
-def _isothermal(scene: Scene) -> tuple[Effect, ...]:
-    """Effects of the isothermal Newtonian model; what the kernel does not simulate is named too."""
+def _isothermal(oil: Oil, across: bool) -> tuple[Effect, ...]:
+    """Effects of the isothermal Newtonian model; what the kernel does not simulate is named too.
+
+    `across` tells whether there is a second direction for anything to happen in.
+    """
     asked = "part of the isothermal model"
     missing = "not simulated"
-    compressible = scene.oil.density.d1 > 0
-    piezoviscous = scene.oil.viscosity.alpha > 0
+    line = "a line contact is the same all along"
+    compressible = oil.density.d1 > 0
+    piezoviscous = oil.viscosity.alpha > 0
     return (
         Effect("elastic deflection", True, asked),
         Effect(
@@ -143,7 +178,8 @@ def _isothermal(scene: Scene) -> tuple[Effect, ...]:
             "compressibility", compressible, asked if compressible else "the oil is incompressible"
         ),
         Effect("real gap", True, asked),
-        Effect("varying velocity and spin", True, asked),
+        Effect("second dimension", across, asked if across else line),
+        Effect("varying velocity and spin", across, asked if across else line),
         *(
             Effect(name, False, missing)
             for name in (

@@ -23,6 +23,7 @@ _MESSAGES = {
     6: "there is not enough memory",
 }
 
+NOT_FINITE = 2
 NOT_CONVERGED = 4
 NO_DESCENT = 5
 

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import FIGURES, JUDGED, Convergence, Reading, algebra_errors
-from pyworm.kernels import NO_DESCENT, KernelError, LineFilm, PointFilm
+from pyworm.kernels import NO_DESCENT, NOT_FINITE, KernelError, LineFilm, PointFilm
 
 MOST_STEPS = 30
 """Newton steps on one grid before it is given up."""
@@ -87,7 +87,7 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Sett
         try:
             step = rung.film.step(rung.forcing)
         except KernelError as error:
-            if error.status != NO_DESCENT:
+            if error.status not in (NO_DESCENT, NOT_FINITE):
                 raise
             break
         balance = step.balance

@@ -10,6 +10,8 @@ import xarray as xr
 from pyworm.accuracy import FIGURES, JUDGED, domain_errors, grid_errors
 from pyworm.effects import Plan
 from pyworm.ladder import Ladder, Rung, Settled, Stride, settle
+from pyworm.line.ladder import LineLadder
+from pyworm.line.scene import LineScene
 from pyworm.point_ladder import PointLadder
 from pyworm.scene import Scene
 from pyworm.solution import Cost, Estimate, Figures, Solution
@@ -17,7 +19,7 @@ from pyworm.variables import describe
 
 Progress = Callable[[str, float], None]
 
-LADDERS: dict[type, type[Ladder]] = {Scene: PointLadder}
+LADDERS: dict[type, type[Ladder]] = {Scene: PointLadder, LineScene: LineLadder}
 """The climb of each kind of contact, by its scene."""
 
 ACCURATE = "the figures are as accurate as asked for"
@@ -36,12 +38,12 @@ TIMED_CONVOLUTIONS = 10
 """Convolutions timed for the unit of cost."""
 
 
-def solve(scene: Scene, plan: Plan, progress: Progress | None = None) -> Solution:
+def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None) -> Solution:
     """Solve a scene for its film.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene or LineScene
         The contact.
     plan : Plan
         What `pyworm.plan` made of it.

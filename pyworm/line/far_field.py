@@ -15,7 +15,8 @@ from math import log1p
 
 import numpy as np
 
-from pyworm.line_scene import Array, LineScene
+from pyworm.line.grid import LineGrid
+from pyworm.line.scene import Array, LineScene
 
 POINTS = 24
 """Points of Gauss and Legendre over the reciprocal distance, in which the integrands are smooth."""
@@ -40,19 +41,20 @@ class LineFarField:
     load: float
 
 
-def line_far_field(scene: LineScene, x: Array, pressure: Array, film: Array) -> LineFarField:
+def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Array) -> LineFarField:
     """Pressure of the oil that comes to a grid's inlet end.
 
     Parameters
     ----------
     scene : LineScene
         The contact.
-    x : numpy.ndarray
-        Nodes of a uniform grid [m].
+    grid : LineGrid
+        The grid.
     pressure, film : numpy.ndarray
-        Pressure [Pa] and film [m] on them, at least roughly.
+        Pressure [Pa] and film [m] on it, at least roughly.
     """
-    inlet = 0 if scene.speed > 0 else -1
+    x = grid.x
+    inlet = 0 if scene.entrainment > 0 else -1
     if not scene.gap(x[[inlet]])[1][0]:
         return LineFarField(0.0, 0.0)
     viscosity, density = scene.oil.viscosity, scene.oil.density
@@ -63,8 +65,9 @@ def line_far_field(scene: LineScene, x: Array, pressure: Array, film: Array) -> 
     share = (nodes + 1) / 2
     far = x[inlet] / share
     thickness = film[inlet] + (far**2 - x[inlet] ** 2) / (2 * scene.radius)
-    thickness += _deflection(scene, far, x, pressure) - _deflection(scene, x[[inlet]], x, pressure)
-    slope = 12 * viscosity.eta0 * abs(scene.speed) * (thickness - flow) / thickness**3
+    thickness += _deflection(scene, far, grid, pressure)
+    thickness -= _deflection(scene, x[[inlet]], grid, pressure)
+    slope = 12 * viscosity.eta0 * abs(scene.entrainment) * (thickness - flow) / thickness**3
     steps = weights / 2 * abs(x[inlet]) / share**2
     reduced = max(float(slope @ steps), 0.0)
     # by parts: the integral of pressure is that of its slope times the distance from the inlet
@@ -77,8 +80,7 @@ def line_far_field(scene: LineScene, x: Array, pressure: Array, film: Array) -> 
     return LineFarField(-log1p(-believed) / viscosity.alpha, max(load, 0.0) + stiffening)
 
 
-def _deflection(scene: LineScene, at: Array, x: Array, pressure: Array) -> Array:
+def _deflection(scene: LineScene, at: Array, grid: LineGrid, pressure: Array) -> Array:
     """Deflection [m], up to a constant, beyond a grid; strips of pressure are lines from there."""
-    dx = x[1] - x[0]
-    distance = np.maximum(abs(at[:, None] - x[None, :]), dx / 2)
-    return -4 * dx / (np.pi * scene.reduced_modulus) * np.log(distance) @ pressure
+    distance = np.maximum(abs(at[:, None] - grid.x[None, :]), grid.dx / 2)
+    return -4 * grid.dx / (np.pi * scene.reduced_modulus) * np.log(distance) @ pressure

@@ -1,0 +1,84 @@
+"""A line contact: all that its solver may know of it.
+
+The contact is the same all along the line. x runs across the line with its origin at the contact point;
+velocities are those of the surfaces along x, relative to the (moving) contact point.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.bodies import Body, reduced_modulus
+from pyworm.oils import Oil
+
+Array = np.ndarray
+LineGap = Callable[[Array], tuple[Array, Array]]
+"""x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
+
+
+@dataclass(frozen=True)
+class Parabola:
+    """The gap x^2 / 2R without edges.
+
+    Attributes
+    ----------
+    radius : float
+        Relative radius of curvature [m].
+    """
+
+    radius: float
+
+    def __call__(self, x: Array) -> tuple[Array, Array]:
+        """Gap [m] and where both surfaces exist (everywhere)."""
+        return x**2 / (2 * self.radius), np.ones(x.shape, dtype=bool)
+
+
+@dataclass(frozen=True)
+class LineScene:
+    """One lubricated line contact.
+
+    Attributes
+    ----------
+    name : str
+        What tables and pictures call it.
+    gap : LineGap
+        Undeformed gap and where both surfaces exist.
+    radius : float
+        Relative radius of curvature at the contact point [m]: the scale of the contact, and the gap beyond
+        the grid.
+    velocities : tuple of float
+        Velocity of body 1 and of body 2 [m/s].
+    load : float
+        Normal load for each length [N/m].
+    bodies : tuple of Body
+        Body 1 and body 2.
+    oil : Oil
+        The oil at its inlet temperature.
+    phase : float or None
+        Place in the mesh cycle, 0 to 1; None outside a drive.
+    """
+
+    name: str
+    gap: LineGap
+    radius: float
+    velocities: tuple[float, float]
+    load: float
+    bodies: tuple[Body, Body]
+    oil: Oil
+    phase: float | None = None
+
+    @property
+    def reduced_modulus(self) -> float:
+        """Reduced modulus E' of the two bodies [Pa]."""
+        return reduced_modulus(*self.bodies)
+
+    @property
+    def entrainment(self) -> float:
+        """Mean surface velocity [m/s]."""
+        return sum(self.velocities) / 2
+
+    @property
+    def sliding(self) -> float:
+        """Velocity of body 1 relative to body 2 [m/s]."""
+        return self.velocities[0] - self.velocities[1]
