@@ -7,12 +7,13 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from pyworm.case_error import CaseError, sentence
-from pyworm.sampled_gap import SampledGap, read_gap
-from pyworm.scene import Paraboloid, Scene
-from pyworm.schema import ContactCase, DriveCase, GapTable, PublishedValue
+from pyworm.contact_scene import contact_scene
+from pyworm.line.scene import LineScene
+from pyworm.scene import Scene
+from pyworm.schema import CONTACT_CASES, AnyContactCase, ContactCase, DriveCase, PublishedValue
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ class Case:
         except ValueError as error:
             raise CaseError(f"drive.{error}") from error
 
-    def scene(self, phase: float | None = None) -> Scene:
+    def scene(self, phase: float | None = None) -> Scene | LineScene:
         """One contact at one instant.
 
         Parameters
@@ -109,7 +110,7 @@ class Case:
                 raise CaseError(
                     f"phase {phase:g}: {self.name} has no mesh cycle, it is one contact"
                 )
-            return self._contact_scene()
+            return contact_scene(self.tables, self.name, self.directory)
         phase = self.phases[0] if phase is None else phase
         if not 0 <= phase <= 1:
             raise CaseError(f"phase {phase:g}: must lie between 0 and 1")
@@ -118,37 +119,11 @@ class Case:
         except ValueError as error:
             raise CaseError(f"drive at phase {phase:g}: {error}") from error
 
-    def scenes(self, phases: Sequence[float] | None = None) -> Iterator[Scene]:
+    def scenes(self, phases: Sequence[float] | None = None) -> Iterator[Scene | LineScene]:
         """The contacts at these phases, by default at the case's own."""
         if phases is None:
             phases = self.phases or (None,)
         return (self.scene(phase) for phase in phases)
-
-    def _contact_scene(self) -> Scene:
-        tables = self.tables
-        if isinstance(tables.contact, GapTable):
-            gap = self._sampled_gap(tables.contact.file)
-            radii = gap.radii
-        else:
-            radii = tables.contact.radii
-            gap = Paraboloid(*radii)
-        return Scene(
-            name=self.name,
-            gap=gap,
-            radii=radii,
-            motions=tables.motion.motions(),
-            load=tables.contact.load,
-            bodies=(tables.bodies.body_1.body(), tables.bodies.body_2.body()),
-            oil=tables.oil.oil(),
-        )
-
-    def _sampled_gap(self, file: str) -> SampledGap:
-        try:
-            gap = read_gap(self.directory / file)
-            gap.radii  # noqa: B018  a gap that opens nowhere is refused here, with the file's name
-        except ValueError as error:
-            raise CaseError(f'contact.file = "{file}": {error}') from error
-        return gap
 
 
 def load(path: str | Path) -> Case:
@@ -173,16 +148,25 @@ def load(path: str | Path) -> Case:
         raise CaseError(f"{path}: cannot be read ({error})") from None
     except tomllib.TOMLDecodeError as error:
         raise CaseError(f"{path}: not a TOML file: {error}") from None
-    if ("drive" in data) == ("contact" in data):
-        raise CaseError(f"{path}: give either a [drive] or a [contact], one of the two")
-    model = DriveCase if "drive" in data else ContactCase
     try:
-        tables = model.model_validate(data)
-    except ValidationError as error:
-        raise CaseError(f"{path}: {sentence(error, model, data)}") from None
-    case = Case(path.stem, path.parent, tables)
-    try:
+        case = Case(path.stem, path.parent, _tables(data))
         list(case.scenes())  # the drive must mesh and the gap file must hold a gap
     except CaseError as error:
         raise CaseError(f"{path}: {error}") from error
     return case
+
+
+def _tables(data: dict[str, Any]) -> DriveCase | ContactCase:
+    """A case file in SI, read as what it says it is."""
+    if ("drive" in data) == ("contact" in data):
+        raise CaseError("give either a [drive] or a [contact], one of the two")
+    if "drive" in data:
+        return _checked(DriveCase, data)
+    return _checked(CONTACT_CASES[_checked(AnyContactCase, data).contact.kind], data)
+
+
+def _checked(model: type[BaseModel], data: dict[str, Any]) -> Any:
+    try:
+        return model.model_validate(data)
+    except ValidationError as error:
+        raise CaseError(sentence(error, model, data)) from None

@@ -6,6 +6,7 @@ from math import atan2, cos, hypot, pi, sin
 import numpy as np
 
 from pyworm.formulas.film import (
+    LineGroups,
     PointGroups,
     nijenbanning_venner_moes,
     point_groups,
@@ -79,13 +80,24 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.eta0,
         scene.oil.viscosity.alpha,
     )
+    require_proportion(scene.name, groups)
+    return Scales(contact, groups, angle, float(nijenbanning_venner_moes(groups).central))
+
+
+def require_proportion(name: str, groups: PointGroups | LineGroups) -> None:
+    """Refuse what can only be a slip.
+
+    Raises
+    ------
+    ValueError
+        If load, speed and oil are out of all proportion.
+    """
     if not (LIGHTEST < groups.moes_m < HEAVIEST and groups.moes_l < MOST_PIEZOVISCOUS):
         raise ValueError(
-            f"{scene.name}: load, speed and oil give Moes' M = {groups.moes_m:.3g} and "
+            f"{name}: load, speed and oil give Moes' M = {groups.moes_m:.3g} and "
             f"L = {groups.moes_l:.3g}, beyond all experience (M {LIGHTEST:g} to {HEAVIEST:g}, "
             f"L to {MOST_PIEZOVISCOUS:g}); check their units"
         )
-    return Scales(contact, groups, angle, float(nijenbanning_venner_moes(groups).central))
 
 
 def _typical_speed(scene: Scene, contact: HertzContact) -> float:

@@ -56,6 +56,10 @@ class ContactBodies(Table):
     body_1: BodyTable
     body_2: BodyTable
 
+    def pair(self) -> tuple[Body, Body]:
+        """Body 1 and body 2."""
+        return self.body_1.body(), self.body_2.body()
+
 
 # --------------------------------------------------------------------------------------------- oil
 
@@ -239,6 +243,14 @@ class PointContactTable(Table):
     load: units.Force
 
 
+class LineContactTable(Table):
+    """`[contact]`, kind = "line-contact": a parabolic cylinder on a plane."""
+
+    kind: Literal["line-contact"]
+    radius: units.Length
+    load: units.ForcePerLength
+
+
 class GapTable(Table):
     """`[contact]`, kind = "gap": a sampled undeformed gap, its file named relative to the case file."""
 
@@ -261,6 +273,13 @@ class MotionTable(Table):
             RigidMotion(*self.velocity_1, self.spin_1),
             RigidMotion(*self.velocity_2, self.spin_2),
         )
+
+
+class LineMotionTable(Table):
+    """`[motion]` of a line contact: both surfaces' velocity across the line at the contact point."""
+
+    velocity_1: units.Velocity
+    velocity_2: units.Velocity
 
 
 # ------------------------------------------------------------------------------------------- cases
@@ -301,9 +320,42 @@ class DriveCase(_CaseTable):
     bodies: ToothBodies
 
 
-class ContactCase(_CaseTable):
-    """A case file about one contact written directly."""
-
-    contact: Annotated[PointContactTable | GapTable, Field(discriminator="kind")]
-    motion: MotionTable
+class _ContactCase(_CaseTable):
     bodies: ContactBodies
+
+
+class PointCase(_ContactCase):
+    """A case file about a point contact written directly."""
+
+    contact: PointContactTable
+    motion: MotionTable
+
+
+class GapCase(_ContactCase):
+    """A case file about a sampled gap."""
+
+    contact: GapTable
+    motion: MotionTable
+
+
+class LineCase(_ContactCase):
+    """A case file about a line contact written directly."""
+
+    contact: LineContactTable
+    motion: LineMotionTable
+
+
+ContactCase = PointCase | GapCase | LineCase
+
+CONTACT_CASES = {"point-contact": PointCase, "line-contact": LineCase, "gap": GapCase}
+"""Kind of a contact written directly -> what its file may say."""
+
+
+class _AnyContactTable(BaseModel):
+    kind: Literal["point-contact", "line-contact", "gap"]
+
+
+class AnyContactCase(BaseModel):
+    """As much of a case file about one contact as tells its kind."""
+
+    contact: _AnyContactTable

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pyworm.formulas.film import LineGroups, line_groups, moes_line
 from pyworm.formulas.hertz import HertzLine, hertz_line
 from pyworm.line.scene import LineScene
+from pyworm.scales import require_proportion
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ def line_scales(scene: LineScene) -> LineScales:
     Raises
     ------
     ValueError
-        If there is no entrainment, load or viscosity.
+        If there is no entrainment, load or viscosity, or they are out of all proportion.
     """
     viscosity = scene.oil.viscosity
     if not abs(scene.entrainment) > 0:
@@ -53,5 +54,6 @@ def line_scales(scene: LineScene) -> LineScales:
         viscosity.eta0,
         viscosity.alpha,
     )
+    require_proportion(scene.name, groups)
     contact = hertz_line(scene.radius, scene.load, scene.reduced_modulus)
     return LineScales(contact, groups, float(moes_line(groups).central))

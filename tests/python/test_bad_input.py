@@ -12,6 +12,7 @@ from pyworm.cli import BAD_INPUT, main
 CASES = Path(__file__).parents[2] / "cases"
 DRIVE = (CASES / "zi_sharif_2001.toml").read_text()
 CONTACT = (CASES / "point_m20_l10.toml").read_text()
+LINE = (CASES / "line_m20_l10.toml").read_text()
 GAP = (CASES / "gap_example.toml").read_text()
 
 
@@ -96,7 +97,10 @@ def test_wrong_values_in_a_drive(refuse, old, new, sentence):
     [
         ('["10 mm", "10 mm"]', '["10 mm", "-10 mm"]', 'contact.radii[1] = "-10 mm": must be a len'),
         ('["10 mm", "10 mm"]', '["10 mm"]', "contact.radii[1] is missing"),
-        ('"point-contact"', '"line-contact"', 'must be one of "point-contact", "gap"'),
+        ('"point-contact"', '"pin"', 'must be "point-contact", "line-contact" or "gap"'),
+        ('"point-contact"', "[1]", 'must be "point-contact", "line-contact" or "gap"'),
+        ('kind = "point-contact"', "", "contact.kind is missing"),
+        ('kind = "point-contact"\n', 'kind = "point-contact"\nlod = 1\n', "did you mean load?"),
         ('"0 m/s"', "0", "motion.velocity_1[1] = 0: must be a velocity with its unit"),
         ('alpha = "22 1/GPa"', 'alpha = "22 1/GPa"\nz = 0.6', "give either z or alpha"),
         ('= "196 MPa"', '= "196 MPa"\npole_coefficient = "5.1 1/GPa"', "give either pole_pressure"),
@@ -108,6 +112,27 @@ def test_wrong_values_in_a_drive(refuse, old, new, sentence):
 )
 def test_wrong_values_in_a_contact(refuse, old, new, sentence):
     assert sentence in refuse(changed(CONTACT, (old, new)))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('"182.84 kN/m"', '"182.84 kN"', 'load = "182.84 kN": must be a force per length with its'),
+        ('"182.84 kN/m"', '"0 kN/m"', 'such as "100 kN/m"'),
+        ('radius = "10 mm"', 'radii = ["10 mm", "10 mm"]', "contact.radii: no such key; did you"),
+        ('radius = "10 mm"', "", "contact.radius is missing"),
+        (
+            '"0.46227 m/s"',
+            '["1 m/s", "0 m/s"]',
+            'motion.velocity_1 = ["1 m/s", "0 m/s"]: must be a',
+        ),
+        ("[motion]", '[motion]\nspin_1 = "2 rad/s"', "motion.spin_1: no such key; valid keys are"),
+        ('"0.46227 m/s"', '"-0.46227 m/s"', "the surfaces entrain no oil"),
+        ('"182.84 kN/m"', '"1e20 kN/m"', "check their units"),
+    ],
+)
+def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
+    assert sentence in refuse(changed(LINE, (old, new)))
 
 
 @pytest.mark.parametrize(

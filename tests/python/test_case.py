@@ -9,6 +9,9 @@ import pytest
 import xarray as xr
 
 from pyworm.case import load
+from pyworm.effects import plan
+from pyworm.line.scales import line_scales
+from pyworm.line.scene import LineScene
 from pyworm.oils import Roelands
 from pyworm.sampled_gap import SampledGap, read_gap
 
@@ -16,6 +19,8 @@ ROOT = Path(__file__).parents[2]
 CASES = ROOT / "cases"
 SHIPPED = sorted(CASES.glob("*.toml"))
 CONTACTS = [path for path in SHIPPED if path.stem != "zi_sharif_2001"]
+LINES = [path for path in CONTACTS if path.stem.startswith("line")]
+POINTS = [path for path in CONTACTS if path not in LINES]
 
 
 def moes(scene):
@@ -39,10 +44,16 @@ def test_every_shipped_case_is_right(path):
 
 
 @pytest.mark.parametrize("path", CONTACTS, ids=lambda path: path.stem)
-def test_every_shipped_contact_makes_one_scene(path):
+def test_every_shipped_contact_makes_one_scene_that_can_be_planned(path):
     (scene,) = load(path).scenes()
     assert scene.phase is None
-    gap, covered = scene.gap(np.zeros((1, 1)), np.zeros((1, 1)))
+    assert scene.name == path.stem
+    assert plan(scene).grids
+
+
+@pytest.mark.parametrize("path", POINTS, ids=lambda path: path.stem)
+def test_the_surfaces_touch_at_the_contact_point(path):
+    gap, covered = load(path).scene().gap(np.zeros((1, 1)), np.zeros((1, 1)))
     assert covered.all()
     assert abs(gap.item()) < 1e-9
 
@@ -51,6 +62,15 @@ def test_every_shipped_contact_makes_one_scene(path):
 def test_model_contacts_have_the_parameters_in_their_name(m, el):
     scene = load(CASES / f"point_m{m}_l{el}.toml").scene()
     assert moes(scene) == pytest.approx((m, el), rel=1e-4)
+
+
+@pytest.mark.parametrize("m", [20, 200])
+def test_model_line_contacts_have_the_parameters_in_their_name(m):
+    scene = load(CASES / f"line_m{m}_l10.toml").scene()
+    assert isinstance(scene, LineScene)
+    groups = line_scales(scene).groups
+    assert (groups.moes_m, groups.moes_l) == pytest.approx((m, 10), rel=1e-4)
+    assert scene.sliding == 0
 
 
 def test_mourier_has_the_published_parameters():
