@@ -90,10 +90,20 @@ def domain_errors(this: Reading, wider: Reading, limit: float) -> dict[str, floa
     return {name: limit * of for name, of in change(wider, this).items()}
 
 
-def algebra_errors(before: Reading, after: Reading, rate: float) -> dict[str, float]:
-    """Relative error of each figure that is left after a Newton step which multiplied the residual by `rate`.
+LEAST_FALL = 0.2
+"""Ratio of a Newton step's change to that of the step before below which it is not believed: changes of
+either sign may nearly cancel."""
 
-    What later steps of a geometric series would still add; the whole last change where it is none.
+
+def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> dict[str, float]:
+    """Relative error of each figure that is left after the last two Newton steps changed it so much.
+
+    What later steps of a geometric series would still add; the whole last change where the changes do not
+    fall by half. The fall of the residual says nothing here: it shows the roughest errors, and a step may
+    divide it by ten while the central film, a smooth figure, is still on its way.
     """
-    left = rate / (1 - rate) if rate < 0.5 else 1.0
-    return {name: of * left for name, of in change(before, after).items()}
+    errors = {}
+    for name in FIGURES:
+        fall = max(last[name] / before[name], LEAST_FALL) if before[name] > 0 else 1.0
+        errors[name] = last[name] * (fall / (1 - fall) if fall < 0.5 else 1.0)
+    return errors

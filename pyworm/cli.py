@@ -171,7 +171,8 @@ def _check(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
-    from pyworm.tables import plan_table, scene_summary
+    from pyworm.scene_summary import scene_summary
+    from pyworm.tables import plan_table
 
     notes = []
     if case.tables.oil.thermal is not None:

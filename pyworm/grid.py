@@ -49,6 +49,11 @@ class Grid:
         return self.nx, self.ny
 
     @property
+    def spacing(self) -> tuple[float, float]:
+        """Spacing along x and y [m]."""
+        return self.dx, self.dy
+
+    @property
     def nodes(self) -> int:
         """Number of nodes."""
         return self.nx * self.ny

@@ -26,6 +26,7 @@ _MESSAGES = {
 NOT_FINITE = 2
 NOT_CONVERGED = 4
 NO_DESCENT = 5
+NO_MEMORY = 6
 
 
 class KernelError(RuntimeError):

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import FIGURES, JUDGED, Convergence, Reading, algebra_errors
+from pyworm.accuracy import FIGURES, JUDGED, Convergence, Reading, algebra_errors, change
 from pyworm.kernels import NO_DESCENT, NOT_FINITE, KernelError, LineFilm, PointFilm
 
 MOST_STEPS = 30
@@ -74,16 +74,16 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Sett
     tolerance : float
         Residual and load error wanted.
     algebra_wanted : float
-        Relative error of both films wanted; it takes at least one step to see it.
+        Relative error of both films wanted; it takes at least two steps to see it.
     """
     strides: list[Stride] = []
     reading = rung.read()
+    changes: list[dict[str, float]] = []
     algebra = dict.fromkeys(FIGURES, np.inf)
     while len(strides) < MOST_STEPS and (
         rung.film.balance.worst > tolerance
         or max(algebra[name] for name in JUDGED) > algebra_wanted
     ):
-        before = rung.film.balance.worst
         try:
             step = rung.film.step(rung.forcing)
         except KernelError as error:
@@ -92,7 +92,9 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Sett
             break
         balance = step.balance
         last, reading = reading, rung.read()
-        algebra = algebra_errors(last, reading, balance.worst / before)
+        changes.append(change(last, reading))
+        if len(changes) > 1:
+            algebra = algebra_errors(*changes[-2:])
         strides.append(Stride(rung.grid.shape, balance.residual, balance.load_error, step.krylov))
     return Settled(tuple(strides), reading, algebra)
 

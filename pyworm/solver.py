@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from time import perf_counter, process_time
-from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import FIGURES, JUDGED, domain_errors, grid_errors
+from pyworm.accuracy import FIGURES, JUDGED, Reading, domain_errors, grid_errors
 from pyworm.effects import Plan
+from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
@@ -63,40 +63,47 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     """
     tell = progress or (lambda message, share: None)
     ladder = LADDERS[type(scene)](scene)
-    convergence = ladder.convergence
+    domain = dict.fromkeys(FIGURES, np.inf)
+    readings: list[Reading] = []
     unsettled = 0
 
     started, started_work = perf_counter(), process_time()
     tell(f"{scene.name}: first grids", 0.0)
-    rung, settled, strides = _first_figures(ladder, plan.grids, plan)
-    domain = dict.fromkeys(FIGURES, np.inf)
-    if plan.wider_grids:
-        tell(f"{scene.name}: wider window", 0.1)
-        wider, settled_wider, steps = _first_figures(ladder, plan.wider_grids, plan)
-        strides += steps
-        domain = domain_errors(settled.reading, settled_wider.reading, convergence.window_limit)
-        if max(domain[name] for name in JUDGED) > DOMAIN_SHARE * plan.accuracy:
-            rung, settled = wider, settled_wider
-            domain = {name: convergence.wider_share * error for name, error in domain.items()}
-    readings = [settled.reading]
+    rung, strides = ladder.enter(plan.grids)
     while True:
-        unsettled += rung.film.balance.worst > plan.tolerance
-        grid = grid_errors(readings, convergence.orders)
-        estimates = {
-            name: Estimate(
-                getattr(settled.reading, name), grid[name], domain[name], settled.algebra[name]
-            )
-            for name in FIGURES
-        }
-        stop_reason = _stop_reason(rung, estimates, unsettled, plan)
-        if stop_reason is not None:
-            break
-        rung = ladder.higher(rung)
-        size = " x ".join(str(count) for count in rung.grid.shape)
-        tell(f"{scene.name}: {size}", 1 - 0.7 ** (len(readings) + 1))
         settled = _settle_figures(rung, plan)
         strides += settled.strides
         readings.append(settled.reading)
+        unsettled += rung.film.balance.worst > plan.tolerance
+        if (
+            _film_is_sound(rung, settled, plan)
+            and plan.wider_grids
+            and np.isinf(domain["film_min"])
+        ):
+            tell(f"{scene.name}: wider window", 1 - 0.7 ** len(readings))
+            wider, settled_wider, steps = _in_wider_window(ladder, plan, len(readings) - 1)
+            strides += steps
+            if _film_is_sound(wider, settled_wider, plan):
+                domain = domain_errors(
+                    settled.reading, settled_wider.reading, ladder.convergence.window_limit
+                )
+                if max(domain[name] for name in JUDGED) > DOMAIN_SHARE * plan.accuracy:
+                    left = ladder.convergence.wider_share
+                    domain = {name: left * error for name, error in domain.items()}
+                    rung, settled, readings = wider, settled_wider, [settled_wider.reading]
+        estimates = _estimates(ladder, rung, readings, domain, settled, plan)
+        stop_reason = _stop_reason(rung, estimates, unsettled, plan)
+        if stop_reason is not None:
+            break
+        size = " x ".join(str(count) for count in rung.grid.finer().shape)
+        tell(f"{scene.name}: {size}", 1 - 0.7 ** (len(readings) + 1))
+        try:
+            rung = ladder.higher(rung)
+        except KernelError as error:
+            if error.status != NO_MEMORY:
+                raise
+            stop_reason = f"there is not enough memory for {size} nodes"
+            break
     seconds, work = perf_counter() - started, process_time() - started_work
 
     outcome = ladder.outcome(rung)
@@ -121,13 +128,41 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     )
 
 
-def _first_figures(
-    ladder: Ladder, grids: Sequence[Any], plan: Plan
+def _in_wider_window(
+    ladder: Ladder, plan: Plan, refinements: int
 ) -> tuple[Rung, Settled, list[Stride]]:
-    """Up the plan's grids, to the first figures."""
-    rung, strides = ladder.enter(grids)
+    """The figures on as fine a grid in the plan's wider window."""
+    rung, strides = ladder.enter(plan.wider_grids)
+    for _ in range(refinements):
+        strides += settle(rung, plan.tolerance).strides
+        rung = ladder.higher(rung)
     settled = _settle_figures(rung, plan)
     return rung, settled, [*strides, *settled.strides]
+
+
+def _film_is_sound(rung: Rung, settled: Settled, plan: Plan) -> bool:
+    """Whether the equations are met by a film that is positive everywhere."""
+    return rung.film.balance.worst <= plan.tolerance and settled.reading.film_min > 0
+
+
+def _estimates(
+    ladder: Ladder,
+    rung: Rung,
+    readings: Sequence[Reading],
+    domain: Mapping[str, float],
+    settled: Settled,
+    plan: Plan,
+) -> dict[str, Estimate]:
+    """The figures with their error bars, which are infinite where the film is none."""
+    grid = grid_errors(readings, ladder.convergence.orders)
+    if not _film_is_sound(rung, settled, plan):
+        grid = dict.fromkeys(FIGURES, np.inf)
+    return {
+        name: Estimate(
+            getattr(settled.reading, name), grid[name], domain[name], settled.algebra[name]
+        )
+        for name in FIGURES
+    }
 
 
 def _settle_figures(rung: Rung, plan: Plan) -> Settled:

@@ -3,18 +3,32 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
 from rich.table import Table
 
 from pyworm.effects import Plan
-from pyworm.formulas.hertz import hertz
+from pyworm.line.scene import LineScene
 from pyworm.scene import Scene
+from pyworm.scene_summary import scene_summary
 from pyworm.schema import PublishedValue
 
-# Label, key in a summary, factor from SI to the unit shown, unit, key of the relative error, and the name
-# under which a case's [published] has the same figure.
+# Label, key in a scene's summary, factor from SI to the unit shown, unit; rows without their key are left out.
+_SCENE = (
+    ("Load", "load_N", 1e-3, "kN"),
+    ("Load per length", "load_per_length_N_m", 1e-3, "kN/m"),
+    ("Relative radius", "radii_m", 1e3, "mm"),
+    ("Reduced modulus", "reduced_modulus_Pa", 1e-9, "GPa"),
+    ("Entrainment", "entrainment_m_per_s", 1.0, "m/s"),
+    ("Sliding", "sliding_m_per_s", 1.0, "m/s"),
+    ("Hertz: length", "hertz_length_m", 1e3, "mm"),
+    ("Hertz: width", "hertz_width_m", 1e3, "mm"),
+    ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa"),
+)
+
+# The same of a solution, with the key of the relative error, and the name under which a case's [published] has the same figure.
 _FIGURES = (
     ("Load", "load_N", 1e-3, "kN", None, "load"),
+    ("Load per length", "load_per_length_N_m", 1e-3, "kN/m", None, "load"),
+    ("Relative radius", "radius_m", 1e3, "mm", None, "radius"),
     ("Relative radius, larger", "radius_long_m", 1e3, "mm", None, "radius_long"),
     ("Relative radius, smaller", "radius_short_m", 1e3, "mm", None, "radius_short"),
     ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa", None, "hertz_pressure_max"),
@@ -39,33 +53,34 @@ _FIGURES = (
 
 
 def figures_table(
-    scene: Scene, summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
+    scene: Scene | LineScene, summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Table:
     """Figures of one solved scene, with what the source prints beside them.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene or LineScene
         The scene.
     summary : mapping
         `Solution.summary()` of its solution.
     published : mapping
         What the case's source prints for this scene; empty if nothing.
     """
-    figures = _hertz_figures(scene) | summary
+    figures = scene_summary(scene) | summary
     table = Table("Figure", title=_title(scene), title_justify="left")
     table.add_column("Value", justify="right")
     if published:
         table.add_column("Published", justify="right")
     for label, key, scale, unit, error_key, name in _FIGURES:
+        if key not in figures:
+            continue
         cells = [label, _value(figures[key] * scale, unit, figures.get(error_key))]
         if published:
             cells.append(published[name].text if name in published else "")
         table.add_row(*cells)
         if key == "film_min_m":
-            x, y = (place * 1e3 for place in summary["film_min_at_m"])
-            table.add_row("  at x, y", f"{x:.3g}, {y:.3g} mm")
-    table.add_row("Grid", " x ".join(str(count) for count in summary["grid"]))
+            table.add_row(*_quantity("  at", summary["film_min_at_m"], 1e3, "mm"))
+    table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
     return table
 
@@ -108,63 +123,27 @@ def published_for(
     return published
 
 
-def scene_summary(scene: Scene) -> dict[str, Any]:
-    """What a scene asks of the solver, as one flat object, units in the keys."""
-    origin = np.zeros(1)
-    entrainment, sliding = (
-        [float(component[0]) for component in velocity(origin, origin)]
-        for velocity in (scene.entrainment, scene.sliding)
-    )
-    return {
-        "name": scene.name,
-        "phase": scene.phase,
-        "load_N": scene.load,
-        "radii_m": list(scene.radii),
-        "reduced_modulus_Pa": scene.reduced_modulus,
-        "entrainment_m_per_s": entrainment,
-        "sliding_m_per_s": sliding,
-    } | _hertz_figures(scene)
-
-
-def plan_table(scene: Scene, plan: Plan) -> Table:
+def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     """A scene and what is planned for it."""
     summary = scene_summary(scene)
     table = Table(title=_title(scene), title_justify="left")
     table.add_column("Scene")
     table.add_column("", overflow="fold")
-    table.add_row("Load", _value(summary["load_N"] / 1e3, "kN"))
-    table.add_row("Relative radii along x, y", _pair(summary["radii_m"], 1e3, "mm"))
-    table.add_row("Reduced modulus", _value(summary["reduced_modulus_Pa"] / 1e9, "GPa"))
-    table.add_row("Entrainment along x, y", _pair(summary["entrainment_m_per_s"], 1, "m/s"))
-    table.add_row("Sliding along x, y", _pair(summary["sliding_m_per_s"], 1, "m/s"))
-    ellipse = summary["hertz_length_m"], summary["hertz_width_m"]
-    table.add_row("Hertz: length, width", _pair(ellipse, 1e3, "mm"))
-    table.add_row("Hertz: largest pressure", _value(summary["hertz_pressure_max_Pa"] / 1e6, "MPa"))
+    for label, key, scale, unit in _SCENE:
+        if key in summary:
+            table.add_row(*_quantity(label, summary[key], scale, unit))
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} %")
     for effect in plan.effects:
         table.add_row(effect.name, f"{'on' if effect.on else 'off'}: {effect.reason}")
     for grid in plan.grids:
-        spacing = f"{grid.dx * 1e6:.3g} x {grid.dy * 1e6:.3g} µm"
-        table.add_row("Grid", f"{grid.nx} x {grid.ny}, spacing {spacing}")
+        spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
+        table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
     table.add_row("Expected convolutions", f"{plan.expected_convolutions:.0f}")
     return table
 
 
-def _hertz_figures(scene: Scene) -> dict[str, float]:
-    """Radii of a scene and the Hertz contact that they make."""
-    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
-    semi_axes = contact.semi_axis_x, contact.semi_axis_y
-    return {
-        "radius_long_m": max(scene.radii),
-        "radius_short_m": min(scene.radii),
-        "hertz_length_m": 2 * max(semi_axes),
-        "hertz_width_m": 2 * min(semi_axes),
-        "hertz_pressure_max_Pa": contact.pressure_max,
-    }
-
-
-def _title(scene: Scene) -> str:
+def _title(scene: Scene | LineScene) -> str:
     return scene.name if scene.phase is None else f"Mesh phase {scene.phase:g}"
 
 
@@ -173,5 +152,12 @@ def _value(value: float, unit: str, error: float | None = None) -> str:
     return text if error is None else f"{text} ± {error * 100:.2g} %"
 
 
-def _pair(values, scale: float, unit: str) -> str:
-    return f"{values[0] * scale:.4g}, {values[1] * scale:.4g} {unit}"
+def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:
+    """Label and value of a row; what has two directions says so."""
+    values = value if isinstance(value, list) else [value]
+    text = ", ".join(f"{part * scale:.4g}" for part in values)
+    return f"{label} along x, y" if len(values) > 1 else label, f"{text} {unit}"
+
+
+def _grid(shape: Sequence[int]) -> str:
+    return " x ".join(str(count) for count in shape)

@@ -55,6 +55,11 @@ class LineGrid:
         """Number of nodes along x."""
         return (self.nodes,)
 
+    @property
+    def spacing(self) -> tuple[float]:
+        """Spacing along x [m]."""
+        return (self.dx,)
+
     def finer(self) -> "LineGrid":
         """The grid of half the spacing over the same interval."""
         return LineGrid(self.dx / 2, 2 * self.first, 2 * self.nodes - 1)

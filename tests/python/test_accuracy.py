@@ -53,6 +53,15 @@ def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
     assert domain_errors(reading(1.0), reading(1.1), 1.5)["film_min"] == pytest.approx(0.15)
 
 
-def test_algebra_left_is_the_rest_of_a_geometric_series():
-    assert algebra_errors(reading(0.9), reading(1.0), 0.2)["film_min"] == pytest.approx(0.025)
-    assert algebra_errors(reading(0.9), reading(1.0), 0.8)["film_min"] == pytest.approx(0.1)
+@pytest.mark.parametrize(
+    ("before", "last", "error"),
+    [
+        (0.4, 0.1, 0.1 / 3),  # the rest of a geometric series
+        (0.4, 0.3, 0.3),  # no series
+        (0.4, 0.001, 0.001 / 4),  # too good to be believed
+        (0.0, 0.1, 0.1),
+    ],
+)
+def test_algebra_left_is_what_further_steps_would_change(before, last, error):
+    changes = (dict.fromkeys(FIGURES, of) for of in (before, last))
+    assert algebra_errors(*changes) == pytest.approx(dict.fromkeys(FIGURES, error))

@@ -113,6 +113,16 @@ def test_error_bar_holds_against_a_much_finer_grid():
         assert abs(estimate.value / truth.value - 1) <= estimate.error + truth.error
 
 
+def test_a_film_too_thin_for_the_first_grid_is_no_reason_to_give_up():
+    """(M, L) = (1000, 0): the first grid has films below zero, and windows are compared on a later one."""
+    like = circular(1000, 5)
+    scene = replace(like, oil=Oil(Barus(0.04, 0.0), Density.incompressible(870.0)))
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.03))
+    unit = scales(scene).groups.moes_film
+    assert solution.converged
+    assert solution.figures.film_min.value / unit == pytest.approx(0.464, rel=0.03)
+
+
 @pytest.mark.parametrize("degrees", [30, 45, 90, 180, -120])
 def test_turning_the_entrainment_of_a_circular_contact_changes_nothing(degrees):
     straight, turned = (
