@@ -18,7 +18,7 @@ from pyworm.scene import Scene
 MOST_SLENDER = 1e6
 """Largest ratio of the relative radii."""
 
-LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-4, 1e7, 1e3
+LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-30, 1e7, 1e12
 """Bounds of Moes' parameters beyond which an input can only be a slip."""
 
 
