@@ -11,7 +11,7 @@ from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
 from pyworm.schema import PublishedValue
 
-# Label, key in a scene's summary, factor from SI to the unit shown, unit; rows without their key are left out.
+# Label, key in a scene's summary, factor from SI to the unit shown, unit. Rows without key are left out.
 _SCENE = (
     ("Load", "load_N", 1e-3, "kN"),
     ("Load per length", "load_per_length_N_m", 1e-3, "kN/m"),
@@ -24,7 +24,8 @@ _SCENE = (
     ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa"),
 )
 
-# The same of a solution, with the key of the relative error, and the name under which a case's [published] has the same figure.
+# The same of a solution, with the key of the relative error, and the name under which a case's [published]
+# has the same figure.
 _FIGURES = (
     ("Load", "load_N", 1e-3, "kN", None, "load"),
     ("Load per length", "load_per_length_N_m", 1e-3, "kN/m", None, "load"),
@@ -79,7 +80,8 @@ def figures_table(
             cells.append(published[name].text if name in published else "")
         table.add_row(*cells)
         if key == "film_min_m":
-            table.add_row(*_quantity("  at", summary["film_min_at_m"], 1e3, "mm"))
+            place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
+            table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
     return table

@@ -10,6 +10,7 @@ from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
 from pyworm.plots.gap import draw_gap
 from pyworm.plots.history import draw_history
+from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
 from pyworm.result import Result, open_result
@@ -17,14 +18,17 @@ from pyworm.result import Result, open_result
 DOTS_PER_INCH = 150
 
 SCENE_PICTURES = {
-    "gap": draw_gap,
-    "pressure": draw_pressure,
-    "film": draw_film,
-    "entrainment": draw_entrainment,
-    "profiles": draw_profiles,
-    "history": draw_history,
+    "point": {
+        "gap": draw_gap,
+        "pressure": draw_pressure,
+        "film": draw_film,
+        "entrainment": draw_entrainment,
+        "profiles": draw_profiles,
+        "history": draw_history,
+    },
+    "line": {"profiles": draw_line_profiles, "history": draw_history},
 }
-"""Name in the file name -> function of the case's name and a solution."""
+"""Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
 
 def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> list[Path]:
@@ -48,7 +52,7 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
     directory.mkdir(parents=True, exist_ok=True)
     written = []
     for number, solution in enumerate(result.solutions):
-        for name, picture in SCENE_PICTURES.items():
+        for name, picture in SCENE_PICTURES[solution.kind].items():
             path = directory / f"scene_{number:03d}_{name}.png"
             written.append(_write(picture(result.case_name, solution), path))
     if result.mesh_cycle is not None:

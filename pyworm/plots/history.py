@@ -12,9 +12,9 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
     """Residual (dots) and load error (thin) against iteration, a colour for each grid in turn."""
     history = solution.history
     iteration = history["iteration"].values
-    grids = np.stack([history["points_x"].values, history["points_y"].values])
+    grids = np.stack([history[name].values for name in ("points_x", "points_y") if name in history])
     starts = np.flatnonzero(np.any(np.diff(grids, axis=1) != 0, axis=0)) + 1
-    figure = new_figure(8, 4.8, heading(case_name, solution))
+    figure = new_figure(8, 5.2, heading(case_name, solution))
     axes = figure.subplots()
     for stage in np.split(np.arange(iteration.size), starts):
         if stage.size == 0:
@@ -24,7 +24,7 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
             _positive(history["residual"].values[stage]),
             "o-",
             markersize=3.5,
-            label=f"{grids[0, stage[0]]:.0f} by {grids[1, stage[0]]:.0f} points",
+            label=f"{' by '.join(f'{points:.0f}' for points in grids[:, stage[0]])} points",
         )
         axes.semilogy(
             iteration[stage],
@@ -38,7 +38,7 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
     axes.set_xlabel("iteration")
     axes.set_ylabel("residual, relative")
     axes.grid(True, color="0.9")
-    axes.legend(frameon=False)
+    figure.legend(loc="outside lower center", ncols=4, frameon=False)
     return figure
 
 

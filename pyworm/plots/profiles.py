@@ -1,5 +1,7 @@
 """Pressure and film on the two lines through the contact point."""
 
+from collections.abc import Callable
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -18,35 +20,57 @@ def draw_profiles(case_name: str, solution: Solution) -> Figure:
     figure = new_figure(9, 7.5, heading(case_name, solution))
     window = contact_window(solution.fields)
     contact = _hertz_of(solution.fields)
+    ideal = {"x": lambda x: contact.pressure(x, 0.0), "y": lambda y: contact.pressure(0.0, y)}
     top = thickest_shown(solution) * MICRO
     sides = {"x": (window.left, window.right), "y": (window.bottom, window.top)}
     for axes, (along, across) in zip(figure.subplots(2), (("x", "y"), ("y", "x")), strict=True):
         line = solution.fields.interp({across: 0.0})
-        handles = _draw_line(axes, line, along, contact, top)
+        handles = draw_profile(axes, line, along, ideal[along], top)
         axes.set_xlim(*sides[along])
         axes.set_xlabel(f"{along} / mm   (at {across} = 0)")
     figure.legend(handles=handles, loc="outside lower center", ncols=4, frameon=False)
     return figure
 
 
-def _draw_line(axes: Axes, line: xr.Dataset, along: str, contact: HertzContact, top: float) -> list:
-    """One line through the contact; returns what its legend names."""
+def draw_profile(
+    axes: Axes, line: xr.Dataset, along: str, hertz_pressure: Callable, top: float
+) -> list:
+    """Pressure and film on one line through the contact; returns what its legend names.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where to draw.
+    line : xarray.Dataset
+        Fields on the line; the dry pressure is drawn if it is among them.
+    along : str
+        Coordinate along the line.
+    hertz_pressure : callable
+        Hertz pressure [Pa] at places along the line [m].
+    top : float
+        Upper end of the film's scale [um].
+    """
     place = line[along].values
     fine = np.linspace(place[0], place[-1], 2001)
-    zero = np.zeros_like(fine)
-    ideal = contact.pressure(*((fine, zero) if along == "x" else (zero, fine)))
     pressure = axes.plot(
         place * MILLI, line["pressure"] * MEGA, color=PRESSURE_COLOUR, label="film pressure"
     )
-    dry = axes.plot(
-        place * MILLI,
-        line["dry_pressure"] * MEGA,
-        color="0.4",
-        linewidth=1.0,
-        label="dry pressure",
-    )
+    dry = []
+    if "dry_pressure" in line:
+        dry = axes.plot(
+            place * MILLI,
+            line["dry_pressure"] * MEGA,
+            color="0.4",
+            linewidth=1.0,
+            label="dry pressure",
+        )
     dashed = axes.plot(
-        fine * MILLI, ideal * MEGA, "--", color="black", linewidth=1.0, label="Hertz pressure"
+        fine * MILLI,
+        hertz_pressure(fine) * MEGA,
+        "--",
+        color="black",
+        linewidth=1.0,
+        label="Hertz pressure",
     )
     axes.set_ylim(bottom=0)
     axes.set_ylabel("pressure / MPa", color=PRESSURE_COLOUR)

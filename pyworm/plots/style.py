@@ -37,6 +37,10 @@ LETTERS_PER_INCH = 10
 """Letters of a heading that fit into an inch."""
 
 
+LOAD_UNITS = {"point": "N", "line": "N/m"}
+"""Unit of the load of each kind of contact."""
+
+
 @dataclass(frozen=True)
 class Window:
     """A rectangle of the tangent plane [mm].
@@ -200,8 +204,8 @@ def heading(case_name: str, solution: Solution) -> str:
         parts.append(f"phase {solution.phase:.3g}")
     elif solution.name != case_name:
         parts.append(solution.name)
-    load = solution.load
-    parts.append(f"{load / 1e3:.4g} kN" if load >= 1e3 else f"{load:.4g} N")
+    load, unit = solution.load, LOAD_UNITS[solution.kind]
+    parts.append(f"{load / 1e3:.4g} k{unit}" if load >= 1e3 else f"{load:.4g} {unit}")
     if not solution.converged:
         parts.append(f"NOT CONVERGED ({solution.stop_reason})")
     return "  ·  ".join(parts)

@@ -6,7 +6,7 @@ from math import acos, cos, pi, sin
 import numpy as np
 import xarray as xr
 
-from pyworm.formulas.hertz import hertz
+from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.result import Result, mesh_cycle_dataset
 from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
 from pyworm.variables import describe
@@ -100,6 +100,54 @@ def make_solution(
         fields=fields,
         history=make_history(),
         cost=Cost(seconds=2.5, convolutions=311.5),
+    )
+
+
+def make_line_solution(load=183e3, film_central=175e-9, phase=None, converged=True):
+    """A line contact of radius 10 mm: Hertz's pressure with a tail before it, and a dip at the exit."""
+    contact = hertz_line(0.01, load, 226e9)
+    x = np.linspace(-3, 1.6, 185) * contact.half_width
+    s = x / contact.half_width
+    pressure = contact.pressure(x)
+    tail = 0.2 * contact.pressure_max * np.exp(8 * np.minimum(s + 1, 0)) * (s < 0)
+    film = film_central * (
+        1 + 3 * np.maximum(abs(s) - 1, 0) - 0.2 * np.exp(-(((s - 0.95) / 0.05) ** 2))
+    )
+    fields = describe(
+        xr.Dataset(
+            {
+                "gap": ("x", x**2 / 0.02),
+                "covered": ("x", np.ones(x.size)),
+                "pressure": ("x", np.maximum(pressure, tail)),
+                "film": ("x", film),
+                "entrainment_x": ("x", np.full(x.size, 0.46)),
+                "sliding_x": ("x", np.zeros(x.size)),
+            },
+            coords={"x": x},
+            attrs={"radius_m": 0.01, "load_per_length_N_m": load, "reduced_modulus_Pa": 226e9},
+        )
+    )
+    return Solution(
+        name="line",
+        kind="line",
+        phase=phase,
+        load=load,
+        converged=converged,
+        stop_reason="the figures are accurate" if converged else "too many iterations",
+        figures=Figures(
+            film_min=Estimate(float(film.min()), 0.004, 0.001),
+            film_central=Estimate(film_central, 0.002, 0.001),
+            pressure_max=Estimate(contact.pressure_max, 0.001),
+            film_min_at=(float(x[np.argmin(film)]),),
+            moes_m=20.0,
+            moes_l=10.0,
+            load_error=1e-12,
+            mass_error=1e-7,
+            residual=2e-7,
+        ),
+        fields=fields,
+        history=make_history().drop_vars("points_y"),
+        cost=Cost(seconds=0.05, convolutions=2000.0),
     )
 
 

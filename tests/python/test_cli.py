@@ -71,6 +71,36 @@ def test_run_writes_the_result_and_the_pictures(solved):
     assert result.provenance["plans"][0]["accuracy"] == 0.05
 
 
+def test_a_line_contact_runs_like_a_point_contact(tmp_path, capsys):
+    out = tmp_path / "out"
+    case = str(CASES / "line_m20_l10.toml")
+    assert main(["run", case, "--json", "--out", str(out)]) == CONVERGED
+    content = json.loads(capsys.readouterr().out)
+    (scene,) = content["scenes"]
+    assert set(scene) >= SCENE_KEYS - {"load_N"}
+    assert scene["kind"] == "line"
+    assert scene["load_per_length_N_m"] == pytest.approx(182.84e3)
+    assert scene["film_min_error"] < 0.01
+    assert len(scene["film_min_at_m"]) == len(scene["grid"]) == 1
+    assert sorted(path.name for path in out.iterdir()) == [
+        "result.nc",
+        "scene_000_history.png",
+        "scene_000_profiles.png",
+    ]
+    (solution,) = open_result(content["results"]).solutions
+    assert solution.figures.film_min.value == scene["film_min_m"]
+    assert set(solution.fields.dims) == {"x"}
+    assert main(["plot", content["results"]]) == CONVERGED
+    capsys.readouterr()
+    assert main(["run", case, "--out", str(out)]) == CONVERGED
+    said = capsys.readouterr().out
+    for words in ("Load per length", "182.8 kN/m", "Hertz: width", "at x ", "Minimum film"):
+        assert words in said
+    assert "Dry contact" not in said and "centre line" not in said
+    assert main(["check", case]) == CONVERGED
+    assert "a line contact is the same all along" in capsys.readouterr().out
+
+
 def test_run_prints_one_json_object_and_nothing_else(tmp_path, capfd, solve_at_once):
     solve_at_once()
     out = tmp_path / "deep" / "out"

@@ -10,13 +10,21 @@ from hypothesis import strategies as st
 from matplotlib.contour import ContourSet
 from matplotlib.image import imread
 from matplotlib.text import Text
-from synthetic_solution import make_mesh_cycle, make_result, make_solution, make_worm_solution
+from synthetic_solution import (
+    make_line_solution,
+    make_mesh_cycle,
+    make_result,
+    make_solution,
+    make_worm_solution,
+)
 
-from pyworm.formulas.hertz import hertz
+from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.plots import draw
 from pyworm.plots.entrainment import LINES, draw_entrainment, inflow_points
 from pyworm.plots.film import draw_film, interferogram
 from pyworm.plots.gap import draw_gap
+from pyworm.plots.history import draw_history
+from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.outline import signed_square
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
@@ -25,6 +33,7 @@ from pyworm.result import Result
 from pyworm.variables import describe
 
 SCENE_NAMES = ["gap", "pressure", "film", "entrainment", "profiles", "history"]
+LINE_NAMES = ["profiles", "history"]
 
 
 @pytest.fixture(scope="module")
@@ -142,6 +151,27 @@ def test_streamlines_enter_evenly(circle):
     heights = np.unique(np.round(segments[:, :, 1], 6))
     assert heights.size == LINES
     assert np.ptp(np.diff(heights)) == pytest.approx(0, abs=3e-6)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_line_contact_has_profiles_and_a_history(tmp_path):
+    solutions = (make_line_solution(), make_line_solution(converged=False))
+    written = draw(Result("lines", {}, solutions, None, {}), tmp_path)
+    expected = [f"scene_{i:03d}_{name}.png" for i in range(2) for name in LINE_NAMES]
+    assert [path.name for path in written] == expected
+
+
+def test_a_line_profile_has_hertz_dashed_and_shows_the_contact():
+    solution = make_line_solution()
+    figure = draw_line_profiles("roller", solution)
+    contact = hertz_line(0.01, 183e3, 226e9)
+    (dashed,) = (line for line in figure.axes[0].lines if line.get_linestyle() == "--")
+    assert max(dashed.get_ydata()) == pytest.approx(contact.pressure_max * 1e-6, rel=1e-4)
+    left, right = figure.axes[0].get_xlim()
+    assert left < -contact.half_width * 1e3 and right > contact.half_width * 1e3
+    assert figure.axes[1].get_ylim() == pytest.approx((0, 3 * 0.175))
+    assert "roller  ·  line  ·  183 kN/m" in texts(figure)
+    assert "33 points" in texts(draw_history("roller", solution))
 
 
 @given(left=st.floats(-30, -0.1), width=st.floats(0.1, 60), angle=st.floats(0, 6.3))

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 import pytest
 import xarray as xr
-from synthetic_solution import make_mesh_cycle, make_result, make_solution
+from synthetic_solution import make_line_solution, make_mesh_cycle, make_result, make_solution
 
 from pyworm.result import open_result
 from pyworm.variables import describe
@@ -47,11 +47,13 @@ def test_round_trip_bit_for_bit(result, saved):
 
 
 def test_round_trip_without_a_drive(result, tmp_path):
-    plain = replace(result, mesh_cycle=None, solutions=(make_solution(phase=None),))
+    solutions = (make_solution(phase=None), make_line_solution())
+    plain = replace(result, mesh_cycle=None, solutions=solutions)
     read = open_result(plain.save(tmp_path / "plain.nc"))
     assert_same(plain, read)
     assert read.mesh_cycle is None
     assert read.solutions[0].phase is None
+    assert read.solutions[1].figures.dry is None
 
 
 def test_more_than_ten_scenes_keep_their_order(result, tmp_path):

@@ -1,0 +1,41 @@
+"""Pressure and film of a line contact across the line."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyworm.formulas.hertz import hertz_line
+from pyworm.plots.film import thickest_shown
+from pyworm.plots.profiles import draw_profile
+from pyworm.plots.style import MICRO, MILLI, heading, new_figure
+from pyworm.solution import Solution
+
+SHOWN = 0.01
+"""Pressure, over the largest, down to which the inlet is shown."""
+
+MARGIN = 0.1
+"""What is shown beyond the contact and the pressure, as a share of their width."""
+
+
+def draw_line_profiles(case_name: str, solution: Solution) -> Figure:
+    """Film pressure, Hertz pressure (dashed) and film."""
+    fields = solution.fields
+    contact = hertz_line(
+        *(fields.attrs[name] for name in ("radius_m", "load_per_length_N_m", "reduced_modulus_Pa"))
+    )
+    figure = new_figure(9, 4.8, heading(case_name, solution))
+    axes = figure.subplots()
+    handles = draw_profile(axes, fields, "x", contact.pressure, thickest_shown(solution) * MICRO)
+    axes.set_xlim(*_shown(fields["x"].values, fields["pressure"].values, contact.half_width))
+    axes.set_xlabel("x / mm")
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, frameon=False)
+    return figure
+
+
+def _shown(x: np.ndarray, pressure: np.ndarray, half_width: float) -> tuple[float, float]:
+    """Ends of the picture [mm]: the dry contact and all but the faintest pressure, within the grid."""
+    loaded = np.append(x[pressure > SHOWN * pressure.max()], [-half_width, half_width])
+    margin = MARGIN * np.ptp(loaded)
+    return (
+        max(x[0], loaded.min() - margin) * MILLI,
+        min(x[-1], loaded.max() + margin) * MILLI,
+    )
