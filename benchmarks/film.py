@@ -26,6 +26,9 @@ CASES = (
     "ellipse10_across",
     "ellipse10_along",
     "ellipse10_oblique",
+    "point_m1000_l10",
+    "point_m200_l20",
+    "ellipse30_along",
     "spin_zi_like",
 )
 
@@ -44,7 +47,7 @@ def solved(case: Path) -> pyworm.Solution:
     return pyworm.solve(
         scene,
         replace(
-            pyworm.plan(scene, accuracy=1e-5),
+            pyworm.plan(scene),
             grids=grids,
             wider_grids=(),
             tolerance=TOLERANCE,
