@@ -10,11 +10,12 @@ solution = pyworm.solve(scene, plan)
 from importlib import import_module
 from typing import Any
 
-__all__ = ["Case", "CaseError", "Scene", "Solution", "load", "plan", "solve"]
+__all__ = ["Case", "CaseError", "LineScene", "Scene", "Solution", "load", "plan", "solve"]
 
 _HOMES = {
     "Case": "pyworm.case",
     "CaseError": "pyworm.case_error",
+    "LineScene": "pyworm.line.scene",
     "Scene": "pyworm.scene",
     "Solution": "pyworm.solution",
     "load": "pyworm.case",
