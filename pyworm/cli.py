@@ -136,11 +136,13 @@ def _run(options: argparse.Namespace) -> int:
         pictures = [path.name for path in draw(result, aside)]
 
     summaries = [solution.summary() for solution in result.solutions]
+    failed = result.provenance["failed"]
     if options.json:
         _print_json(
             {
                 "case": case.name,
                 "scenes": summaries,
+                "failed": failed,
                 "results": str(directory / RESULT_NAME),
                 "pictures": [str(directory / name) for name in pictures],
             }
@@ -148,7 +150,7 @@ def _run(options: argparse.Namespace) -> int:
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        scenes = [scene for scene, _ in work]
+        scenes = [scene for scene, _ in work if scene.name not in failed]
         for scene, summary in zip(scenes, summaries, strict=True):
             published = published_for(summary, case.published)
             if published or len(scenes) == 1:
@@ -158,11 +160,14 @@ def _run(options: argparse.Namespace) -> int:
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
+        for name, reason in failed.items():
+            console.print(f"{name} could not be solved: {reason}")
         console.print(f"Results   {directory / RESULT_NAME}", highlight=False, soft_wrap=True)
         console.print(
             f"Pictures  {directory}/*.png ({len(pictures)})", highlight=False, soft_wrap=True
         )
-    return CONVERGED if all(summary["converged"] for summary in summaries) else NOT_CONVERGED
+    converged = not failed and all(summary["converged"] for summary in summaries)
+    return CONVERGED if converged else NOT_CONVERGED
 
 
 def _check(options: argparse.Namespace) -> int:

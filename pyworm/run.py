@@ -13,6 +13,7 @@ import pyworm
 from pyworm.case import Case
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.effects import Plan
+from pyworm.kernels import KernelError
 from pyworm.result import Result, mesh_cycle_dataset
 from pyworm.scene import Scene
 from pyworm.solution import Solution
@@ -39,17 +40,36 @@ def run(
         Scenes of this case and their plans.
     progress : callable, optional
         Told what is being done and which share of all is done, 0 to 1.
+
+    Returns
+    -------
+    Result
+        Scenes that the kernel gave up are missing and named, with the reason, under `failed` in its
+        provenance.
+
+    Raises
+    ------
+    KernelError
+        If the kernel gave up every scene.
     """
-    solutions = []
+    solutions, failed = [], {}
     for position, (scene, scene_plan) in enumerate(work):
-        solution = solve(scene, scene_plan, progress=_share(progress, position, len(work)))
+        try:
+            solution = solve(scene, scene_plan, progress=_share(progress, position, len(work)))
+        except KernelError as error:
+            failed[scene.name] = str(error)
+            if len(failed) == len(work):
+                raise
+            continue
         if case.drive is not None:
             solution = _with_tooth(solution, scene, case.drive)
         solutions.append(solution)
     cycle = None
     if case.drive is not None:
         cycle = mesh_cycle_dataset(case.drive.mesh_cycle(MESH_PHASES))
-    return Result(case.name, case.resolved, tuple(solutions), cycle, provenance(work))
+    return Result(
+        case.name, case.resolved, tuple(solutions), cycle, provenance(work) | {"failed": failed}
+    )
 
 
 def provenance(work: Sequence[tuple[Scene, Plan]]) -> dict[str, Any]:

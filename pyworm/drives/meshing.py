@@ -158,6 +158,8 @@ def lines_of_action(worm: Helicoid, flank: WheelFlank) -> tuple[LineOfAction, ..
     grid = np.linspace(-np.pi, 0.0, 1443)[1:-1]
     _, _, miss, foot = _matched(worm, flank, grid)
     size = worm.base_travel
+    if not np.isfinite(miss).any():
+        return ()
     if np.nanmax(np.abs(miss)) < 1e-12 * size:
 
         def offset(theta: Array) -> Array:

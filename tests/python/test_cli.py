@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import pyworm
+import pyworm.run
 from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
 from pyworm.kernels import KernelError
 from pyworm.result import Result, open_result
@@ -108,7 +109,7 @@ def test_run_prints_one_json_object_and_nothing_else(tmp_path, capfd, solve_at_o
     said = capfd.readouterr()
     content = json.loads(said.out)
     assert said.err == ""
-    assert set(content) == {"case", "scenes", "results", "pictures"}
+    assert set(content) == {"case", "scenes", "failed", "results", "pictures"}
     assert content["case"] == "point_m20_l10"
     assert set(content["scenes"][0]) >= SCENE_KEYS
     written = {str(path) for path in out.iterdir()}
@@ -129,6 +130,26 @@ def test_a_published_figure_stands_beside_the_computed_one(tmp_path, capsys, sol
     mourier = str(CASES / "mourier_2006.toml")
     assert main(["run", mourier, "--out", str(tmp_path / "out")]) == CONVERGED
     assert "209.3 nm" in capsys.readouterr().out
+
+
+def test_a_scene_that_the_kernel_gives_up_does_not_cost_the_others(
+    tmp_path, capsys, monkeypatch, solve_at_once
+):
+    solve_at_once(phase=0.4)
+    at_once = pyworm.run.solve
+
+    def half(scene, plan, progress):
+        if scene.phase > 0.5:
+            raise KernelError(2)
+        return at_once(scene, plan, progress)
+
+    monkeypatch.setattr("pyworm.run.solve", half)
+    drive = str(CASES / "zi_sharif_2001.toml")
+    arguments = ["run", drive, "--phase", "0.4", "0.6", "--json", "--out", str(tmp_path / "out")]
+    assert main(arguments) == NOT_CONVERGED
+    told = json.loads(capsys.readouterr().out)
+    assert [scene["phase"] for scene in told["scenes"]] == [0.4]
+    assert list(told["failed"].values()) == ["a field holds a value that is not finite"]
 
 
 def test_pictures_of_an_earlier_run_do_not_stay(tmp_path, capsys, solve_at_once):

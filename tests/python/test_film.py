@@ -103,8 +103,9 @@ def test_films_with_the_oil_supply_not_cut_off(m, lubricant, central, minimum):
     assert solution.figures.film_min.value / unit == pytest.approx(minimum, rel=0.02)
 
 
-def test_error_bar_holds_against_a_much_finer_grid():
-    scene = circular(100, 10)
+@pytest.mark.parametrize(("m", "lubricant"), [(100, 10), (2, 2), (140, 4.3)])
+def test_error_bar_holds_against_a_much_finer_grid(m, lubricant):
+    scene = circular(m, lubricant)
     rough = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.03)).figures
     fine = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.002)).figures
     for name in ("film_central", "film_min"):
