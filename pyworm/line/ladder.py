@@ -20,12 +20,12 @@ FIRST_TOLERANCE = 1e-4
 SUPPLIES = 2
 """Times that the oil before the inlet is found from a film on the first grid.
 
-Each divides the error by about ten; after one it would hide what the window changes."""
+After one its error hid what the window changes; a third changed nothing that is seen."""
 
 LIFTS = (1.0, 1.5, 2.25)
-"""Films to start from, over the expected one, until Newton's iteration does not go astray.
+"""Films to start from, over the expected one, one after another until Newton's iteration settles.
 
-It did from the first in 1 of 400 random scenes (M 0.01 to 3000, L 0 to 25), from the others in none."""
+From the first it did not in 1 of 400 random scenes (M 0.01 to 3000, L 0 to 25); from the second it did."""
 
 
 class LineLadder:
