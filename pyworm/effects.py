@@ -23,7 +23,7 @@ LARGEST_STRETCH = 3.0
 """Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
 slender contact scale with its short axis."""
 
-LARGEST_GRID = 1_200_000
+LARGEST_GRID = 2_500_000
 """Nodes beyond which grids are not refined further."""
 
 LARGEST_LINE = 33_000

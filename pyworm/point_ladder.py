@@ -77,6 +77,11 @@ class PointLadder:
                 imbalance,
                 rung.film.pressure > 0,
             ),
+            "film_min_kind": reading.minimum_kind(
+                rung.read().film_min_at,
+                self._size.angle,
+                (extents[0] / 2, extents[1] / 2),
+            ),
             "film_exit_min": exit_min,
             "film_exit_min_at": exit_min_at,
             "dry": DryFigures(

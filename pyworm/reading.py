@@ -56,6 +56,37 @@ def _vertex(searched: Array, field: Array) -> tuple[float, tuple[float, float]]:
     return value, (float(i + shift[0]), float(j + shift[1]))
 
 
+SIDE = 0.35
+"""Distance from the entrainment line beyond which a minimum is in a side lobe, in half extents of the
+contact."""
+
+
+def minimum_kind(at: tuple[float, float], angle: float, half_extents: tuple[float, float]) -> str:
+    """Which of a point contact's minima a place is: "side lobe", "exit" or "middle".
+
+    Parameters
+    ----------
+    at : tuple of float
+        The place (x, y) [m].
+    angle : float
+        Direction of the entrainment at the contact point, from x to y [rad].
+    half_extents : tuple of float
+        Half the extent of the dry contact along x and y [m].
+    """
+    (x, y), (a, b) = at, half_extents
+    cosine, sine = np.cos(angle), np.sin(angle)
+    along = (x * cosine + y * sine) / _half_width(a, b, cosine, sine)
+    across = (y * cosine - x * sine) / _half_width(a, b, -sine, cosine)
+    if abs(across) > SIDE:
+        return "side lobe"
+    return "exit" if along > SIDE else "middle"
+
+
+def _half_width(a: float, b: float, cosine: float, sine: float) -> float:
+    """Half the extent along a direction of an ellipse with semi-axes a along x and b along y [m]."""
+    return float(np.hypot(a * cosine, b * sine))
+
+
 def value_at_origin(grid: Grid, field: Array) -> float:
     """Value of a field at the contact point, by splines through the nodes nearest to it."""
     columns = _around(-grid.west / grid.dx, grid.nx)

@@ -69,6 +69,8 @@ class Figures:
         Relative load imbalance; net over gross mass flow through the outline of the contact.
     residual : float
         Summed Reynolds residual over the summed wedge flow, at the end.
+    film_min_kind : str
+        Which minimum that is: "side lobe", "exit" or "middle"; of a line contact always "exit".
     film_exit_min, film_exit_min_at : float or None
         Minimum film on the entrainment line through the contact point [m] and how far along it [m]; None for
         a line contact, where it is the minimum film.
@@ -85,6 +87,7 @@ class Figures:
     load_error: float
     mass_error: float
     residual: float
+    film_min_kind: str = "exit"
     film_exit_min: float | None = None
     film_exit_min_at: float | None = None
     dry: DryFigures | None = None
@@ -163,6 +166,7 @@ class Solution:
             "stop_reason": self.stop_reason,
             **_flat("film_min", "m", figures.film_min),
             "film_min_at_m": list(figures.film_min_at),
+            "film_min_kind": figures.film_min_kind,
             **_flat("film_central", "m", figures.film_central),
             **_flat("pressure_max", "Pa", figures.pressure_max),
             **self._point_summary(),

@@ -82,6 +82,7 @@ def figures_table(
         if key == "film_min_m":
             place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
             table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
+            table.add_row("  which is", summary["film_min_kind"])
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
     return table

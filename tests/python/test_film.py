@@ -197,6 +197,7 @@ def test_rigid_isoviscous_sphere():
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.01))
     assert solution.converged
     assert solution.figures.film_central.value / RADIUS == pytest.approx(fit, rel=0.03)
+    assert solution.figures.film_min_kind == "middle"
 
 
 def test_isoviscous_incompressible_film():

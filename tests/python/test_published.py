@@ -24,6 +24,7 @@ def test_mourier_ball_on_disc():
     assert figures.film_exit_min == pytest.approx(175.3e-9, rel=0.03)
     assert figures.film_exit_min_at == pytest.approx(126e-6, rel=0.04)
     assert figures.film_min.value == pytest.approx(119e-9, rel=0.02)
+    assert figures.film_min_kind == "side lobe"
     assert abs(figures.film_min_at[1]) == pytest.approx(0.84 * 136.5e-6, rel=0.03)
 
 
