@@ -2,7 +2,9 @@
 
 import os
 import weakref
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -174,7 +176,72 @@ def _oil_numbers(oil: Oil) -> tuple:
     return 2, law.eta0, law.z, law.p0, density.d1, density.d2
 
 
-class PointFilm:
+class _Film:
+    """A film on one grid and its present state, held by the kernel.
+
+    Parameters
+    ----------
+    made : tuple
+        The kernel's handle of the film and its status.
+    shape : tuple of int
+        Nodes along each direction.
+
+    Raises
+    ------
+    KernelError
+        If the kernel made none.
+    """
+
+    _family: ClassVar[str]
+
+    def __init__(self, made: tuple[int, int], shape: tuple[int, ...]):
+        self._handle, status = made
+        _check(status)
+        self._shape = shape
+        weakref.finalize(self, self._binding("free"), self._handle)
+
+    @classmethod
+    def _binding(cls, name: str) -> Callable:
+        return getattr(_core.bindings, f"{cls._family}_{name}")
+
+    def start(self, pressure, rigid_film: float) -> Balance:
+        """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
+        self.pressure = _field(pressure).copy(order="F")
+        self.rigid_film = rigid_film
+        self.balance = Balance(*self._binding("evaluate")(self._handle, self.pressure, rigid_film))
+        return self.balance
+
+    def step(self, forcing: float) -> Step:
+        """One Newton step, its linear system solved to `forcing` times the right-hand side.
+
+        Raises
+        ------
+        KernelError
+            If the step cannot be made; the state is as it was.
+        """
+        rigid_film, residual, load_error, krylov, share, status = self._binding("step")(
+            self._handle,
+            forcing,
+            self.pressure,
+            self.rigid_film,
+            self.balance.residual,
+            self.balance.load_error,
+        )
+        _check(status)
+        self.rigid_film = rigid_film
+        self.balance = Balance(residual, load_error)
+        return Step(self.balance, krylov, share)
+
+    def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Film [m], relative density and net outflow of each cell over its size [m/s]."""
+        return self._binding("fields")(self._handle, *self._shape)
+
+    def convolve(self) -> np.ndarray:
+        """Deflection [m] under the present pressure: one convolution, the unit of cost."""
+        return self._binding("convolve")(self._handle, self.pressure)
+
+
+class PointFilm(_Film):
     """A point contact on one grid and its present state, held by the kernel.
 
     Parameters
@@ -195,10 +262,12 @@ class PointFilm:
         Film [m] below which the mobility falls no further, far below any film of interest.
     """
 
+    _family = "point_film"
+
     def __init__(
         self, gap, covered, entrainment, squeeze, dx, dy, reduced_modulus, load, oil: Oil, floor
     ):
-        handle, status = _core.bindings.point_film_new(
+        made = self._binding("new")(
             _field(gap),
             np.asfortranarray(covered, dtype=np.int32),
             _field(entrainment[0]),
@@ -211,51 +280,10 @@ class PointFilm:
             load,
             floor,
         )
-        _check(status)
-        self._handle = handle
-        self._shape = np.shape(gap)
-        weakref.finalize(self, _core.bindings.point_film_free, handle)
-
-    def start(self, pressure, rigid_film: float) -> Balance:
-        """Takes up a pressure [Pa] and a rigid film h0 [m]."""
-        self.pressure = _field(pressure).copy(order="F")
-        self.rigid_film = rigid_film
-        self.balance = Balance(
-            *_core.bindings.point_film_evaluate(self._handle, self.pressure, rigid_film)
-        )
-        return self.balance
-
-    def step(self, forcing: float) -> Step:
-        """One Newton step, its linear system solved to `forcing` times the right-hand side.
-
-        Raises
-        ------
-        KernelError
-            If the step cannot be made.
-        """
-        rigid_film, residual, load_error, krylov, share, status = _core.bindings.point_film_step(
-            self._handle,
-            forcing,
-            self.pressure,
-            self.rigid_film,
-            self.balance.residual,
-            self.balance.load_error,
-        )
-        _check(status)
-        self.rigid_film = rigid_film
-        self.balance = Balance(residual, load_error)
-        return Step(self.balance, krylov, share)
-
-    def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Film [m], relative density and net outflow per area [m/s] at the present state."""
-        return _core.bindings.point_film_fields(self._handle, *self._shape)
-
-    def convolve(self) -> np.ndarray:
-        """Deflection [m] under the present pressure: one convolution, the unit of cost."""
-        return _core.bindings.point_film_convolve(self._handle, self.pressure)
+        super().__init__(made, np.shape(gap))
 
 
-class LineFilm:
+class LineFilm(_Film):
     """A line contact on one grid and its present state, held by the kernel.
 
     Parameters
@@ -279,8 +307,10 @@ class LineFilm:
     (`fortran/elastic/half_plane.f90`). It is the same on every grid over one interval.
     """
 
+    _family = "line_film"
+
     def __init__(self, gap, covered, entrainment, squeeze, dx, reduced_modulus, load, oil, floor):
-        handle, status = _core.bindings.line_film_new(
+        made = self._binding("new")(
             _field(gap),
             np.asarray(covered, dtype=np.int32),
             _field(entrainment),
@@ -291,48 +321,7 @@ class LineFilm:
             load,
             floor,
         )
-        _check(status)
-        self._handle = handle
-        self._size = len(gap)
-        weakref.finalize(self, _core.bindings.line_film_free, handle)
-
-    def start(self, pressure, rigid_film: float) -> Balance:
-        """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure at both ends stays as given."""
-        self.pressure = _field(pressure).copy()
-        self.rigid_film = rigid_film
-        self.balance = Balance(
-            *_core.bindings.line_film_evaluate(self._handle, self.pressure, rigid_film)
-        )
-        return self.balance
-
-    def step(self, forcing: float) -> Step:
-        """One Newton step, its linear system solved to `forcing` times the right-hand side.
-
-        Raises
-        ------
-        KernelError
-            If the step cannot be made.
-        """
-        rigid_film, residual, load_error, krylov, share, status = _core.bindings.line_film_step(
-            self._handle,
-            forcing,
-            self.pressure,
-            self.rigid_film,
-            self.balance.residual,
-            self.balance.load_error,
-        )
-        _check(status)
-        self.rigid_film = rigid_film
-        self.balance = Balance(residual, load_error)
-        return Step(self.balance, krylov, share)
-
-    def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Film [m], relative density and net outflow per length [m/s] at the present state."""
-        return _core.bindings.line_film_fields(self._handle, self._size)
-
-    def convolve(self) -> np.ndarray:
-        """Deflection [m] under the present pressure: one convolution, the unit of cost."""
-        return _core.bindings.line_film_convolve(self._handle, self.pressure)
+        super().__init__(made, np.shape(gap))
 
 
 def prolong(field) -> np.ndarray:
