@@ -186,7 +186,7 @@ def test_a_film_that_depends_on_surfaces_far_out_is_marked():
 
 
 def test_rigid_isoviscous_sphere():
-    """Brewe, Hamrock and Taylor's film of a rigid sphere, 128 lambda^2 (...)^2 U^2/W^2 (references 1.1).
+    """Brewe, Hamrock and Taylor's film of a rigid sphere, 128 lambda^2 (...)^2 U^2/W^2.
 
     A fit to solutions of Reynolds' equation with its rupture condition; pressure reaches far out, so that it
     shows whether the window does.
@@ -201,7 +201,7 @@ def test_rigid_isoviscous_sphere():
 
 
 def test_isoviscous_incompressible_film():
-    """(M, L) = (20, 0) on a large domain (references 1.3)."""
+    """(M, L) = (20, 0) on a large domain: the independent solver of docs/validation.md."""
     soft = Oil(Barus(0.04, 0.0), Density.incompressible(870.0))
     like = circular(20, 5)
     scene = replace(like, oil=soft)

@@ -18,7 +18,7 @@ def solved(name, accuracy, phase=None):
 
 
 def test_mourier_ball_on_disc():
-    """Mourier et al. (2006), digitised to about 1 % (references 1.2); the side lobes are a third thinner."""
+    """Mourier et al. (2006), digitised to about 1 %; the side lobes are a third thinner."""
     figures = solved("mourier_2006", 0.01).figures
     assert figures.film_central.value == pytest.approx(209.3e-9, rel=0.03)
     assert figures.film_exit_min == pytest.approx(175.3e-9, rel=0.03)
