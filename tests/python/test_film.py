@@ -78,8 +78,8 @@ def climb(scene, box, cells):
 def test_circular_films_of_an_independent_solver(m, box, central, minimum):
     """Dense Newton solutions of the same equations, extrapolated and corrected to a large domain.
 
-    Compressible Roelands oil (docs/validation.md); at M = 100 the domain factors are those found with Barus. Their own
-    uncertainty is 0.01 to 0.2 % (central) and 0.8 to 3 % (minimum).
+    Compressible Roelands oil (docs/validation.md); at M = 100 the domain factors are those found with Barus.
+    Their own uncertainty is 0.01 to 0.2 % (central) and 0.8 to 3 % (minimum).
     """
     coarse, middle, fine = climb(circular(m, 10), box, 48)
     order = np.log2((middle[0] - coarse[0]) / (fine[0] - middle[0]))
