@@ -37,6 +37,7 @@ def films(case: str, box: tuple[float, float, float]) -> np.ndarray:
         plan = replace(
             pyworm.plan(scene),
             grids=tuple(grids),
+            wider_grids=(),
             largest_grid=grids[-1].nodes,
             tolerance=TOLERANCE,
         )
