@@ -11,6 +11,7 @@ import numpy as np
 import pyworm
 from pyworm.grid import Grid
 from pyworm.scales import scales
+from pyworm.scene import Scene
 
 COARSEST = 48
 TOLERANCE = 1e-6
@@ -23,9 +24,16 @@ CASES = {
 }
 
 
-def films(case: str, box: tuple[float, float, float]) -> np.ndarray:
-    """Central and minimum film in Moes' units on three grids of halving spacing."""
-    scene = pyworm.load(Path("cases") / f"{case}.toml").scene()
+def films(scene: Scene, box: tuple[float, float, float]) -> np.ndarray:
+    """Central and minimum film in Moes' units on three grids of halving spacing.
+
+    Parameters
+    ----------
+    scene : Scene
+        A circular contact entrained along x.
+    box : tuple of float
+        West, east and north side of the window, in half-widths of the contact.
+    """
     size = scales(scene)
     a, unit = size.hertz.semi_axis_x, size.groups.moes_film
     spacing = (box[1] - box[0]) * a / COARSEST
@@ -42,13 +50,16 @@ def films(case: str, box: tuple[float, float, float]) -> np.ndarray:
             tolerance=TOLERANCE,
         )
         figures = pyworm.solve(scene, plan).figures
+        if figures.residual > TOLERANCE:
+            raise RuntimeError(f"{scene.name}: the residual stayed at {figures.residual:.1e}")
         rows.append([figures.film_central.value / unit, figures.film_min.value / unit])
     return np.array(rows)
 
 
 def main() -> None:
     for case, (box, reference) in CASES.items():
-        coarse, middle, fine = films(case, box)
+        scene = pyworm.load(Path("cases") / f"{case}.toml").scene()
+        coarse, middle, fine = films(scene, box)
         order = np.log2((middle - coarse) / (fine - middle))
         limit = fine + (fine - middle) / 3
         print(case)

@@ -5,10 +5,10 @@ from math import cos, radians, sin
 
 import numpy as np
 import pytest
+from convergence import films
 
 import pyworm
 from pyworm.bodies import Body
-from pyworm.grid import Grid
 from pyworm.kernels import KernelError
 from pyworm.oils import Barus, Density, Oil, Roelands
 from pyworm.sampled_gap import SampledGap
@@ -39,34 +39,6 @@ def circular(m, lubricant, angle=0.0, spin=0.0, oil=OIL, gap=None):
     )
 
 
-def climb(scene, box, cells):
-    """Central and minimum film in Moes' units on three grids of halving spacing.
-
-    The box is given in half-widths of the contact.
-    """
-    size = scales(scene)
-    a, unit = size.hertz.semi_axis_x, size.groups.moes_film
-    spacing = (box[1] - box[0]) * a / cells
-    nodes_y = round(2 * box[2] * a / spacing) + 1
-    grids = [Grid(box[0] * a, -box[2] * a, spacing, spacing, cells + 1, nodes_y)]
-    figures = []
-    for _ in range(3):
-        grids.append(grids[-1].finer())
-        plan = replace(
-            pyworm.plan(scene),
-            grids=tuple(grids),
-            wider_grids=(),
-            largest_grid=grids[-1].nodes,
-            tolerance=1e-6,
-        )
-        solution = pyworm.solve(scene, plan)
-        assert solution.figures.residual <= 1e-6
-        figures.append(
-            [solution.figures.film_central.value / unit, solution.figures.film_min.value / unit]
-        )
-    return np.array(figures)
-
-
 @pytest.mark.parametrize(
     ("m", "box", "central", "minimum"),
     [
@@ -81,7 +53,7 @@ def test_circular_films_of_an_independent_solver(m, box, central, minimum):
     Compressible Roelands oil (docs/validation.md); at M = 100 the domain factors are those found with Barus.
     Their own uncertainty is 0.01 to 0.2 % (central) and 0.8 to 3 % (minimum).
     """
-    coarse, middle, fine = climb(circular(m, 10), box, 48)
+    coarse, middle, fine = films(circular(m, 10), box)
     order = np.log2((middle[0] - coarse[0]) / (fine[0] - middle[0]))
     assert order == pytest.approx(2.0, abs=0.15)
     extrapolated = fine + (fine - middle) / 3
