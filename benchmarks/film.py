@@ -11,11 +11,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyworm
+from pyworm.effects import Plan
 from pyworm.grid import nest
 from pyworm.scales import scales
+from pyworm.scene import Scene
+from pyworm.solution import Solution
 from pyworm.window import FAR, near_reach, window
 
-NODES = 257
 COARSEST = 64
 TOLERANCE = 1e-6
 CASES = (
@@ -33,27 +35,25 @@ CASES = (
 )
 
 
-def solved(case: Path) -> pyworm.Solution:
-    """The case's scene on grids that climb to NODES x NODES over its window."""
-    scene = pyworm.load(case).scene()
+def on_window(scene: Scene) -> Plan:
+    """Grids of the scene's own window, from COARSEST cells along each direction; the window is not judged."""
     size = scales(scene)
-    west, east, south, north = window(scene, size, near_reach(size))
-    grids = nest(
-        (west, east, south, north),
-        window(scene, size, FAR),
-        (east - west) / COARSEST,
-        (north - south) / COARSEST,
+    inner, outer = (window(scene, size, reach) for reach in (near_reach(size), FAR))
+    spacing = ((inner[1] - inner[0]) / COARSEST, (inner[3] - inner[2]) / COARSEST)
+    return replace(
+        pyworm.plan(scene),
+        grids=nest(inner, outer, *spacing),
+        wider_grids=(),
+        tolerance=TOLERANCE,
     )
-    return pyworm.solve(
-        scene,
-        replace(
-            pyworm.plan(scene),
-            grids=grids,
-            wider_grids=(),
-            tolerance=TOLERANCE,
-            largest_grid=(grids[-1].nx * 4 - 3) * (grids[-1].ny * 4 - 3),
-        ),
-    )
+
+
+def solved(case: Path) -> Solution:
+    """The case's scene on grids that climb to four times COARSEST cells a side over its window."""
+    scene = pyworm.load(case).scene()
+    plan = on_window(scene)
+    first = plan.grids[-1]
+    return pyworm.solve(scene, replace(plan, largest_grid=first.finer().finer().nodes))
 
 
 def main() -> None:
