@@ -9,7 +9,7 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve
+    point_film_convolve, point_film_shear
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic
@@ -99,6 +99,27 @@ contains
     contact => contact_of(handle)
     deallocate (contact)
   end subroutine point_film_free
+
+  !> Gives a contact's oil a flow law; see `flow_laws` and `point_film` for the arguments.
+  subroutine point_film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
+      reference_decay, limit, limit_growth, exponent, levels, stat)
+    use flow_laws, only: flow_law
+    use point_film, only: point_contact, shear_point_contact
+    use point_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: sliding_x(nx, ny), sliding_y(nx, ny)
+    integer(c_int), intent(in) :: law
+    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent
+    integer(c_int), intent(in) :: levels
+    integer(c_int), intent(out) :: stat
+    type(point_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call shear_point_contact(contact, flow_law(law, reference, reference_growth, reference_decay, limit, &
+      limit_growth, exponent), levels, sliding_x, sliding_y, stat)
+  end subroutine point_film_shear
 
   !> Residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine point_film_evaluate(handle, p, nx, ny, h0, residual, load_error)
