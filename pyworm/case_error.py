@@ -66,6 +66,8 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
         key = context["discriminator"].strip("'")
         name, value = f"{name}.{key}", value[key]
     wanted = _WANTED.get(problem["type"], problem["msg"]).format(**context).replace("'", '"')
+    if not keys:  # what two tables have to agree on; the message names them
+        return wanted
     if isinstance(value, dict):
         return f"{name}: {wanted}"
     return f"{name} = {_toml(value)}: {wanted}"

@@ -95,7 +95,7 @@ def test_sharif_case_holds_the_tables_of_the_paper():
     assert tables.drive.wheel.teeth == 59
     assert tables.drive.hob.centre_distance == pytest.approx(305.62e-3)
     assert tables.operation.worm_speed == pytest.approx(50 * np.pi)
-    assert tables.oil.thermal.inlet_temperature == pytest.approx(333.15)
+    assert tables.oil.heat.inlet_temperature == pytest.approx(333.15)
     assert case.published["dry_pressure_max"].value == pytest.approx(540e6)
     # The paper's equivalent coefficient follows from z and eta0: a check of both and of the pole.
     assert tables.oil.oil().viscosity.alpha == pytest.approx(9.5e-9, rel=5e-3)
