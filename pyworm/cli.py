@@ -179,9 +179,11 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import plan_table
 
-    notes = []
-    if case.tables.oil.thermal is not None:
-        notes.append("[oil.thermal] is read and kept with the results; heat is not simulated yet.")
+    notes = [
+        f"[oil.{table}] is read and kept with the results; {effect} not simulated yet."
+        for table, effect in (("shear", "shear thinning is"), ("heat", "heat is"))
+        if getattr(case.tables.oil, table) is not None
+    ]
     if options.json:
         scenes = [scene_summary(scene) | {"plan": asdict(plan)} for scene, plan in work]
         _print_json(

@@ -245,7 +245,7 @@ def test_check_prints_one_json_object(capsys):
     content = json.loads(capsys.readouterr().out)
     assert set(content) == {"case", "resolved", "scenes", "notes"}
     assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
-    assert content["resolved"]["oil"]["thermal"]["limiting_stress"] == pytest.approx(100e6)
+    assert content["resolved"]["oil"]["shear"]["limit"] == pytest.approx(100e6)
     assert content["scenes"][0]["plan"]["effects"]
 
 
