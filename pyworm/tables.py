@@ -155,12 +155,15 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
 
 
 def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
-    """Friction, and temperatures where heat was simulated, a row a scene; arguments as `scenes_table`."""
+    """Friction, and temperatures where heat was simulated, a row a scene; arguments as `scenes_table`.
+
+    The error bar of the temperatures is the largest of the three.
+    """
     heated = all("temperature_max_C" in values for values in summaries)
     table = Table("Scene", title="Friction and heat of all scenes", title_justify="left")
-    headings = ["Friction", "± %", "Loss\nW", "± %"]
+    headings = ["Friction", "± %", "Loss\nW"]
     if heated:
-        headings += ["Body 1\n°C", "± K", "Body 2\n°C", "± K", "Film\n°C", "± K"]
+        headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
         table.add_column(heading, justify="right")
     for scene, values in zip(scenes, summaries, strict=True):
@@ -168,11 +171,10 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
             f"{values['power_loss_W']:.4g}",
-            f"{values['power_loss_error'] * 100:.2g}",
         ]
-        for place in HOT_PLACES if heated else ():
-            cells.append(f"{values['temperature_max_C'][place]:.1f}")
-            cells.append(f"{values['temperature_max_error_K'][place]:.2g}")
+        if heated:
+            cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
+            cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(scene.name if scene.phase is None else f"{scene.phase:g}", *cells)
     return table
 
