@@ -122,7 +122,7 @@ def _run(options: argparse.Namespace) -> int:
     from pyworm.kernels import KernelError
     from pyworm.plots import draw
     from pyworm.run import run
-    from pyworm.tables import figures_table, published_for, scenes_table
+    from pyworm.tables import figures_table, heat_table, published_for, scenes_table
 
     try:
         with _progress() as progress:
@@ -157,6 +157,8 @@ def _run(options: argparse.Namespace) -> int:
                 console.print(figures_table(scene, summary, published))
         if len(scenes) > 1:
             console.print(scenes_table(scenes, summaries))
+            if all("friction_coefficient" in summary for summary in summaries):
+                console.print(heat_table(scenes, summaries))
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
