@@ -207,7 +207,6 @@ contains
     use moving_source, only: moving_body, new_moving_body
     use oil_heat, only: oil_heat_law
     use status, only: status_ok
-    use surface_path, only: path_body, new_path_body
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)

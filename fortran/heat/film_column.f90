@@ -1,0 +1,256 @@
+!> Energy equation across the film of a strip of columns (Sharif et al. 2001, eq. 18), implicit across the film.
+!>
+!> In weak form on Gauss-Lobatto levels, with w the weights and S the stiffness of `film_levels`, each level k obeys
+!>   h w_k (absorption_k T_k - source_k) + (conductivity/h) sum_l S_kl T_l + flux into its wall, if it is one = 0.
+!> The columns of S add to nothing, so that dissipation = what is convected away + what both walls take, to rounding.
+!>
+!> The source depends on the temperature of the whole column: oil that warms gives more or less heat itself, and
+!> lowers the stress everywhere. Its derivative d source_k / d T_l comes in that form,
+!>   growth_k delta_kl - sum_s loading_ks relief_ls,
+!> s being the two components of the shear stress.
+module film_column
+  use film_levels, only: levels_across
+  use kinds, only: wp
+  use status, only: status_ok, status_bad_argument, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: film_strip, new_film_strip, solve_columns, warm_walls
+
+  !> Columns solved together: some vector registers, and matrices that stay in the first cache.
+  integer, parameter :: lanes = 16
+  !> Most growth of heat with temperature, beyond absorption, that enters, in conductivity/h2. Conduction between the
+  !> walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4 pi2 in the second.
+  !> Stress is relieved where the film warms as a whole: hence a bound on the second mode, and a tighter one on what
+  !> relief leaves of the first. A linearisation that grows faster sends Newton's method astray; what is left out alters
+  !> how fast the source converges, not to what.
+  real(wp), parameter :: most_growth = 30.0_wp, most_growth_of_all = 6.0_wp
+  !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
+  real(wp), parameter :: least_share = 0.1_wp
+
+  !> m columns of n levels. The caller fills the first part, `solve_columns` the second.
+  type :: film_strip
+    integer :: columns = 0
+    type(levels_across) :: levels
+    !> Film thickness [m] and conductivity of the oil [W/(m K)], (m).
+    real(wp), allocatable :: thickness(:), conductivity(:)
+    !> Temperature of the two walls [K], (m, 2).
+    real(wp), allocatable :: wall(:, :)
+    !> rho c times the rate at which oil leaves a level's surroundings [W/(m3 K)], not negative, (m, n).
+    real(wp), allocatable :: absorption(:, :)
+    !> Dissipation and what oil brings along [W/m3] at the temperature `known` [K], (m, n).
+    real(wp), allocatable :: source(:, :), known(:, :)
+    !> Derivative of the source: heat with temperature [W/(m3 K)], (m, n); heat with shear stress [W/(m3 Pa)] and
+    !> loss of shear stress with a level's temperature [Pa/K], (m, n, 2).
+    real(wp), allocatable :: growth(:, :), loading(:, :, :), relief(:, :, :)
+
+    !> Temperature [K], (m, n), and heat flux into the two bodies [W/m2], (m, 2).
+    real(wp), allocatable :: temperature(:, :), flux(:, :)
+    !> Derivatives with respect to the temperature of wall j: of flux i [W/(m2 K)], (m, 2, 2), and of the levels'
+    !> temperature [-], (m, n, 2).
+    real(wp), allocatable :: admittance(:, :, :), response(:, :, :)
+  end type film_strip
+
+contains
+
+  !> A strip of so many columns, to be filled.
+  subroutine new_film_strip(strip, columns, levels, stat)
+    type(film_strip), intent(out) :: strip
+    integer, intent(in) :: columns
+    type(levels_across), intent(in) :: levels
+    integer, intent(out) :: stat
+    integer :: m, n, err
+
+    m = columns
+    n = levels%count
+    stat = status_bad_argument
+    if (m < 1 .or. n < 3) return
+    strip%columns = m
+    strip%levels = levels
+    allocate (strip%thickness(m), strip%conductivity(m), strip%wall(m, 2), strip%absorption(m, n), strip%source(m, n), &
+      strip%known(m, n), strip%growth(m, n), strip%loading(m, n, 2), strip%relief(m, n, 2), strip%temperature(m, n), &
+      strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+  end subroutine new_film_strip
+
+  !> Temperature, fluxes and their derivatives with respect to the walls.
+  pure subroutine solve_columns(strip)
+    type(film_strip), intent(inout) :: strip
+    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
+    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
+    !> Change of the inner levels' temperature, with walls as known, and its derivatives with respect to the walls.
+    real(wp) :: change(lanes, strip%levels%count, 3)
+    real(wp) :: least_pivot(strip%levels%count)
+    integer :: first, count
+
+    least_pivot = least_share*conduction_pivots(strip%levels)
+    do first = 1, strip%columns, lanes
+      count = min(lanes, strip%columns - first + 1)
+      call set_balances(strip, first, count, matrix, excess)
+      call solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
+      call set_walls(strip, first, count, matrix, excess, change)
+    end do
+    call warm_walls(strip, strip%wall - strip%known(:, [1, strip%levels%count]))
+  end subroutine solve_columns
+
+  !> Pivots of the inner levels in the elimination of conduction alone, in conductivity/h.
+  pure function conduction_pivots(levels) result(pivot)
+    type(levels_across), intent(in) :: levels
+    real(wp) :: pivot(levels%count)
+    real(wp) :: s(levels%count, levels%count)
+    integer :: k, l
+
+    s = levels%stiffness
+    do k = 2, levels%count - 1
+      pivot(k) = s(k, k)
+      do l = k + 1, levels%count - 1
+        s(l, k + 1:) = s(l, k + 1:) - s(l, k)/s(k, k)*s(k, k + 1:)
+      end do
+    end do
+    pivot([1, levels%count]) = 0
+  end function conduction_pivots
+
+  !> Balances of all levels at the known temperature and their derivatives, for `count` columns from `first` on.
+  pure subroutine set_balances(strip, first, count, matrix, excess)
+    type(film_strip), intent(in) :: strip
+    integer, intent(in) :: first, count
+    real(wp), intent(out) :: matrix(:, :, :), excess(:, :)
+    real(wp), dimension(lanes) :: conductance, volume, growth
+    real(wp) :: relief(lanes, 2)
+    integer :: i, c, k, l
+
+    do c = 1, count
+      i = first + c - 1
+      conductance(c) = strip%conductivity(i)/strip%thickness(i)
+    end do
+    relief(:count, :) = sum(strip%relief(first:first + count - 1, :, :), dim=2)
+    do k = 1, strip%levels%count
+      do c = 1, count
+        i = first + c - 1
+        volume(c) = strip%thickness(i)*strip%levels%weight(k)
+        excess(c, k) = volume(c)*(strip%source(i, k) - strip%absorption(i, k)*strip%known(i, k))
+      end do
+      do l = 1, strip%levels%count
+        do c = 1, count
+          i = first + c - 1
+          excess(c, k) = excess(c, k) - conductance(c)*strip%levels%stiffness(k, l)*strip%known(i, l)
+          matrix(c, k, l) = conductance(c)*strip%levels%stiffness(k, l) + volume(c)*( &
+            strip%loading(i, k, 1)*strip%relief(i, l, 1) + strip%loading(i, k, 2)*strip%relief(i, l, 2))
+        end do
+      end do
+      do c = 1, count
+        i = first + c - 1
+        growth(c) = strip%growth(i, k) - strip%absorption(i, k)
+        growth(c) = min(growth(c), most_growth*conductance(c)/strip%thickness(i), &
+          strip%loading(i, k, 1)*relief(c, 1) + strip%loading(i, k, 2)*relief(c, 2) &
+          + most_growth_of_all*conductance(c)/strip%thickness(i))
+        matrix(c, k, k) = matrix(c, k, k) - volume(c)*growth(c)
+      end do
+    end do
+  end subroutine set_balances
+
+  !> Change of the inner levels' temperature that balances them, and its derivatives with respect to the walls.
+  !>
+  !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a pivot below
+  !> a share of conduction's.
+  pure subroutine solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
+    type(film_strip), intent(in) :: strip
+    integer, intent(in) :: first, count
+    real(wp), intent(in) :: least_pivot(:), matrix(:, :, :), excess(:, :)
+    real(wp), intent(out) :: change(:, :, :)
+    real(wp) :: a(lanes, strip%levels%count, strip%levels%count), pivot(lanes, strip%levels%count), factor(lanes)
+    integer :: n, c, k, l, r, side
+
+    n = strip%levels%count
+    do l = 2, n - 1
+      do k = 2, n - 1
+        a(:count, k, l) = matrix(:count, k, l)
+      end do
+      change(:count, l, 1) = excess(:count, l)
+      change(:count, l, 2) = -matrix(:count, l, 1)
+      change(:count, l, 3) = -matrix(:count, l, n)
+    end do
+    do k = 2, n - 1
+      do c = 1, count
+        pivot(c, k) = 1/max(a(c, k, k), least_pivot(k)*strip%conductivity(first + c - 1)/strip%thickness(first + c - 1))
+      end do
+      do r = k + 1, n - 1
+        do c = 1, count
+          factor(c) = a(c, r, k)*pivot(c, k)
+        end do
+        do l = k + 1, n - 1
+          do c = 1, count
+            a(c, r, l) = a(c, r, l) - factor(c)*a(c, k, l)
+          end do
+        end do
+        do side = 1, 3
+          do c = 1, count
+            change(c, r, side) = change(c, r, side) - factor(c)*change(c, k, side)
+          end do
+        end do
+      end do
+    end do
+    do side = 1, 3
+      do k = n - 1, 2, -1
+        do l = k + 1, n - 1
+          do c = 1, count
+            change(c, k, side) = change(c, k, side) - a(c, k, l)*change(c, l, side)
+          end do
+        end do
+        do c = 1, count
+          change(c, k, side) = change(c, k, side)*pivot(c, k)
+        end do
+      end do
+    end do
+    change(:count, [1, n], :) = 0
+    change(:count, 1, 2) = 1
+    change(:count, n, 3) = 1
+  end subroutine solve_inner_levels
+
+  !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the bodies.
+  pure subroutine set_walls(strip, first, count, matrix, excess, change)
+    type(film_strip), intent(inout) :: strip
+    integer, intent(in) :: first, count
+    real(wp), intent(in) :: matrix(:, :, :), excess(:, :), change(:, :, :)
+    real(wp) :: left(lanes)
+    integer :: wall, level, l, side, c, last
+
+    last = first + count - 1
+    strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
+    strip%response(first:last, :, :) = change(:count, :, 2:3)
+    do wall = 1, 2
+      level = merge(1, strip%levels%count, wall == 1)
+      do side = 1, 3
+        left = 0
+        if (side == 1) left(:count) = excess(:count, level)
+        do l = 1, strip%levels%count
+          do c = 1, count
+            left(c) = left(c) - matrix(c, level, l)*change(c, l, side)
+          end do
+        end do
+        if (side == 1) then
+          strip%flux(first:last, wall) = left(:count)
+        else
+          strip%admittance(first:last, wall, side - 1) = left(:count)
+        end if
+      end do
+    end do
+  end subroutine set_walls
+
+  !> Temperature and fluxes when the walls are `rise` [K], (m, 2), warmer.
+  pure subroutine warm_walls(strip, rise)
+    type(film_strip), intent(inout) :: strip
+    real(wp), intent(in) :: rise(:, :)
+    integer :: wall, k
+
+    do wall = 1, 2
+      do k = 1, strip%levels%count
+        strip%temperature(:, k) = strip%temperature(:, k) + strip%response(:, k, wall)*rise(:, wall)
+      end do
+      do k = 1, 2
+        strip%flux(:, k) = strip%flux(:, k) + strip%admittance(:, k, wall)*rise(:, wall)
+      end do
+    end do
+  end subroutine warm_walls
+
+end module film_column

@@ -1,0 +1,30 @@
+!> What any model of conduction in a body offers: the temperature of its surface under a flux of heat.
+module heated_surface
+  use kinds, only: wp
+  implicit none(type, external)
+  private
+
+  public :: heated_body
+
+  !> A body whose surface is heated in the frame of the contact, in the steady state.
+  type, abstract :: heated_body
+    !> Points of the grid.
+    integer :: nx = 0, ny = 0
+    !> Temperature rise of a node under unit flux around it alone [K m2/W].
+    real(wp) :: own = 0
+  contains
+    procedure(rise_under), deferred :: rise
+  end type heated_body
+
+  abstract interface
+    !> Temperature rise [K] of the surface over its bulk under the flux `q` [W/m2] into it; linear in `q`.
+    subroutine rise_under(self, q, temperature_rise)
+      import :: heated_body, wp
+      implicit none(type, external)
+      class(heated_body), intent(inout) :: self
+      real(wp), intent(in) :: q(self%nx, self%ny)
+      real(wp), intent(out) :: temperature_rise(self%nx, self%ny)
+    end subroutine rise_under
+  end interface
+
+end module heated_surface
