@@ -10,7 +10,7 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
     point_film_convolve, point_film_shear, point_film_heat, point_film_warm, point_film_rise, &
-    point_film_set_rise, point_film_shear_fields
+    point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic
@@ -283,27 +283,62 @@ contains
     call set_temperature(contact, rise)
   end subroutine point_film_set_rise
 
-  !> Stress at the middle of the film [Pa], heat of shearing [W/m2], what oil carries away of it [W/m2], the largest
-  !> shear rate across the film [1/s], slip (`shear_flow`) and flux into the bodies [W/m2] of a heated contact.
-  subroutine point_film_shear_fields(handle, nx, ny, stress_x, stress_y, friction, carried, shear_rate, slip, flux)
+  !> Fields of a contact's shear; see `nodal_shear`.
+  subroutine point_film_shear_fields(handle, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use nodal_shear, only: shear_field, shear_fields
+    use status, only: status_ok
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), along(nx, ny), &
+      across(nx, ny)
+    integer(c_int), intent(out) :: slip(nx, ny), stat
+    type(heated_contact), pointer :: contact
+    type(shear_field) :: field
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call shear_fields(contact%point_contact, field, stat)
+    if (stat /= status_ok) return
+    stress_x = field%stress_x
+    stress_y = field%stress_y
+    friction = field%friction
+    rate = field%rate
+    along = field%along
+    across = field%across
+    slip = field%slip
+  end subroutine point_film_shear_fields
+
+  !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2].
+  subroutine point_film_heat_fields(handle, nx, ny, flux, carried)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), carried(nx, ny), &
-      shear_rate(nx, ny), flux(nx, ny, 2)
-    integer(c_int), intent(out) :: slip(nx, ny)
+    real(c_double), intent(out) :: flux(nx, ny, 2), carried(nx, ny)
     type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
-    stress_x = contact%heat%stress_x
-    stress_y = contact%heat%stress_y
-    friction = contact%heat%friction
-    carried = contact%heat%carried
-    shear_rate = contact%heat%shear_rate
-    slip = contact%heat%slip
     flux = contact%heat%walls%flux
-  end subroutine point_film_shear_fields
+    carried = contact%heat%carried
+  end subroutine point_film_heat_fields
+
+  !> Velocity [m/s] across the film at node (i, j), counted from 1, body 1 moving with (u1, v1).
+  subroutine point_film_profile(handle, i, j, u1, v1, levels, u, v, stat)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use nodal_shear, only: film_profile
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: i, j, levels
+    real(c_double), intent(in) :: u1, v1
+    real(c_double), intent(out) :: u(levels), v(levels)
+    integer(c_int), intent(out) :: stat
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call film_profile(contact%point_contact, i, j, u1, v1, u, v, stat)
+  end subroutine point_film_profile
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
