@@ -13,7 +13,7 @@ module bindings
     point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
-  public :: prolong_cubic
+  public :: prolong_cubic, level_positions
 
 contains
 
@@ -198,9 +198,8 @@ contains
   !>
   !> `oil` holds T0 [K], the exponent of viscosity with temperature, expansivity and its decay (`oil_laws`),
   !> conductivity, c1, c2, capacity, k1, k2, b0, b1, b2 (`oil_heat`); `bodies` conductivity, heat capacity and bulk
-  !> temperature above the inlet's of each, and the velocity (u, v) of its surface at the contact point; `paths`
-  !> is not zero where a body's surface is followed along its paths (`surface_path`).
-  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, paths, stat)
+  !> temperature above the inlet's of each, and the velocity (u, v) of its surface at the contact point.
+  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, stat)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact, heat_contact
     use heated_surface, only: heated_body
@@ -211,15 +210,14 @@ contains
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
     real(c_double), intent(in) :: oil(13), bodies(5, 2)
-    integer(c_int), intent(in) :: paths(2)
     integer(c_int), intent(out) :: stat
     type(heated_contact), pointer :: contact
     class(heated_body), allocatable :: body_1, body_2
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call new_body(u1, v1, bodies(:, 1), paths(1), body_1)
-    if (stat == status_ok) call new_body(u2, v2, bodies(:, 2), paths(2), body_2)
+    call new_body(bodies(:, 1), body_1)
+    if (stat == status_ok) call new_body(bodies(:, 2), body_2)
     if (stat /= status_ok) return
     contact%oil%temperature = oil(1)
     contact%oil%thermal_exponent = oil(2)
@@ -231,9 +229,8 @@ contains
   contains
 
     !> A body on the contact's grid.
-    subroutine new_body(u, v, body, path, surface)
-      real(c_double), intent(in) :: u(:, :), v(:, :), body(5)
-      integer(c_int), intent(in) :: path
+    subroutine new_body(body, surface)
+      real(c_double), intent(in) :: body(5)
       class(heated_body), allocatable, intent(out) :: surface
       type(moving_body), allocatable :: moving
 
@@ -450,6 +447,17 @@ contains
     contact => contact_of(handle)
     call contact%plane%deflection(p, w)
   end subroutine line_film_convolve
+
+  !> Where `count` levels across a film are, from -1/2 at body 1 to 1/2 at body 2.
+  subroutine level_positions(count, z)
+    use film_levels, only: levels_across, new_levels
+    integer(c_int), intent(in) :: count
+    real(c_double), intent(out) :: z(count)
+    type(levels_across) :: levels
+
+    levels = new_levels(count)
+    z = levels%z
+  end subroutine level_positions
 
   !> Field on a grid of half the spacing.
   subroutine prolong_cubic(coarse, nx, ny, fine)

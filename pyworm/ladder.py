@@ -111,11 +111,14 @@ class Outcome:
         Fields over the grid.
     flaw : str or None
         Why they are not to be trusted, whatever the film says.
+    profile : xarray.Dataset or None
+        Temperature and velocity across the film at its hottest point, where heat is simulated.
     """
 
     figures: dict[str, Any]
     fields: xr.Dataset
     flaw: str | None = None
+    profile: xr.Dataset | None = None
 
 
 class Ladder(Protocol):

@@ -75,11 +75,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         strides += settled.strides
         readings.append(settled.reading)
         unsettled += rung.film.balance.worst > plan.tolerance
-        if (
-            _film_is_sound(rung, settled, plan)
-            and plan.wider_grids
-            and not domain
-        ):
+        if _film_is_sound(rung, settled, plan) and plan.wider_grids and not domain:
             tell(f"{scene.name}: wider window", 1 - 0.7 ** len(readings))
             wider, settled_wider, steps = _in_wider_window(ladder, plan, len(readings) - 1)
             strides += steps
@@ -125,6 +121,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         fields=outcome.fields,
         history=_history(strides, "xy"[: len(rung.grid.shape)]),
         cost=Cost(seconds, work / _convolution_work(rung)),
+        inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
+        profile=outcome.profile,
     )
 
 
