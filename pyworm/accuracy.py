@@ -19,8 +19,8 @@ class Reading:
     film_min_at : tuple of float
         Where the minimum film is, along each direction of the grid [m].
     further : dict
-        Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), the temperatures above the
-        inlet's [K].
+        Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
+        the inlet's [K].
     """
 
     film_min: float

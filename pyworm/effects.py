@@ -34,14 +34,13 @@ class Model:
 
 MODELS = ("isothermal", "sheared", "mean-film", "thermal")
 """Names that `effects` may take: a Newtonian film of one temperature; one with the oil's flow law; that with
-surface
-temperatures and a parabola of temperature across the film; with temperature resolved across the film."""
+surface temperatures and a parabola of temperature across the film; with temperature resolved across it."""
 
 PARABOLA = 3
 """Levels across a film whose temperature is a parabola."""
 
 LEVEL_ERRORS = ((5, 5e-3), (7, 1e-3), (9, 1e-4), (11, 0.0))
-"""Levels across the film, and the error of films, friction and temperature by them (`benchmarks/levels.py`)."""
+"""Levels across the film, and what error they leave in its figures (`benchmarks/levels.py`)."""
 
 LEVEL_SHARE = 0.1
 """Error by the levels allowed, as a share of the accuracy asked for."""
