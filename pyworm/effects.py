@@ -262,7 +262,7 @@ def _effects(oil: Oil, model: Model, across: bool) -> tuple[Effect, ...]:
         Effect("surface flash heating", *heated(model.heated)),
         Effect("film heating", *heated(model.heated)),
         Effect(
-            "viscosity variation across the film",
+            "viscosity across the film",
             *heated(model.heated),
         ),
         *(
