@@ -9,7 +9,8 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve
+    point_film_convolve, point_film_shear, point_film_heat, point_film_warm, point_film_rise, &
+    point_film_set_rise, point_film_shear_fields
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic
@@ -61,8 +62,9 @@ contains
   subroutine point_film_new(gap, covered, u, v, squeeze, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
       pole_pressure, d1, d2, load, floor, handle, stat)
     use oil_laws, only: oil_law
-    use point_film, only: point_contact, new_point_contact
-    use point_film_handle, only: handle_of
+    use point_film, only: new_point_contact
+    use contact_handle, only: handle_of
+    use film_temperature, only: heated_contact
     use status, only: status_ok, status_no_memory
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny), squeeze(nx, ny)
@@ -72,7 +74,7 @@ contains
     real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2, load, floor
     integer(c_int64_t), intent(out) :: handle
     integer(c_int), intent(out) :: stat
-    type(point_contact), pointer :: contact
+    type(heated_contact), pointer :: contact
     integer :: err
     !f2py threadsafe
 
@@ -80,7 +82,7 @@ contains
     stat = status_no_memory
     allocate (contact, stat=err)
     if (err /= 0) return
-    call new_point_contact(contact, gap, covered /= 0, u, v, squeeze, dx, dy, reduced_modulus, &
+    call new_point_contact(contact%point_contact, gap, covered /= 0, u, v, squeeze, dx, dy, reduced_modulus, &
       oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
     if (stat == status_ok) then
       handle = handle_of(contact)
@@ -91,36 +93,60 @@ contains
 
   !> Gives back the memory of a contact.
   subroutine point_film_free(handle)
-    use point_film, only: point_contact
-    use point_film_handle, only: contact_of
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
-    type(point_contact), pointer :: contact
+    type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
     deallocate (contact)
   end subroutine point_film_free
 
+  !> Gives a contact's oil a flow law; see `flow_laws` and `point_film` for the arguments.
+  subroutine point_film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
+      reference_decay, limit, limit_growth, exponent, levels, stat)
+    use flow_laws, only: flow_law
+    use point_film, only: shear_point_contact
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: sliding_x(nx, ny), sliding_y(nx, ny)
+    integer(c_int), intent(in) :: law
+    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent
+    integer(c_int), intent(in) :: levels
+    integer(c_int), intent(out) :: stat
+    type(heated_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call shear_point_contact(contact%point_contact, flow_law(law, reference, reference_growth, reference_decay, limit, &
+      limit_growth, exponent), levels, sliding_x, sliding_y, stat)
+  end subroutine point_film_shear
+
   !> Residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine point_film_evaluate(handle, p, nx, ny, h0, residual, load_error)
-    use point_film, only: point_contact, film_residual
-    use point_film_handle, only: contact_of
+    use point_film, only: film_residual
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
     real(c_double), intent(in) :: h0
     real(c_double), intent(out) :: residual, load_error
-    type(point_contact), pointer :: contact
+    type(heated_contact), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call film_residual(contact, p, h0, residual, load_error)
+    call film_residual(contact%point_contact, p, h0, residual, load_error)
   end subroutine point_film_evaluate
 
   !> One Newton step from the state last evaluated; p and h0 are replaced.
   subroutine point_film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
       load_error, krylov, step, stat)
-    use point_film, only: point_contact, film_step
-    use point_film_handle, only: contact_of
+    use point_film, only: film_step
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
@@ -128,24 +154,24 @@ contains
     real(c_double), intent(in) :: h0, last_residual, last_load_error
     real(c_double), intent(out) :: new_h0, residual, load_error, step
     integer(c_int), intent(out) :: krylov, stat
-    type(point_contact), pointer :: contact
+    type(heated_contact), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    call film_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
   end subroutine point_film_step
 
   !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
   subroutine point_film_fields(handle, nx, ny, film, density, imbalance)
-    use point_film, only: point_contact
-    use point_film_handle, only: contact_of
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: film(nx, ny), density(nx, ny), imbalance(nx, ny)
-    type(point_contact), pointer :: contact
+    type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
     film = contact%fields%h
@@ -155,18 +181,129 @@ contains
 
   !> Deflection w [m] under pressure p [Pa] on the contact's own grid: the unit of cost.
   subroutine point_film_convolve(handle, p, nx, ny, w)
-    use point_film, only: point_contact
-    use point_film_handle, only: contact_of
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
     real(c_double), intent(out) :: w(nx, ny)
-    type(point_contact), pointer :: contact
+    type(heated_contact), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
     call contact%space%deflection(p, w)
   end subroutine point_film_convolve
+
+  !> Heat of a contact whose oil has a flow law; see `film_temperature` for the arguments.
+  !>
+  !> `oil` holds T0 [K], the exponent of viscosity with temperature, expansivity and its decay (`oil_laws`),
+  !> conductivity, c1, c2, capacity, k1, k2, b0, b1, b2 (`oil_heat`); `bodies` conductivity, heat capacity and bulk
+  !> temperature above the inlet's of each, and the velocity (u, v) of its surface at the contact point; `paths`
+  !> is not zero where a body's surface is followed along its paths (`surface_path`).
+  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, paths, stat)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact, heat_contact
+    use heated_surface, only: heated_body
+    use moving_source, only: moving_body, new_moving_body
+    use oil_heat, only: oil_heat_law
+    use status, only: status_ok
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
+    real(c_double), intent(in) :: oil(13), bodies(5, 2)
+    integer(c_int), intent(in) :: paths(2)
+    integer(c_int), intent(out) :: stat
+    type(heated_contact), pointer :: contact
+    class(heated_body), allocatable :: body_1, body_2
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call new_body(u1, v1, bodies(:, 1), paths(1), body_1)
+    if (stat == status_ok) call new_body(u2, v2, bodies(:, 2), paths(2), body_2)
+    if (stat /= status_ok) return
+    contact%oil%temperature = oil(1)
+    contact%oil%thermal_exponent = oil(2)
+    contact%oil%expansivity = oil(3)
+    contact%oil%expansivity_decay = oil(4)
+    call heat_contact(contact, oil_heat_law(oil(5), oil(6), oil(7), oil(8), oil(9), oil(10), oil(11), oil(12), oil(13)), &
+      u1, v1, body_1, body_2, bodies(3, :), stat)
+
+  contains
+
+    !> A body on the contact's grid.
+    subroutine new_body(u, v, body, path, surface)
+      real(c_double), intent(in) :: u(:, :), v(:, :), body(5)
+      integer(c_int), intent(in) :: path
+      class(heated_body), allocatable, intent(out) :: surface
+      type(moving_body), allocatable :: moving
+
+      allocate (moving)
+      call new_moving_body(moving, nx, ny, contact%grid%dx, contact%grid%dy, body(4), body(5), body(1), body(2), stat)
+      call move_alloc(moving, surface)
+    end subroutine new_body
+
+  end subroutine point_film_heat
+
+  !> One sweep of heat through a contact (`film_temperature`); `change` is the largest of its temperature [K].
+  subroutine point_film_warm(handle, change)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact, heat_sweep
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(out) :: change
+    type(heated_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call heat_sweep(contact, change)
+  end subroutine point_film_warm
+
+  !> Temperature of a contact above its inlet's [K], at the levels from body 1 to body 2.
+  subroutine point_film_rise(handle, nx, ny, levels, rise)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny, levels
+    real(c_double), intent(out) :: rise(nx, ny, levels)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    rise = contact%shear%nodes%rise
+  end subroutine point_film_rise
+
+  !> Takes up a temperature above the inlet's [K].
+  subroutine point_film_set_rise(handle, rise, nx, ny, levels)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact, set_temperature
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny, levels
+    real(c_double), intent(in) :: rise(nx, ny, levels)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call set_temperature(contact, rise)
+  end subroutine point_film_set_rise
+
+  !> Stress at the middle of the film [Pa], heat of shearing [W/m2], what oil carries away of it [W/m2], the largest
+  !> shear rate across the film [1/s], slip (`shear_flow`) and flux into the bodies [W/m2] of a heated contact.
+  subroutine point_film_shear_fields(handle, nx, ny, stress_x, stress_y, friction, carried, shear_rate, slip, flux)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), carried(nx, ny), &
+      shear_rate(nx, ny), flux(nx, ny, 2)
+    integer(c_int), intent(out) :: slip(nx, ny)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    stress_x = contact%heat%stress_x
+    stress_y = contact%heat%stress_y
+    friction = contact%heat%friction
+    carried = contact%heat%carried
+    shear_rate = contact%heat%shear_rate
+    slip = contact%heat%slip
+    flux = contact%heat%walls%flux
+  end subroutine point_film_shear_fields
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &

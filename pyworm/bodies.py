@@ -16,6 +16,8 @@ class Body:
     density, conductivity, specific_heat : float or None
         Density [kg/m3], thermal conductivity [W/(m K)] and specific heat [J/(kg K)];
         needed only where heat is simulated.
+    bulk_temperature : float or None
+        Temperature far below the surface and of the surface before the contact [K]; needed with them.
     """
 
     youngs_modulus: float
@@ -23,6 +25,7 @@ class Body:
     density: float | None = None
     conductivity: float | None = None
     specific_heat: float | None = None
+    bulk_temperature: float | None = None
 
 
 def reduced_modulus(body_1: Body, body_2: Body) -> float:

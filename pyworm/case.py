@@ -78,6 +78,7 @@ class Case:
         from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
 
         tables = self.tables
+        oil = tables.oil.oil()
         try:
             return ZiWormDrive(
                 worm=Worm(**dict(tables.drive.worm)),
@@ -86,8 +87,8 @@ class Case:
                 centre_distance=tables.drive.centre_distance,
                 speed=tables.operation.worm_speed,
                 load=tables.operation.load,
-                bodies=(tables.bodies.worm.body(), tables.bodies.wheel.body()),
-                oil=tables.oil.oil(),
+                bodies=tables.bodies.pair(oil),
+                oil=oil,
             )
         except ValueError as error:
             raise CaseError(f"drive.{error}") from error

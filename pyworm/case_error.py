@@ -66,6 +66,8 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
         key = context["discriminator"].strip("'")
         name, value = f"{name}.{key}", value[key]
     wanted = _WANTED.get(problem["type"], problem["msg"]).format(**context).replace("'", '"')
+    if not keys:  # what two tables have to agree on; the message names them
+        return wanted
     if isinstance(value, dict):
         return f"{name}: {wanted}"
     return f"{name} = {_toml(value)}: {wanted}"
@@ -100,12 +102,7 @@ def _valid_keys(model: type[BaseModel], loc: tuple) -> list[str]:
     for key in loc:
         fields = [table.model_fields[key] for table in choices if key in table.model_fields]
         if fields:
-            choices = [
-                kind
-                for field in fields
-                for kind in (typing.get_args(field.annotation) or (field.annotation,))
-                if isinstance(kind, type) and issubclass(kind, BaseModel)
-            ]
+            choices = [table for field in fields for table in _tables(field.annotation)]
         else:  # the tag of a union
             choices = [
                 table
@@ -113,6 +110,13 @@ def _valid_keys(model: type[BaseModel], loc: tuple) -> list[str]:
                 if any(key in typing.get_args(f.annotation) for f in table.model_fields.values())
             ]
     return sorted({key for table in choices for key in table.model_fields})
+
+
+def _tables(annotation: Any) -> list[type[BaseModel]]:
+    """The models that a field may hold."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [table for part in typing.get_args(annotation) for table in _tables(part)]
 
 
 def _nearest(key: str, valid: list[str]) -> str:

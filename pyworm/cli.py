@@ -122,7 +122,7 @@ def _run(options: argparse.Namespace) -> int:
     from pyworm.kernels import KernelError
     from pyworm.plots import draw
     from pyworm.run import run
-    from pyworm.tables import figures_table, published_for, scenes_table
+    from pyworm.tables import figures_table, heat_table, published_for, scenes_table
 
     try:
         with _progress() as progress:
@@ -157,6 +157,8 @@ def _run(options: argparse.Namespace) -> int:
                 console.print(figures_table(scene, summary, published))
         if len(scenes) > 1:
             console.print(scenes_table(scenes, summaries))
+            if all("friction_coefficient" in summary for summary in summaries):
+                console.print(heat_table(scenes, summaries))
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
@@ -179,9 +181,11 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import plan_table
 
-    notes = []
-    if case.tables.oil.thermal is not None:
-        notes.append("[oil.thermal] is read and kept with the results; heat is not simulated yet.")
+    notes = [
+        f"[oil.{table}] is read and kept with the results; {effect} not simulated yet."
+        for table, effect in (("shear", "shear thinning is"), ("heat", "heat is"))
+        if getattr(case.tables.oil, table) is not None
+    ]
     if options.json:
         scenes = [scene_summary(scene) | {"plan": asdict(plan)} for scene, plan in work]
         _print_json(

@@ -46,27 +46,28 @@ def _sampled(tables: GapCase, name: str, directory: Path) -> Scene:
 
 
 def _point(tables: PointCase | GapCase, name: str, gap: Gap, radii: tuple[float, float]) -> Scene:
+    oil = tables.oil.oil()
     return Scene(
         name=name,
         gap=gap,
         radii=radii,
         motions=tables.motion.motions(),
         load=tables.contact.load,
-        bodies=tables.bodies.pair(),
-        oil=tables.oil.oil(),
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
     )
 
 
 def _line(tables: LineCase, name: str, directory: Path) -> LineScene:
-    radius = tables.contact.radius
+    radius, oil = tables.contact.radius, tables.oil.oil()
     return LineScene(
         name=name,
         gap=Parabola(radius),
         radius=radius,
         velocities=(tables.motion.velocity_1, tables.motion.velocity_2),
         load=tables.contact.load,
-        bodies=tables.bodies.pair(),
-        oil=tables.oil.oil(),
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
     )
 
 

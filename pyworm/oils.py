@@ -1,4 +1,4 @@
-"""Oils: how viscosity and density follow pressure.
+"""Oils: viscosity and density under pressure and heat, flow under stress, and how an oil takes heat.
 
 Two viscosity laws and one density law cover what the kernel simulates; the published variants of each
 differ only in the constants that the constructors here fill in.
@@ -6,6 +6,7 @@ differ only in the constants that the constructors here fill in.
 
 from dataclasses import dataclass
 from math import exp, log
+from typing import Literal
 
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
@@ -15,6 +16,9 @@ ROELANDS_PRESSURE_COEFFICIENT = 5.1e-9
 
 ROELANDS_POLE_LOG = 9.67
 """-ln of the viscosity [Pa s] at which Roelands' isotherms meet."""
+
+ROELANDS_POLE_TEMPERATURE = 138.0
+"""Temperature [K] of the pole of Roelands' law (Sharif et al. 2001, equation 20)."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,12 @@ class Roelands:
         """Pressure-viscosity coefficient at p = 0 [1/Pa]."""
         return self.z * (log(self.eta0) + ROELANDS_POLE_LOG) / self.p0
 
+    def s0(self, beta: float, temperature: float) -> float:
+        """Exponent of temperature [-] by which -d ln eta/dT is beta [1/K] at p = 0 and a temperature [K]."""
+        return (
+            beta * (temperature - ROELANDS_POLE_TEMPERATURE) / (log(self.eta0) + ROELANDS_POLE_LOG)
+        )
+
     def __call__(self, pressure: float) -> float:
         """Viscosity [Pa s] at a pressure [Pa]."""
         rise = (log(self.eta0) + ROELANDS_POLE_LOG) * ((1 + pressure / self.p0) ** self.z - 1)
@@ -107,6 +117,92 @@ class Density:
         return self.rho0 * (1 + self.d1 * pressure / (1 + self.d2 * pressure))
 
 
+FlowLawName = Literal["newtonian", "eyring", "bair-winer", "eyring-limited", "carreau"]
+
+
+@dataclass(frozen=True)
+class FlowLaw:
+    """How fast oil of viscosity eta shears under a stress tau.
+
+    | law            | shear rate                                                               |
+    |----------------|--------------------------------------------------------------------------|
+    | newtonian      | tau/eta                                                                  |
+    | eyring         | tau0/eta sinh(tau/tau0)                                                  |
+    | bair-winer     | -tauL/eta ln(1 - tau/tauL)           (Sharif et al. 2001, equation 5)    |
+    | eyring-limited | tau0/eta sinh(tau/tau0) [tauL^(2 n)/(tauL^(2 n) - tau^(2 n))]     (eq. 6) |
+    | carreau        | that at which tau = eta rate [1 + (eta rate/G)^2]^((n - 1)/2)            |
+
+    tau0 and G are `stress` exp[`stress_pressure` p - `stress_temperature` (T - T0)], T being the mean
+    temperature across the film and T0 the inlet's; tauL = `limit` + `limit_pressure` p; n = `exponent`.
+    What a law does not name it does not read.
+
+    Attributes
+    ----------
+    law : str
+        Name of the law.
+    stress : float
+        Eyring stress tau0 or Carreau's G at ambient pressure and inlet temperature [Pa].
+    stress_pressure, stress_temperature : float
+        How these follow pressure [1/Pa] and temperature [1/K].
+    limit : float
+        Limiting stress at ambient pressure [Pa].
+    limit_pressure : float
+        Its rise with pressure [-].
+    exponent : float
+        lambda of equation 6, which the paper takes as 1, or Carreau's n [-].
+    """
+
+    law: FlowLawName
+    stress: float = 0.0
+    stress_pressure: float = 0.0
+    stress_temperature: float = 0.0
+    limit: float = 0.0
+    limit_pressure: float = 0.0
+    exponent: float = 1.0
+
+
+@dataclass(frozen=True)
+class OilHeat:
+    """How an oil takes heat: the laws of the Appendix of Sharif et al. (2001).
+
+    T0 is the inlet temperature, rho0 and eta0 are density and viscosity there at ambient pressure. Viscosity
+    falls by Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138 K)/(T0 - 138 K))^-s0 - 1]}
+    (equation 20), or by Barus' law with eta0 exp(alpha p - beta (T - T0)).
+
+    Attributes
+    ----------
+    inlet_temperature : float
+        T0 [K].
+    viscosity_exponent : float
+        s0 [-] of an oil with Roelands' law, beta [1/K] of one with Barus'.
+    conductivity, conductivity_c1, conductivity_c2 : float
+        k0 [W/(m K)], c1, c2 [1/Pa] of the conductivity k = k0 [1 + c1 p / (1 + c2 p)].
+    specific_heat : float
+        c0 [J/(kg K)] of rho c = rho0 c0 [1 + b0 (1 + b1 p + b2 p^2) (T - T0)] [1 + k1 p / (1 + k2 p)].
+    heat_capacity_b0, heat_capacity_b1, heat_capacity_b2 : float
+        b0 [1/K], b1 [1/Pa], b2 [1/Pa2] in it.
+    heat_capacity_k1, heat_capacity_k2 : float
+        k1, k2 [1/Pa] in it.
+    expansivity, expansivity_decay : float
+        eps0 [1/K] and lambda [1/Pa] of the expansivity eps = eps0 exp(-lambda p), by which the density is
+        rho(p) [1 - eps (T - T0)].
+    """
+
+    inlet_temperature: float
+    viscosity_exponent: float
+    conductivity: float
+    specific_heat: float
+    expansivity: float = 0.0
+    expansivity_decay: float = 0.0
+    conductivity_c1: float = 0.0
+    conductivity_c2: float = 0.0
+    heat_capacity_b0: float = 0.0
+    heat_capacity_b1: float = 0.0
+    heat_capacity_b2: float = 0.0
+    heat_capacity_k1: float = 0.0
+    heat_capacity_k2: float = 0.0
+
+
 @dataclass(frozen=True)
 class Oil:
     """An oil as the kernel sees it.
@@ -117,7 +213,13 @@ class Oil:
         Viscosity against pressure at the inlet temperature.
     density : Density
         Density against pressure at the inlet temperature.
+    flow : FlowLaw or None
+        How it shears under stress; None if nothing is known but its viscosity.
+    heat : OilHeat or None
+        How it takes heat; None where that is not known, and cannot be simulated.
     """
 
     viscosity: Barus | Roelands
     density: Density
+    flow: FlowLaw | None = None
+    heat: OilHeat | None = None

@@ -7,6 +7,7 @@ Layout of the file:
     /scene_000              attributes: the scalars of the solution, units in their names
     /scene_000/fields       fields over (y, x), or over x for a line contact
     /scene_000/history      convergence over iterations
+    /scene_000/profile      temperature and velocity across the film at its hottest point, if simulated
 
 Attributes that are not numbers or plain text (case, provenance, solution) are JSON.
 """
@@ -25,7 +26,7 @@ from pyworm.solution import Solution
 from pyworm.variables import describe
 
 FORMAT = "pyworm result"
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 
 
 @dataclass(frozen=True)
@@ -163,16 +164,20 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
         groups[scene] = xr.Dataset(attrs=attributes)
         groups[f"{scene}/fields"] = solution.fields
         groups[f"{scene}/history"] = solution.history
+        if solution.profile is not None:
+            groups[f"{scene}/profile"] = solution.profile
     return groups
 
 
 def _plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
-    """Scalars as NetCDF takes them: no None, truth as 0 or 1."""
-    return {
-        name: int(value) if isinstance(value, bool) else value
-        for name, value in summary.items()
-        if value is not None
-    }
+    """Scalars as NetCDF takes them: no None, truth as 0 or 1, an object's entries one by one."""
+    plain = {}
+    for name, value in summary.items():
+        if isinstance(value, Mapping):
+            plain |= {f"{name}_{part}": number for part, number in value.items()}
+        elif value is not None:
+            plain[name] = int(value) if isinstance(value, bool) else value
+    return plain
 
 
 def _scalars(value: Any) -> Any:
@@ -194,6 +199,8 @@ def _read_solution(scene: xr.DataTree) -> Solution:
     parts = json.loads(scene.attrs["solution"])
     parts["fields"] = scene["fields"].to_dataset()
     parts["history"] = scene["history"].to_dataset()
+    if "profile" in scene.children:
+        parts["profile"] = scene["profile"].to_dataset()
     return _rebuild(Solution, parts)
 
 

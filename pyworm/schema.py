@@ -6,15 +6,32 @@ drive's to say.
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    field_validator,
+    model_validator,
+)
 
 from pyworm import units
 from pyworm.bodies import Body
-from pyworm.oils import ROELANDS_PRESSURE, Barus, Density, Oil, Roelands
+from pyworm.oils import (
+    ROELANDS_POLE_TEMPERATURE,
+    ROELANDS_PRESSURE,
+    Barus,
+    Density,
+    FlowLaw,
+    Oil,
+    OilHeat,
+    Roelands,
+)
 from pyworm.scene import RigidMotion
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 PositiveNumber = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
+NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
 Count = Annotated[int, Field(strict=True, gt=0)]
 Phase = Annotated[float, Field(strict=True, ge=0, le=1)]
 Text = Annotated[str, Field(min_length=1)]
@@ -30,35 +47,47 @@ class Table(BaseModel):
 
 
 class BodyTable(Table):
-    """`[bodies.NAME]`: one solid; the thermal constants are for when heat is simulated."""
+    """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
+
+    Without a bulk temperature of its own a body is as warm as the oil at the inlet.
+    """
 
     youngs_modulus: units.Pressure
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity | None = None
     conductivity: units.Conductivity | None = None
     specific_heat: units.SpecificHeat | None = None
+    bulk_temperature: units.Temperature | None = None
 
-    def body(self) -> Body:
-        """The solid."""
-        return Body(**dict(self))
+    def body(self, oil: Oil) -> Body:
+        """The solid under an oil."""
+        constants = dict(self)
+        if oil.heat is not None and self.bulk_temperature is None:
+            constants["bulk_temperature"] = oil.heat.inlet_temperature
+        return Body(**constants)
 
 
-class ToothBodies(Table):
+class _Bodies(Table):
+    """`[bodies]`: two solids, body 1 first."""
+
+    def pair(self, oil: Oil) -> tuple[Body, Body]:
+        """Body 1 and body 2 under an oil."""
+        body_1, body_2 = (getattr(self, name).body(oil) for name in type(self).model_fields)
+        return body_1, body_2
+
+
+class ToothBodies(_Bodies):
     """`[bodies]` of a drive."""
 
     worm: BodyTable
     wheel: BodyTable
 
 
-class ContactBodies(Table):
+class ContactBodies(_Bodies):
     """`[bodies]` of a contact written directly."""
 
     body_1: BodyTable
     body_2: BodyTable
-
-    def pair(self) -> tuple[Body, Body]:
-        """Body 1 and body 2."""
-        return self.body_1.body(), self.body_2.body()
 
 
 # --------------------------------------------------------------------------------------------- oil
@@ -138,30 +167,102 @@ class GeneralDensityTable(Table):
         return Density(self.rho0, self.d1, self.d2)
 
 
-class ThermalOilTable(Table):
-    """`[oil.thermal]`: what heat and shear will need of an oil; read and kept, not simulated yet.
+class NewtonianTable(Table):
+    """`[oil.shear]`, law = "newtonian": the stress grows with the shear rate without end."""
 
-    The laws are those of the Appendix of Sharif et al. (2001), T0 being the inlet temperature:
-    expansivity eps = expansivity * exp(-expansivity_decay p);
-    conductivity k = conductivity [1 + conductivity_c1 p / (1 + conductivity_c2 p)];
-    heat capacity rho c = rho0 specific_heat [1 + b0 (1 + b1 p + b2 p^2)(T - T0)] [1 + k1 p / (1 + k2 p)].
+    law: Literal["newtonian"]
+
+
+class _ThinningStress(Table):
+    """The stress at which an oil begins to thin, and how it follows pressure and temperature."""
+
+    stress: units.Stress
+    stress_pressure: units.PressureCoefficientAnySign = 0.0
+    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
+
+
+class _LimitingStress(Table):
+    """The stress that an oil cannot exceed: constant, proportional to pressure, or both."""
+
+    limit: units.StressOrZero = 0.0
+    limit_pressure: NumberOrZero = 0.0
+
+    @model_validator(mode="after")
+    def _some_limit(self):
+        if self.limit == self.limit_pressure == 0:
+            raise ValueError('give limit, such as "100 MPa", or limit_pressure, such as 0.05')
+        return self
+
+
+class EyringTable(_ThinningStress):
+    """`[oil.shear]`, law = "eyring"; stress is Eyring's."""
+
+    law: Literal["eyring"]
+
+
+class BairWinerTable(_LimitingStress):
+    """`[oil.shear]`, law = "bair-winer"."""
+
+    law: Literal["bair-winer"]
+
+
+class LimitedEyringTable(_ThinningStress, _LimitingStress):
+    """`[oil.shear]`, law = "eyring-limited"; stress is Eyring's, exponent the paper's lambda."""
+
+    law: Literal["eyring-limited"]
+    exponent: PositiveNumber = 1.0
+
+
+class CarreauTable(_ThinningStress):
+    """`[oil.shear]`, law = "carreau"; stress is Carreau's modulus G, exponent his n."""
+
+    law: Literal["carreau"]
+    exponent: Annotated[float, Field(strict=True, gt=0, le=1)]
+
+
+ShearTable = NewtonianTable | EyringTable | BairWinerTable | LimitedEyringTable | CarreauTable
+"""`[oil.shear]`: how the oil shears; the laws are those of `FlowLaw`."""
+
+
+class HeatTable(Table):
+    """`[oil.heat]`: how the oil takes heat; the laws are those of `OilHeat`.
+
+    How viscosity falls with temperature is given by the exponent `s0` of Roelands' law or by its slope `beta`
+    at the inlet; for Barus' law by `beta`. What is left out does not depend on pressure or temperature.
     """
 
     inlet_temperature: units.Temperature
-    s0: PositiveNumber
-    eyring_stress: units.Pressure
-    limiting_stress: units.Pressure
-    expansivity: units.TemperatureCoefficient
-    expansivity_decay: units.PressureCoefficientOrZero
+    s0: PositiveNumber | None = None
+    beta: units.TemperatureCoefficient | None = None
     conductivity: units.Conductivity
-    conductivity_c1: units.PressureCoefficientOrZero
-    conductivity_c2: units.PressureCoefficientOrZero
     specific_heat: units.SpecificHeat
-    heat_capacity_b0: units.TemperatureCoefficient
-    heat_capacity_b1: units.PressureCoefficientAnySign
-    heat_capacity_b2: units.SquaredPressureCoefficient
-    heat_capacity_k1: units.PressureCoefficientOrZero
-    heat_capacity_k2: units.PressureCoefficientOrZero
+    expansivity: units.TemperatureCoefficientOrZero = 0.0
+    expansivity_decay: units.PressureCoefficientOrZero = 0.0
+    conductivity_c1: units.PressureCoefficientOrZero = 0.0
+    conductivity_c2: units.PressureCoefficientOrZero = 0.0
+    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
+    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
+    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
+    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
+    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
+
+    @field_validator("inlet_temperature")
+    @classmethod
+    def _above_the_pole(cls, kelvin: float) -> float:
+        if kelvin <= ROELANDS_POLE_TEMPERATURE:
+            raise ValueError('must be above -135.15 degC, the pole of viscosity, such as "60 degC"')
+        return kelvin
+
+    def heat(self, viscosity: Barus | Roelands) -> OilHeat:
+        """The laws of an oil of this viscosity."""
+        constants = self.model_dump(exclude={"s0", "beta"})
+        if isinstance(viscosity, Barus):
+            exponent = self.beta
+        elif self.s0 is not None:
+            exponent = self.s0
+        else:
+            exponent = viscosity.s0(self.beta, self.inlet_temperature)
+        return OilHeat(viscosity_exponent=exponent, **constants)
 
 
 class OilTable(Table):
@@ -170,11 +271,28 @@ class OilTable(Table):
     name: Text
     viscosity: Annotated[BarusTable | RoelandsTable, Field(discriminator="law")]
     density: Annotated[DensityTable | GeneralDensityTable, Field(discriminator="law")]
-    thermal: ThermalOilTable | None = None
+    shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
+    heat: HeatTable | None = None
+
+    @model_validator(mode="after")
+    def _one_exponent_of_temperature(self):
+        if self.heat is None:
+            return self
+        if self.viscosity.law == "barus" and (self.heat.beta is None or self.heat.s0 is not None):
+            raise ValueError("heat needs beta, and no s0, where viscosity.law is barus")
+        if (self.heat.s0 is None) == (self.heat.beta is None):
+            raise ValueError("heat needs either s0 or beta, one of the two")
+        return self
 
     def oil(self) -> Oil:
         """The oil as the kernel sees it."""
-        return Oil(self.viscosity.viscosity(), self.density.density())
+        viscosity = self.viscosity.viscosity()
+        return Oil(
+            viscosity=viscosity,
+            density=self.density.density(),
+            flow=None if self.shear is None else FlowLaw(**dict(self.shear)),
+            heat=None if self.heat is None else self.heat.heat(viscosity),
+        )
 
 
 # ------------------------------------------------------------------------------------------- drive
@@ -305,11 +423,23 @@ Published = dict[str, Annotated[PublishedValue, BeforeValidator(_published)]]
 
 
 class _CaseTable(Table):
+    """What all case files say; each kind has its own `bodies` besides."""
+
     title: Text
     source: Text
     accuracy: units.Share = 0.01
     oil: OilTable
     published: Published = {}
+
+    @model_validator(mode="after")
+    def _bodies_take_heat_with_the_oil(self):
+        for name, body in self.bodies:
+            for key in ("density", "conductivity", "specific_heat"):
+                if self.oil.heat is not None and getattr(body, key) is None:
+                    raise ValueError(f"bodies.{name}.{key} is missing; [oil.heat] asks for it")
+            if self.oil.heat is None and body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing without [oil.heat]")
+        return self
 
 
 class DriveCase(_CaseTable):

@@ -5,6 +5,9 @@ from typing import Literal
 
 import xarray as xr
 
+ZERO_CELSIUS = 273.15
+"""Temperature [K] of 0 degC."""
+
 
 @dataclass(frozen=True)
 class Estimate:
@@ -76,6 +79,14 @@ class Figures:
         a line contact, where it is the minimum film.
     dry : DryFigures or None
         The dry contact; None for a line contact, whose is Hertz's in closed form.
+    friction_coefficient, power_loss, shear_rate_max : Estimate or None
+        Friction over load along the sliding [-], work of the friction [W] (of a line contact for each length
+        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not looked at.
+    temperature_max_body_1, temperature_max_body_2, temperature_max_film : Estimate or None
+        Largest temperature of each surface and inside the film [K], the error relative to the rise over the
+        inlet temperature; None where heat was not simulated.
+    heat_balance : float or None
+        Heat given to the bodies and carried away by the oil, less the work of the friction, over that work.
     """
 
     film_min: Estimate
@@ -91,6 +102,13 @@ class Figures:
     film_exit_min: float | None = None
     film_exit_min_at: float | None = None
     dry: DryFigures | None = None
+    friction_coefficient: Estimate | None = None
+    power_loss: Estimate | None = None
+    shear_rate_max: Estimate | None = None
+    temperature_max_body_1: Estimate | None = None
+    temperature_max_body_2: Estimate | None = None
+    temperature_max_film: Estimate | None = None
+    heat_balance: float | None = None
 
 
 @dataclass(frozen=True)
@@ -131,12 +149,20 @@ class Solution:
         Scalars.
     fields : xarray.Dataset
         Fields over (y, x) in SI with units: gap, covered, dry_pressure, pressure, film,
-        entrainment_x, entrainment_y, sliding_x, sliding_y. Those of a line contact are over x, and have no
-        dry_pressure and nothing along y.
+        entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was looked at also
+        shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
+        flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
+        temperature_middle. Those of a line contact are over x, and have no dry_pressure and nothing along y.
     history : xarray.Dataset
         Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov.
     cost : Cost
         Time taken.
+    inlet_temperature : float or None
+        Temperature of the oil at the inlet [K]; None where heat was not simulated.
+    profile : xarray.Dataset or None
+        Over level, across the film at its hottest point: level_position, profile_temperature,
+        profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
+        None where heat was not simulated.
     """
 
     name: str
@@ -149,12 +175,15 @@ class Solution:
     fields: xr.Dataset
     history: xr.Dataset
     cost: Cost
+    inlet_temperature: float | None = None
+    profile: xr.Dataset | None = None
 
     def summary(self) -> dict:
-        """The scalars of this solution as one flat object, units in the keys.
+        """The scalars of this solution as one object, units in the keys.
 
-        Places and grids are lists with an entry for each direction, [x, y] or [x]. What a line contact does
-        not have (its own minimum at the exit, a dry contact other than Hertz's) has no key.
+        Places and grids are lists with an entry for each direction, [x, y] or [x]; temperatures are objects
+        with an entry for each body and the film. What a line contact does not have (its own minimum at the
+        exit, a dry contact other than Hertz's) and what was not simulated has no key.
         """
         figures = self.figures
         return {
@@ -170,6 +199,8 @@ class Solution:
             **_flat("film_central", "m", figures.film_central),
             **_flat("pressure_max", "Pa", figures.pressure_max),
             **self._point_summary(),
+            **self._shear_summary(),
+            **self._heat_summary(),
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
             "grid": [self.fields.sizes[axis] for axis in ("x", "y") if axis in self.fields.sizes],
@@ -193,15 +224,51 @@ class Solution:
             "dry_approach_m": figures.dry.approach,
         }
 
+    def _shear_summary(self) -> dict[str, float]:
+        """The scalars of the film's shear."""
+        figures = self.figures
+        if figures.friction_coefficient is None:
+            return {}
+        return {
+            **_flat("friction_coefficient", "", figures.friction_coefficient),
+            **_flat("power_loss", POWER_UNITS[self.kind], figures.power_loss),
+            **_flat("shear_rate_max", "1_s", figures.shear_rate_max),
+        }
+
+    def _heat_summary(self) -> dict[str, dict[str, float] | float]:
+        """The scalars of heat; errors of temperatures in kelvin."""
+        figures = self.figures
+        if figures.temperature_max_film is None:
+            return {}
+        largest = {
+            "body_1": figures.temperature_max_body_1,
+            "body_2": figures.temperature_max_body_2,
+            "film": figures.temperature_max_film,
+        }
+        return {
+            "inlet_temperature_C": self.inlet_temperature - ZERO_CELSIUS,
+            "temperature_max_C": {
+                place: estimate.value - ZERO_CELSIUS for place, estimate in largest.items()
+            },
+            "temperature_max_error_K": {
+                place: estimate.error * abs(estimate.value - self.inlet_temperature)
+                for place, estimate in largest.items()
+            },
+            "heat_balance": figures.heat_balance,
+        }
+
 
 LOAD_KEYS = {"point": "load_N", "line": "load_per_length_N_m"}
 """Kind of contact -> what its load is called in summaries."""
+
+POWER_UNITS = {"point": "W", "line": "per_length_W_m"}
+"""Kind of contact -> unit of its power in the keys of summaries."""
 
 
 def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
     """A figure, its error bar and the parts of that under flat names."""
     return {
-        f"{name}_{unit}": estimate.value,
+        f"{name}_{unit}" if unit else name: estimate.value,
         f"{name}_error": estimate.error,
         **{
             f"{name}_error_{part}": getattr(estimate, part)

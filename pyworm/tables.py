@@ -43,6 +43,33 @@ _FIGURES = (
     ("Minimum film", "film_min_m", 1e6, "µm", "film_min_error", "film_min"),
     ("Minimum film on the centre line", "film_exit_min_m", 1e6, "µm", None, "film_exit_min"),
     ("  along it at", "film_exit_min_at_m", 1e3, "mm", None, "film_exit_min_at"),
+    (
+        "Friction coefficient",
+        "friction_coefficient",
+        1.0,
+        "",
+        "friction_coefficient_error",
+        "friction_coefficient",
+    ),
+    ("Power loss", "power_loss_W", 1.0, "W", "power_loss_error", "power_loss"),
+    (
+        "Power loss per length",
+        "power_loss_per_length_W_m",
+        1e-3,
+        "kW/m",
+        "power_loss_error",
+        "power_loss",
+    ),
+    (
+        "Largest shear rate",
+        "shear_rate_max_1_s",
+        1.0,
+        "1/s",
+        "shear_rate_max_error",
+        "shear_rate_max",
+    ),
+    ("Inlet temperature", "inlet_temperature_C", 1.0, "°C", None, "inlet_temperature"),
+    ("Heat balance", "heat_balance", 100.0, "%", None, None),
     ("Moes' load parameter M", "moes_M", 1.0, "", None, None),
     ("Moes' lubricant parameter L", "moes_L", 1.0, "", None, None),
     ("Load error", "load_error", 100.0, "%", None, None),
@@ -51,6 +78,10 @@ _FIGURES = (
     ("Time", "seconds", 1.0, "s", None, None),
     ("Convolutions", "convolutions", 1.0, "", None, None),
 )
+
+
+HOT_PLACES = {"body_1": "body 1", "body_2": "body 2", "film": "the film"}
+"""Key of a largest temperature in summaries -> what it is of."""
 
 
 def figures_table(
@@ -72,17 +103,23 @@ def figures_table(
     table.add_column("Value", justify="right")
     if published:
         table.add_column("Published", justify="right")
+
+    def add(label: str, value: str, name: str | None) -> None:
+        printed = published[name].text if name in published else ""
+        table.add_row(label, value, *([printed] if published else []))
+
     for label, key, scale, unit, error_key, name in _FIGURES:
-        if key not in figures:
+        if figures.get(key) is None:
             continue
-        cells = [label, _value(figures[key] * scale, unit, figures.get(error_key))]
-        if published:
-            cells.append(published[name].text if name in published else "")
-        table.add_row(*cells)
+        add(label, _value(figures[key] * scale, unit, figures.get(error_key)), name)
         if key == "film_min_m":
             place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
             table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
             table.add_row("  which is", summary["film_min_kind"])
+        if key == "inlet_temperature_C":
+            for place, of in HOT_PLACES.items():
+                name = f"temperature_max_{place}"
+                add(f"Largest temperature of {of}", _temperature(summary, place), name)
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
     return table
@@ -114,6 +151,31 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
             f"{values['seconds']:.1f}",
             "yes" if values["converged"] else "NO",
         )
+    return table
+
+
+def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
+    """Friction, and temperatures where heat was simulated, a row a scene; arguments as `scenes_table`.
+
+    The error bar of the temperatures is the largest of the three.
+    """
+    heated = all("temperature_max_C" in values for values in summaries)
+    table = Table("Scene", title="Friction and heat of all scenes", title_justify="left")
+    headings = ["Friction", "± %", "Loss\nW"]
+    if heated:
+        headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
+    for heading in headings:
+        table.add_column(heading, justify="right")
+    for scene, values in zip(scenes, summaries, strict=True):
+        cells = [
+            f"{values['friction_coefficient']:.4g}",
+            f"{values['friction_coefficient_error'] * 100:.2g}",
+            f"{values['power_loss_W']:.4g}",
+        ]
+        if heated:
+            cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
+            cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
+        table.add_row(scene.name if scene.phase is None else f"{scene.phase:g}", *cells)
     return table
 
 
@@ -153,6 +215,11 @@ def _title(scene: Scene | LineScene) -> str:
 def _value(value: float, unit: str, error: float | None = None) -> str:
     text = f"{value:.4g} {unit}".rstrip()
     return text if error is None else f"{text} ± {error * 100:.2g} %"
+
+
+def _temperature(summary: Mapping[str, Any], place: str) -> str:
+    value, error = (summary[key][place] for key in ("temperature_max_C", "temperature_max_error_K"))
+    return f"{value:.1f} °C ± {error:.2g} K"
 
 
 def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:

@@ -129,6 +129,8 @@ Speed = quantity("a speed of rotation", "rad/s", "1500 rpm")
 Spin = quantity("a speed of rotation", "rad/s", "-20 rad/s", "any")
 Velocity = quantity("a velocity", "m/s", "1.2 m/s", "any")
 Pressure = quantity("a pressure", "Pa", "207 GPa")
+Stress = quantity("a stress", "Pa", "3 MPa")
+StressOrZero = quantity("a stress", "Pa", "100 MPa", sign="not negative")
 PressureCoefficient = quantity("a pressure coefficient", "1/Pa", "9.5 1/GPa")
 PressureCoefficientOrZero = quantity(
     "a pressure coefficient", "1/Pa", "9.5 1/GPa", sign="not negative"
@@ -140,7 +142,11 @@ SquaredPressureCoefficient = quantity(
 Viscosity = quantity("a dynamic viscosity", "Pa s", "0.23 Pa s")
 MassDensity = quantity("a density", "kg/m^3", "1025 kg/m^3")
 Temperature = quantity("a temperature", "K", "60 degC")
-TemperatureCoefficient = quantity("a temperature coefficient", "1/K", "7.1e-4 1/K")
+TemperatureCoefficient = quantity("a temperature coefficient", "1/K", "0.05 1/K")
+TemperatureCoefficientOrZero = quantity(
+    "a temperature coefficient", "1/K", "7.1e-4 1/K", sign="not negative"
+)
+TemperatureCoefficientAnySign = quantity("a temperature coefficient", "1/K", "3.4e-4 1/K", "any")
 Conductivity = quantity("a thermal conductivity", "W/(m K)", "47 W/(m K)")
 SpecificHeat = quantity("a specific heat", "J/(kg K)", "477 J/(kg K)")
 Share = Annotated[float, PlainValidator(lambda value: parse(value, SHARE))]

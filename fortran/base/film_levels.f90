@@ -30,14 +30,14 @@ contains
 
     call lobatto(count, point, weight)
     levels%count = count
-    levels%z = point/2
-    levels%weight = weight/2
+    allocate (levels%z(count), levels%weight(count), levels%stiffness(count, count), levels%integral(count, count))
+    levels%z(:) = point/2
+    levels%weight(:) = weight/2
     do l = 1, count
       do k = 1, count
         slope(k, l) = 2*lagrange_slope(point, l, k)
       end do
     end do
-    allocate (levels%stiffness(count, count), levels%integral(count, count))
     do l = 1, count
       do k = 1, count
         levels%stiffness(k, l) = sum(levels%weight*slope(:, k)*slope(:, l))

@@ -34,6 +34,8 @@ module multigrid
     real(pp), allocatable :: along(:, :), across(:, :)
     !> Mobility, and what multiplies a pressure change in the change of mobility and of rho h.
     real(pp), allocatable :: m(:, :), dm(:, :), dq(:, :)
+    !> Mobility towards the next line where it is another than within a line.
+    real(pp), allocatable :: m_across(:, :)
     !> Pressure, and 1 where it is free to change, else 0.
     real(pp), allocatable :: p(:, :), free(:, :)
     type(five_points) :: matrix
@@ -177,12 +179,8 @@ contains
     integer, intent(out) :: stat
     integer :: l, stride
 
-    call orient(self%transposed, fields%mobility, self%level(1)%m)
+    call set_mobility(self, fields)
     do l = 1, size(self%level)
-      if (l > 1) then
-        self%level(l)%m = self%level(l - 1)%m(::2, ::2)
-        call restrict(self%level(l - 1)%m, self%level(l)%m)
-      end if
       stride = 2**(l - 1)
       associate (level => self%level(l))
         call orient(self%transposed, fields%p(::stride, ::stride), level%p)
@@ -191,16 +189,49 @@ contains
         call orient(self%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
           + level%compliance*fields%rho(::stride, ::stride), level%dq)
         call orient(self%transposed, merge(1.0_wp, 0.0_wp, free(::stride, ::stride)), level%free)
-        call set_matrix(level)
+        if (allocated(level%m_across)) then
+          call set_matrix(level, level%m_across)
+        else
+          call set_matrix(level, level%m)
+        end if
         if (l < size(self%level)) call factor_lines(level%matrix, level%factors)
       end associate
     end do
     call factor_coarsest(self, stat)
   end subroutine set_film_multigrid
 
+  !> Mobility on every level, in one direction or in both.
+  subroutine set_mobility(self, fields)
+    type(film_multigrid), intent(inout) :: self
+    type(film_fields), intent(in) :: fields
+    integer :: l
+
+    if (.not. allocated(fields%mobility_y)) then
+      call orient(self%transposed, fields%mobility, self%level(1)%m)
+    else
+      if (.not. allocated(self%level(1)%m_across)) self%level(1)%m_across = self%level(1)%m
+      if (self%transposed) then
+        call orient(.true., fields%mobility_y, self%level(1)%m)
+        call orient(.true., fields%mobility, self%level(1)%m_across)
+      else
+        call orient(.false., fields%mobility, self%level(1)%m)
+        call orient(.false., fields%mobility_y, self%level(1)%m_across)
+      end if
+    end if
+    do l = 2, size(self%level)
+      self%level(l)%m = self%level(l - 1)%m(::2, ::2)
+      call restrict(self%level(l - 1)%m, self%level(l)%m)
+      if (allocated(self%level(1)%m_across)) then
+        self%level(l)%m_across = self%level(l - 1)%m_across(::2, ::2)
+        call restrict(self%level(l - 1)%m_across, self%level(l)%m_across)
+      end if
+    end do
+  end subroutine set_mobility
+
   !> The five-point matrix of the local model; rows where pressure is not free are those of the identity.
-  subroutine set_matrix(level)
+  subroutine set_matrix(level, m_across)
     type(grid_level), intent(inout) :: level
+    real(pp), intent(in) :: m_across(:, :)
     real(pp) :: leave(level%length), enter(level%length)
     integer :: i, j, n
 
@@ -217,11 +248,11 @@ contains
           a%left(i, j) = -leave(i - 1)*free(i - 1, j)
         end do
         ! through the faces towards the next line, and from the one before
-        call face_flow(m(:, j), m(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), dq(:, j), dq(:, j + 1), &
+        call face_flow(m_across(:, j), m_across(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), dq(:, j), dq(:, j + 1), &
           level%across(:, j), 1/level%d_across, leave, enter)
         a%centre(:, j) = a%centre(:, j) + leave
         a%after(:, j) = -enter*free(:, j + 1)
-        call face_flow(m(:, j - 1), m(:, j), p(:, j - 1), p(:, j), dm(:, j - 1), dm(:, j), dq(:, j - 1), dq(:, j), &
+        call face_flow(m_across(:, j - 1), m_across(:, j), p(:, j - 1), p(:, j), dm(:, j - 1), dm(:, j), dq(:, j - 1), dq(:, j), &
           level%across(:, j - 1), 1/level%d_across, leave, enter)
         a%centre(:, j) = a%centre(:, j) + enter
         a%before(:, j) = -leave*free(:, j - 1)

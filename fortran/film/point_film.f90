@@ -1,4 +1,4 @@
-!> The isothermal Newtonian film of a point contact: one Newton step at a time.
+!> The film of a point contact at a given temperature: one Newton step at a time.
 !>
 !> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
 !> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
@@ -9,15 +9,18 @@ module point_film
   use kinds, only: wp
   use krylov, only: linear_system, gmres
   use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  use flow_laws, only: flow_law
   use oil_laws, only: oil_law
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
     flow_imbalance_change
+  use sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
+    sheared_imbalance_change
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
   use vectors, only: total
   implicit none(type, external)
   private
 
-  public :: point_contact, new_point_contact, film_residual, film_step
+  public :: point_contact, new_point_contact, shear_point_contact, film_residual, film_step
 
   !> Most Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 24
@@ -32,6 +35,8 @@ module point_film
     type(elastic_half_space) :: space
     type(film_multigrid) :: cycles
     type(film_fields) :: fields
+    !> The flow across the film where the oil is not Newtonian or not of one temperature.
+    type(sheared_film), allocatable :: shear
     !> Undeformed gap [m]; true where both surfaces exist.
     real(wp), allocatable :: gap(:, :)
     logical, allocatable :: covered(:, :)
@@ -97,6 +102,26 @@ contains
     if (err /= 0) stat = status_no_memory
   end subroutine new_point_contact
 
+  !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
+  !>
+  !> `sliding` is the nodal velocity of body 2 relative to body 1 [m/s].
+  subroutine shear_point_contact(self, law, levels, sliding_x, sliding_y, stat)
+    type(point_contact), intent(inout) :: self
+    type(flow_law), intent(in) :: law
+    integer, intent(in) :: levels
+    real(wp), intent(in) :: sliding_x(:, :), sliding_y(:, :)
+    integer, intent(out) :: stat
+    integer :: err
+
+    stat = status_not_finite
+    if (.not. all(abs(sliding_x) + abs(sliding_y) <= huge(1.0_wp))) return
+    allocate (self%shear)
+    call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
+    if (stat /= status_ok) return
+    allocate (self%fields%mobility_y(self%grid%nx, self%grid%ny), source=0.0_wp, stat=err)
+    if (err /= 0) stat = status_no_memory
+  end subroutine shear_point_contact
+
   !> Mean of each node and the next along x; the last column is not used.
   pure function face_mean_x(a) result(mean)
     real(wp), intent(in) :: a(:, :)
@@ -126,8 +151,13 @@ contains
     self%fields%p = p
     call self%space%deflection(p, self%fields%h)
     self%fields%h = self%fields%h + self%gap + h0
-    call set_film_fields(self%oil, self%floor, self%fields)
-    call flow_imbalance(self%grid, self%fields, self%imbalance)
+    if (allocated(self%shear)) then
+      call set_sheared_fields(self%grid, self%oil, self%floor, self%shear, self%fields)
+      call sheared_imbalance(self%grid, self%shear, self%fields, self%imbalance)
+    else
+      call set_film_fields(self%oil, self%floor, self%fields)
+      call flow_imbalance(self%grid, self%fields, self%imbalance)
+    end if
     self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
     residual = sum(abs(self%imbalance), mask=self%free)/self%wedge
     load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
@@ -213,11 +243,24 @@ contains
     ! start and dh are free at this point of a step
     self%start = 0
     self%dh = 1
-    call flow_imbalance_change(self%grid, self%fields, self%start, self%dh, self%softness)
+    call imbalance_change(self, self%start, self%dh, self%softness)
     self%start = self%softness
     call film_cycle(self%cycles, self%start, self%softness)
     self%softness_load = total(self%softness)
   end subroutine set_softness
+
+  !> Change of the imbalance for a small change of pressure and film.
+  subroutine imbalance_change(self, dp, dh, change)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    real(wp), contiguous, intent(out) :: change(:, :)
+
+    if (allocated(self%shear)) then
+      call sheared_imbalance_change(self%grid, self%shear, self%fields, dp, dh, change)
+    else
+      call flow_imbalance_change(self%grid, self%fields, dp, dh, change)
+    end if
+  end subroutine imbalance_change
 
   !> The Jacobian: (change of pressure, of h0) to (change of imbalance, of load).
   subroutine multiply(self, x, y)
@@ -232,7 +275,7 @@ contains
     dr(1:self%grid%nx, 1:self%grid%ny) => y(:n)
     call self%space%deflection(dp, self%dh)
     self%dh = self%dh + x(n + 1)
-    call flow_imbalance_change(self%grid, self%fields, dp, self%dh, dr)
+    call imbalance_change(self, dp, self%dh, dr)
     where (.not. self%free) dr = 0
     y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*self%load_weight
   end subroutine multiply

@@ -11,6 +11,7 @@ module reynolds
   private
 
   public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
+  public :: add_wedge, clear_outline
 
   !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
   type :: film_grid
@@ -30,6 +31,8 @@ module reynolds
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
+    !> Mobility along y where it is another than along x (`sheared_reynolds`).
+    real(wp), allocatable :: mobility_y(:, :)
     !> Scratch: rho h, or its change, and the change of the mobility.
     real(wp), allocatable :: mass(:, :), mobility_change(:, :)
   end type film_fields

@@ -5,14 +5,18 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from pyworm.plots.across_film import draw_across_film
 from pyworm.plots.cycle import draw_cycle
 from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
+from pyworm.plots.friction import draw_friction
 from pyworm.plots.gap import draw_gap
 from pyworm.plots.history import draw_history
+from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.temperature import draw_temperature
 from pyworm.result import Result, open_result
 
 DOTS_PER_INCH = 150
@@ -25,10 +29,26 @@ SCENE_PICTURES = {
         "entrainment": draw_entrainment,
         "profiles": draw_profiles,
         "history": draw_history,
+        "friction": draw_friction,
+        "temperature": draw_temperature,
+        "across_film": draw_across_film,
     },
-    "line": {"profiles": draw_line_profiles, "history": draw_history},
+    "line": {
+        "profiles": draw_line_profiles,
+        "history": draw_history,
+        "friction": draw_line_friction,
+        "temperature": draw_line_temperature,
+        "across_film": draw_across_film,
+    },
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
+
+SHOWS = {
+    "friction": lambda solution: solution.figures.friction_coefficient,
+    "temperature": lambda solution: solution.figures.temperature_max_film,
+    "across_film": lambda solution: solution.profile,
+}
+"""Name of a picture that not every solution has -> what it shows, None where it was not simulated."""
 
 
 def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> list[Path]:
@@ -53,6 +73,8 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
     written = []
     for number, solution in enumerate(result.solutions):
         for name, picture in SCENE_PICTURES[solution.kind].items():
+            if name in SHOWS and SHOWS[name](solution) is None:
+                continue
             path = directory / f"scene_{number:03d}_{name}.png"
             written.append(_write(picture(result.case_name, solution), path))
     if result.mesh_cycle is not None:

@@ -8,17 +8,19 @@ from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure
 from pyworm.result import Result
-from pyworm.solution import Solution
+from pyworm.solution import ZERO_CELSIUS, Solution
 
 
 def draw_cycle(result: Result) -> Figure:
-    """Transmission error, radii, contact point, and film and pressure where they were solved."""
+    """Transmission error, radii, contact point; film, pressure, friction and temperatures where solved."""
     cycle = result.mesh_cycle
     solved = sorted(
         (solution for solution in result.solutions if solution.phase is not None),
         key=lambda solution: solution.phase,
     )
-    rows = 4 if solved else 3
+    sheared = [one for one in solved if one.figures.friction_coefficient is not None]
+    heated = [one for one in solved if one.figures.temperature_max_film is not None]
+    rows = 3 + sum(bool(some) for some in (solved, sheared, heated))
     figure = new_figure(8, 2.3 * rows + 0.6, f"{result.case_name}  ·  mesh cycle")
     axes = figure.subplots(rows, sharex=True)
     _draw_transmission_error(axes[0], cycle)
@@ -26,6 +28,10 @@ def draw_cycle(result: Result) -> Figure:
     _draw_contact_point(axes[2], cycle)
     if solved:
         _draw_solutions(axes[3], solved)
+    if sheared:
+        _draw_friction(axes[4], sheared)
+    if heated:
+        _draw_temperatures(axes[-1], heated)
     for panel in axes:
         panel.grid(True, color="0.9")
     axes[-1].set_xlabel("phase of the mesh cycle")
@@ -86,3 +92,41 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     pressure_axes.set_ylim(0, 1.08 * max(pressure))
     pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
     axes.legend(frameon=False, ncols=2, loc="lower left")
+
+
+def _draw_friction(axes: Axes, sheared: list[Solution]) -> None:
+    """Friction coefficient with its error bars, and power loss on its own scale."""
+    phase = np.array([solution.phase for solution in sheared])
+    estimates = [solution.figures.friction_coefficient for solution in sheared]
+    friction = np.array([estimate.value for estimate in estimates])
+    error = abs(friction) * [estimate.error for estimate in estimates]
+    axes.errorbar(phase, friction, error, fmt="o-", color="tab:purple", capsize=3)
+    axes.set_ylim(0, 1.3 * max(friction))
+    axes.set_ylabel("friction\ncoefficient", color="tab:purple")
+    power_axes = axes.twinx()
+    power = [solution.figures.power_loss.value for solution in sheared]
+    power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
+    power_axes.set_ylim(0, 1.08 * max(power))
+    power_axes.set_ylabel("power loss\n/ W", color="tab:red")
+
+
+def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
+    """Largest temperatures with their error bars, and the inlet's."""
+    phase = np.array([solution.phase for solution in heated])
+    inlet = np.array([solution.inlet_temperature for solution in heated])
+    for name, label, colour in (
+        ("temperature_max_body_1", "body 1", "tab:blue"),
+        ("temperature_max_body_2", "body 2", "tab:orange"),
+        ("temperature_max_film", "film", "tab:red"),
+    ):
+        estimates = [getattr(solution.figures, name) for solution in heated]
+        hottest = np.array([estimate.value for estimate in estimates])
+        error = abs(hottest - inlet) * [estimate.error for estimate in estimates]
+        axes.errorbar(
+            phase, hottest - ZERO_CELSIUS, error, fmt="o-", color=colour, capsize=3, label=label
+        )
+    axes.plot(phase, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
+    axes.set_ylabel("largest\ntemperature / °C")
+    axes.legend(frameon=False, ncols=4, loc="upper left")

@@ -1,9 +1,10 @@
 """Pressure and film of a line contact across the line."""
 
 import numpy as np
+import xarray as xr
 from matplotlib.figure import Figure
 
-from pyworm.formulas.hertz import hertz_line
+from pyworm.formulas.hertz import HertzLine, hertz_line
 from pyworm.plots.film import thickest_shown
 from pyworm.plots.profiles import draw_profile
 from pyworm.plots.style import MICRO, MILLI, heading, new_figure
@@ -19,20 +20,26 @@ MARGIN = 0.1
 def draw_line_profiles(case_name: str, solution: Solution) -> Figure:
     """Film pressure, Hertz pressure (dashed) and film."""
     fields = solution.fields
-    contact = hertz_line(
-        *(fields.attrs[name] for name in ("radius_m", "load_per_length_N_m", "reduced_modulus_Pa"))
-    )
+    contact = hertz_of(fields)
     figure = new_figure(9, 4.8, heading(case_name, solution))
     axes = figure.subplots()
     handles = draw_profile(axes, fields, "x", contact.pressure, thickest_shown(solution) * MICRO)
-    axes.set_xlim(*_shown(fields["x"].values, fields["pressure"].values, contact.half_width))
+    axes.set_xlim(*shown(fields))
     axes.set_xlabel("x / mm")
     figure.legend(handles=handles, loc="outside lower center", ncols=4, frameon=False)
     return figure
 
 
-def _shown(x: np.ndarray, pressure: np.ndarray, half_width: float) -> tuple[float, float]:
-    """Ends of the picture [mm]: the dry contact and all but the faintest pressure, within the grid."""
+def hertz_of(fields: xr.Dataset) -> HertzLine:
+    """The Hertz contact of the line contact that the fields belong to."""
+    scene = fields.attrs
+    return hertz_line(scene["radius_m"], scene["load_per_length_N_m"], scene["reduced_modulus_Pa"])
+
+
+def shown(fields: xr.Dataset) -> tuple[float, float]:
+    """Ends of pictures [mm]: the dry contact and all but the faintest pressure, within the grid."""
+    x, pressure = fields["x"].values, fields["pressure"].values
+    half_width = hertz_of(fields).half_width
     loaded = np.append(x[pressure > SHOWN * pressure.max()], [-half_width, half_width])
     margin = MARGIN * np.ptp(loaded)
     return (

@@ -36,6 +36,9 @@ LINE = 0.22
 LETTERS_PER_INCH = 10
 """Letters of a heading that fit into an inch."""
 
+TITLE_LINE, TITLE_LETTERS_PER_INCH = 0.17, 13
+"""The same of the title of a panel."""
+
 
 LOAD_UNITS = {"point": "N", "line": "N/m"}
 """Unit of the load of each kind of contact."""
@@ -142,13 +145,18 @@ def _slice(coordinate: np.ndarray, low: float, high: float) -> slice:
 
 
 def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, list[Axes]]:
-    """Panels of one window, side by side or, if it is wide, stacked.
+    """Panels of one window, side by side or, if it is wide, stacked; more than two are smaller.
 
     Placed by hand: automatic layouts lose labels where the aspect of a panel is fixed.
     """
     width, height = window.panel_size
-    cell_width, cell_height = LEFT + width + RIGHT, BOTTOM + height + TOP
     columns = 1 if width >= 1.3 * height else len(titles)
+    shrunk = min(1, 1.5 * LONG_SIDE / (columns * width)) if columns > 1 else 1
+    width, height = width * shrunk, height * shrunk
+    cell_width = LEFT + width + RIGHT
+    titles = [fill(title, int(TITLE_LETTERS_PER_INCH * cell_width)) for title in titles]
+    top = TOP + TITLE_LINE * max(title.count("\n") for title in titles)
+    cell_height = BOTTOM + height + top
     rows = len(titles) // columns
     heading = fill(heading, int(LETTERS_PER_INCH * columns * cell_width))
     head = LINE * (heading.count("\n") + 1) + 0.1
@@ -181,9 +189,15 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
 def colour_bar(axes: Axes, mappable: ScalarMappable, label: str) -> Colorbar:
     """A colour bar beside a panel, as tall as it."""
     figure = axes.get_figure()
-    width = axes.get_position().width * figure.get_figwidth()
+    width, _ = _size(axes)
     bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
     return figure.colorbar(mappable, cax=bar_axes, label=label)
+
+
+def _size(axes: Axes) -> tuple[float, float]:
+    """Width and height of a panel [inch]."""
+    figure, place = axes.get_figure(), axes.get_position()
+    return place.width * figure.get_figwidth(), place.height * figure.get_figheight()
 
 
 def new_figure(width: float, height: float, heading: str) -> Figure:
@@ -236,6 +250,52 @@ def draw_tooth(axes: Axes, fields: xr.Dataset) -> None:
             color="0.25",
             linewidth=1.5,
         )
+
+
+ARROWS = 24
+"""Arrows on a panel, about."""
+
+STANDSTILL = 1e-3
+"""Share of the largest value below which a vector has no arrow."""
+
+
+def draw_arrows(axes: Axes, u: xr.DataArray, v: xr.DataArray) -> None:
+    """Arrows of one length in the direction of a vector field, none where it is nearly zero.
+
+    Parameters
+    ----------
+    axes : Axes
+        A panel made by `panels`.
+    u, v : xarray.DataArray
+        Components along x and y; no arrow where they are NaN.
+    """
+    width, height = _size(axes)
+    step = np.sqrt(width * height / ARROWS)
+    sides = ((axes.get_xlim(), width), (axes.get_ylim(), height))
+    x, y = (
+        low + (high - low) * (np.arange(count) + 0.5) / count
+        for (low, high), count in ((limits, max(1, round(side / step))) for limits, side in sides)
+    )
+    u, v = (
+        part.interp(x=x / MILLI, y=y / MILLI).transpose("y", "x").values.ravel() for part in (u, v)
+    )
+    size = np.hypot(u, v)
+    moving = size > STANDSTILL * np.nanmax(size, initial=0)
+    # As long as this looks where the panel is stretched along y.
+    stretched = np.stack([u, v * axes.get_aspect()])[:, moving]
+    at = [part.ravel()[moving] for part in np.meshgrid(x, y)]
+    axes.quiver(
+        *at,
+        *(stretched / np.hypot(*stretched)),
+        pivot="middle",
+        units="inches",
+        scale=2.5 / step,
+        width=0.022,
+        color="white",
+        edgecolor="black",
+        linewidth=0.5,
+        zorder=3,
+    )
 
 
 def draw_contact_point(axes: Axes) -> None:

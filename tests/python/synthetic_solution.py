@@ -1,10 +1,11 @@
 """Made-up but plausible solutions, for tests of what reads solutions."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import acos, cos, pi, sin
 
 import numpy as np
 import xarray as xr
+from scipy.interpolate import RegularGridInterpolator
 
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.result import Result, mesh_cycle_dataset
@@ -226,3 +227,178 @@ def make_result():
         mesh_cycle=make_mesh_cycle(),
         provenance={"pyworm_version": "0.1", "effects": ["elastic"], "tolerances": {"load": 1e-6}},
     )
+
+
+INLET = 333.15
+"""Temperature of the oil at the inlet of heated solutions [K]."""
+
+LEVELS = -0.5 * np.cos(np.pi * np.arange(9) / 8)
+"""Places across the film of a profile."""
+
+
+def with_heat(solution, velocity_1=(4.4, 0.4), velocity_2=(-0.3, -1.1), spin=40.0, traction=0.012):
+    """A point contact that slides, with its friction and its heat.
+
+    The surfaces move with these velocities [m/s], body 1 also with a spin [rad/s]. The shear stress is a
+    share of the pressure; half its work goes into each surface, and from there only into the depth.
+    """
+    fields = solution.fields
+    x, y = fields["x"].values, fields["y"].values[:, None]
+    motions = (velocity_1[0] - spin * y + 0 * x, velocity_1[1] + spin * x + 0 * y), velocity_2
+    (u1, v1), (u2, v2) = motions
+    sliding = np.hypot(u1 - u2, v1 - v2)
+    stress = traction * fields["pressure"].values
+    power = stress * sliding
+    surfaces = [_flash(x, y[:, 0], power / 2, motion) for motion in motions]
+    film = fields["film"].values
+    middle = sum(surfaces) / 2 + power * film / (8 * 0.15)
+    mobility = film**3 / (12 * 0.227 * np.exp(9.5e-9 * fields["pressure"].values))
+    values = {
+        "entrainment_x": (u1 + u2) / 2,
+        "entrainment_y": (v1 + v2) / 2,
+        "sliding_x": u1 - u2,
+        "sliding_y": v1 - v2,
+        "shear_stress_x": stress * (u2 - u1) / sliding,
+        "shear_stress_y": stress * (v2 - v1) / sliding,
+        "shear_rate": 2 * sliding / np.maximum(film, 1e-9),
+        "friction_power": power,
+        "slip": np.where(stress > 0.97 * stress.max(), 1, 0),
+        "flow_factor_sliding": 3 * mobility,
+        "flow_factor_across": mobility,
+        "temperature_body_1": surfaces[0],
+        "temperature_body_2": surfaces[1],
+        "temperature_middle": middle,
+    }
+    row, column = np.unravel_index(np.argmax(middle), middle.shape)
+    walls = [
+        tuple(float(np.broadcast_to(part, middle.shape)[row, column]) for part in motion)
+        for motion in motions
+    ]
+    profile = make_profile(
+        (x[column], y[row, 0]),
+        walls,
+        [surface[row, column] for surface in surfaces],
+        middle[row, column],
+    )
+    cell = (x[1] - x[0]) * (y[1, 0] - y[0, 0])
+    figures = _heated_figures(
+        solution, stress.sum() * cell / solution.load, power.sum() * cell, values
+    )
+    changed = describe(fields.assign({name: (("y", "x"), of) for name, of in values.items()}))
+    return replace(
+        solution, figures=figures, fields=changed, inlet_temperature=INLET, profile=profile
+    )
+
+
+def line_with_heat(solution, velocities=(0.9, 0.1), traction=0.05):
+    """The same of a line contact between surfaces of these velocities [m/s]."""
+    fields = solution.fields
+    x = fields["x"].values
+    sliding = velocities[0] - velocities[1]
+    stress = traction * fields["pressure"].values
+    power = stress * sliding
+    spread = np.array([-1e-3, 0.0, 1e-3])
+    surfaces = [
+        _flash(x, spread, np.tile(power / 2, (3, 1)), (velocity, 0.0))[1] for velocity in velocities
+    ]
+    film = fields["film"].values
+    middle = sum(surfaces) / 2 + power * film / (8 * 0.15)
+    values = {
+        "entrainment_x": np.full(x.size, sum(velocities) / 2),
+        "sliding_x": np.full(x.size, sliding),
+        "shear_stress_x": -stress,
+        "shear_rate": 2 * sliding / np.maximum(film, 1e-9),
+        "friction_power": power,
+        "slip": np.zeros(x.size),
+        "flow_factor_sliding": film**3,
+        "temperature_body_1": surfaces[0],
+        "temperature_body_2": surfaces[1],
+        "temperature_middle": middle,
+    }
+    hot = np.argmax(middle)
+    walls = [(velocity,) for velocity in velocities]
+    profile = make_profile((x[hot],), walls, [part[hot] for part in surfaces], middle[hot])
+    step = x[1] - x[0]
+    figures = _heated_figures(
+        solution, stress.sum() * step / solution.load, power.sum() * step, values
+    )
+    changed = describe(fields.assign({name: ("x", of) for name, of in values.items()}))
+    return replace(
+        solution, figures=figures, fields=changed, inlet_temperature=INLET, profile=profile
+    )
+
+
+def make_profile(place, walls, surfaces, middle):
+    """Temperature and velocity across the film: a parabola, and a glide between two walls."""
+    share = LEVELS + 0.5
+    bulge = middle - sum(surfaces) / 2
+    temperature = (
+        surfaces[0] + (surfaces[1] - surfaces[0]) * share + 4 * bulge * share * (1 - share)
+    )
+    glide = share + 0.1 * np.sin(2 * pi * share)
+    variables = {"profile_temperature": ("level", temperature)}
+    for axis, at, first, second in zip("xy", place, *walls, strict=False):
+        variables[f"profile_velocity_{axis}"] = ("level", first + (second - first) * glide)
+        variables[f"profile_{axis}"] = float(at)
+    return describe(xr.Dataset(variables, coords={"level_position": ("level", LEVELS)}))
+
+
+def _flash(x, y, heat, motion):
+    """Surface temperature [K] behind a heat flux [W/m2], of a half-space of steel that moves under it."""
+    u, v = (np.broadcast_to(part, heat.shape) for part in motion)
+    speed = np.hypot(u, v)
+    reach = 2 * np.hypot(np.ptp(x), np.ptp(y))
+    flux = RegularGridInterpolator((y, x), heat, bounds_error=False, fill_value=0.0)
+    places = (
+        reach * (np.arange(100) + 0.5) ** 2 / 100**2
+    )  # evenly spaced in the root of the distance
+    rise = np.zeros(heat.shape)
+    for place in places:
+        before = np.stack([y[:, None] - v / speed * place, x - u / speed * place], axis=-1)
+        rise += flux(before) * 2 * np.sqrt(reach) / 100
+    return INLET + rise / np.sqrt(pi * 7900 * 477 * 47 * speed)
+
+
+def _heated_figures(solution, friction, power, values):
+    body_1, body_2, middle = (
+        float(values[f"temperature_{part}"].max()) for part in ("body_1", "body_2", "middle")
+    )
+    hottest = {
+        f"temperature_max_{place}": Estimate(value, 0.01, 0.002, 0.001)
+        for place, value in (
+            ("body_1", body_1),
+            ("body_2", body_2),
+            ("film", max(body_1, body_2, middle)),
+        )
+    }
+    return replace(
+        solution.figures,
+        friction_coefficient=Estimate(float(friction), 0.004, 0.001),
+        power_loss=Estimate(float(power), 0.005, 0.001),
+        shear_rate_max=Estimate(float(values["shear_rate"].max()), 0.02),
+        heat_balance=3e-3,
+        **hottest,
+    )
+
+
+def without_heat(solution):
+    """The same solution as an isothermal solve leaves it that looked at the shear of the film."""
+    names = [f"temperature_{part}" for part in ("body_1", "body_2", "middle")]
+    return replace(
+        solution,
+        figures=replace(
+            solution.figures,
+            temperature_max_body_1=None,
+            temperature_max_body_2=None,
+            temperature_max_film=None,
+            heat_balance=None,
+        ),
+        fields=solution.fields.drop_vars(names),
+        inlet_temperature=None,
+        profile=None,
+    )
+
+
+def make_hot_worm(phase=0.5, **changes):
+    """The slender contact of `make_worm_solution`, sliding and hot."""
+    return with_heat(make_worm_solution(phase, **changes))

@@ -135,6 +135,108 @@ def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
     assert sentence in refuse(changed(LINE, (old, new)))
 
 
+SHEAR = 'law = "eyring-limited" # equation 6'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        (SHEAR, "", "oil.shear.law is missing"),
+        (SHEAR, 'law = "ering"', 'oil.shear.law = "ering": must be one of "newtonian", "eyring"'),
+        (SHEAR, 'law = "eyring"', "oil.shear.limit: no such key; valid keys are law, stress"),
+        (SHEAR, 'law = "bair-winer"', "oil.shear.stress: no such key; valid keys are law, limit"),
+        (SHEAR, 'law = "carreau"', "oil.shear.limit: no such key; valid keys are exponent, law, s"),
+        (SHEAR, 'law = "newtonian"', "oil.shear.stress: no such key; valid keys are law\n"),
+        ('"3 MPa"', "3", 'oil.shear.stress = 3: must be a stress with its unit, such as "3 MPa"'),
+        ('"3 MPa"', '"0 MPa"', 'oil.shear.stress = "0 MPa": must be a stress greater than zero'),
+        ('stress = "3 MPa"', "", "oil.shear.stress is missing"),
+        (
+            '"3 MPa"',
+            '"3 MPa"\nstress_pressure = "2 1/K"',
+            'oil.shear.stress_pressure = "2 1/K": must be a pressure coefficient with its unit',
+        ),
+        (
+            '"3 MPa"',
+            '"3 MPa"\nstress_temperature = 0.01',
+            "oil.shear.stress_temperature = 0.01: must be a temperature coefficient with its unit",
+        ),
+        ('"100 MPa"', '"-1 MPa"', 'oil.shear.limit = "-1 MPa": must be a stress zero or more'),
+        ('limit = "100 MPa"', "", 'give limit, such as "100 MPa", or limit_pressure, such as 0.05'),
+        (
+            'limit = "100 MPa"',
+            "limit_pressure = -0.1",
+            "oil.shear.limit_pressure = -0.1: must be at least 0",
+        ),
+        ("exponent = 1", "exponent = 0", "oil.shear.exponent = 0: must be greater than 0"),
+    ],
+)
+def test_wrong_values_of_shear(refuse, old, new, sentence):
+    assert sentence in refuse(changed(DRIVE, (old, new)))
+
+
+@pytest.mark.parametrize(
+    ("exponent", "sentence"),
+    [
+        ("", "oil.shear.exponent is missing"),
+        ("exponent = 0", "oil.shear.exponent = 0: must be greater than 0"),
+        ("exponent = 1.5", "oil.shear.exponent = 1.5: must be at most 1"),
+    ],
+)
+def test_wrong_values_of_carreau(refuse, exponent, sentence):
+    shear = f'[oil.shear]\nlaw = "carreau"\nstress = "6 MPa"\n{exponent}\n'
+    assert sentence in refuse(f"{CONTACT}\n{shear}")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ("[oil.heat]", "[oil.thermal]", "oil.thermal: no such key"),
+        ('inlet_temperature = "60 degC"', "", "oil.heat.inlet_temperature is missing"),
+        ('"60 degC"', '"60 K"', 'oil.heat.inlet_temperature = "60 K": must be above -135.15 degC'),
+        ('"60 degC"', "60", "oil.heat.inlet_temperature = 60: must be a temperature with its unit"),
+        ("s0 = 0.782", "", "heat needs either s0 or beta, one of the two"),
+        ("s0 = 0.782", 's0 = 0.782\nbeta = "0.04 1/K"', "heat needs either s0 or beta"),
+        ("s0 = 0.782", "s0 = -0.782", "oil.heat.s0 = -0.782: must be greater than 0"),
+        ("s0 = 0.782", 'beta = "-0.04 1/K"', "must be a temperature coefficient greater than zero"),
+        ("s0 = 0.782", "beta = 0.04", "oil.heat.beta = 0.04: must be a temperature coefficient w"),
+        (
+            'law = "roelands"\neta0 = "0.227 Pa s"\nz = 0.227\npole_coefficient = "5.1 1/GPa"',
+            'law = "barus"\neta0 = "0.227 Pa s"\nalpha = "9.5 1/GPa"',
+            "heat needs beta, and no s0, where viscosity.law is barus",
+        ),
+        ('"0.148 W/(m K)"', '"0 W/(m K)"', "oil.heat.conductivity"),
+        ('conductivity = "0.148 W/(m K)"', "", "oil.heat.conductivity is missing"),
+        ('specific_heat = "1844 J/(kg K)"', "", "oil.heat.specific_heat is missing"),
+        ('"1844 J/(kg K)"', '"1844 J/kg"', "oil.heat.specific_heat"),
+        ('"7.1e-4 1/K"', '"-7.1e-4 1/K"', "oil.heat.expansivity"),
+        ('expansivity_decay = "1.5', 'expansivity_decay = "-1.5', "oil.heat.expansivity_decay"),
+        ('conductivity_c1 = "1.56', 'conductivity_c1 = "-1.56', "oil.heat.conductivity_c1"),
+        ('conductivity_c2 = "0.61', 'conductivity_c2 = "-0.61', "oil.heat.conductivity_c2"),
+        ('"3.4e-4 1/K"', '"3.4e-4 1/GPa"', "oil.heat.heat_capacity_b0"),
+        ('"3.3 1/GPa"', '"3.3 1/K"', "oil.heat.heat_capacity_b1"),
+        ('"-2.3 1/GPa^2"', '"-2.3 1/GPa"', "oil.heat.heat_capacity_b2"),
+        ('heat_capacity_k1 = "0.5', 'heat_capacity_k1 = "-0.5', "oil.heat.heat_capacity_k1"),
+        ('heat_capacity_k2 = "0.51', 'heat_capacity_k2 = "-0.51', "oil.heat.heat_capacity_k2"),
+        # what the bodies owe to heat
+        ('density = "7900 kg/m^3"', "", "bodies.worm.density is missing; [oil.heat] asks for it"),
+        ('conductivity = "52 W/(m K)"', "", "bodies.wheel.conductivity is missing; [oil.heat] ask"),
+        ('specific_heat = "420 J/(kg K)"', "", "bodies.wheel.specific_heat is missing; [oil.heat]"),
+        (
+            "[bodies.wheel]",
+            "[bodies.wheel]\nbulk_temperature = 60",
+            "bodies.wheel.bulk_temperature = 60: must be a temperature with its unit",
+        ),
+    ],
+)
+def test_wrong_values_of_heat(refuse, old, new, sentence):
+    assert sentence in refuse(changed(DRIVE, (old, new)))
+
+
+def test_a_bulk_temperature_without_heat(refuse):
+    text = changed(CONTACT, ("[bodies.body_2]", '[bodies.body_2]\nbulk_temperature = "60 degC"'))
+    assert "bodies.body_2.bulk_temperature means nothing without [oil.heat]" in refuse(text)
+
+
 @pytest.mark.parametrize(
     ("changes", "sentence"),
     [

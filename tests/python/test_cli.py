@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from synthetic_solution import make_hot_worm
 
 import pyworm
 import pyworm.run
@@ -132,6 +133,23 @@ def test_a_published_figure_stands_beside_the_computed_one(tmp_path, capsys, sol
     assert "209.3 nm" in capsys.readouterr().out
 
 
+def test_heat_is_told_where_it_was_simulated(tmp_path, capsys, solve_at_once):
+    hot = make_hot_worm(0.4, points=(33, 17))
+    parts = ("figures", "fields", "inlet_temperature", "profile", "phase")
+    solve_at_once(**{part: getattr(hot, part) for part in parts})
+    arguments = ["run", DRIVE, "--phase", "0.4", "0.6", "--out", str(tmp_path / "out")]
+    assert main(arguments) == CONVERGED
+    assert "Friction and heat of all scenes" in capsys.readouterr().out
+    assert main([*arguments, "--json"]) == CONVERGED
+    scene = json.loads(capsys.readouterr().out)["scenes"][0]
+    for key in ("temperature_max_C", "temperature_max_error_K"):
+        assert list(scene[key]) == ["body_1", "body_2", "film"]
+    for key in ("friction_coefficient", "power_loss_W", "shear_rate_max_1_s"):
+        assert scene[key] > 0
+    for key in ("friction_coefficient_error", "power_loss_error", "shear_rate_max_error"):
+        assert 0 < scene[key] < 0.1
+
+
 def test_a_scene_that_the_kernel_gives_up_does_not_cost_the_others(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
@@ -245,7 +263,7 @@ def test_check_prints_one_json_object(capsys):
     content = json.loads(capsys.readouterr().out)
     assert set(content) == {"case", "resolved", "scenes", "notes"}
     assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
-    assert content["resolved"]["oil"]["thermal"]["limiting_stress"] == pytest.approx(100e6)
+    assert content["resolved"]["oil"]["shear"]["limit"] == pytest.approx(100e6)
     assert content["scenes"][0]["plan"]["effects"]
 
 

@@ -9,31 +9,43 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.contour import ContourSet
 from matplotlib.image import imread
+from matplotlib.quiver import Quiver
 from matplotlib.text import Text
 from synthetic_solution import (
+    line_with_heat,
+    make_hot_worm,
     make_line_solution,
     make_mesh_cycle,
     make_result,
     make_solution,
     make_worm_solution,
+    with_heat,
+    without_heat,
 )
 
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.plots import draw
+from pyworm.plots.across_film import draw_across_film
+from pyworm.plots.cycle import draw_cycle
 from pyworm.plots.entrainment import LINES, draw_entrainment, inflow_points
 from pyworm.plots.film import draw_film, interferogram
+from pyworm.plots.friction import draw_friction
 from pyworm.plots.gap import draw_gap
 from pyworm.plots.history import draw_history
+from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.outline import signed_square
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
 from pyworm.plots.style import Window, contact_window, heading
+from pyworm.plots.temperature import draw_temperature
 from pyworm.result import Result
+from pyworm.solution import Estimate
 from pyworm.variables import describe
 
 SCENE_NAMES = ["gap", "pressure", "film", "entrainment", "profiles", "history"]
 LINE_NAMES = ["profiles", "history"]
+HEAT_NAMES = ["friction", "temperature", "across_film"]
 
 
 @pytest.fixture(scope="module")
@@ -76,8 +88,8 @@ def test_all_pictures_of_a_file(tmp_path):
     ids=["circle", "tall", "turned and cut", "failed"],
 )
 def test_every_shape_draws_without_warnings(solution, tmp_path):
-    written = draw(Result("shape", {}, (solution,), None, {}), tmp_path)
-    assert len(written) == len(SCENE_NAMES)
+    written = draw(Result("shape", {}, (with_heat(solution),), None, {}), tmp_path)
+    assert len(written) == len(SCENE_NAMES + HEAT_NAMES)
 
 
 def test_film_scale_ends_at_three_central_films(circle):
@@ -234,3 +246,136 @@ def test_tooth_outline_and_path_are_drawn_where_given(worm):
 def test_mesh_cycle_without_solved_phases(tmp_path):
     result = Result("cycle", {}, (), make_mesh_cycle(), {})
     assert [path.name for path in draw(result, tmp_path)] == ["mesh_cycle.png"]
+
+
+# -------------------------------------------------------------------------------------------- heat
+
+
+@pytest.fixture(scope="module")
+def hot():
+    return make_hot_worm()
+
+
+def arrows(axes):
+    """Direction of each arrow on a panel: from x to y [rad]."""
+    (quiver,) = (artist for artist in axes.collections if isinstance(artist, Quiver))
+    return np.arctan2(quiver.V / axes.get_aspect(), quiver.U)
+
+
+@pytest.mark.filterwarnings("error")
+def test_only_what_was_simulated_is_drawn(tmp_path, monkeypatch, hot):
+    monkeypatch.setattr("pyworm.plots._write", lambda figure, path: path)
+    line = line_with_heat(make_line_solution())
+    solutions = (hot, without_heat(hot), line, without_heat(line))
+    written = draw(Result("hot", {}, solutions, None, {}), tmp_path)
+    expected = [
+        *(f"scene_000_{name}.png" for name in SCENE_NAMES + HEAT_NAMES),
+        *(f"scene_001_{name}.png" for name in [*SCENE_NAMES, "friction"]),
+        *(f"scene_002_{name}.png" for name in LINE_NAMES + HEAT_NAMES),
+        *(f"scene_003_{name}.png" for name in [*LINE_NAMES, "friction"]),
+    ]
+    assert [path.name for path in written] == expected
+
+
+def test_temperatures_share_one_scale_and_state_their_maxima(hot):
+    figure = draw_temperature("case", hot)
+    levels = [axes.collections[0].levels for axes in figure.axes[:3]]
+    assert np.array_equal(levels[0], levels[1]) and np.array_equal(levels[0], levels[2])
+    hottest = float(hot.fields["temperature_middle"].max()) - 273.15
+    assert levels[0][0] <= 60 and levels[0][-1] >= hottest
+    assert f"film: at most {hottest:.1f} °C" in texts(figure)
+    body = hot.figures.temperature_max_body_2.value - 273.15
+    assert f"surface of body 2: at most {body:.1f} °C" in texts(figure)
+    assert "temperature / °C" in texts(figure)
+    (mark,) = (line for line in figure.axes[2].lines if line.get_marker() == "o")
+    assert float(mark.get_xdata()[0]) == pytest.approx(1e3 * float(hot.profile["profile_x"]))
+
+
+def test_arrows_follow_each_body_and_the_stress_on_the_first(hot):
+    first, second = (arrows(axes) for axes in draw_temperature("case", hot).axes[:2])
+    assert second == pytest.approx(np.arctan2(-1.1, -0.3))  # the velocity it was made with
+    fields = hot.fields
+    u1 = fields["entrainment_x"] + fields["sliding_x"] / 2
+    v1 = fields["entrainment_y"] + fields["sliding_y"] / 2
+    everywhere = np.arctan2(v1, u1)
+    assert float(everywhere.min()) <= first.min() < first.max() <= float(everywhere.max())
+    ball = with_heat(make_solution(), (2.5, 0.0), (1.5, 0.0), spin=0.0)
+    stress = arrows(draw_friction("case", ball).axes[0])
+    assert np.abs(stress) == pytest.approx(np.pi)  # against the faster body
+
+
+def test_a_body_at_rest_has_no_arrows():
+    still = with_heat(make_solution(), (2.0, 0.0), (1e-9, 0.0), spin=0.0)
+    fields = still.fields.assign(
+        entrainment_x=still.fields["entrainment_x"] * 0 + 1.0,
+        sliding_x=still.fields["sliding_x"] * 0 + 2.0,
+    )
+    first, second = draw_temperature("case", replace(still, fields=fields)).axes[:2]
+    assert arrows(first) == pytest.approx(0)
+    assert arrows(second).size == 0
+
+
+def test_slip_is_shown_where_there_is_some(hot):
+    assert draw_friction("case", hot).axes[0].get_legend() is not None
+    sticking = replace(hot, fields=hot.fields.assign(slip=0 * hot.fields["slip"]))
+    assert draw_friction("case", sticking).axes[0].get_legend() is None
+
+
+def test_friction_states_coefficient_and_loss(hot):
+    figure = draw_friction("case", hot)
+    assert f"friction coefficient {hot.figures.friction_coefficient.value:.3g}" in texts(figure)
+    assert f"in all {hot.figures.power_loss.value:.3g} W" in texts(figure)
+    strong = Estimate(2345.0, 0.01)
+    loud = replace(hot, figures=replace(hot.figures, power_loss=strong))
+    assert "in all 2.35 kW" in texts(draw_friction("case", loud))
+    assert (
+        float(hot.fields["friction_power"].max()) * 1e-6 <= figure.axes[1].collections[0].levels[-1]
+    )
+
+
+def test_a_uniform_temperature_is_drawn():
+    cold = make_solution()
+    warm = with_heat(cold, traction=0.0)
+    assert draw_temperature("case", warm).axes[0].collections[0].levels[0] <= 60
+
+
+def test_profiles_go_from_wall_to_wall(hot):
+    figure = draw_across_film("case", hot)
+    warm, fast = figure.axes
+    height = warm.lines[0].get_ydata()
+    film = float(hot.fields["film"].interp(x=hot.profile["profile_x"], y=hot.profile["profile_y"]))
+    assert (height[0], height[-1]) == pytest.approx((0, film * 1e6))
+    temperature = warm.lines[0].get_xdata()
+    at = {"x": hot.profile["profile_x"], "y": hot.profile["profile_y"]}
+    for end, name in ((0, "temperature_body_1"), (-1, "temperature_body_2")):
+        assert temperature[end] == pytest.approx(float(hot.fields[name].interp(at)) - 273.15)
+    assert [line.get_label() for line in fast.lines] == ["along x", "along y"]
+    assert fast.lines[1].get_xdata()[-1] == -1.1
+    (only,) = draw_across_film("case", line_with_heat(make_line_solution())).axes[1].lines
+    assert (only.get_xdata()[0], only.get_xdata()[-1]) == pytest.approx((0.9, 0.1))
+
+
+def test_a_line_contact_shows_its_heat():
+    line = line_with_heat(make_line_solution())
+    warm = draw_line_temperature("roller", line).axes[0]
+    labels = [curve.get_label() for curve in warm.lines]
+    assert labels == ["surface of body 1", "surface of body 2", "middle of the film", "inlet"]
+    second = float(line.fields["temperature_body_2"].max()) - 273.15
+    assert max(warm.lines[1].get_ydata()) == pytest.approx(second)
+    stress, power = draw_line_friction("roller", line).axes
+    assert min(stress.lines[0].get_ydata()) < -10
+    largest = float(line.fields["friction_power"].max()) * 1e-6
+    assert max(power.lines[0].get_ydata()) == pytest.approx(largest)
+
+
+def test_the_cycle_shows_friction_and_temperatures_where_solved():
+    hot = tuple(make_hot_worm(phase) for phase in (0.25, 0.75))
+    figure = draw_cycle(Result("cycle", {}, hot, make_mesh_cycle(), {}))
+    said = texts(figure)
+    for label in ("friction\ncoefficient", "power loss", "largest\ntemperature / °C", "inlet"):
+        assert label in said
+    plain = draw_cycle(Result("cycle", {}, (make_worm_solution(),), make_mesh_cycle(), {}))
+    assert "friction" not in texts(plain) and "temperature" not in texts(plain)
+    sheared = tuple(without_heat(solution) for solution in hot)
+    said = texts(draw_cycle(Result("cycle", {}, sheared, make_mesh_cycle(), {})))
+    assert "power loss" in said and "temperature" not in said

@@ -6,7 +6,14 @@ import h5py
 import numpy as np
 import pytest
 import xarray as xr
-from synthetic_solution import make_line_solution, make_mesh_cycle, make_result, make_solution
+from synthetic_solution import (
+    line_with_heat,
+    make_hot_worm,
+    make_line_solution,
+    make_mesh_cycle,
+    make_result,
+    make_solution,
+)
 
 from pyworm.result import open_result
 from pyworm.variables import describe
@@ -34,10 +41,11 @@ def assert_same(one, other):
             assert first.fields[name].dtype == second.fields[name].dtype
             assert first.fields[name].values.tobytes() == second.fields[name].values.tobytes()
         assert first.summary() == second.summary()
-        empty = xr.Dataset()
-        assert replace(first, fields=empty, history=empty) == replace(
-            second, fields=empty, history=empty
-        )
+        assert (first.profile is None) == (second.profile is None)
+        if first.profile is not None:
+            xr.testing.assert_identical(first.profile, second.profile)
+        empty = dict.fromkeys(("fields", "history", "profile"))
+        assert replace(first, **empty) == replace(second, **empty)
 
 
 def test_round_trip_bit_for_bit(result, saved):
@@ -54,6 +62,23 @@ def test_round_trip_without_a_drive(result, tmp_path):
     assert read.mesh_cycle is None
     assert read.solutions[0].phase is None
     assert read.solutions[1].figures.dry is None
+
+
+def test_round_trip_with_heat(result, tmp_path):
+    solutions = (make_hot_worm(), line_with_heat(make_line_solution()), make_solution())
+    path = replace(result, mesh_cycle=None, solutions=solutions).save(tmp_path / "hot.nc")
+    read = open_result(path)
+    assert_same(replace(result, solutions=solutions), read)
+    assert read.solutions[0].figures.temperature_max_film.grid == 0.01
+    assert read.solutions[2].figures.friction_coefficient is None
+    with h5py.File(path) as file:
+        scene = file["scene_000"]
+        hottest = scene.attrs["temperature_max_C_film"] + 273.15
+        assert hottest == pytest.approx(solutions[0].figures.temperature_max_film.value)
+        for group in ("fields", "profile"):
+            for name, variable in scene[group].items():
+                if name != "level":  # a dimension without coordinate
+                    assert variable.attrs["units"] and variable.attrs["long_name"], name
 
 
 def test_more_than_ten_scenes_keep_their_order(result, tmp_path):

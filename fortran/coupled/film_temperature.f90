@@ -1,0 +1,397 @@
+!> Temperature of the film of a point contact and of the surfaces beside it, at a given pressure and film.
+!>
+!> Sharif et al. (2001), eqs 18, 19 and 21: heat is conducted across the film, carried along it, made by shearing and
+!> by compression. A sweep solves the columns line after line in the direction in which oil moves, upwind by the
+!> velocity of each level; what comes from later lines, or along a line, is as it was. Walls are as they were too, but
+!> the columns' answer to a change of the walls is kept, with which the balance of the walls is solved
+!> for the whole contact at the end: in a thin film the flux follows the walls so closely that taking turns diverges.
+!>
+!> Conduction along the film is left out: against that across it, it is as the square of film over contact length.
+module film_temperature
+  use film_column, only: film_strip, new_film_strip, solve_columns
+  use flow_laws, only: stress_scales
+  use heated_surface, only: heated_body
+  use kinds, only: wp
+  use oil_heat, only: oil_heat_law, conductivity, heat_capacity
+  use oil_laws, only: hot_fluidity, expansivity
+  use omp_lib, only: omp_get_max_threads, omp_get_thread_num
+  use point_film, only: point_contact
+  use shear_flow, only: shear_strip, new_shear_strip, solve_shear, film_velocity, film_shear_rate, shear_heat => film_heat
+  use status, only: status_ok, status_no_memory
+  use wall_balance, only: wall_pair, new_wall_pair, balance_walls
+  implicit none(type, external)
+  private
+
+  public :: heated_contact, heat_contact, heat_sweep, set_temperature
+
+  !> Columns treated together.
+  integer, parameter :: most_columns = 64
+  !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
+  real(wp), parameter :: judged_pressure = 0.005_wp
+  !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
+  real(wp), parameter :: wall_tolerance = 0.1_wp
+  integer, parameter :: most_wall_iterations = 8
+
+  !> Temperatures are those above the inlet's.
+  type :: film_heat
+    type(oil_heat_law) :: law
+    !> Velocities of body 1's surface at the nodes [m/s].
+    real(wp), allocatable :: u1(:, :), v1(:, :)
+    type(wall_pair) :: walls
+    !> Stress at the middle of the film [Pa], and where it slips (`shear_flow`).
+    real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
+    integer, allocatable :: slip(:, :)
+    !> Heat of shearing, and what oil carries away less what compression gives it [W/m2]; the largest shear rate
+    !> across the film [1/s].
+    real(wp), allocatable :: friction(:, :), carried(:, :), shear_rate(:, :)
+    !> Temperature of the line in work and of two on either side, (columns, levels, -2:2).
+    real(wp), allocatable :: lines(:, :, :)
+    !> Scratch of each thread.
+    type(film_strip), allocatable :: columns(:)
+    type(shear_strip), allocatable :: shear(:)
+  end type film_heat
+
+  !> A point contact and its temperature, which is there where heat is simulated.
+  type, extends(point_contact) :: heated_contact
+    type(film_heat), allocatable :: heat
+  end type heated_contact
+
+  !> Some columns of one line of the grid.
+  type :: line_cut
+    !> Whether lines run along y.
+    logical :: transposed = .false.
+    !> The line, of how many, and its first and last column, of how many.
+    integer :: line = 0, lines = 0, first = 0, last = 0, length = 0
+  end type line_cut
+
+contains
+
+  !> Gives a contact whose film is already sheared its heat.
+  !>
+  !> u1 and v1 are the nodal velocity of body 1's surface [m/s]; the bodies move into the contact, `bulk` being their
+  !> temperature far below the surface, above the inlet's [K].
+  subroutine heat_contact(self, law, u1, v1, body_1, body_2, bulk, stat)
+    type(heated_contact), intent(inout) :: self
+    type(oil_heat_law), intent(in) :: law
+    real(wp), intent(in) :: u1(:, :), v1(:, :), bulk(2)
+    class(heated_body), allocatable, intent(inout) :: body_1, body_2
+    integer, intent(out) :: stat
+    integer :: nx, ny, levels, thread, err
+
+    nx = self%grid%nx
+    ny = self%grid%ny
+    levels = self%shear%nodes%levels%count
+    allocate (self%heat)
+    associate (heat => self%heat)
+      heat%law = law
+      call new_wall_pair(heat%walls, body_1, bulk(1), body_2, bulk(2), most_wall_iterations, stat)
+      if (stat /= status_ok) return
+      allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%friction(nx, ny), &
+        heat%carried(nx, ny), heat%shear_rate(nx, ny), &
+        heat%lines(merge(ny, nx, self%cycles%transposed), levels, -2:2), source=0.0_wp, stat=err)
+      if (err == 0) allocate (heat%slip(nx, ny), source=0, stat=err)
+      if (err == 0) allocate (heat%columns(0:omp_get_max_threads() - 1), heat%shear(0:omp_get_max_threads() - 1), stat=err)
+      stat = merge(status_ok, status_no_memory, err == 0)
+      if (stat /= status_ok) return
+      heat%u1(:, :) = u1
+      heat%v1(:, :) = v1
+      do thread = 0, ubound(heat%columns, 1)
+        if (stat == status_ok) call new_film_strip(heat%columns(thread), most_columns, self%shear%nodes%levels, stat)
+        if (stat == status_ok) call new_shear_strip(most_columns, levels, heat%shear(thread), stat)
+      end do
+    end associate
+    call set_walls(self)
+  end subroutine heat_contact
+
+  !> One sweep over the columns, with the entrainment, then the balance of the walls.
+  !>
+  !> `change` is the largest change of temperature [K] where pressure counts.
+  subroutine heat_sweep(self, change)
+    type(heated_contact), intent(inout) :: self
+    real(wp), intent(out) :: change
+    real(wp) :: missed, reduction
+    integer :: iterations
+
+    call heat_columns(self, self%heat, change)
+    call balance_walls(self%heat%walls, wall_tolerance, missed, iterations, reduction)
+    associate (rise => self%shear%nodes%rise)
+      change = max(change, &
+        maxval(abs(self%heat%walls%wall(:, :, 1) - rise(:, :, 1)), mask=self%fields%p > judged(self)), &
+        maxval(abs(self%heat%walls%wall(:, :, 2) - rise(:, :, size(rise, 3))), mask=self%fields%p > judged(self)))
+    end associate
+    call set_walls(self)
+  end subroutine heat_sweep
+
+  !> Takes up a temperature above the inlet's [K], at the levels.
+  subroutine set_temperature(self, rise)
+    type(heated_contact), intent(inout) :: self
+    real(wp), intent(in) :: rise(:, :, :)
+
+    self%shear%nodes%rise(:, :, :) = rise
+    self%heat%walls%wall(:, :, 1) = rise(:, :, 1)
+    self%heat%walls%wall(:, :, 2) = rise(:, :, size(rise, 3))
+  end subroutine set_temperature
+
+  !> Pressure [Pa] above which temperatures must settle.
+  pure real(wp) function judged(self)
+    type(heated_contact), intent(in) :: self
+
+    judged = judged_pressure*maxval(self%fields%p)
+  end function judged
+
+  !> Gives the film the walls' temperature; what lies between follows as by conduction alone. On the outline it keeps
+  !> the inlet's.
+  subroutine set_walls(self)
+    type(heated_contact), intent(inout) :: self
+    real(wp) :: change_1, change_2
+    integer :: i, j, k
+
+    associate (rise => self%shear%nodes%rise, levels => self%shear%nodes%levels, wall => self%heat%walls%wall)
+      !$omp parallel do private(i, k, change_1, change_2) schedule(static)
+      do j = 1, self%grid%ny
+        do i = 1, self%grid%nx
+          change_1 = wall(i, j, 1) - rise(i, j, 1)
+          change_2 = wall(i, j, 2) - rise(i, j, levels%count)
+          rise(i, j, 1) = wall(i, j, 1)
+          rise(i, j, levels%count) = wall(i, j, 2)
+          if (i == 1 .or. i == self%grid%nx .or. j == 1 .or. j == self%grid%ny) cycle
+          do k = 2, levels%count - 1
+            rise(i, j, k) = rise(i, j, k) + (0.5_wp - levels%z(k))*change_1 + (0.5_wp + levels%z(k))*change_2
+          end do
+        end do
+      end do
+    end associate
+  end subroutine set_walls
+
+  !> One sweep over the columns, with walls as they are.
+  subroutine heat_columns(contact, heat, change)
+    type(heated_contact), intent(inout) :: contact
+    type(film_heat), intent(inout) :: heat
+    real(wp), intent(out) :: change
+    type(line_cut) :: cut
+    integer :: step, first, thread, k
+    real(wp) :: least
+
+    cut%transposed = contact%cycles%transposed
+    cut%lines = merge(contact%grid%nx, contact%grid%ny, cut%transposed)
+    cut%length = merge(contact%grid%ny, contact%grid%nx, cut%transposed)
+    least = judged(contact)
+    change = 0
+    do step = 2, cut%lines - 1
+      cut%line = merge(step, cut%lines + 1 - step, contact%cycles%rising)
+      do k = max(-2, 1 - cut%line), min(2, cut%lines - cut%line)
+        if (cut%transposed) then
+          heat%lines(:, :, k) = contact%shear%nodes%rise(cut%line + k, :, :)
+        else
+          heat%lines(:, :, k) = contact%shear%nodes%rise(:, cut%line + k, :)
+        end if
+      end do
+      !$omp parallel do private(thread) firstprivate(cut) reduction(max:change) schedule(static)
+      do first = 2, cut%length - 1, most_columns
+        cut%first = first
+        cut%last = min(first + most_columns - 1, cut%length - 1)
+        thread = omp_get_thread_num()
+        call heat_cut(contact, cut, least, heat, heat%columns(thread), heat%shear(thread), change)
+      end do
+    end do
+  end subroutine heat_columns
+
+  !> The columns of a cut.
+  subroutine heat_cut(contact, cut, least, heat, columns, shear, change)
+    type(heated_contact), intent(inout) :: contact
+    type(line_cut), intent(in) :: cut
+    real(wp), intent(in) :: least
+    type(film_heat), intent(inout) :: heat
+    type(film_strip), intent(inout) :: columns
+    type(shear_strip), intent(inout) :: shear
+    real(wp), intent(inout) :: change
+    real(wp), dimension(most_columns) :: p, u1, v1, mean, unused_1, unused_2, capacity, warmth, friction, carried
+    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: by_pressure, by_temperature, u, v, rate, &
+      dissipation, own, inflow
+    integer :: m, k, n, c, downstream, failures
+
+    m = cut%last - cut%first + 1
+    n = contact%shear%nodes%levels%count
+    downstream = merge(1, -1, contact%cycles%rising)
+    columns%columns = m
+    shear%points = m
+    associate (nodes => contact%shear%nodes)
+      call take(contact%fields%p, cut, 0, 0, p)
+      call take_gradient(contact, cut, shear%px, shear%py)
+      call take(contact%fields%h, cut, 0, 0, shear%film)
+      shear%film(:m) = max(shear%film(:m), contact%floor)
+      call take(nodes%sliding_x, cut, 0, 0, shear%us)
+      call take(nodes%sliding_y, cut, 0, 0, shear%vs)
+      call take(heat%stress_x, cut, 0, 0, shear%tau_x)
+      call take(heat%stress_y, cut, 0, 0, shear%tau_y)
+      call take(heat%u1, cut, 0, 0, u1)
+      call take(heat%v1, cut, 0, 0, v1)
+      mean = 0
+      do k = 1, n
+        call take(nodes%rise(:, :, k), cut, 0, 0, columns%known(:, k))
+        mean(:m) = mean(:m) + nodes%levels%weight(k)*columns%known(:m, k)
+      end do
+      call hot_fluidity(contact%oil, p(:m), columns%known(:m, :), shear%fluidity(:m, :), by_pressure(:m, :), &
+        by_temperature(:m, :))
+      call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), unused_1(:m), shear%limit(:m), unused_2(:m))
+      call solve_shear(nodes%law, nodes%levels, shear, failures)
+      call film_velocity(nodes%law, nodes%levels, shear, u1, v1, u, v)
+      call film_shear_rate(nodes%levels, shear, rate)
+      call shear_heat(nodes%levels, shear, dissipation, own, columns%loading(:, :, 1), columns%loading(:, :, 2), &
+        columns%relief(:, :, 1), columns%relief(:, :, 2))
+
+      columns%thickness(:m) = shear%film(:m)
+      columns%conductivity(:m) = conductivity(heat%law, p(:m))
+      capacity(:m) = heat_capacity(heat%law, p(:m), mean(:m))
+      warmth(:m) = expansivity(contact%oil, p(:m))
+      call carry(contact, cut, m, heat%lines, downstream, capacity, u, v, columns%absorption, inflow)
+      friction = 0
+      do k = 1, n
+        do c = 1, m
+          ! fluidity changes with temperature
+          own(c, k) = own(c, k)*shear%fluidity(c, k)*by_temperature(c, k)
+          columns%relief(c, k, :) = columns%relief(c, k, :)*shear%fluidity(c, k)*by_temperature(c, k)
+          columns%growth(c, k) = own(c, k)
+          inflow(c, k) = inflow(c, k) + warmth(c)*(contact%oil%temperature + columns%known(c, k)) &
+            *(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
+          columns%source(c, k) = dissipation(c, k) + inflow(c, k)
+          friction(c) = friction(c) + nodes%levels%weight(k)*shear%film(c)*dissipation(c, k)
+        end do
+      end do
+      columns%wall(:m, 1) = columns%known(:m, 1)
+      columns%wall(:m, 2) = columns%known(:m, n)
+      call solve_columns(columns)
+
+      carried = 0
+      do k = 1, n
+        do c = 1, m
+          carried(c) = carried(c) + nodes%levels%weight(k)*shear%film(c) &
+            *(columns%absorption(c, k)*columns%temperature(c, k) - inflow(c, k))
+          if (p(c) > least) change = max(change, abs(columns%temperature(c, k) - columns%known(c, k)))
+        end do
+        call put(columns%temperature(:, k), cut, nodes%rise(:, :, k))
+      end do
+    end associate
+    call put(shear%tau_x, cut, heat%stress_x)
+    call put(shear%tau_y, cut, heat%stress_y)
+    call put(friction, cut, heat%friction)
+    call put(carried, cut, heat%carried)
+    call put(maxval(rate(:m, :), dim=2), cut, heat%shear_rate)
+    do k = 1, 2
+      call put(columns%flux(:, k), cut, heat%walls%flux(:, :, k))
+      do n = 1, 2
+        call put(columns%admittance(:, n, k), cut, heat%walls%admittance(:, :, n, k))
+      end do
+    end do
+    if (cut%transposed) then
+      heat%slip(cut%line, cut%first:cut%last) = shear%slip(:m)
+    else
+      heat%slip(cut%first:cut%last, cut%line) = shear%slip(:m)
+    end if
+  end subroutine heat_cut
+
+  !> What convection takes from a level for each kelvin, `absorption` [W/(m3 K)], and brings it, `inflow` [W/m3].
+  !>
+  !> Oil comes from the foot of its path on the square of the eight nodes about its own; where that lies on the line
+  !> before, a second foot two lines back makes the difference along the path one of second order. Elsewhere values
+  !> lag behind, and only a first-order difference is sure not to let their errors grow from sweep to sweep.
+  subroutine carry(contact, cut, m, lines, downstream, capacity, u, v, absorption, inflow)
+    type(heated_contact), intent(in) :: contact
+    type(line_cut), intent(in) :: cut
+    integer, intent(in) :: m, downstream
+    real(wp), intent(in) :: lines(:, :, -2:), capacity(:), u(:, :), v(:, :)
+    real(wp), intent(out) :: absorption(:, :), inflow(:, :)
+    real(wp) :: across, along, rate, skew, foot, second, share
+    integer :: k, c, column, up, side, whole, far
+
+    do k = 1, size(u, 2)
+      do c = 1, m
+        column = cut%first + c - 1
+        across = merge(u(c, k)/contact%grid%dx, v(c, k)/contact%grid%dy, cut%transposed)
+        along = merge(v(c, k)/contact%grid%dy, u(c, k)/contact%grid%dx, cut%transposed)
+        up = merge(-1, 1, across > 0)
+        side = merge(-1, 1, along > 0)
+        rate = max(abs(across), abs(along), tiny(rate))
+        skew = min(abs(across), abs(along))/rate
+        if (abs(across) < abs(along)) then
+          foot = (1 - skew)*lines(column + side, k, 0) + skew*lines(column + side, k, up)
+        else
+          foot = (1 - skew)*lines(column, k, up) + skew*lines(column + side, k, up)
+        end if
+        absorption(c, k) = capacity(c)*rate
+        inflow(c, k) = capacity(c)*rate*foot
+        if (abs(across) < abs(along) .or. up == downstream) cycle
+        whole = int(2*skew)
+        far = column + side*(whole + 1)
+        if (cut%line + 2*up < 1 .or. cut%line + 2*up > cut%lines .or. far < 1 .or. far > cut%length) cycle
+        share = 2*skew - whole
+        second = (1 - share)*lines(far - side, k, 2*up) + share*lines(far, k, 2*up)
+        absorption(c, k) = 1.5_wp*capacity(c)*rate
+        inflow(c, k) = capacity(c)*rate*(2*foot - 0.5_wp*second)
+      end do
+    end do
+  end subroutine carry
+
+  !> Pressure gradient at the columns of a cut [Pa/m].
+  subroutine take_gradient(contact, cut, px, py)
+    type(heated_contact), intent(in) :: contact
+    type(line_cut), intent(in) :: cut
+    real(wp), intent(out) :: px(:), py(:)
+    real(wp) :: before(most_columns), after(most_columns)
+    integer :: m
+
+    m = cut%last - cut%first + 1
+    call take(contact%fields%p, cut, 0, -1, before)
+    call take(contact%fields%p, cut, 0, 1, after)
+    if (cut%transposed) then
+      px(:m) = (after(:m) - before(:m))/(2*contact%grid%dx)
+    else
+      py(:m) = (after(:m) - before(:m))/(2*contact%grid%dy)
+    end if
+    call take(contact%fields%p, cut, -1, 0, before)
+    call take(contact%fields%p, cut, 1, 0, after)
+    if (cut%transposed) then
+      py(:m) = (after(:m) - before(:m))/(2*contact%grid%dy)
+    else
+      px(:m) = (after(:m) - before(:m))/(2*contact%grid%dx)
+    end if
+  end subroutine take_gradient
+
+  !> A field's values `along` columns further on the line than those of a cut and `ahead` lines further.
+  pure subroutine take(field, cut, along, ahead, values)
+    real(wp), intent(in) :: field(:, :)
+    type(line_cut), intent(in) :: cut
+    integer, intent(in) :: along, ahead
+    real(wp), intent(out) :: values(:)
+    integer :: c
+
+    if (cut%transposed) then
+      do c = cut%first, cut%last
+        values(c - cut%first + 1) = field(cut%line + ahead, c + along)
+      end do
+    else
+      do c = cut%first, cut%last
+        values(c - cut%first + 1) = field(c + along, cut%line + ahead)
+      end do
+    end if
+  end subroutine take
+
+  !> Puts values into a field at the columns of a cut.
+  pure subroutine put(values, cut, field)
+    real(wp), intent(in) :: values(:)
+    type(line_cut), intent(in) :: cut
+    real(wp), intent(inout) :: field(:, :)
+    integer :: c
+
+    if (cut%transposed) then
+      do c = cut%first, cut%last
+        field(cut%line, c) = values(c - cut%first + 1)
+      end do
+    else
+      do c = cut%first, cut%last
+        field(c, cut%line) = values(c - cut%first + 1)
+      end do
+    end if
+  end subroutine put
+
+end module film_temperature

@@ -1,0 +1,672 @@
+!> Flow of an oil between two sliding walls under a pressure gradient, with its exact derivatives.
+!>
+!> Shear stress is linear across the film, tau = tau_m + z h grad p with z from -1/2 at body 1 to 1/2 at body 2, and the
+!> rate of shear f g(tau^2) tau with the fluidity f and the thinning g of the flow law (Sharif, Kong, Evans and Snidle
+!> 2001, eqs 3-9). The stress tau_m halfway makes the rates add up to the sliding. It is the least point of a strictly
+!> convex potential, so that it exists, is unique, and Newton's method has a positive definite matrix: with
+!> K = f (g I + 2 g' tau tau^T), of which all derivatives here are made,
+!>
+!>   A = int K dz',  B = int z' K dz',  C = int z'^2 K dz',  z' = h z.
+!>
+!> Points are worked on a strip at a time, so that loops run over points. Fluidity is held in all derivatives by film,
+!> gradient and stresses.
+module shear_flow
+  use kinds, only: wp
+  use film_levels, only: levels_across
+  use flow_laws, only: flow_law, law_newton, has_limit, slip_stress, thinning, thinning_by_stresses, stress_guess
+  use status, only: status_ok, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: shear_strip, new_shear_strip, solve_shear, flow_deficit, flow_change, flow_change_by_stresses, &
+    film_velocity, film_shear_rate, film_heat, wall_slip, flow_factors
+
+  !> Bits of a point's slip.
+  integer, parameter, public :: slip_at_body_1 = 1, slip_at_body_2 = 2
+
+  !> Newton decrement, relative to the power of shear, before the last step; convergence is quadratic, so that the
+  !> stress is then right to its square.
+  real(wp), parameter :: tolerance = 3e-6_wp
+  !> Newton steps of all points together, and then of each one that is left, with a line search.
+  integer, parameter :: steps_together = 8, steps_alone = 50, search_steps = 60
+  !> One point of so many may be left to be solved alone.
+  integer, parameter :: few = 8
+
+  !> Points of a film, and its levels as second index.
+  type :: shear_strip
+    !> Points in use, at most as many as there is space for.
+    integer :: points = 0
+    !> To be set: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and limiting
+    !> stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
+    real(wp), allocatable :: film(:), px(:), py(:), us(:), vs(:), reference(:), limit(:), fluidity(:, :)
+    !> Stress halfway [Pa]: a guess, or zero for none, and then the solution.
+    real(wp), allocatable :: tau_x(:), tau_y(:)
+    !> Where the film slips: 0, slip_at_body_1, slip_at_body_2, or their sum.
+    integer, allocatable :: slip(:)
+    !> Thinning [-] at the levels and its derivative by the square of the stress [1/Pa2].
+    real(wp), allocatable :: g(:, :), g_slope(:, :)
+    !> Inverse of the kinematic matrix A [Pa s/m].
+    real(wp), allocatable :: inverse_xx(:), inverse_xy(:), inverse_yy(:)
+    !> B A^-1 [m], how the flow follows the lacking velocity; set by `flow_change`.
+    real(wp), allocatable :: arm_xx(:), arm_xy(:), arm_yx(:), arm_yy(:)
+    !> Scratch: squares of the stress, sums over the film, a step.
+    real(wp), allocatable :: square(:), rest_x(:), rest_y(:), power(:), a_xx(:), a_xy(:), a_yy(:), step_x(:), step_y(:)
+  end type shear_strip
+
+contains
+
+  !> Space for strips of up to `points` points with `levels` levels.
+  subroutine new_shear_strip(points, levels, strip, stat)
+    integer, intent(in) :: points, levels
+    type(shear_strip), intent(out) :: strip
+    integer, intent(out) :: stat
+    integer :: err
+
+    allocate (strip%film(points), strip%px(points), strip%py(points), strip%us(points), strip%vs(points), &
+      strip%reference(points), strip%limit(points), strip%fluidity(points, levels), strip%tau_x(points), &
+      strip%tau_y(points), strip%slip(points), strip%g(points, levels), strip%g_slope(points, levels), &
+      strip%inverse_xx(points), strip%inverse_xy(points), strip%inverse_yy(points), strip%arm_xx(points), &
+      strip%arm_xy(points), strip%arm_yx(points), strip%arm_yy(points), strip%square(points), &
+      strip%rest_x(points), strip%rest_y(points), strip%power(points), strip%a_xx(points), strip%a_xy(points), &
+      strip%a_yy(points), strip%step_x(points), strip%step_y(points), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    strip%points = points
+    strip%tau_x = 0
+    strip%tau_y = 0
+    strip%reference = 1
+    strip%limit = 1
+  end subroutine new_shear_strip
+
+  !> Stress halfway, thinning and slip of a strip; `failures` counts the points where Newton's method did not converge.
+  pure subroutine solve_shear(law, levels, strip, failures)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(out) :: failures
+    logical :: converged
+    integer :: i, step, left
+
+    failures = 0
+    if (law%law == law_newton) then
+      call solve_newtonian(levels, strip)
+      return
+    end if
+    call guess_stress(law, levels, strip)
+    do step = 1, steps_together
+      call sum_rates(law, levels, strip, 1, strip%points)
+      call newton_step(strip, 1, strip%points)
+      left = count(.not. accurate(strip, 1, strip%points))
+      if (left*few <= strip%points) exit
+      call bounded_move(law, strip, strip%points)
+    end do
+    do i = 1, strip%points
+      converged = all(accurate(strip, i, i))
+      if (.not. converged) call solve_alone(law, levels, strip, i, converged)
+      if (.not. converged) failures = failures + 1
+    end do
+    call finish(levels, strip)
+    call find_slip(law, strip)
+  end subroutine solve_shear
+
+  !> A Newtonian oil's stress in closed form.
+  pure subroutine solve_newtonian(levels, strip)
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    real(wp) :: mean, moment
+    integer :: i, k
+
+    do i = 1, strip%points
+      mean = 0
+      moment = 0
+      do k = 1, levels%count
+        mean = mean + levels%weight(k)*strip%fluidity(i, k)
+        moment = moment + levels%weight(k)*levels%z(k)*strip%fluidity(i, k)
+      end do
+      strip%inverse_xx(i) = 1/(strip%film(i)*mean)
+      strip%tau_x(i) = strip%inverse_xx(i)*(strip%us(i) - strip%film(i)**2*moment*strip%px(i))
+      strip%tau_y(i) = strip%inverse_xx(i)*(strip%vs(i) - strip%film(i)**2*moment*strip%py(i))
+    end do
+    strip%inverse_yy = strip%inverse_xx
+    strip%inverse_xy = 0
+    strip%g = 1
+    strip%g_slope = 0
+    strip%slip = 0
+  end subroutine solve_newtonian
+
+  !> Where no stress is given: that of the film's mean fluidity without gradient.
+  pure subroutine guess_stress(law, levels, strip)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    real(wp) :: sliding, newtonian
+    integer :: i
+
+    do i = 1, strip%points
+      sliding = hypot(strip%us(i), strip%vs(i))
+      if (abs(strip%tau_x(i)) + abs(strip%tau_y(i)) > 0 .or. .not. sliding > 0) cycle
+      newtonian = sliding/(strip%film(i)*sum(levels%weight*strip%fluidity(i, :)))
+      newtonian = stress_guess(law, newtonian, strip%reference(i), strip%limit(i))
+      strip%tau_x(i) = newtonian*strip%us(i)/sliding
+      strip%tau_y(i) = newtonian*strip%vs(i)/sliding
+    end do
+  end subroutine guess_stress
+
+  !> Thinning of some points, the velocity that the film lacks, A, and the power of shear [W/m2].
+  pure subroutine sum_rates(law, levels, strip, first, last)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: first, last
+    integer :: k
+
+    associate (s => strip)
+      s%rest_x(first:last) = s%us(first:last)
+      s%rest_y(first:last) = s%vs(first:last)
+      s%a_xx(first:last) = 0
+      s%a_xy(first:last) = 0
+      s%a_yy(first:last) = 0
+      s%power(first:last) = 0
+      do k = 1, levels%count
+        call square_stress(last - first + 1, levels%z(k), s%film(first:last), s%px(first:last), s%py(first:last), &
+          s%tau_x(first:last), s%tau_y(first:last), s%square(first:last))
+        call thinning(law, last - first + 1, s%square(first:last), s%reference(first:last), s%limit(first:last), &
+          s%g(first:last, k), s%g_slope(first:last, k))
+        call add_rate(last - first + 1, levels%z(k), levels%weight(k), s%film(first:last), s%px(first:last), &
+          s%py(first:last), s%tau_x(first:last), s%tau_y(first:last), s%fluidity(first:last, k), s%g(first:last, k), &
+          s%g_slope(first:last, k), s%rest_x(first:last), s%rest_y(first:last), s%a_xx(first:last), s%a_xy(first:last), &
+          s%a_yy(first:last), s%power(first:last))
+      end do
+    end associate
+  end subroutine sum_rates
+
+  !> Square of the stress at a level.
+  pure subroutine square_stress(count, z, film, px, py, tau_x, tau_y, square)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: z, film(count), px(count), py(count), tau_x(count), tau_y(count)
+    real(wp), intent(out) :: square(count)
+
+    square = (tau_x + z*film*px)**2 + (tau_y + z*film*py)**2
+  end subroutine square_stress
+
+  !> What a level adds to the sums over the film.
+  pure subroutine add_rate(count, z, weight, film, px, py, tau_x, tau_y, fluidity, g, slope, rest_x, rest_y, a_xx, a_xy, &
+    a_yy, power)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: z, weight, film(count), px(count), py(count), tau_x(count), tau_y(count), fluidity(count), &
+      g(count), slope(count)
+    real(wp), intent(inout) :: rest_x(count), rest_y(count), a_xx(count), a_xy(count), a_yy(count), power(count)
+    real(wp) :: x, y, along, across
+    integer :: i
+
+    do i = 1, count
+      x = tau_x(i) + z*film(i)*px(i)
+      y = tau_y(i) + z*film(i)*py(i)
+      along = weight*film(i)*fluidity(i)*g(i)
+      across = 2*weight*film(i)*fluidity(i)*slope(i)
+      rest_x(i) = rest_x(i) - along*x
+      rest_y(i) = rest_y(i) - along*y
+      a_xx(i) = a_xx(i) + along + across*x*x
+      a_xy(i) = a_xy(i) + across*x*y
+      a_yy(i) = a_yy(i) + along + across*y*y
+      power(i) = power(i) + along*(x*x + y*y)
+    end do
+  end subroutine add_rate
+
+  !> Inverse of A and Newton's step of some points.
+  pure subroutine newton_step(strip, first, last)
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: first, last
+    real(wp) :: determinant
+    integer :: i
+
+    do i = first, last
+      determinant = strip%a_xx(i)*strip%a_yy(i) - strip%a_xy(i)**2
+      strip%inverse_xx(i) = strip%a_yy(i)/determinant
+      strip%inverse_xy(i) = -strip%a_xy(i)/determinant
+      strip%inverse_yy(i) = strip%a_xx(i)/determinant
+      strip%step_x(i) = strip%inverse_xx(i)*strip%rest_x(i) + strip%inverse_xy(i)*strip%rest_y(i)
+      strip%step_y(i) = strip%inverse_xy(i)*strip%rest_x(i) + strip%inverse_yy(i)*strip%rest_y(i)
+    end do
+  end subroutine newton_step
+
+  !> Whether the next Newton step of some points is the last.
+  pure function accurate(strip, first, last) result(is)
+    type(shear_strip), intent(in) :: strip
+    integer, intent(in) :: first, last
+    logical :: is(first:last)
+    integer :: i
+
+    do i = first, last
+      is(i) = strip%rest_x(i)*strip%step_x(i) + strip%rest_y(i)*strip%step_y(i) <= tolerance**2*strip%power(i)
+    end do
+  end function accurate
+
+  !> Share of Newton's step of a point by which it may move.
+  !>
+  !> A step much beyond the stresses met so far would overshoot where rates grow exponentially, and walls approach the
+  !> limiting stress in shares of their distance to it (Sharif et al., text to fig. 4).
+  pure real(wp) function bounded_share(law, strip, i)
+    type(flow_law), intent(in) :: law
+    type(shear_strip), intent(in) :: strip
+    integer, intent(in) :: i
+    !> Share of the distance to the limit.
+    real(wp), parameter :: approach = 0.8_wp
+    real(wp) :: half_x, half_y, extreme, room, length
+
+    half_x = strip%film(i)*strip%px(i)/2
+    half_y = strip%film(i)*strip%py(i)/2
+    extreme = sqrt(max((strip%tau_x(i) + half_x)**2 + (strip%tau_y(i) + half_y)**2, &
+      (strip%tau_x(i) - half_x)**2 + (strip%tau_y(i) - half_y)**2))
+    room = extreme + 2*strip%reference(i)
+    if (has_limit(law)) room = min(strip%limit(i), room)
+    length = sqrt(strip%step_x(i)**2 + strip%step_y(i)**2)
+    if (has_limit(law) .and. extreme < slip_stress(strip%limit(i))) then
+      room = min(room, approach*(slip_stress(strip%limit(i)) - extreme))
+    end if
+    bounded_share = room/max(length, room)
+  end function bounded_share
+
+  !> Moves all points along their Newton steps.
+  pure subroutine bounded_move(law, strip, points)
+    type(flow_law), intent(in) :: law
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: points
+    real(wp) :: share
+    integer :: i
+
+    do i = 1, points
+      share = bounded_share(law, strip, i)
+      strip%tau_x(i) = strip%tau_x(i) + share*strip%step_x(i)
+      strip%tau_y(i) = strip%tau_y(i) + share*strip%step_y(i)
+    end do
+  end subroutine bounded_move
+
+  !> Newton's method with a line search, of a point whose sums and step are those at its stress.
+  !>
+  !> Along a step the slope of the potential is minus the step times the lacking velocity, and grows: a move is taken
+  !> when it has shrunk to half, and one that has overshot is drawn back.
+  pure subroutine solve_alone(law, levels, strip, i, converged)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: i
+    logical, intent(out) :: converged
+    real(wp) :: from(2), step(2), share, low, high, descent, slope
+    integer :: newton, search
+
+    do newton = 1, steps_alone
+      converged = all(accurate(strip, i, i))
+      if (converged) return
+      from = [strip%tau_x(i), strip%tau_y(i)]
+      step = [strip%step_x(i), strip%step_y(i)]
+      descent = strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2)
+      share = 1
+      low = 0
+      high = 0
+      do search = 1, search_steps
+        strip%tau_x(i) = from(1) + share*step(1)
+        strip%tau_y(i) = from(2) + share*step(2)
+        call sum_rates(law, levels, strip, i, i)
+        slope = -(strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2))
+        if (abs(slope) <= descent/2) exit
+        if (slope > 0) then
+          high = share
+        else
+          low = share
+          if (.not. high > 0) exit
+        end if
+        share = low + (high - low)*merge(0.5_wp, 0.1_wp, low > 0)
+      end do
+      call newton_step(strip, i, i)
+    end do
+    converged = all(accurate(strip, i, i))
+  end subroutine solve_alone
+
+  !> Takes the last Newton step, with thinning to first order.
+  pure subroutine finish(levels, strip)
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    real(wp) :: x, y
+    integer :: i, k
+
+    do k = 1, levels%count
+      do i = 1, strip%points
+        x = strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i)
+        y = strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i)
+        strip%g(i, k) = strip%g(i, k) + 2*strip%g_slope(i, k)*(x*strip%step_x(i) + y*strip%step_y(i))
+      end do
+    end do
+    do i = 1, strip%points
+      strip%tau_x(i) = strip%tau_x(i) + strip%step_x(i)
+      strip%tau_y(i) = strip%tau_y(i) + strip%step_y(i)
+    end do
+  end subroutine finish
+
+  !> Which walls are beyond the stress at slip.
+  pure subroutine find_slip(law, strip)
+    type(flow_law), intent(in) :: law
+    type(shear_strip), intent(inout) :: strip
+    real(wp) :: half_x, half_y, bound
+    integer :: i
+
+    strip%slip = 0
+    if (.not. has_limit(law)) return
+    do i = 1, strip%points
+      half_x = strip%film(i)*strip%px(i)/2
+      half_y = strip%film(i)*strip%py(i)/2
+      bound = slip_stress(strip%limit(i))**2
+      if ((strip%tau_x(i) - half_x)**2 + (strip%tau_y(i) - half_y)**2 > bound) strip%slip(i) = slip_at_body_1
+      if ((strip%tau_x(i) + half_x)**2 + (strip%tau_y(i) + half_y)**2 > bound) &
+        strip%slip(i) = strip%slip(i) + slip_at_body_2
+    end do
+  end subroutine find_slip
+
+  !> Flow [m2/s] that shear takes from the entrainment, S = int z' f g tau dz': the film carries u h - S, with u the
+  !> mean velocity of the bodies (Sharif et al., eqs 10 and 11).
+  pure subroutine flow_deficit(levels, strip, deficit_x, deficit_y)
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    real(wp), contiguous, intent(out) :: deficit_x(:), deficit_y(:)
+    real(wp) :: share
+    integer :: i, k
+
+    deficit_x = 0
+    deficit_y = 0
+    do k = 1, levels%count
+      do i = 1, strip%points
+        share = levels%weight(k)*levels%z(k)*strip%film(i)**2*strip%fluidity(i, k)*strip%g(i, k)
+        deficit_x(i) = deficit_x(i) + share*(strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i))
+        deficit_y(i) = deficit_y(i) + share*(strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i))
+      end do
+    end do
+  end subroutine flow_deficit
+
+  !> The deficit S [m2/s] with its derivatives at given sliding: the mobility dS/d(grad p) = C - B A^-1 B [m3/(Pa s)],
+  !> symmetric and positive definite; by the film [m/s]; and by the fluidity at each level [Pa m2].
+  pure subroutine flow_change(levels, strip, deficit_x, deficit_y, mobility_xx, mobility_xy, mobility_yy, by_film_x, &
+    by_film_y, by_fluidity_x, by_fluidity_y)
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    real(wp), contiguous, intent(out) :: deficit_x(:), deficit_y(:), mobility_xx(:), mobility_xy(:), mobility_yy(:), &
+      by_film_x(:), by_film_y(:), by_fluidity_x(:, :), by_fluidity_y(:, :)
+    real(wp) :: x, y, height, share, along, across
+    integer :: i, k
+
+    associate (s => strip, b_xx => strip%a_xx, b_xy => strip%a_xy, b_yy => strip%a_yy)
+      deficit_x = 0
+      deficit_y = 0
+      mobility_xx = 0
+      mobility_xy = 0
+      mobility_yy = 0
+      b_xx = 0
+      b_xy = 0
+      b_yy = 0
+      do k = 1, levels%count
+        do i = 1, s%points
+          height = levels%z(k)*s%film(i)
+          x = s%tau_x(i) + height*s%px(i)
+          y = s%tau_y(i) + height*s%py(i)
+          share = levels%weight(k)*s%film(i)*s%fluidity(i, k)*height
+          along = share*s%g(i, k)
+          across = 2*share*s%g_slope(i, k)
+          deficit_x(i) = deficit_x(i) + along*x
+          deficit_y(i) = deficit_y(i) + along*y
+          b_xx(i) = b_xx(i) + along + across*x*x
+          b_xy(i) = b_xy(i) + across*x*y
+          b_yy(i) = b_yy(i) + along + across*y*y
+          mobility_xx(i) = mobility_xx(i) + height*(along + across*x*x)
+          mobility_xy(i) = mobility_xy(i) + height*across*x*y
+          mobility_yy(i) = mobility_yy(i) + height*(along + across*y*y)
+        end do
+      end do
+      do i = 1, s%points
+        s%arm_xx(i) = b_xx(i)*s%inverse_xx(i) + b_xy(i)*s%inverse_xy(i)
+        s%arm_xy(i) = b_xx(i)*s%inverse_xy(i) + b_xy(i)*s%inverse_yy(i)
+        s%arm_yx(i) = b_xy(i)*s%inverse_xx(i) + b_yy(i)*s%inverse_xy(i)
+        s%arm_yy(i) = b_xy(i)*s%inverse_xy(i) + b_yy(i)*s%inverse_yy(i)
+        mobility_xx(i) = mobility_xx(i) - s%arm_xx(i)*b_xx(i) - s%arm_xy(i)*b_xy(i)
+        mobility_xy(i) = mobility_xy(i) - s%arm_xx(i)*b_xy(i) - s%arm_xy(i)*b_yy(i)
+        mobility_yy(i) = mobility_yy(i) - s%arm_yx(i)*b_xy(i) - s%arm_yy(i)*b_yy(i)
+        by_film_x(i) = (2*deficit_x(i) - s%arm_xx(i)*s%us(i) - s%arm_xy(i)*s%vs(i) + mobility_xx(i)*s%px(i) &
+          + mobility_xy(i)*s%py(i))/s%film(i)
+        by_film_y(i) = (2*deficit_y(i) - s%arm_yx(i)*s%us(i) - s%arm_yy(i)*s%vs(i) + mobility_xy(i)*s%px(i) &
+          + mobility_yy(i)*s%py(i))/s%film(i)
+      end do
+      do k = 1, levels%count
+        do i = 1, s%points
+          height = levels%z(k)*s%film(i)
+          share = levels%weight(k)*s%film(i)*s%g(i, k)
+          x = share*(s%tau_x(i) + height*s%px(i))
+          y = share*(s%tau_y(i) + height*s%py(i))
+          by_fluidity_x(i, k) = (height - s%arm_xx(i))*x - s%arm_xy(i)*y
+          by_fluidity_y(i, k) = (height - s%arm_yy(i))*y - s%arm_yx(i)*x
+        end do
+      end do
+    end associate
+  end subroutine flow_change
+
+  !> Derivatives of the deficit by the reference and the limiting stress [m2/(Pa s)], after `flow_change`.
+  pure subroutine flow_change_by_stresses(law, levels, strip, by_reference_x, by_reference_y, by_limit_x, by_limit_y)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    real(wp), contiguous, intent(out) :: by_reference_x(:), by_reference_y(:), by_limit_x(:), by_limit_y(:)
+    real(wp) :: x, y, height, share, to_x, to_y, by_reference, by_limit
+    integer :: i, k
+
+    by_reference_x = 0
+    by_reference_y = 0
+    by_limit_x = 0
+    by_limit_y = 0
+    do k = 1, levels%count
+      do i = 1, strip%points
+        height = levels%z(k)*strip%film(i)
+        x = strip%tau_x(i) + height*strip%px(i)
+        y = strip%tau_y(i) + height*strip%py(i)
+        share = levels%weight(k)*strip%film(i)*strip%fluidity(i, k)
+        to_x = share*((height - strip%arm_xx(i))*x - strip%arm_xy(i)*y)
+        to_y = share*((height - strip%arm_yy(i))*y - strip%arm_yx(i)*x)
+        call thinning_by_stresses(law, x*x + y*y, strip%reference(i), strip%limit(i), strip%g(i, k), &
+          strip%g_slope(i, k), by_reference, by_limit)
+        by_reference_x(i) = by_reference_x(i) + by_reference*to_x
+        by_reference_y(i) = by_reference_y(i) + by_reference*to_y
+        by_limit_x(i) = by_limit_x(i) + by_limit*to_x
+        by_limit_y(i) = by_limit_y(i) + by_limit*to_y
+      end do
+    end do
+  end subroutine flow_change_by_stresses
+
+  !> Velocity (u, v) [m/s] of the oil at the levels, from that of body 1 (u1, v1); at the walls that of the bodies, from
+  !> which the oil next to them differs where it slips.
+  pure subroutine film_velocity(law, levels, strip, u1, v1, u, v)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    real(wp), contiguous, intent(in) :: u1(:), v1(:)
+    real(wp), contiguous, intent(out) :: u(:, :), v(:, :)
+    real(wp) :: share, slip_x, slip_y
+    integer :: i, k, l, n
+
+    n = levels%count
+    do k = 1, n
+      u(:strip%points, k) = u1(:strip%points)
+      v(:strip%points, k) = v1(:strip%points)
+    end do
+    do i = 1, strip%points
+      if (iand(strip%slip(i), slip_at_body_1) == 0) cycle
+      call wall_slip(law, levels, strip, i, 1, slip_x, slip_y)
+      u(i, 2:) = u(i, 2:) + slip_x
+      v(i, 2:) = v(i, 2:) + slip_y
+    end do
+    do l = 1, n
+      do i = 1, strip%points
+        share = strip%film(i)*strip%fluidity(i, l)*strip%g(i, l)
+        strip%step_x(i) = share*(strip%tau_x(i) + levels%z(l)*strip%film(i)*strip%px(i))
+        strip%step_y(i) = share*(strip%tau_y(i) + levels%z(l)*strip%film(i)*strip%py(i))
+      end do
+      if (l == 1 .or. l == n) call take_slip(law, levels, strip, l)
+      do k = 2, n - 1
+        do i = 1, strip%points
+          u(i, k) = u(i, k) + levels%integral(k, l)*strip%step_x(i)
+          v(i, k) = v(i, k) + levels%integral(k, l)*strip%step_y(i)
+        end do
+      end do
+    end do
+    u(:strip%points, n) = u1(:strip%points) + strip%us(:strip%points)
+    v(:strip%points, n) = v1(:strip%points) + strip%vs(:strip%points)
+  end subroutine film_velocity
+
+  !> Takes slip from the velocities across the film that a wall's rate of shear stands for.
+  pure subroutine take_slip(law, levels, strip, wall)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: wall
+    real(wp) :: slip_x, slip_y
+    integer :: i
+
+    do i = 1, strip%points
+      if (strip%slip(i) == 0) cycle
+      call wall_slip(law, levels, strip, i, wall, slip_x, slip_y)
+      strip%step_x(i) = strip%step_x(i) - slip_x/levels%weight(wall)
+      strip%step_y(i) = strip%step_y(i) - slip_y/levels%weight(wall)
+    end do
+  end subroutine take_slip
+
+  !> Slip velocity [m/s] of point i at the wall whose level is given: what the rate there exceeds that at the stress
+  !> where slip begins. Its product with the wall's shear stress is heat [W/m2] that `film_heat` counts at that level.
+  pure subroutine wall_slip(law, levels, strip, i, wall, slip_x, slip_y)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    integer, intent(in) :: i, wall
+    real(wp), intent(out) :: slip_x, slip_y
+    real(wp) :: bound, x, y, stress, g(1), slope(1), excess
+
+    slip_x = 0
+    slip_y = 0
+    if (strip%slip(i) == 0) return
+    bound = slip_stress(strip%limit(i))
+    x = strip%tau_x(i) + levels%z(wall)*strip%film(i)*strip%px(i)
+    y = strip%tau_y(i) + levels%z(wall)*strip%film(i)*strip%py(i)
+    stress = hypot(x, y)
+    if (stress <= bound) return
+    call thinning(law, 1, [bound**2], strip%reference(i:i), strip%limit(i:i), g, slope)
+    excess = levels%weight(wall)*strip%film(i)*strip%fluidity(i, wall)*(strip%g(i, wall) - g(1)*bound/stress)
+    slip_x = excess*x
+    slip_y = excess*y
+  end subroutine wall_slip
+
+  !> Rate of shear [1/s] at the levels.
+  pure subroutine film_shear_rate(levels, strip, rate)
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    real(wp), contiguous, intent(out) :: rate(:, :)
+    integer :: i, k
+
+    do k = 1, levels%count
+      do i = 1, strip%points
+        rate(i, k) = strip%fluidity(i, k)*strip%g(i, k)*sqrt( &
+          (strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i))**2 &
+          + (strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i))**2)
+      end do
+    end do
+  end subroutine film_shear_rate
+
+  !> Heat of shear f g tau^2 [W/m3] at the levels, and its derivatives by their fluidity f at given sliding: at level k by
+  !> that at level l, own(k) where k = l, less response_x(k) stress_x(l) + response_y(k) stress_y(l).
+  !>
+  !> `own` [Pa2], `response` = 2 f (g + g' tau^2) tau [1/s], and `stress` [Pa2 s]: how much the stress halfway sinks.
+  pure subroutine film_heat(levels, strip, heat, own, response_x, response_y, stress_x, stress_y)
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    real(wp), contiguous, intent(out) :: heat(:, :), own(:, :), response_x(:, :), response_y(:, :), stress_x(:, :), &
+      stress_y(:, :)
+    real(wp) :: x, y, square, response, share
+    integer :: i, k
+
+    do k = 1, levels%count
+      do i = 1, strip%points
+        x = strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i)
+        y = strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i)
+        square = x*x + y*y
+        own(i, k) = strip%g(i, k)*square
+        heat(i, k) = strip%fluidity(i, k)*own(i, k)
+        response = 2*strip%fluidity(i, k)*(strip%g(i, k) + strip%g_slope(i, k)*square)
+        response_x(i, k) = response*x
+        response_y(i, k) = response*y
+        share = levels%weight(k)*strip%film(i)*strip%g(i, k)
+        stress_x(i, k) = share*(strip%inverse_xx(i)*x + strip%inverse_xy(i)*y)
+        stress_y(i, k) = share*(strip%inverse_xy(i)*x + strip%inverse_yy(i)*y)
+      end do
+    end do
+  end subroutine film_heat
+
+  !> Flow factors [m3/(Pa s)] along the sliding, `factor_s`, and across it, `factor_r`, and the entrainment [m/s] that
+  !> viscosity varying across the film takes from the mean velocity of the bodies, (lag_s, lag_r), such that the flow is
+  !> (u - lag) h - factor dp along each direction (Sharif et al., eqs 13a to 16). Direction s is (cosine, sine), that of
+  !> the sliding or, without it, that of the pressure gradient.
+  !>
+  !> The flows without one gradient are those at the same stress halfway, as the arguments in eqs 13a to 16 say.
+  pure subroutine flow_factors(law, levels, strip, cosine, sine, factor_s, factor_r, lag_s, lag_r)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    real(wp), contiguous, intent(out) :: cosine(:), sine(:), factor_s(:), factor_r(:), lag_s(:), lag_r(:)
+    real(wp) :: stress(2), drop(2)
+    integer :: i
+
+    do i = 1, strip%points
+      call unit_vector(strip%us(i), strip%vs(i), strip%px(i), strip%py(i), cosine(i), sine(i))
+      stress = [cosine(i)*strip%tau_x(i) + sine(i)*strip%tau_y(i), cosine(i)*strip%tau_y(i) - sine(i)*strip%tau_x(i)]
+      drop = [cosine(i)*strip%px(i) + sine(i)*strip%py(i), cosine(i)*strip%py(i) - sine(i)*strip%px(i)]*strip%film(i)
+      call flow_factor(law, levels, strip, i, stress(1), drop(1), stress(2), drop(2), factor_s(i), lag_s(i))
+      call flow_factor(law, levels, strip, i, stress(2), drop(2), stress(1), drop(1), factor_r(i), lag_r(i))
+    end do
+  end subroutine flow_factors
+
+  !> Direction of the first of two vectors that is not zero, or x.
+  pure subroutine unit_vector(us, vs, px, py, cosine, sine)
+    real(wp), intent(in) :: us, vs, px, py
+    real(wp), intent(out) :: cosine, sine
+
+    cosine = 1
+    sine = 0
+    if (hypot(us, vs) > 0) then
+      cosine = us/hypot(us, vs)
+      sine = vs/hypot(us, vs)
+    else if (hypot(px, py) > 0) then
+      cosine = px/hypot(px, py)
+      sine = py/hypot(px, py)
+    end if
+  end subroutine unit_vector
+
+  !> Flow factor and lag of point i along the direction of `stress` and of the `drop` h dp [Pa] of stress across the
+  !> film; `stress_across` and `drop_across` are those in the other direction.
+  pure subroutine flow_factor(law, levels, strip, i, stress, drop, stress_across, drop_across, factor, lag)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(in) :: strip
+    integer, intent(in) :: i
+    real(wp), intent(in) :: stress, drop, stress_across, drop_across
+    real(wp), intent(out) :: factor, lag
+    !> Least drop, in reference stresses, that a difference resolves; below it the factor is the one at that drop.
+    real(wp), parameter :: least_drop = 1e-4_wp
+    real(wp) :: across(levels%count), with(levels%count), without(levels%count), share(levels%count), resolved
+    real(wp), dimension(levels%count) :: reference, limit, g, g_without, slope
+
+    reference = strip%reference(i)
+    limit = strip%limit(i)
+    resolved = sign(max(abs(drop), least_drop*min(strip%reference(i), strip%limit(i))), drop)
+    across = (stress_across + levels%z*drop_across)**2
+    with = stress + levels%z*resolved
+    without = stress
+    call thinning(law, levels%count, with**2 + across, reference, limit, g, slope)
+    call thinning(law, levels%count, without**2 + across, reference, limit, g_without, slope)
+    share = levels%weight*levels%z*strip%film(i)*strip%fluidity(i, :)
+    lag = sum(share*g_without*without)
+    factor = sum(share*(g*with - g_without*without))*strip%film(i)**2/resolved
+  end subroutine flow_factor
+
+end module shear_flow

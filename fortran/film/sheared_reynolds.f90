@@ -1,0 +1,403 @@
+!> Reynolds' equation of a sheared film: any flow law, and a viscosity that varies across the film.
+!>
+!>     div(rho h um) - div(rho S) + rho dh/dt = 0,   S = int z F(tau)/tau (tau_x, tau_y) dz
+!>
+!> (Sharif et al. 2001, eqs 10 and 11, in x and y instead of the frame of sliding). S is taken at the faces between
+!> nodes, with its exact derivatives by the pressure gradient (a full tensor), pressure and film. Fluidities of a
+!> face's two nodes are averaged by what else their mobility holds, rho h**3, so that for a Newtonian oil of one
+!> temperature the scheme is that of `reynolds` to rounding.
+module sheared_reynolds
+  use film_levels, only: levels_across, new_levels
+  use flow_laws, only: flow_law, stress_scales
+  use kinds, only: wp
+  use omp_lib, only: omp_get_max_threads, omp_get_thread_num
+  use oil_laws, only: oil_law, hot_fluidity, hot_density
+  use reynolds, only: film_grid, film_fields, add_wedge, clear_outline
+  use shear_flow, only: shear_strip, new_shear_strip, solve_shear, flow_change, flow_change_by_stresses
+  use status, only: status_ok, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change
+
+  !> Faces treated together: enough for vectors, few enough to stay in the first cache.
+  integer, parameter :: strip = 64
+
+  !> Flow rho S through the faces after the nodes in one direction, along their normal [m2/s], linearised.
+  type :: face_flow
+    !> Stress at the middle of the film [Pa], from which the next evaluation starts.
+    real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
+    real(wp), allocatable :: flow(:, :)
+    !> Derivatives by the pressure of the node before and after, by the pressure gradient along the face, and by
+    !> the film before and after.
+    real(wp), allocatable :: before(:, :), after(:, :), aside(:, :), film_before(:, :), film_after(:, :)
+  end type face_flow
+
+  !> The oil at the nodes.
+  type :: sheared_oil
+    type(flow_law) :: law
+    type(levels_across) :: levels
+    !> Velocity of body 2 relative to body 1 at the nodes [m/s].
+    real(wp), allocatable :: sliding_x(:, :), sliding_y(:, :)
+    !> Temperature at the levels less that of the inlet [K], third index.
+    real(wp), allocatable :: rise(:, :, :)
+    !> Fluidity 1/eta at the levels [1/(Pa s)] and its derivative by pressure.
+    real(wp), allocatable :: fluidity(:, :, :), fluidity_p(:, :, :)
+    !> Stress at which the law departs from Newton's and limiting stress [Pa], and their derivatives by pressure.
+    real(wp), allocatable :: onset(:, :), onset_p(:, :), limit(:, :), limit_p(:, :)
+  end type sheared_oil
+
+  type :: sheared_film
+    type(sheared_oil) :: nodes
+    type(face_flow) :: along_x, along_y
+    !> One strip of faces for each thread.
+    type(shear_strip), allocatable :: strips(:)
+  end type sheared_film
+
+contains
+
+  !> A film at its inlet temperature; `sliding` is the velocity of body 2 relative to body 1 at the nodes [m/s].
+  subroutine new_sheared_film(law, levels, sliding_x, sliding_y, self, stat)
+    type(flow_law), intent(in) :: law
+    integer, intent(in) :: levels
+    real(wp), intent(in) :: sliding_x(:, :), sliding_y(:, :)
+    type(sheared_film), intent(out) :: self
+    integer, intent(out) :: stat
+    integer :: nx, ny, thread, err
+
+    nx = size(sliding_x, 1)
+    ny = size(sliding_x, 2)
+    self%nodes%law = law
+    self%nodes%levels = new_levels(levels)
+    self%nodes%sliding_x = sliding_x
+    self%nodes%sliding_y = sliding_y
+    associate (nodes => self%nodes)
+      allocate (nodes%rise(nx, ny, levels), nodes%fluidity(nx, ny, levels), nodes%fluidity_p(nx, ny, levels), &
+        nodes%onset(nx, ny), nodes%onset_p(nx, ny), nodes%limit(nx, ny), nodes%limit_p(nx, ny), source=0.0_wp, stat=err)
+    end associate
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat == status_ok) call new_face_flow(nx, ny, self%along_x, stat)
+    if (stat == status_ok) call new_face_flow(nx, ny, self%along_y, stat)
+    allocate (self%strips(0:omp_get_max_threads() - 1))
+    do thread = 0, ubound(self%strips, 1)
+      if (stat == status_ok) call new_shear_strip(strip, levels, self%strips(thread), stat)
+    end do
+  end subroutine new_sheared_film
+
+  subroutine new_face_flow(nx, ny, faces, stat)
+    integer, intent(in) :: nx, ny
+    type(face_flow), intent(out) :: faces
+    integer, intent(out) :: stat
+    integer :: err
+
+    allocate (faces%stress_x(nx, ny), faces%stress_y(nx, ny), faces%flow(nx, ny), faces%before(nx, ny), &
+      faces%after(nx, ny), faces%aside(nx, ny), faces%film_before(nx, ny), faces%film_after(nx, ny), &
+      source=0.0_wp, stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+  end subroutine new_face_flow
+
+  !> Fields and face flows at the pressure and film that `fields` already holds.
+  !>
+  !> `fields` gets the density and, for the preconditioner, mobilities along x and y with derivatives. A film below
+  !> `floor` [m] flows as one of the floor.
+  subroutine set_sheared_fields(grid, oil, floor, film, fields)
+    type(film_grid), intent(in) :: grid
+    type(oil_law), intent(in) :: oil
+    real(wp), intent(in) :: floor
+    type(sheared_film), intent(inout) :: film
+    type(film_fields), intent(inout) :: fields
+    integer :: j
+
+    !$omp parallel do schedule(static)
+    do j = 1, grid%ny
+      call set_row(oil, j, film%nodes, fields)
+    end do
+    !$omp parallel do schedule(dynamic, 4)
+    do j = 1, grid%ny
+      if (j > 1 .and. j < grid%ny) call flow_within_row(grid, floor, j, fields, film)
+      if (j < grid%ny) call flow_between_rows(grid, floor, j, fields, film)
+    end do
+    !$omp parallel do schedule(static)
+    do j = 2, grid%ny - 1
+      call set_mobility(grid, j, film, fields)
+    end do
+  end subroutine set_sheared_fields
+
+  !> Oil at the nodes of row j.
+  subroutine set_row(oil, j, nodes, fields)
+    type(oil_law), intent(in) :: oil
+    integer, intent(in) :: j
+    type(sheared_oil), intent(inout) :: nodes
+    type(film_fields), intent(inout) :: fields
+    real(wp) :: mean(size(fields%p, 1))
+    real(wp), dimension(size(fields%p, 1), nodes%levels%count) :: rise, fluidity, by_pressure, by_temperature
+    integer :: k
+
+    rise = nodes%rise(:, j, :)
+    call hot_fluidity(oil, fields%p(:, j), rise, fluidity, by_pressure, by_temperature)
+    mean = 0
+    do k = 1, nodes%levels%count
+      mean = mean + nodes%levels%weight(k)*rise(:, k)
+      nodes%fluidity(:, j, k) = fluidity(:, k)
+      nodes%fluidity_p(:, j, k) = fluidity(:, k)*by_pressure(:, k)
+    end do
+    call hot_density(oil, fields%p(:, j), mean, fields%rho(:, j), fields%rho_p(:, j))
+    call stress_scales(nodes%law, fields%p(:, j), mean, nodes%onset(:, j), nodes%onset_p(:, j), nodes%limit(:, j), &
+      nodes%limit_p(:, j))
+  end subroutine set_row
+
+  !> Faces of row j, from each node to the next.
+  subroutine flow_within_row(grid, floor, j, fields, film)
+    type(film_grid), intent(in) :: grid
+    real(wp), intent(in) :: floor
+    integer, intent(in) :: j
+    type(film_fields), intent(in) :: fields
+    type(sheared_film), intent(inout) :: film
+    real(wp) :: normal(strip), aside(strip)
+    integer :: first, last, i
+
+    do first = 1, grid%nx - 1, strip
+      last = min(first + strip - 1, grid%nx - 1)
+      associate (p => fields%p)
+        do i = first, last
+          normal(i - first + 1) = (p(i + 1, j) - p(i, j))/grid%dx
+          aside(i - first + 1) = (p(i, j + 1) - p(i, j - 1) + p(i + 1, j + 1) - p(i + 1, j - 1))/(4*grid%dy)
+        end do
+      end associate
+      call flow_through(film%nodes, fields, floor, first, last, j, 1, 0, 1/grid%dx, normal, aside, &
+        film%strips(omp_get_thread_num()), film%along_x)
+    end do
+  end subroutine flow_within_row
+
+  !> Faces from the nodes of row j to those of the next.
+  subroutine flow_between_rows(grid, floor, j, fields, film)
+    type(film_grid), intent(in) :: grid
+    real(wp), intent(in) :: floor
+    integer, intent(in) :: j
+    type(film_fields), intent(in) :: fields
+    type(sheared_film), intent(inout) :: film
+    real(wp) :: normal(strip), aside(strip)
+    integer :: first, last, i
+
+    do first = 2, grid%nx - 1, strip
+      last = min(first + strip - 1, grid%nx - 1)
+      associate (p => fields%p)
+        do i = first, last
+          normal(i - first + 1) = (p(i, j + 1) - p(i, j))/grid%dy
+          aside(i - first + 1) = (p(i + 1, j) - p(i - 1, j) + p(i + 1, j + 1) - p(i - 1, j + 1))/(4*grid%dx)
+        end do
+      end associate
+      call flow_through(film%nodes, fields, floor, first, last, j, 0, 1, 1/grid%dy, normal, aside, &
+        film%strips(omp_get_thread_num()), film%along_y)
+    end do
+  end subroutine flow_between_rows
+
+  !> Flow through the faces between nodes first..last of row j and those (di, dj) further on, linearised.
+  !>
+  !> `normal` and `aside` are the pressure gradient through the faces and along them [Pa/m].
+  subroutine flow_through(nodes, fields, floor, first, last, j, di, dj, per_length, normal, aside, work, faces)
+    type(sheared_oil), intent(in) :: nodes
+    type(film_fields), intent(in) :: fields
+    real(wp), intent(in) :: floor
+    integer, intent(in) :: first, last, j, di, dj
+    real(wp), intent(in) :: per_length, normal(strip), aside(strip)
+    type(shear_strip), intent(inout) :: work
+    type(face_flow), intent(inout) :: faces
+    real(wp), dimension(strip) :: h1, h2, mass1, mass2, share, rho, by_share, by_fluidity1, by_fluidity2, by_p1, by_p2, &
+      by_h
+    real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
+    real(wp), dimension(strip, nodes%levels%count) :: f_x, f_y
+    integer :: m, k, failures
+
+    m = last - first + 1
+    work%points = m
+    if (di == 1) then
+      work%px(:m) = normal(:m)
+      work%py(:m) = aside(:m)
+    else
+      work%px(:m) = aside(:m)
+      work%py(:m) = normal(:m)
+    end if
+    associate (rho1 => fields%rho(first:last, j), rho2 => fields%rho(first + di:last + di, j + dj), &
+        rho1_p => fields%rho_p(first:last, j), rho2_p => fields%rho_p(first + di:last + di, j + dj), &
+        f1 => nodes%fluidity(first:last, j, :), f2 => nodes%fluidity(first + di:last + di, j + dj, :), h => work%film(:m))
+      h1(:m) = max(fields%h(first:last, j), floor)
+      h2(:m) = max(fields%h(first + di:last + di, j + dj), floor)
+      mass1(:m) = rho1*h1(:m)**3
+      mass2(:m) = rho2*h2(:m)**3
+      share(:m) = mass1(:m)/(mass1(:m) + mass2(:m))
+      h = (h1(:m) + h2(:m))/2
+      rho(:m) = (mass1(:m) + mass2(:m))/(2*h**3)
+      do k = 1, nodes%levels%count
+        work%fluidity(:m, k) = share(:m)*f1(:, k) + (1 - share(:m))*f2(:, k)
+      end do
+      work%us(:m) = (nodes%sliding_x(first:last, j) + nodes%sliding_x(first + di:last + di, j + dj))/2
+      work%vs(:m) = (nodes%sliding_y(first:last, j) + nodes%sliding_y(first + di:last + di, j + dj))/2
+      work%reference(:m) = (nodes%onset(first:last, j) + nodes%onset(first + di:last + di, j + dj))/2
+      work%limit(:m) = (nodes%limit(first:last, j) + nodes%limit(first + di:last + di, j + dj))/2
+      work%tau_x(:m) = faces%stress_x(first:last, j)
+      work%tau_y(:m) = faces%stress_y(first:last, j)
+      call solve_shear(nodes%law, nodes%levels, work, failures)
+      faces%stress_x(first:last, j) = work%tau_x(:m)
+      faces%stress_y(first:last, j) = work%tau_y(:m)
+      call flow_change(nodes%levels, work, s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, f_x, f_y)
+      call flow_change_by_stresses(nodes%law, nodes%levels, work, onset_x, onset_y, limit_x, limit_y)
+      if (di == 0) then
+        s_x = s_y
+        m_xx = m_yy
+        h_x = h_y
+        f_x = f_y
+        onset_x = onset_y
+        limit_x = limit_y
+      end if
+
+      by_share = 0
+      by_fluidity1 = 0
+      by_fluidity2 = 0
+      do k = 1, nodes%levels%count
+        by_share(:m) = by_share(:m) + f_x(:m, k)*(f1(:, k) - f2(:, k))
+        by_fluidity1(:m) = by_fluidity1(:m) + f_x(:m, k)*nodes%fluidity_p(first:last, j, k)
+        by_fluidity2(:m) = by_fluidity2(:m) + f_x(:m, k)*nodes%fluidity_p(first + di:last + di, j + dj, k)
+      end do
+      by_share(:m) = rho(:m)*by_share(:m)*share(:m)*(1 - share(:m))
+
+      ! density, shares and fluidities follow the pressure of each node, the stresses of the flow law that of both
+      by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_share(:m)*rho1_p/rho1 + rho(:m)*(share(:m)*by_fluidity1(:m) &
+        + (onset_x(:m)*nodes%onset_p(first:last, j) + limit_x(:m)*nodes%limit_p(first:last, j))/2)
+      by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_share(:m)*rho2_p/rho2 + rho(:m)*((1 - share(:m))*by_fluidity2(:m) &
+        + (onset_x(:m)*nodes%onset_p(first + di:last + di, j + dj) &
+        + limit_x(:m)*nodes%limit_p(first + di:last + di, j + dj))/2)
+      by_h(:m) = rho(:m)*(h_x(:m) - 3*s_x(:m)/h)/2
+
+      faces%flow(first:last, j) = rho(:m)*s_x(:m)
+      faces%before(first:last, j) = by_p1(:m) - rho(:m)*m_xx(:m)*per_length
+      faces%after(first:last, j) = by_p2(:m) + rho(:m)*m_xx(:m)*per_length
+      faces%aside(first:last, j) = rho(:m)*m_xy(:m)
+      faces%film_before(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho1*h1(:m)**2/(2*h**3) + by_share(:m)/h1(:m)), &
+        0.0_wp, fields%h(first:last, j) > floor)
+      faces%film_after(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho2*h2(:m)**2/(2*h**3) - by_share(:m)/h2(:m)), &
+        0.0_wp, fields%h(first + di:last + di, j + dj) > floor)
+    end associate
+  end subroutine flow_through
+
+  !> Mobilities about the nodes of row j, for the preconditioner: mean tangents of the faces, and the slopes by
+  !> pressure and film that fit their flows best.
+  subroutine set_mobility(grid, j, film, fields)
+    type(film_grid), intent(in) :: grid
+    integer, intent(in) :: j
+    type(sheared_film), intent(in) :: film
+    type(film_fields), intent(inout) :: fields
+    real(wp) :: drop(4), squares
+    integer :: i
+
+    associate (x => film%along_x, y => film%along_y, p => fields%p)
+      do i = 2, grid%nx - 1
+        fields%mobility(i, j) = (x%after(i, j) - x%before(i, j) + x%after(i - 1, j) - x%before(i - 1, j))*grid%dx/4
+        fields%mobility_y(i, j) = (y%after(i, j) - y%before(i, j) + y%after(i, j - 1) - y%before(i, j - 1))*grid%dy/4
+        drop = [(p(i + 1, j) - p(i, j))/grid%dx, (p(i, j) - p(i - 1, j))/grid%dx, &
+          (p(i, j + 1) - p(i, j))/grid%dy, (p(i, j) - p(i, j - 1))/grid%dy]
+        squares = sum(drop**2)
+        if (.not. squares > 0) squares = huge(squares)
+        fields%mobility_p(i, j) = (drop(1)*(x%before(i, j) + x%after(i, j)) &
+          + drop(2)*(x%before(i - 1, j) + x%after(i - 1, j)) + drop(3)*(y%before(i, j) + y%after(i, j)) &
+          + drop(4)*(y%before(i, j - 1) + y%after(i, j - 1)))/squares
+        fields%mobility_h(i, j) = (drop(1)*(x%film_before(i, j) + x%film_after(i, j)) &
+          + drop(2)*(x%film_before(i - 1, j) + x%film_after(i - 1, j)) &
+          + drop(3)*(y%film_before(i, j) + y%film_after(i, j)) &
+          + drop(4)*(y%film_before(i, j - 1) + y%film_after(i, j - 1)))/squares
+      end do
+    end associate
+  end subroutine set_mobility
+
+  !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
+  subroutine sheared_imbalance(grid, film, fields, imbalance)
+    type(film_grid), intent(in) :: grid
+    type(sheared_film), intent(in) :: film
+    type(film_fields), intent(inout) :: fields
+    real(wp), contiguous, intent(out) :: imbalance(:, :)
+    integer :: j
+
+    !$omp parallel do schedule(static)
+    do j = 1, grid%ny
+      fields%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
+      imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
+    end do
+    call add_wedge(grid, fields%mass, imbalance)
+    call take_inflow(grid, film%along_x%flow, film%along_y%flow, imbalance)
+    call clear_outline(imbalance)
+  end subroutine sheared_imbalance
+
+  !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
+  subroutine sheared_imbalance_change(grid, film, fields, dp, dh, change)
+    type(film_grid), intent(in) :: grid
+    type(sheared_film), intent(in) :: film
+    type(film_fields), intent(inout) :: fields
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    real(wp), contiguous, intent(out) :: change(:, :)
+    integer :: i, j
+
+    !$omp parallel do schedule(static)
+    do j = 1, grid%ny
+      fields%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+      change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
+    end do
+    call add_wedge(grid, fields%mass, change)
+    associate (x => film%along_x, y => film%along_y, slope_x => 1/(4*grid%dx), slope_y => 1/(4*grid%dy))
+      !$omp parallel do private(i) schedule(static)
+      do j = 2, grid%ny - 1
+        block
+          real(wp) :: within(grid%nx), enter(grid%nx), leave(grid%nx)
+
+          do i = 1, grid%nx - 1
+            within(i) = x%before(i, j)*dp(i, j) + x%after(i, j)*dp(i + 1, j) + x%film_before(i, j)*dh(i, j) &
+              + x%film_after(i, j)*dh(i + 1, j) + x%aside(i, j)*slope_y*(dp(i, j + 1) - dp(i, j - 1) &
+              + dp(i + 1, j + 1) - dp(i + 1, j - 1))
+          end do
+          call change_between(j - 1, enter)
+          call change_between(j, leave)
+          do i = 2, grid%nx - 1
+            change(i, j) = change(i, j) - (within(i) - within(i - 1))/grid%dx - (leave(i) - enter(i))/grid%dy
+          end do
+        end block
+      end do
+    end associate
+    call clear_outline(change)
+
+  contains
+
+    !> Change of the flow from the nodes of row j to those of the next.
+    pure subroutine change_between(j, flow)
+      integer, intent(in) :: j
+      real(wp), intent(out) :: flow(:)
+      real(wp) :: slope
+      integer :: i
+
+      slope = 1/(4*grid%dx)
+      flow(1) = 0
+      associate (y => film%along_y)
+        do i = 2, grid%nx - 1
+          flow(i) = y%before(i, j)*dp(i, j) + y%after(i, j)*dp(i, j + 1) + y%film_before(i, j)*dh(i, j) &
+            + y%film_after(i, j)*dh(i, j + 1) + y%aside(i, j)*slope*(dp(i + 1, j) - dp(i - 1, j) &
+            + dp(i + 1, j + 1) - dp(i - 1, j + 1))
+        end do
+      end associate
+    end subroutine change_between
+
+  end subroutine sheared_imbalance_change
+
+  !> Takes off the net inflow of the flows through faces after the nodes, along x and along y.
+  subroutine take_inflow(grid, along_x, along_y, r)
+    type(film_grid), intent(in) :: grid
+    real(wp), contiguous, intent(in) :: along_x(:, :), along_y(:, :)
+    real(wp), contiguous, intent(inout) :: r(:, :)
+    integer :: i, j
+
+    !$omp parallel do private(i) schedule(static)
+    do j = 2, grid%ny - 1
+      do i = 2, grid%nx - 1
+        r(i, j) = r(i, j) - (along_x(i, j) - along_x(i - 1, j))/grid%dx - (along_y(i, j) - along_y(i, j - 1))/grid%dy
+      end do
+    end do
+  end subroutine take_inflow
+
+end module sheared_reynolds

@@ -1,0 +1,290 @@
+!> How an oil flows under shear: rate = F(tau) = g tau / eta, with g >= 1 the thinning of its law.
+!>
+!> Thinning is written as a function of the square of the stress, by which films shear in two directions (Sharif,
+!> Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. Within half a per cent of
+!> it they are continued exponentially: there a body slips over its film, and the slip follows the shear stress at its
+!> wall. The stress then stays below the limit at any speed, and thinning keeps a derivative.
+module flow_laws
+  use kinds, only: wp
+  implicit none(type, external)
+  private
+
+  public :: flow_law, has_limit, slip_stress, stress_scales, thinning, thinning_by_stresses, stress_guess
+
+  !> F = tau / eta
+  integer, parameter, public :: law_newton = 0
+  !> F = tau0/eta sinh(tau/tau0) (Eyring 1936)
+  integer, parameter, public :: law_eyring = 1
+  !> F = -tauL/eta ln(1 - tau/tauL) (Bair and Winer 1979; Sharif et al., eq. 5)
+  integer, parameter, public :: law_bair_winer = 2
+  !> F = tau0/eta sinh(tau/tau0) tauL^(2 lambda) / (tauL^(2 lambda) - tau^(2 lambda)) (Sharif et al., eq. 6)
+  integer, parameter, public :: law_eyring_limited = 3
+  !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Bair 2004; Habchi, Vergne, Bair et al. 2010)
+  integer, parameter, public :: law_carreau = 4
+
+  !> Share of the limit at which a wall slips (Sharif et al., text to fig. 4).
+  real(wp), parameter :: slip_share = 0.995_wp
+  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than any
+  !> ratio of slip to shear, still end below the limit.
+  real(wp), parameter :: slip_step = 1e-4_wp
+  !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.
+  real(wp), parameter :: largest_eyring = 150.0_wp, largest_slip = 50.0_wp, largest_carreau = 1e30_wp
+  !> Square of tau/tau0 below which Eyring's thinning is summed as a series.
+  real(wp), parameter :: series_below = 0.25_wp
+  !> Least square of tau/tauL where the slope by the square grows without bound toward rest.
+  real(wp), parameter :: least_ratio = 1e-12_wp
+
+  type :: flow_law
+    integer :: law = law_newton
+    !> tau0 of Eyring, or G of Carreau [Pa], at ambient pressure and reference temperature.
+    real(wp) :: reference = 1
+    !> Its logarithmic growth with pressure [1/Pa] and decay with the film's mean temperature [1/K].
+    real(wp) :: reference_growth = 0, reference_decay = 0
+    !> Limiting stress at ambient pressure [Pa] and its growth with pressure [-].
+    real(wp) :: limit = 0, limit_growth = 0
+    !> lambda of the limited law, or n of Carreau [-].
+    real(wp) :: exponent = 1
+  end type flow_law
+
+contains
+
+  !> Whether the law bounds the stress.
+  elemental logical function has_limit(law)
+    type(flow_law), intent(in) :: law
+
+    has_limit = law%law == law_bair_winer .or. law%law == law_eyring_limited
+  end function has_limit
+
+  !> Stress [Pa] beyond which a wall slips, of an oil with limiting stress `limit` [Pa].
+  elemental real(wp) function slip_stress(limit)
+    real(wp), intent(in) :: limit
+
+    slip_stress = slip_share*limit
+  end function slip_stress
+
+  !> Reference and limiting stress [Pa] at pressure `p` [Pa] and mean temperature `rise` [K] of the film above the
+  !> reference temperature, with their derivatives by pressure [-].
+  elemental subroutine stress_scales(law, p, rise, reference, reference_slope, limit, limit_slope)
+    type(flow_law), intent(in) :: law
+    real(wp), intent(in) :: p, rise
+    real(wp), intent(out) :: reference, reference_slope, limit, limit_slope
+
+    reference = law%reference*exp(law%reference_growth*p - law%reference_decay*rise)
+    reference_slope = law%reference_growth*reference
+    limit = law%limit + law%limit_growth*p
+    limit_slope = law%limit_growth
+  end subroutine stress_scales
+
+  !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at `square`
+  !> [Pa2], `reference` and `limit` [Pa].
+  pure subroutine thinning(law, count, square, reference, limit, g, slope)
+    type(flow_law), intent(in) :: law
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), reference(count), limit(count)
+    real(wp), intent(out) :: g(count), slope(count)
+    integer :: i
+
+    select case (law%law)
+    case (law_eyring)
+      call eyring(count, square, reference, reference, largest_eyring, g, slope)
+    case (law_bair_winer)
+      call bair_winer(count, square, limit, g, slope)
+    case (law_eyring_limited)
+      call eyring(count, square, reference, limit, slip_share, g, slope)
+      if (abs(law%exponent - 1) <= 0) then
+        call limit_thinning(count, square, limit, g, slope)
+      else
+        call limit_thinning_by_power(law%exponent, count, square, limit, g, slope)
+      end if
+    case (law_carreau)
+      call carreau((1/law%exponent - 1)/2, count, square, reference, g, slope)
+    case default
+      g = 1
+      slope = 0
+    end select
+    if (.not. has_limit(law)) return
+    do i = 1, count
+      if (square(i) > slip_stress(limit(i))**2) call continue_slip(square(i), limit(i), g(i), slope(i))
+    end do
+  end subroutine thinning
+
+  !> g = sinh(x)/x at x^2 = square/reference^2, for stresses up to a `share` of `bound`.
+  pure subroutine eyring(count, square, reference, bound, share, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), reference(count), bound(count), share
+    real(wp), intent(out) :: g(count), slope(count)
+    real(wp) :: s, x, growth, decay, closed, closed_slope, series, series_slope, small, varies
+    integer :: i
+
+    do i = 1, count
+      s = min(min(square(i), (share*bound(i))**2)/reference(i)**2, largest_eyring**2)
+      x = sqrt(max(s, series_below))
+      growth = exp(x)
+      decay = 1/growth
+      closed = (growth - decay)/(2*x)
+      closed_slope = ((growth + decay)/2 - closed)/(2*x**2)
+      ! weights instead of branches let the loop be vectorised
+      small = merge(1.0_wp, 0.0_wp, s < series_below)
+      varies = merge(1.0_wp, 0.0_wp, s < largest_eyring**2)
+      s = min(s, series_below)
+      series = 1 + s*(1/6.0_wp + s*(1/120.0_wp + s*(1/5040.0_wp + s*(1/362880.0_wp + s*(1/39916800.0_wp &
+        + s/6227020800.0_wp)))))
+      series_slope = 1/6.0_wp + s*(2/120.0_wp + s*(3/5040.0_wp + s*(4/362880.0_wp + s*(5/39916800.0_wp &
+        + s*(6/6227020800.0_wp + s*7/1307674368000.0_wp)))))
+      g(i) = small*series + (1 - small)*closed
+      slope(i) = (small*series_slope + (1 - small)*closed_slope)*varies/reference(i)**2
+    end do
+  end subroutine eyring
+
+  !> Divides thinning by 1 - square/limit^2.
+  pure subroutine limit_thinning(count, square, limit, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), limit(count)
+    real(wp), intent(inout) :: g(count), slope(count)
+    real(wp) :: excess
+    integer :: i
+
+    do i = 1, count
+      excess = 1/(1 - min(square(i)/limit(i)**2, slip_share**2))
+      g(i) = g(i)*excess
+      slope(i) = (slope(i) + g(i)/limit(i)**2)*excess
+    end do
+  end subroutine limit_thinning
+
+  !> Divides thinning by 1 - (square/limit^2)^power.
+  pure subroutine limit_thinning_by_power(power, count, square, limit, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: power, square(count), limit(count)
+    real(wp), intent(inout) :: g(count), slope(count)
+    real(wp) :: ratio, lower_power, excess
+    integer :: i
+
+    do i = 1, count
+      ratio = max(min(square(i)/limit(i)**2, slip_share**2), least_ratio)
+      lower_power = exp((power - 1)*log(ratio))
+      excess = 1/(1 - lower_power*ratio)
+      g(i) = g(i)*excess
+      slope(i) = (slope(i) + g(i)*power*lower_power/limit(i)**2)*excess
+    end do
+  end subroutine limit_thinning_by_power
+
+  !> g = -ln(1 - x)/x at x^2 = square/limit^2.
+  pure subroutine bair_winer(count, square, limit, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), limit(count)
+    real(wp), intent(out) :: g(count), slope(count)
+    !> Below it the slope is summed as a series.
+    real(wp), parameter :: small = 1e-3_wp
+    real(wp) :: x, rest, closed, series, near_rest
+    integer :: i
+
+    do i = 1, count
+      x = min(max(sqrt(square(i))/limit(i), sqrt(least_ratio)), slip_share)
+      ! the rounding of 1 - x cancels between logarithm and divisor
+      rest = 1 - x
+      g(i) = log(rest)/(rest - 1)
+      closed = (1/rest - g(i))/x
+      series = 1/2.0_wp + x*(2/3.0_wp + x*(3/4.0_wp + x*(4/5.0_wp + x*5/6)))
+      near_rest = merge(1.0_wp, 0.0_wp, x < small)
+      slope(i) = (near_rest*series + (1 - near_rest)*closed)/(2*x*limit(i)**2)
+    end do
+  end subroutine bair_winer
+
+  !> g = (1 + square/reference^2)^power.
+  pure subroutine carreau(power, count, square, reference, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: power, square(count), reference(count)
+    real(wp), intent(out) :: g(count), slope(count)
+    real(wp) :: s
+    integer :: i
+
+    do i = 1, count
+      s = min(square(i)/reference(i)**2, largest_carreau)
+      g(i) = exp(power*log(1 + s))
+      slope(i) = power*g(i)/((1 + s)*reference(i)**2)*merge(1.0_wp, 0.0_wp, s < largest_carreau)
+    end do
+  end subroutine carreau
+
+  !> Beyond the stress c at slip, from thinning and slope at c: F = F(c) + F'(c) l [exp((tau - c)/l) - 1].
+  elemental subroutine continue_slip(square, limit, g, slope)
+    real(wp), intent(in) :: square, limit
+    real(wp), intent(inout) :: g, slope
+    real(wp) :: c, step, stress, stiffness, growth
+
+    c = slip_stress(limit)
+    step = slip_step*c
+    stress = min(sqrt(square), c + largest_slip*step)
+    stiffness = g + 2*c**2*slope
+    growth = exp((stress - c)/step)
+    g = (g*c + stiffness*step*(growth - 1))/stress
+    slope = (stiffness*growth - g)/(2*stress**2)
+    if (square > stress**2) slope = 0
+  end subroutine continue_slip
+
+  !> Derivatives [1/Pa] of thinning by the reference and the limiting stress, from `g` and `slope` of `thinning` there.
+  !>
+  !> Thinning depends on the ratios of the three stresses only, so that its derivatives obey Euler's relation.
+  elemental subroutine thinning_by_stresses(law, square, reference, limit, g, slope, by_reference, by_limit)
+    type(flow_law), intent(in) :: law
+    real(wp), intent(in) :: square, reference, limit, g, slope
+    real(wp), intent(out) :: by_reference, by_limit
+    real(wp) :: ratio
+
+    by_reference = 0
+    by_limit = 0
+    select case (law%law)
+    case (law_eyring, law_carreau)
+      by_reference = -2*square*slope/reference
+    case (law_bair_winer)
+      by_limit = -2*square*slope/limit
+    case (law_eyring_limited)
+      if (square > slip_stress(limit)**2) then
+        by_reference = slip_by_reference(law%exponent, square, reference, limit)
+      else
+        ratio = max(square/limit**2, least_ratio)**law%exponent
+        by_reference = -2*(square*slope - g*law%exponent*ratio/(1 - ratio))/reference
+      end if
+      by_limit = -(2*square*slope + reference*by_reference)/limit
+    case default
+    end select
+  end subroutine thinning_by_stresses
+
+  !> Derivative [1/Pa] by the reference stress of the limited law's continuation.
+  elemental real(wp) function slip_by_reference(power, square, reference, limit)
+    real(wp), intent(in) :: power, square, reference, limit
+    real(wp) :: c, step, stress, x, ratio, excess, excess_slope, growth
+
+    slip_by_reference = 0
+    c = slip_stress(limit)
+    x = c/reference
+    if (x >= largest_eyring) return
+    step = slip_step*c
+    stress = min(sqrt(square), c + largest_slip*step)
+    ratio = slip_share**(2*power)
+    excess = 1/(1 - ratio)
+    excess_slope = 2*power*ratio*excess**2/c
+    growth = step*(exp((stress - c)/step) - 1)
+    slip_by_reference = ((sinh(x) - x*cosh(x))*(excess + excess_slope*growth) - x*sinh(x)*excess*growth/reference)/stress
+  end function slip_by_reference
+
+  !> Stress [Pa], about right for a first guess, at which the law shears as a Newtonian oil does at `newtonian` [Pa].
+  elemental real(wp) function stress_guess(law, newtonian, reference, limit)
+    type(flow_law), intent(in) :: law
+    real(wp), intent(in) :: newtonian, reference, limit
+
+    select case (law%law)
+    case (law_eyring)
+      stress_guess = reference*asinh(newtonian/reference)
+    case (law_bair_winer)
+      stress_guess = min(limit*(1 - exp(-newtonian/limit)), 0.95_wp*slip_stress(limit))
+    case (law_eyring_limited)
+      stress_guess = reference*asinh(newtonian/reference)
+      stress_guess = min(stress_guess/sqrt(1 + (stress_guess/limit)**2), 0.95_wp*slip_stress(limit))
+    case (law_carreau)
+      stress_guess = newtonian*(1 + (newtonian/reference)**2)**((law%exponent - 1)/2)
+    case default
+      stress_guess = newtonian
+    end select
+  end function stress_guess
+
+end module flow_laws
