@@ -1,11 +1,15 @@
-!> Surface temperature of a fast body along the curved paths of its points (Sharif et al. 2001, eq. 19).
+!> Surface temperature of a fast body along the curved paths of its points.
 !>
-!> Heat flows straight into depth while a point of the surface crosses the contact:
+!> Heat flows into depth while a point of the surface crosses the contact (Sharif et al. 2001, eq. 19):
 !>   rise(t) = int q(t') / sqrt(pi k rho c (t - t')) dt'  along the point's path, from where it enters the window.
+!> Meanwhile it spreads to both sides of the path: a slender contact that is crossed the long way is cooled by that
+!> long before conduction along the path, which alone is neglected, counts.
+!>
 !> The square root is a sum of exponentials of the age t - t', the trapezoidal rule for
 !>   1/sqrt(t) = 1/sqrt(pi) int exp(y/2 - t exp(y)) dy,
 !> whose integrals need no past but one line of the grid: lines are taken one after another with the motion, each node
-!> finds what its path brings at a foot on the line before it, and the flux in between is linear in time.
+!> finds what its path brings at a foot on the line before it, and the flux in between is linear in time. What the paths
+!> bring spreads along the line by an implicit step, of which the spread, the variance, is exact.
 module surface_path
   use heated_surface, only: heated_body
   use kinds, only: wp
@@ -26,8 +30,8 @@ module surface_path
   !> nodes, that ends them.
   integer, parameter :: foot_iterations = 8
   real(wp), parameter :: foot_settled = 1e-8_wp
-  !> Exponentials are added in whole vector registers; there are never as many as this.
-  integer, parameter :: lanes = 4, most_modes = 64
+  !> Exponentials come in whole vector registers.
+  integer, parameter :: lanes = 4
 
   type, extends(heated_body) :: fast_body
     !> True if lines are rows of constant y, taken one after another along y; true if against the axis.
@@ -39,12 +43,15 @@ module surface_path
     !> Persistence [s], one over the rate of decay, and weights [1/sqrt(s)] of the exponentials, slowest first; the first
     !> stands for all slower ones.
     real(wp), allocatable :: persistence(:), weight(:)
-    !> First of the four nodes around a path's foot on the line before, 0 if the foot is outside; their weights; time from
-    !> the foot [s]; decay of the first two exponentials. (nodes, lines), weights and decays first.
+    !> First of the four nodes around a path's foot on the line before; their weights, nought if the foot is outside; time
+    !> from the foot [s]; decay of the exponentials since then. (nodes, lines), weights and decays first.
     integer, allocatable :: foot(:, :)
     real(wp), allocatable :: share(:, :, :), duration(:, :), decay(:, :, :)
-    !> Flux and rise, (nodes, lines), and the exponentials' integrals on two lines, (modes, nodes, 2).
-    real(wp), allocatable :: flux(:, :), risen(:, :), past(:, :, :)
+    !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot.
+    real(wp), allocatable :: passed(:, :), pivot(:, :)
+    !> Flux and rise, (nodes, lines); the exponentials' integrals on a line, and what of them its nodes' paths bring,
+    !> (modes, nodes); flux at the feet of the paths, (nodes).
+    real(wp), allocatable :: flux(:, :), risen(:, :), past(:, :), brought(:, :), before(:)
   contains
     procedure :: rise
   end type fast_body
@@ -71,8 +78,8 @@ contains
     by_y = all(v > 0) .or. all(v < 0)
     stat = status_bad_argument
     if (.not. (by_x .or. by_y)) return
-    ! the direction in which paths stray the less from node to node
-    if (by_x .and. by_y) by_y = maxval(abs(u/v))*dy/dx < maxval(abs(v/u))*dx/dy
+    ! the direction in which lines lie more squarely across the paths
+    if (by_x .and. by_y) by_y = maxval(abs(u/v)) < maxval(abs(v/u))
 
     self%nx = size(u, 1)
     self%ny = size(u, 2)
@@ -82,7 +89,8 @@ contains
     self%lines = merge(self%ny, self%nx, by_y)
     self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
     allocate (self%foot(self%nodes, self%lines), self%share(4, self%nodes, self%lines), &
-      self%duration(self%nodes, self%lines), self%decay(2, self%nodes, self%lines), &
+      self%duration(self%nodes, self%lines), &
+      self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
       self%flux(self%nodes, self%lines), self%risen(self%nodes, self%lines), &
       ahead(self%nodes, self%lines), aside(self%nodes, self%lines), stat=err)
     stat = status_no_memory
@@ -91,15 +99,18 @@ contains
       call take_lines(self, v, ahead)
       call take_lines(self, u, aside)
       call find_feet(self, abs(ahead), aside, dy, dx)
+      call factor_spread(self, conductivity/heat_capacity/dx**2*(1 + (aside/ahead)**2))
     else
       call take_lines(self, u, ahead)
       call take_lines(self, v, aside)
       call find_feet(self, abs(ahead), aside, dx, dy)
+      call factor_spread(self, conductivity/heat_capacity/dy**2*(1 + (aside/ahead)**2))
     end if
     call choose_rates(self, stat)
     if (stat /= status_ok) return
     self%own = self%effusion*4/3*sqrt(sum(self%duration(:, 2:))/size(self%duration(:, 2:)))
-    allocate (self%past(self%modes, self%nodes, 2), stat=err)
+    allocate (self%past(self%modes, self%nodes), self%brought(self%modes, self%nodes), self%before(self%nodes), &
+      stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_fast_body
 
@@ -139,7 +150,7 @@ contains
     real(wp) :: slope(3), slowness(3), at, halfway, last
     integer :: line, node, iteration
 
-    self%foot(:, 1) = 0
+    self%foot(:, 1) = 1
     self%share(:, :, 1) = 0
     self%duration(:, 1) = 0
     !$omp parallel do private(node, slope, slowness, at, halfway, last, iteration) schedule(static)
@@ -163,7 +174,7 @@ contains
           end do
           self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
           self%share(:, node, line) = 0
-          self%foot(node, line) = 0
+          self%foot(node, line) = 1
           if (at >= 1 .and. at <= self%nodes) call around(at, self%nodes, self%foot(node, line), self%share(:, node, line))
         end do
       end associate
@@ -193,32 +204,61 @@ contains
     between = dot_product(share, line(first:first + 3))
   end function between
 
-  !> Exponentials for all ages between the shortest step and the longest stay.
+  !> Exponentials for all ages between the shortest step and the longest stay, and their decay in every step.
   subroutine choose_rates(self, stat)
     type(fast_body), intent(inout) :: self
     integer, intent(out) :: stat
     real(wp), allocatable :: rate(:)
-    real(wp) :: stay, shortest, slow, step
-    integer :: mode
+    real(wp) :: stay, slow, step
+    integer :: mode, node, line, err
 
-    stat = status_bad_argument
     stay = sum(maxval(self%duration, dim=1))
-    shortest = minval(self%duration(:, 2:))
     step = log(real(ratio, wp))
     slow = slowest/stay
-    self%modes = lanes*ceiling((1 + log(fastest/shortest/slow)/step)/lanes)
-    if (self%modes > most_modes) return
-    allocate (rate(self%modes))
+    self%modes = lanes*ceiling((1 + log(fastest/minval(self%duration(:, 2:))/slow)/step)/lanes)
+    allocate (rate(self%modes), self%weight(self%modes), self%decay(self%modes, self%nodes, self%lines), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (err /= 0) return
     rate(2:) = [(slow*real(ratio, wp)**(mode - 2), mode=2, self%modes)]
     self%weight = step*sqrt(rate/pi)
     ! slower ones, in geometric sums: their weight, and the rate that keeps their first moment
     self%weight(1) = step*sqrt(slow/pi)/(sqrt(real(ratio, wp)) - 1)
     rate(1) = step*sqrt(slow/pi)*slow/(sqrt(real(ratio, wp))**3 - 1)/self%weight(1)
     self%persistence = 1/rate
-    self%decay(1, :, :) = exp(-rate(1)*self%duration)
-    self%decay(2, :, :) = exp(-rate(2)*self%duration)
-    stat = status_ok
+    !$omp parallel do private(node, mode) schedule(static)
+    do line = 1, self%lines
+      do node = 1, self%nodes
+        self%decay(1:2, node, line) = exp(-rate(1:2)*self%duration(node, line))
+        do mode = 3, self%modes
+          self%decay(mode, node, line) = self%decay(mode - 1, node, line)**ratio
+        end do
+      end do
+    end do
   end subroutine choose_rates
+
+  !> Factors of an implicit step of diffusion along the lines, at so many squares of nodes per second. A line that the
+  !> paths cross askew is longer than they are wide.
+  subroutine factor_spread(self, rate)
+    type(fast_body), intent(inout) :: self
+    real(wp), intent(in) :: rate(:, :)
+    real(wp) :: number
+    integer :: line, node
+
+    do line = 1, self%lines
+      do node = 1, self%nodes
+        ! the temperature is even about the first and last node
+        number = rate(node, line)*self%duration(node, line)*merge(2, 1, node == 1 .or. node == self%nodes)
+        if (node == 1) then
+          self%pivot(node, line) = 1/(1 + number)
+        else if (node < self%nodes) then
+          self%pivot(node, line) = 1/(1 + number*(2 - self%passed(node - 1, line)))
+        else
+          self%pivot(node, line) = 1/(1 + number*(1 - self%passed(node - 1, line)))
+        end if
+        self%passed(node, line) = number*self%pivot(node, line)
+      end do
+    end do
+  end subroutine factor_spread
 
   !> Temperature rise [K] under the flux `q` [W/m2].
   subroutine rise(self, q, temperature_rise)
@@ -228,13 +268,20 @@ contains
     integer :: line, node
 
     call take_lines(self, q, self%flux)
-    self%past(:, :, 1) = 0
+    self%past = 0
     self%risen(:, 1) = 0
     !$omp parallel private(line)
     do line = 2, self%lines
       !$omp do schedule(static)
       do node = 1, self%nodes
-        call follow_path(self, node, line, self%past(:, :, 1 + modulo(line, 2)), self%past(:, node, 2 - modulo(line, 2)))
+        call follow_path(self, node, line)
+      end do
+      !$omp single
+      call spread_aside(self, line)
+      !$omp end single
+      !$omp do schedule(static)
+      do node = 1, self%nodes
+        call heat_node(self, node, line)
       end do
     end do
     !$omp end parallel
@@ -248,43 +295,62 @@ contains
     end do
   end subroutine rise
 
-  !> Rise of a node, and its exponentials' integrals `past` from those of the line `before`.
-  subroutine follow_path(self, node, line, before, past)
+  !> What its path brings a node.
+  subroutine follow_path(self, node, line)
     class(fast_body), intent(inout) :: self
     integer, intent(in) :: node, line
-    real(wp), contiguous, intent(in) :: before(:, :)
-    real(wp), contiguous, intent(out) :: past(:)
-    real(wp), dimension(most_modes) :: decay
-    real(wp) :: here, there, time, history, brought, whole, early, share(4)
-    integer :: first, mode
+    real(wp) :: share(4)
+    integer :: foot, mode
 
-    first = self%foot(node, line)
+    foot = self%foot(node, line)
     share = self%share(:, node, line)
+    do mode = 1, self%modes
+      self%brought(mode, node) = self%decay(mode, node, line)*(share(1)*self%past(mode, foot) &
+        + share(2)*self%past(mode, foot + 1) + share(3)*self%past(mode, foot + 2) + share(4)*self%past(mode, foot + 3))
+    end do
+    self%before(node) = dot_product(share, self%flux(foot:foot + 3, line - 1))
+  end subroutine follow_path
+
+  !> Spreads what the paths have brought along the line.
+  subroutine spread_aside(self, line)
+    class(fast_body), intent(inout) :: self
+    integer, intent(in) :: line
+    integer :: node
+
+    associate (brought => self%brought, before => self%before, passed => self%passed(:, line), pivot => self%pivot(:, line))
+      brought(:, 1) = pivot(1)*brought(:, 1)
+      before(1) = pivot(1)*before(1)
+      do node = 2, self%nodes
+        brought(:, node) = pivot(node)*brought(:, node) + passed(node)*brought(:, node - 1)
+        before(node) = pivot(node)*before(node) + passed(node)*before(node - 1)
+      end do
+      do node = self%nodes - 1, 1, -1
+        brought(:, node) = brought(:, node) + passed(node)*brought(:, node + 1)
+        before(node) = before(node) + passed(node)*before(node + 1)
+      end do
+    end associate
+  end subroutine spread_aside
+
+  !> Rise of a node, and its exponentials' integrals from what was brought.
+  subroutine heat_node(self, node, line)
+    class(fast_body), intent(inout) :: self
+    integer, intent(in) :: node, line
+    real(wp) :: here, there, time, history, whole, early
+    integer :: mode
+
     time = self%duration(node, line)
     here = self%flux(node, line)
-    there = 0
-    if (first > 0) then
-      there = dot_product(share, self%flux(first:first + 3, line - 1))
-    else
-      ! a path from outside brings nothing, with shares of nought
-      first = 1
-    end if
-    decay(1:2) = self%decay(:, node, line)
-    do mode = 3, self%modes
-      decay(mode) = decay(mode - 1)**ratio
-    end do
+    there = self%before(node)
     history = 0
     !$omp simd reduction(+:history)
     do mode = 1, self%modes
-      brought = decay(mode)*(share(1)*before(mode, first) + share(2)*before(mode, first + 1) &
-        + share(3)*before(mode, first + 2) + share(4)*before(mode, first + 3))
-      history = history + self%weight(mode)*brought
+      history = history + self%weight(mode)*self%brought(mode, node)
       ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
-      whole = (1 - decay(mode))*self%persistence(mode)
-      early = (whole/time - decay(mode))*self%persistence(mode)
-      past(mode) = brought + here*(whole - early) + there*early
+      whole = (1 - self%decay(mode, node, line))*self%persistence(mode)
+      early = (whole/time - self%decay(mode, node, line))*self%persistence(mode)
+      self%past(mode, node) = self%brought(mode, node) + here*(whole - early) + there*early
     end do
     self%risen(node, line) = self%effusion*(sqrt(time)*(4*here + 2*there)/3 + history)
-  end subroutine follow_path
+  end subroutine heat_node
 
 end module surface_path

@@ -1,6 +1,7 @@
 !> Linear heat flow along the paths of a fast surface against closed forms and quadrature along the paths.
 program test_surface_path
   use kinds, only: wp
+  use moving_source, only: moving_body, new_moving_body
   use status, only: status_ok, status_bad_argument
   use surface_path, only: fast_body, new_fast_body
   use tap, only: check, close_to, done
@@ -11,6 +12,8 @@ program test_surface_path
   real(wp), parameter :: k = 47, rho_c = 7900*477.0_wp, flux = 1e8_wp, effusion = 1/sqrt(pi*k*rho_c)
   !> Half the window [m], the semi-axes of the source [m] and where the surface turns about.
   real(wp), parameter :: half = 1e-3_wp, axis_x = 0.6e-3_wp, axis_y = 0.4e-3_wp, pole = 1.5e-3_wp
+  !> Speed [m/s] at which heat does not spread to the sides.
+  real(wp), parameter :: fast = 1e6_wp
   integer :: stat
 
   call uniform_flux(0.0_wp, 2.0_wp)
@@ -21,6 +24,9 @@ program test_surface_path
   call converges("smooth source, rotation", 1, .true., 1e-4_wp, 2.5_wp)
   call converges("elliptic source, rotation", 1, .false., 1e-3_wp, 2.2_wp)
   call far_between()
+  call stripes()
+  call against_conduction_all_round(0.0_wp)
+  call against_conduction_all_round(0.3_wp)
   call directions()
   call refusals()
   call done()
@@ -113,8 +119,8 @@ contains
       do i = 1, nx
         x = half*(2*(i - 1.0_wp)/(nx - 1) - 1)
         y = half*(2*(j - 1.0_wp)/(ny - 1) - 1)
-        u(i, j) = merge(cos(0.7_wp), (y + pole)/pole, turning == 0)
-        v(i, j) = merge(sin(0.7_wp), -x/pole, turning == 0)
+        u(i, j) = fast*merge(cos(0.7_wp), (y + pole)/pole, turning == 0)
+        v(i, j) = fast*merge(sin(0.7_wp), -x/pole, turning == 0)
         q(i, j) = source(x, y, smooth)
       end do
     end do
@@ -141,30 +147,79 @@ contains
     source = flux*merge(source**2, sqrt(source), smooth)
   end function source
 
-  !> Rise at a point: quadrature along the path that led there, age = s**2.
+  !> Rise at a point: quadrature along the path that led there, the way being s**2.
   real(wp) function along_path(x, y, turning, smooth)
     real(wp), intent(in) :: x, y
     integer, intent(in) :: turning
     logical, intent(in) :: smooth
     integer, parameter :: steps = 4000
-    real(wp) :: s, longest, age, angle
+    real(wp) :: s, longest, way, angle
     integer :: i
 
     longest = sqrt(5*half)
     along_path = 0
     do i = 1, steps
       s = longest*(i - 0.5_wp)/steps
-      age = s**2
-      angle = age/pole
+      way = s**2
+      angle = way/pole
       if (turning == 0) then
-        along_path = along_path + source(x - age*cos(0.7_wp), y - age*sin(0.7_wp), smooth)
+        along_path = along_path + source(x - way*cos(0.7_wp), y - way*sin(0.7_wp), smooth)
       else if (angle < pi) then
         along_path = along_path + source(x*cos(angle) - (y + pole)*sin(angle), &
           x*sin(angle) + (y + pole)*cos(angle) - pole, smooth)
       end if
     end do
-    along_path = effusion*along_path*2*longest/steps
+    along_path = effusion*along_path*2*longest/steps/sqrt(fast)
   end function along_path
+
+  !> Flux q cos(m y), whose heat spreads to the sides: q cos(m y)/sqrt(k rho c) erf(sqrt(kappa m2 t))/sqrt(kappa m2).
+  subroutine stripes()
+    integer, parameter :: nx = 401, ny = 65
+    real(wp), parameter :: dx = 5e-6_wp, dy = 1e-5_wp, speed = 0.5_wp, m = 2*pi/((ny - 1)*dy)
+    type(fast_body) :: body
+    real(wp) :: u(nx, ny), v(nx, ny), q(nx, ny), t(nx, ny), exact(nx, ny)
+    integer :: i, j
+
+    u = speed
+    v = 0
+    do j = 1, ny
+      do i = 1, nx
+        q(i, j) = flux*cos(m*(j - 1)*dy)
+        exact(i, j) = q(i, j)/sqrt(k*rho_c)*erf(sqrt(k/rho_c*m**2*(i - 1)*dx/speed))/sqrt(k/rho_c*m**2)
+      end do
+    end do
+    call new_fast_body(body, dx, dy, u, v, k, rho_c, stat)
+    call body%rise(q, t)
+    write (*, "(a, f6.3, a, es9.1)") "# stripes keep ", t(nx, 1)/(2*flux*effusion*sqrt((nx - 1)*dx/speed)), &
+      " of their heat, error ", maxval(abs(t - exact))/maxval(exact)
+    call close_to(maxval(abs(t - exact)), 0.0_wp, 4e-3_wp*maxval(exact), "stripes fade")
+  end subroutine stripes
+
+  !> A slender source crossed the long way, at some angle: conduction to all sides, which counts 9 % for the hottest
+  !> point, against conduction into depth and to the sides.
+  subroutine against_conduction_all_round(angle)
+    real(wp), intent(in) :: angle
+    integer, parameter :: n = 129
+    real(wp), parameter :: long = 1e-3_wp, short = 1e-4_wp, peclet = 1000
+    type(fast_body) :: body
+    type(moving_body) :: reference
+    real(wp) :: u(n, n), v(n, n), q(n, n), t(n, n), exact(n, n)
+    integer :: i, j
+
+    u = peclet*k/rho_c/long*cos(angle)
+    v = peclet*k/rho_c/long*sin(angle)
+    do j = 1, n
+      do i = 1, n
+        q(i, j) = max(0.0_wp, 1 - ((i - 65)/40.0_wp)**2 - ((j - 65)/30.0_wp)**2)
+      end do
+    end do
+    call new_fast_body(body, long/40, short/30, u, v, k, rho_c, stat)
+    call new_moving_body(reference, n, n, long/40, short/30, u(1, 1), v(1, 1), k, rho_c, stat)
+    call body%rise(q, t)
+    call reference%rise(q, exact)
+    call close_to(maxval(t), maxval(exact), 2e-3_wp*maxval(exact), "the hottest point of a slender source")
+    call close_to(sum(t*q), sum(exact*q), 4e-3_wp*sum(exact*q), "its mean temperature")
+  end subroutine against_conduction_all_round
 
   !> The same motion seen from all sides of the grid.
   subroutine directions()
