@@ -28,7 +28,8 @@ module film_column
   !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
   real(wp), parameter :: least_share = 0.1_wp
 
-  !> m columns of n levels. The caller fills the first part, `solve_columns` the second.
+  !> Room for m columns of n levels, of which the first `columns` are in use. The caller fills the first part,
+  !> `solve_columns` the second.
   type :: film_strip
     integer :: columns = 0
     type(levels_across) :: levels
@@ -80,7 +81,7 @@ contains
     real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
     !> Change of the inner levels' temperature, with walls as known, and its derivatives with respect to the walls.
     real(wp) :: change(lanes, strip%levels%count, 3)
-    real(wp) :: least_pivot(strip%levels%count)
+    real(wp) :: least_pivot(strip%levels%count), rise(strip%columns, 2)
     integer :: first, count
 
     least_pivot = least_share*conduction_pivots(strip%levels)
@@ -90,7 +91,9 @@ contains
       call solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
       call set_walls(strip, first, count, matrix, excess, change)
     end do
-    call warm_walls(strip, strip%wall - strip%known(:, [1, strip%levels%count]))
+    rise(:, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
+    rise(:, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
+    call warm_walls(strip, rise)
   end subroutine solve_columns
 
   !> Pivots of the inner levels in the elimination of conduction alone, in conductivity/h.
@@ -237,18 +240,22 @@ contains
     end do
   end subroutine set_walls
 
-  !> Temperature and fluxes when the walls are `rise` [K], (m, 2), warmer.
+  !> Temperature and fluxes when the walls are `rise` [K], (columns, 2), warmer.
   pure subroutine warm_walls(strip, rise)
     type(film_strip), intent(inout) :: strip
     real(wp), intent(in) :: rise(:, :)
-    integer :: wall, k
+    integer :: wall, k, c
 
     do wall = 1, 2
       do k = 1, strip%levels%count
-        strip%temperature(:, k) = strip%temperature(:, k) + strip%response(:, k, wall)*rise(:, wall)
+        do c = 1, strip%columns
+          strip%temperature(c, k) = strip%temperature(c, k) + strip%response(c, k, wall)*rise(c, wall)
+        end do
       end do
       do k = 1, 2
-        strip%flux(:, k) = strip%flux(:, k) + strip%admittance(:, k, wall)*rise(:, wall)
+        do c = 1, strip%columns
+          strip%flux(c, k) = strip%flux(c, k) + strip%admittance(c, k, wall)*rise(c, wall)
+        end do
       end do
     end do
   end subroutine warm_walls

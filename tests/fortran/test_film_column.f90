@@ -54,8 +54,8 @@ contains
     integer, intent(in) :: n
     real(wp), intent(in) :: na
     real(wp), intent(out) :: rise_error, stress_error
-    !> More than one group of columns, and an incomplete one.
-    integer, parameter :: columns = 19, most = 30
+    !> More than one group of columns, and an incomplete one, in a strip with room for more.
+    integer, parameter :: columns = 19, room = 24, most = 30
     !> Viscosity at the wall [Pa s] and its decay [1/K].
     real(wp), parameter :: eta1 = 0.2_wp, beta = 0.04_wp, wall = 300
     type(film_strip) :: strip
@@ -63,7 +63,8 @@ contains
     logical :: settled
     integer :: stat, step, c
 
-    call new_film_strip(strip, columns, new_levels(n), stat)
+    call new_film_strip(strip, room, new_levels(n), stat)
+    strip%columns = columns
     speed = sqrt(na*k_oil/(beta*eta1))
     strip%thickness = h
     strip%conductivity = k_oil
@@ -72,6 +73,8 @@ contains
     strip%loading(:, :, 2) = 0
     strip%relief(:, :, 2) = 0
     strip%known = wall
+    strip%wall(columns + 1:, :) = huge(1.0_wp)
+    strip%known(columns + 1:, :) = -huge(1.0_wp)
     do step = 1, most
       do c = 1, columns
         fluidity = exp(beta*(strip%known(c, :) - wall))/eta1
@@ -83,8 +86,8 @@ contains
         strip%relief(c, :, 1) = beta*stress*share
       end do
       call solve_columns(strip)
-      settled = maxval(abs(strip%temperature - strip%known)) < 1e-11_wp/beta
-      strip%known = strip%temperature
+      settled = maxval(abs(strip%temperature(:columns, :) - strip%known(:columns, :))) < 1e-11_wp/beta
+      strip%known(:columns, :) = strip%temperature(:columns, :)
       if (settled) exit
     end do
     call check(settled .and. (step <= 8 .or. na > 100), "Newton's method converges")

@@ -1,0 +1,356 @@
+!> Surface temperature of a fast body along the curved paths of its points.
+!>
+!> Heat flows into depth while a point of the surface crosses the contact (Sharif et al. 2001, eq. 19):
+!>   rise(t) = int q(t') / sqrt(pi k rho c (t - t')) dt'  along the point's path, from where it enters the window.
+!> Meanwhile it spreads to both sides of the path: a slender contact that is crossed the long way is cooled by that
+!> long before conduction along the path, which alone is neglected, counts.
+!>
+!> The square root is a sum of exponentials of the age t - t', the trapezoidal rule for
+!>   1/sqrt(t) = 1/sqrt(pi) int exp(y/2 - t exp(y)) dy,
+!> whose integrals need no past but one line of the grid: lines are taken one after another with the motion, each node
+!> finds what its path brings at a foot on the line before it, and the flux in between is linear in time. What the paths
+!> bring spreads along the line by an implicit step, of which the spread, the variance, is exact.
+module surface_path
+  use heated_surface, only: heated_body
+  use kinds, only: wp
+  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: fast_body, new_fast_body
+
+  real(wp), parameter :: pi = acos(-1.0_wp)
+  !> Ratio of successive rates of decay. The sum's relative error oscillates by 2 |Gamma(1/2 + 2 pi i/ln(ratio))|/sqrt(pi),
+  !> 3.5e-4 for this ratio, and averages out.
+  integer, parameter :: ratio = 3
+  !> Rates of decay from this over the longest age, where slower ones make one together, to this over the shortest age,
+  !> where faster ones have decayed.
+  real(wp), parameter :: slowest = 0.1_wp, fastest = 9.0_wp
+  !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of the foot, in
+  !> nodes, that ends them.
+  integer, parameter :: foot_iterations = 8
+  real(wp), parameter :: foot_settled = 1e-8_wp
+  !> Exponentials come in whole vector registers.
+  integer, parameter :: lanes = 4
+
+  type, extends(heated_body) :: fast_body
+    !> True if lines are rows of constant y, taken one after another along y; true if against the axis.
+    logical :: along_y = .false., backward = .false.
+    !> Nodes on a line, lines, and exponentials.
+    integer :: nodes = 0, lines = 0, modes = 0
+    !> Rise under a unit of int q dt/sqrt(t) [K m2/(W sqrt(s))].
+    real(wp) :: effusion = 0
+    !> Persistence [s], one over the rate of decay, and weights [1/sqrt(s)] of the exponentials, slowest first; the first
+    !> stands for all slower ones.
+    real(wp), allocatable :: persistence(:), weight(:)
+    !> First of the four nodes around a path's foot on the line before; their weights, nought if the foot is outside; time
+    !> from the foot [s]; decay of the exponentials since then. (nodes, lines), weights and decays first.
+    integer, allocatable :: foot(:, :)
+    real(wp), allocatable :: share(:, :, :), duration(:, :), decay(:, :, :)
+    !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot.
+    real(wp), allocatable :: passed(:, :), pivot(:, :)
+    !> Flux and rise, (nodes, lines); the exponentials' integrals on a line, and what of them its nodes' paths bring,
+    !> (modes, nodes); flux at the feet of the paths, (nodes).
+    real(wp), allocatable :: flux(:, :), risen(:, :), past(:, :), brought(:, :), before(:)
+  contains
+    procedure :: rise
+  end type fast_body
+
+contains
+
+  !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface moves with (u, v) [m/s], (nx, ny).
+  !> One component must have the same sign all over the window.
+  subroutine new_fast_body(self, dx, dy, u, v, conductivity, heat_capacity, stat)
+    type(fast_body), intent(inout) :: self
+    real(wp), intent(in) :: dx, dy, conductivity, heat_capacity
+    real(wp), contiguous, intent(in) :: u(:, :), v(:, :)
+    integer, intent(out) :: stat
+    real(wp), allocatable :: ahead(:, :), aside(:, :)
+    logical :: by_x, by_y
+    integer :: err
+
+    stat = status_bad_argument
+    if (any(shape(u) < 4) .or. any(shape(v) /= shape(u))) return
+    if (.not. (dx > 0 .and. dy > 0 .and. conductivity > 0 .and. heat_capacity > 0)) return
+    stat = status_not_finite
+    if (.not. all(abs(u) + abs(v) <= huge(1.0_wp))) return
+    by_x = all(u > 0) .or. all(u < 0)
+    by_y = all(v > 0) .or. all(v < 0)
+    stat = status_bad_argument
+    if (.not. (by_x .or. by_y)) return
+    ! the direction in which lines lie more squarely across the paths
+    if (by_x .and. by_y) by_y = maxval(abs(u/v)) < maxval(abs(v/u))
+
+    self%nx = size(u, 1)
+    self%ny = size(u, 2)
+    self%along_y = by_y
+    self%backward = merge(v(1, 1), u(1, 1), by_y) < 0
+    self%nodes = merge(self%nx, self%ny, by_y)
+    self%lines = merge(self%ny, self%nx, by_y)
+    self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
+    allocate (self%foot(self%nodes, self%lines), self%share(4, self%nodes, self%lines), &
+      self%duration(self%nodes, self%lines), &
+      self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
+      self%flux(self%nodes, self%lines), self%risen(self%nodes, self%lines), &
+      ahead(self%nodes, self%lines), aside(self%nodes, self%lines), stat=err)
+    stat = status_no_memory
+    if (err /= 0) return
+    if (by_y) then
+      call take_lines(self, v, ahead)
+      call take_lines(self, u, aside)
+      call find_feet(self, abs(ahead), aside, dy, dx)
+      call factor_spread(self, conductivity/heat_capacity/dx**2*(1 + (aside/ahead)**2))
+    else
+      call take_lines(self, u, ahead)
+      call take_lines(self, v, aside)
+      call find_feet(self, abs(ahead), aside, dx, dy)
+      call factor_spread(self, conductivity/heat_capacity/dy**2*(1 + (aside/ahead)**2))
+    end if
+    call choose_rates(self, stat)
+    if (stat /= status_ok) return
+    self%own = self%effusion*4/3*sqrt(sum(self%duration(:, 2:))/size(self%duration(:, 2:)))
+    allocate (self%past(self%modes, self%nodes), self%brought(self%modes, self%nodes), self%before(self%nodes), &
+      stat=err)
+    if (err /= 0) stat = status_no_memory
+  end subroutine new_fast_body
+
+  !> A field of the grid, line after line in the order of the motion.
+  subroutine take_lines(self, field, lines)
+    class(fast_body), intent(in) :: self
+    real(wp), intent(in) :: field(self%nx, self%ny)
+    real(wp), intent(out) :: lines(self%nodes, self%lines)
+    integer :: line
+
+    !$omp parallel do schedule(static)
+    do line = 1, self%lines
+      if (self%along_y) then
+        lines(:, line) = field(:, place(self, line))
+      else
+        lines(:, line) = field(place(self, line), :)
+      end if
+    end do
+  end subroutine take_lines
+
+  !> Index on the grid of a line.
+  pure integer function place(self, line)
+    class(fast_body), intent(in) :: self
+    integer, intent(in) :: line
+
+    place = merge(self%lines + 1 - line, line, self%backward)
+  end function place
+
+  !> Where the paths through the nodes cross the line before, and how long they take from there.
+  !>
+  !> Simpson's rule along the path, with the velocity halfway from the mean of both lines: exact velocities if the body
+  !> is rigid. `ahead` is the speed from line to line, `aside` along them [m/s], `apart` and `spacing` the distances [m]
+  !> of lines and of nodes.
+  subroutine find_feet(self, ahead, aside, apart, spacing)
+    type(fast_body), intent(inout) :: self
+    real(wp), intent(in) :: ahead(:, :), aside(:, :), apart, spacing
+    real(wp) :: slope(3), slowness(3), at, halfway, last
+    integer :: line, node, iteration
+
+    self%foot(:, 1) = 1
+    self%share(:, :, 1) = 0
+    self%duration(:, 1) = 0
+    !$omp parallel do private(node, slope, slowness, at, halfway, last, iteration) schedule(static)
+    do line = 2, self%lines
+      associate (ahead_here => ahead(:, line), aside_here => aside(:, line), &
+          ahead_before => ahead(:, line - 1), aside_before => aside(:, line - 1))
+        do node = 1, self%nodes
+          slope(1) = aside_here(node)/ahead_here(node)
+          slowness(1) = 1/ahead_here(node)
+          slope(2:) = slope(1)
+          at = node
+          do iteration = 1, foot_iterations
+            last = at
+            at = node - apart/spacing*(slope(1) + 4*slope(2) + slope(3))/6
+            halfway = (node + at)/2 + apart/spacing*(slope(3) - slope(1))/8
+            slowness(3) = 1/between(ahead_before, at)
+            slope(3) = between(aside_before, at)*slowness(3)
+            slowness(2) = 2/(between(ahead_before, halfway) + between(ahead_here, halfway))
+            slope(2) = (between(aside_before, halfway) + between(aside_here, halfway))/2*slowness(2)
+            if (abs(at - last) < foot_settled) exit
+          end do
+          self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
+          self%share(:, node, line) = 0
+          self%foot(node, line) = 1
+          if (at >= 1 .and. at <= self%nodes) call around(at, self%nodes, self%foot(node, line), self%share(:, node, line))
+        end do
+      end associate
+    end do
+  end subroutine find_feet
+
+  !> The four nodes around a place on a line of n nodes, from `first` on, and their weights in cubic interpolation.
+  pure subroutine around(at, n, first, share)
+    real(wp), intent(in) :: at
+    integer, intent(in) :: n
+    integer, intent(out) :: first
+    real(wp), intent(out) :: share(4)
+    real(wp) :: s
+
+    first = min(max(int(at) - 1, 1), n - 3)
+    s = at - first
+    share = [-(s - 1)*(s - 2)*(s - 3)/6, s*(s - 2)*(s - 3)/2, -s*(s - 1)*(s - 3)/2, s*(s - 1)*(s - 2)/6]
+  end subroutine around
+
+  !> Cubic interpolation at a place on a line; beyond its ends, the value there.
+  pure real(wp) function between(line, at)
+    real(wp), intent(in) :: line(:), at
+    real(wp) :: share(4)
+    integer :: first
+
+    call around(min(max(at, 1.0_wp), real(size(line), wp)), size(line), first, share)
+    between = dot_product(share, line(first:first + 3))
+  end function between
+
+  !> Exponentials for all ages between the shortest step and the longest stay, and their decay in every step.
+  subroutine choose_rates(self, stat)
+    type(fast_body), intent(inout) :: self
+    integer, intent(out) :: stat
+    real(wp), allocatable :: rate(:)
+    real(wp) :: stay, slow, step
+    integer :: mode, node, line, err
+
+    stay = sum(maxval(self%duration, dim=1))
+    step = log(real(ratio, wp))
+    slow = slowest/stay
+    self%modes = lanes*ceiling((1 + log(fastest/minval(self%duration(:, 2:))/slow)/step)/lanes)
+    allocate (rate(self%modes), self%weight(self%modes), self%decay(self%modes, self%nodes, self%lines), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (err /= 0) return
+    rate(2:) = [(slow*real(ratio, wp)**(mode - 2), mode=2, self%modes)]
+    self%weight = step*sqrt(rate/pi)
+    ! slower ones, in geometric sums: their weight, and the rate that keeps their first moment
+    self%weight(1) = step*sqrt(slow/pi)/(sqrt(real(ratio, wp)) - 1)
+    rate(1) = step*sqrt(slow/pi)*slow/(sqrt(real(ratio, wp))**3 - 1)/self%weight(1)
+    self%persistence = 1/rate
+    !$omp parallel do private(node, mode) schedule(static)
+    do line = 1, self%lines
+      do node = 1, self%nodes
+        self%decay(1:2, node, line) = exp(-rate(1:2)*self%duration(node, line))
+        do mode = 3, self%modes
+          self%decay(mode, node, line) = self%decay(mode - 1, node, line)**ratio
+        end do
+      end do
+    end do
+  end subroutine choose_rates
+
+  !> Factors of an implicit step of diffusion along the lines, at so many squares of nodes per second. A line that the
+  !> paths cross askew is longer than they are wide.
+  subroutine factor_spread(self, rate)
+    type(fast_body), intent(inout) :: self
+    real(wp), intent(in) :: rate(:, :)
+    real(wp) :: number
+    integer :: line, node
+
+    do line = 1, self%lines
+      do node = 1, self%nodes
+        ! the temperature is even about the first and last node
+        number = rate(node, line)*self%duration(node, line)*merge(2, 1, node == 1 .or. node == self%nodes)
+        if (node == 1) then
+          self%pivot(node, line) = 1/(1 + number)
+        else if (node < self%nodes) then
+          self%pivot(node, line) = 1/(1 + number*(2 - self%passed(node - 1, line)))
+        else
+          self%pivot(node, line) = 1/(1 + number*(1 - self%passed(node - 1, line)))
+        end if
+        self%passed(node, line) = number*self%pivot(node, line)
+      end do
+    end do
+  end subroutine factor_spread
+
+  !> Temperature rise [K] under the flux `q` [W/m2].
+  subroutine rise(self, q, temperature_rise)
+    class(fast_body), intent(inout) :: self
+    real(wp), intent(in) :: q(self%nx, self%ny)
+    real(wp), intent(out) :: temperature_rise(self%nx, self%ny)
+    integer :: line, node
+
+    call take_lines(self, q, self%flux)
+    self%past = 0
+    self%risen(:, 1) = 0
+    !$omp parallel private(line)
+    do line = 2, self%lines
+      !$omp do schedule(static)
+      do node = 1, self%nodes
+        call follow_path(self, node, line)
+      end do
+      !$omp single
+      call spread_aside(self, line)
+      !$omp end single
+      !$omp do schedule(static)
+      do node = 1, self%nodes
+        call heat_node(self, node, line)
+      end do
+    end do
+    !$omp end parallel
+    !$omp parallel do schedule(static)
+    do line = 1, self%lines
+      if (self%along_y) then
+        temperature_rise(:, place(self, line)) = self%risen(:, line)
+      else
+        temperature_rise(place(self, line), :) = self%risen(:, line)
+      end if
+    end do
+  end subroutine rise
+
+  !> What its path brings a node.
+  subroutine follow_path(self, node, line)
+    class(fast_body), intent(inout) :: self
+    integer, intent(in) :: node, line
+    real(wp) :: share(4)
+    integer :: foot, mode
+
+    foot = self%foot(node, line)
+    share = self%share(:, node, line)
+    do mode = 1, self%modes
+      self%brought(mode, node) = self%decay(mode, node, line)*(share(1)*self%past(mode, foot) &
+        + share(2)*self%past(mode, foot + 1) + share(3)*self%past(mode, foot + 2) + share(4)*self%past(mode, foot + 3))
+    end do
+    self%before(node) = dot_product(share, self%flux(foot:foot + 3, line - 1))
+  end subroutine follow_path
+
+  !> Spreads what the paths have brought along the line.
+  subroutine spread_aside(self, line)
+    class(fast_body), intent(inout) :: self
+    integer, intent(in) :: line
+    integer :: node
+
+    associate (brought => self%brought, before => self%before, passed => self%passed(:, line), pivot => self%pivot(:, line))
+      brought(:, 1) = pivot(1)*brought(:, 1)
+      before(1) = pivot(1)*before(1)
+      do node = 2, self%nodes
+        brought(:, node) = pivot(node)*brought(:, node) + passed(node)*brought(:, node - 1)
+        before(node) = pivot(node)*before(node) + passed(node)*before(node - 1)
+      end do
+      do node = self%nodes - 1, 1, -1
+        brought(:, node) = brought(:, node) + passed(node)*brought(:, node + 1)
+        before(node) = before(node) + passed(node)*before(node + 1)
+      end do
+    end associate
+  end subroutine spread_aside
+
+  !> Rise of a node, and its exponentials' integrals from what was brought.
+  subroutine heat_node(self, node, line)
+    class(fast_body), intent(inout) :: self
+    integer, intent(in) :: node, line
+    real(wp) :: here, there, time, history, whole, early
+    integer :: mode
+
+    time = self%duration(node, line)
+    here = self%flux(node, line)
+    there = self%before(node)
+    history = 0
+    !$omp simd reduction(+:history)
+    do mode = 1, self%modes
+      history = history + self%weight(mode)*self%brought(mode, node)
+      ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
+      whole = (1 - self%decay(mode, node, line))*self%persistence(mode)
+      early = (whole/time - self%decay(mode, node, line))*self%persistence(mode)
+      self%past(mode, node) = self%brought(mode, node) + here*(whole - early) + there*early
+    end do
+    self%risen(node, line) = self%effusion*(sqrt(time)*(4*here + 2*there)/3 + history)
+  end subroutine heat_node
+
+end module surface_path
