@@ -198,26 +198,31 @@ contains
   !>
   !> `oil` holds T0 [K], the exponent of viscosity with temperature, expansivity and its decay (`oil_laws`),
   !> conductivity, c1, c2, capacity, k1, k2, b0, b1, b2 (`oil_heat`); `bodies` conductivity, heat capacity and bulk
-  !> temperature above the inlet's of each, and the velocity (u, v) of its surface at the contact point.
-  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, stat)
+  !> temperature above the inlet's of each; `semi` the contact's semi-axes [m]. `errors` are those of the bodies' model
+  !> of conduction (`conduction_model`).
+  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, semi, errors, stat)
+    use conducting_body, only: new_conducting_body
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact, heat_contact
     use heated_surface, only: heated_body
-    use moving_source, only: moving_body, new_moving_body
     use oil_heat, only: oil_heat_law
     use status, only: status_ok
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
-    real(c_double), intent(in) :: oil(13), bodies(5, 2)
+    real(c_double), intent(in) :: oil(13), bodies(3, 2), semi(2)
+    real(c_double), intent(out) :: errors(2)
     integer(c_int), intent(out) :: stat
     type(heated_contact), pointer :: contact
     class(heated_body), allocatable :: body_1, body_2
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call new_body(bodies(:, 1), body_1)
-    if (stat == status_ok) call new_body(bodies(:, 2), body_2)
+    associate (heat => contact%fields%p, dx => contact%grid%dx, dy => contact%grid%dy)
+      call new_conducting_body(u1, v1, heat, semi, dx, dy, bodies(1, 1), bodies(2, 1), body_1, errors(1), stat)
+      if (stat == status_ok) call new_conducting_body(u2, v2, heat, semi, dx, dy, bodies(1, 2), bodies(2, 2), body_2, &
+        errors(2), stat)
+    end associate
     if (stat /= status_ok) return
     contact%oil%temperature = oil(1)
     contact%oil%thermal_exponent = oil(2)
@@ -225,20 +230,6 @@ contains
     contact%oil%expansivity_decay = oil(4)
     call heat_contact(contact, oil_heat_law(oil(5), oil(6), oil(7), oil(8), oil(9), oil(10), oil(11), oil(12), oil(13)), &
       u1, v1, body_1, body_2, bodies(3, :), stat)
-
-  contains
-
-    !> A body on the contact's grid.
-    subroutine new_body(body, surface)
-      real(c_double), intent(in) :: body(5)
-      class(heated_body), allocatable, intent(out) :: surface
-      type(moving_body), allocatable :: moving
-
-      allocate (moving)
-      call new_moving_body(moving, nx, ny, contact%grid%dx, contact%grid%dy, body(4), body(5), body(1), body(2), stat)
-      call move_alloc(moving, surface)
-    end subroutine new_body
-
   end subroutine point_film_heat
 
   !> One sweep of heat through a contact (`film_temperature`); `change` is the largest of its temperature [K].

@@ -158,7 +158,9 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
     return finer
 
 
-def with_shear(scene: Scene, model: Model, rung: Rung, coarser: Rung | None = None) -> None:
+def with_shear(
+    scene: Scene, size: Scales, model: Model, rung: Rung, coarser: Rung | None = None
+) -> None:
     """Lets the film of a rung flow by the oil's law, and warm, from its present pressure.
 
     It starts at the temperature of a coarser rung over the same window, if there is one.
@@ -175,7 +177,7 @@ def with_shear(scene: Scene, model: Model, rung: Rung, coarser: Rung | None = No
             scene.oil,
             scene.bodies,
             ((u + us / 2, v + vs / 2), (u - us / 2, v - vs / 2)),
-            [motion(np.array(0.0), np.array(0.0)) for motion in scene.motions],
+            (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
             rise,
         )
     film.start(film.pressure, film.rigid_film)

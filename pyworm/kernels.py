@@ -356,7 +356,7 @@ class PointFilm(_Film):
         )
         self.levels = levels
 
-    def heat(self, oil: Oil, bodies, motions, at_origin, rise=None) -> None:
+    def heat(self, oil: Oil, bodies, motions, semi_axes, rise=None) -> None:
         """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
 
         Parameters
@@ -367,8 +367,8 @@ class PointFilm(_Film):
             Both bodies, with thermal constants.
         motions : tuple
             Velocity (u, v) of each body's surface at the nodes [m/s].
-        at_origin : tuple
-            The same at the contact point: that with which a body passes its heat source.
+        semi_axes : tuple of float
+            Semi-axes of the contact along x and y [m].
         rise : array_like, optional
             Temperature above the inlet's to begin with [K], shape (nx, ny, levels).
 
@@ -378,22 +378,17 @@ class PointFilm(_Film):
             If memory does not suffice.
         """
         (u1, v1), (u2, v2) = motions
-        _check(
-            self._binding("heat")(
-                self._handle,
-                _field(u1),
-                _field(v1),
-                _field(u2),
-                _field(v2),
-                _heat_numbers(oil),
-                np.column_stack(
-                    [
-                        _body_numbers(body, oil.heat, velocity)
-                        for body, velocity in zip(bodies, at_origin, strict=True)
-                    ]
-                ),
-            )
+        self.conduction_errors, status = self._binding("heat")(
+            self._handle,
+            _field(u1),
+            _field(v1),
+            _field(u2),
+            _field(v2),
+            _heat_numbers(oil),
+            np.column_stack([_body_numbers(body, oil.heat) for body in bodies]),
+            np.array(semi_axes),
         )
+        _check(status)
         if rise is not None:
             self._binding("set_rise")(self._handle, _field(rise))
         self.heated = True
@@ -466,12 +461,11 @@ def _heat_numbers(oil: Oil) -> np.ndarray:
     )
 
 
-def _body_numbers(body: Body, heat: OilHeat, velocity) -> list[float]:
+def _body_numbers(body: Body, heat: OilHeat) -> list[float]:
     return [
         body.conductivity,
         body.density * body.specific_heat,
         body.bulk_temperature - heat.inlet_temperature,
-        *velocity,
     ]
 
 

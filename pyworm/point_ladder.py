@@ -61,14 +61,14 @@ class PointLadder:
             rung = next_rung(self._scene, self._size, rung, grid)
         if self._model.levels:
             strides += settle(rung, COARSE_TOLERANCE).strides
-            with_shear(self._scene, self._model, rung)
+            with_shear(self._scene, self._size, self._model, rung)
         return rung, strides
 
     def higher(self, rung: Rung) -> Rung:
         """Half the spacing over the same window."""
         finer = next_rung(self._scene, self._size, rung, rung.grid.finer())
         if self._model.levels:
-            with_shear(self._scene, self._model, finer, rung)
+            with_shear(self._scene, self._size, self._model, finer, rung)
         return finer
 
     def outcome(self, rung: Rung) -> Outcome:
