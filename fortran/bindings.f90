@@ -9,7 +9,7 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve
+    point_film_convolve, point_film_work
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic
@@ -135,7 +135,9 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
+    call contact%work%step%start()
     call film_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    call contact%work%step%finish()
   end subroutine point_film_step
 
   !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
@@ -167,6 +169,24 @@ contains
     contact => contact_of(handle)
     call contact%space%deflection(p, w)
   end subroutine point_film_convolve
+
+  !> How often each part of the work on a contact was done and the processor time [s] that it took: convolutions,
+  !> fields and flows, building the preconditioner, its cycles, whole steps.
+  subroutine point_film_work(handle, counts, seconds)
+    use point_film, only: point_contact
+    use point_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: counts(5)
+    real(c_double), intent(out) :: seconds(5)
+    type(point_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    associate (work => contact%work)
+      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%step%count]
+      seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
+        work%step%seconds]
+    end associate
+  end subroutine point_film_work
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &

@@ -13,6 +13,7 @@ module point_film
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
     flow_imbalance_change
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
+  use tally, only: work_tally
   use vectors, only: total
   implicit none(type, external)
   private
@@ -25,6 +26,11 @@ module point_film
   real(wp), parameter :: shortest_step = 1.0_wp/64
   !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
   real(wp), parameter :: most_growth = 2
+
+  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its cycles, whole steps.
+  type :: film_work
+    type(work_tally) :: convolution, flow, building, cycle, step
+  end type film_work
 
   type, extends(linear_system) :: point_contact
     type(film_grid) :: grid
@@ -50,6 +56,7 @@ module point_film
     !> Scratch of one field; the Newton step's right-hand side, its solution, the pressure it starts from; the
     !> Krylov basis.
     real(wp), allocatable :: dh(:, :), right(:), change(:), start(:, :), basis(:, :)
+    type(film_work) :: work
   contains
     procedure :: multiply
     procedure :: precondition
@@ -123,14 +130,18 @@ contains
     real(wp), intent(in) :: h0
     real(wp), intent(out) :: residual, load_error
 
-    self%fields%p = p
+    call self%work%convolution%start()
     call self%space%deflection(p, self%fields%h)
+    call self%work%convolution%finish()
+    call self%work%flow%start()
+    self%fields%p = p
     self%fields%h = self%fields%h + self%gap + h0
     call set_film_fields(self%oil, self%floor, self%fields)
     call flow_imbalance(self%grid, self%fields, self%imbalance)
     self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
     residual = sum(abs(self%imbalance), mask=self%free)/self%wedge
     load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
+    call self%work%flow%finish()
   end subroutine film_residual
 
   !> Sum of |um . grad g| and of the squeeze over the inner nodes [m/s], g being the undeformed gap [m].
@@ -167,7 +178,9 @@ contains
     n = size(p)
     step = 0
     krylov = 0
+    call self%work%building%start()
     call set_film_multigrid(self%cycles, self%fields, self%free, stat)
+    call self%work%building%finish()
     if (stat /= status_ok) return
     call set_softness(self)
 
@@ -215,7 +228,9 @@ contains
     self%dh = 1
     call flow_imbalance_change(self%grid, self%fields, self%start, self%dh, self%softness)
     self%start = self%softness
+    call self%work%cycle%start()
     call film_cycle(self%cycles, self%start, self%softness)
+    call self%work%cycle%finish()
     self%softness_load = total(self%softness)
   end subroutine set_softness
 
@@ -230,10 +245,14 @@ contains
     n = self%grid%nx*self%grid%ny
     dp(1:self%grid%nx, 1:self%grid%ny) => x(:n)
     dr(1:self%grid%nx, 1:self%grid%ny) => y(:n)
+    call self%work%convolution%start()
     call self%space%deflection(dp, self%dh)
+    call self%work%convolution%finish()
+    call self%work%flow%start()
     self%dh = self%dh + x(n + 1)
     call flow_imbalance_change(self%grid, self%fields, dp, self%dh, dr)
     where (.not. self%free) dr = 0
+    call self%work%flow%finish()
     y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*self%load_weight
   end subroutine multiply
 
@@ -248,7 +267,9 @@ contains
     n = self%grid%nx*self%grid%ny
     r(1:self%grid%nx, 1:self%grid%ny) => x(:n)
     dp(1:self%grid%nx, 1:self%grid%ny) => y(:n)
+    call self%work%cycle%start()
     call film_cycle(self%cycles, r, dp)
+    call self%work%cycle%finish()
     y(n + 1) = (total(dp) - x(n + 1)/(self%grid%dx*self%grid%dy*self%load_weight))/self%softness_load
     dp = dp - self%softness*y(n + 1)
   end subroutine precondition
