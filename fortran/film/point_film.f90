@@ -6,7 +6,7 @@
 !> system. Python owns the loop; each call does one step.
 module point_film
   use half_space, only: elastic_half_space, new_half_space
-  use kinds, only: wp
+  use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
   use oil_laws, only: oil_law
@@ -55,7 +55,8 @@ module point_film
     real(wp) :: softness_load = 0
     !> Scratch of one field; the Newton step's right-hand side, its solution, the pressure it starts from; the
     !> Krylov basis.
-    real(wp), allocatable :: dh(:, :), right(:), change(:), start(:, :), basis(:, :)
+    real(wp), allocatable :: dh(:, :), right(:), change(:), start(:, :)
+    real(pp), allocatable :: basis(:, :)
     type(film_work) :: work
   contains
     procedure :: multiply
@@ -100,7 +101,7 @@ contains
     if (stat /= status_ok) return
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
       self%start(nx, ny), self%right(nx*ny + 1), self%change(nx*ny + 1), &
-      self%basis(nx*ny + 1, most_krylov + 1), stat=err)
+      self%basis(nx*ny + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_point_contact
 
