@@ -241,7 +241,7 @@ contains
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
     real(wp), contiguous, pointer :: dp(:, :), dr(:, :)
-    integer :: n
+    integer :: j, n
 
     n = self%grid%nx*self%grid%ny
     dp(1:self%grid%nx, 1:self%grid%ny) => x(:n)
@@ -250,9 +250,15 @@ contains
     call self%space%deflection(dp, self%dh)
     call self%work%convolution%finish()
     call self%work%flow%start()
-    self%dh = self%dh + x(n + 1)
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      self%dh(:, j) = self%dh(:, j) + x(n + 1)
+    end do
     call flow_imbalance_change(self%grid, self%fields, dp, self%dh, dr)
-    where (.not. self%free) dr = 0
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      where (.not. self%free(:, j)) dr(:, j) = 0
+    end do
     call self%work%flow%finish()
     y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*self%load_weight
   end subroutine multiply

@@ -12,6 +12,9 @@ module reynolds
 
   public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
 
+  !> Rows done in one go: what is upwind of them is computed for them alone, and lies in the first caches.
+  integer, parameter :: strip = 16
+
   !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
   type :: film_grid
     integer :: nx = 0, ny = 0
@@ -30,8 +33,6 @@ module reynolds
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
-    !> Scratch: rho h, or its change, and the change of the mobility.
-    real(wp), allocatable :: mass(:, :), mobility_change(:, :)
   end type film_fields
 
 contains
@@ -44,8 +45,7 @@ contains
     integer :: err
 
     allocate (fields%p(nx, ny), fields%h(nx, ny), fields%rho(nx, ny), fields%rho_p(nx, ny), &
-      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), fields%mass(nx, ny), &
-      fields%mobility_change(nx, ny), stat=err)
+      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
     fields%p = 0
@@ -80,102 +80,147 @@ contains
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine flow_imbalance(grid, fields, imbalance)
     type(film_grid), intent(in) :: grid
-    type(film_fields), intent(inout) :: fields
+    type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(out) :: imbalance(:, :)
-    integer :: j
+    integer :: first
 
-    !$omp parallel do schedule(static)
-    do j = 1, grid%ny
-      fields%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
-      imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
-    end do
-    call add_wedge(grid, fields%mass, imbalance)
-    call add_diffusion(grid, fields%mobility, fields%p, imbalance)
     call clear_outline(imbalance)
+    !$omp parallel do schedule(static)
+    do first = 2, grid%ny - 1, strip
+      call imbalance_of_rows(grid, fields, first, min(first + strip, grid%ny) - 1, imbalance)
+    end do
   end subroutine flow_imbalance
 
   !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
   subroutine flow_imbalance_change(grid, fields, dp, dh, change)
     type(film_grid), intent(in) :: grid
-    type(film_fields), intent(inout) :: fields
+    type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
-    integer :: j
+    integer :: first
 
-    !$omp parallel do schedule(static)
-    do j = 1, grid%ny
-      fields%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
-      fields%mobility_change(:, j) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
-      change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
-    end do
-    call add_wedge(grid, fields%mass, change)
-    call add_diffusion(grid, fields%mobility, dp, change)
-    call add_diffusion(grid, fields%mobility_change, fields%p, change)
     call clear_outline(change)
+    !$omp parallel do schedule(static)
+    do first = 2, grid%ny - 1, strip
+      call change_of_rows(grid, fields, dp, dh, first, min(first + strip, grid%ny) - 1, change)
+    end do
   end subroutine flow_imbalance_change
 
-  !> Adds -div(m grad p).
-  subroutine add_diffusion(grid, m, p, r)
+  !> Imbalance of rows `first` to `last`.
+  pure subroutine imbalance_of_rows(grid, fields, first, last, imbalance)
     type(film_grid), intent(in) :: grid
-    real(wp), contiguous, intent(in) :: m(:, :), p(:, :)
-    real(wp), contiguous, intent(inout) :: r(:, :)
+    type(film_fields), intent(in) :: fields
+    integer, intent(in) :: first, last
+    real(wp), contiguous, intent(inout) :: imbalance(:, :)
+    !> rho h of row j at mod(j, 5); wedge flow to the row and to the next.
+    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx)
+    integer :: j, k
+
+    do j = max(first - 2, 1), first + 1
+      mass(:, mod(j, 5)) = fields%rho(:, j)*fields%h(:, j)
+    end do
+    call wedge_to_next_row(grid, first - 1, mass, before)
+    do j = first, last
+      k = min(j + 2, grid%ny)
+      mass(:, mod(k, 5)) = fields%rho(:, k)*fields%h(:, k)
+      call wedge_to_next_row(grid, j, mass, after)
+      call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
+        fields%rho(:, j)*grid%squeeze(:, j), imbalance(:, j))
+      call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
+        fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), imbalance(:, j))
+      before = after
+    end do
+  end subroutine imbalance_of_rows
+
+  !> Change of the imbalance of rows `first` to `last`.
+  pure subroutine change_of_rows(grid, fields, dp, dh, first, last, change)
+    type(film_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    integer, intent(in) :: first, last
+    real(wp), contiguous, intent(inout) :: change(:, :)
+    !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the next.
+    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx)
+    integer :: j, k
+
+    do j = max(first - 2, 1), first + 1
+      mass(:, mod(j, 5)) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+    end do
+    do j = first - 1, first
+      mobility(:, mod(j, 3)) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
+    end do
+    call wedge_to_next_row(grid, first - 1, mass, before)
+    do j = first, last
+      k = min(j + 2, grid%ny)
+      mass(:, mod(k, 5)) = fields%rho_p(:, k)*fields%h(:, k)*dp(:, k) + fields%rho(:, k)*dh(:, k)
+      k = j + 1
+      mobility(:, mod(k, 3)) = fields%mobility_p(:, k)*dp(:, k) + fields%mobility_h(:, k)*dh(:, k)
+      call wedge_to_next_row(grid, j, mass, after)
+      call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
+        fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j), change(:, j))
+      call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
+        dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
+      call add_diffusion(grid, mobility(:, mod(j - 1, 3)), mobility(:, mod(j, 3)), mobility(:, mod(j + 1, 3)), &
+        fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), change(:, j))
+      before = after
+    end do
+  end subroutine change_of_rows
+
+  !> Adds -div(m grad p) to a row's r; m and p of the row before, the row itself and the next.
+  pure subroutine add_diffusion(grid, m_before, m, m_after, p_before, p, p_after, r)
+    type(film_grid), intent(in) :: grid
+    real(wp), dimension(grid%nx), intent(in) :: m_before, m, m_after, p_before, p, p_after
+    real(wp), intent(inout) :: r(grid%nx)
     real(wp) :: along_x, along_y
-    integer :: i, j
+    integer :: i
 
     along_x = 0.5_wp/grid%dx**2
     along_y = 0.5_wp/grid%dy**2
-    !$omp parallel do private(i) schedule(static)
-    do j = 2, grid%ny - 1
-      do i = 2, grid%nx - 1
-        r(i, j) = r(i, j) &
-          + along_x*((m(i, j) + m(i + 1, j))*(p(i, j) - p(i + 1, j)) &
-          + (m(i, j) + m(i - 1, j))*(p(i, j) - p(i - 1, j))) &
-          + along_y*((m(i, j) + m(i, j + 1))*(p(i, j) - p(i, j + 1)) &
-          + (m(i, j) + m(i, j - 1))*(p(i, j) - p(i, j - 1)))
-      end do
+    do i = 2, grid%nx - 1
+      r(i) = r(i) + along_x*((m(i) + m(i + 1))*(p(i) - p(i + 1)) + (m(i) + m(i - 1))*(p(i) - p(i - 1))) &
+        + along_y*((m(i) + m_after(i))*(p(i) - p_after(i)) + (m(i) + m_before(i))*(p(i) - p_before(i)))
     end do
   end subroutine add_diffusion
 
-  !> Adds div(q um) with q upwind to second order; next to the outline q is the mean of a face's two nodes.
-  subroutine add_wedge(grid, q, r)
-    type(film_grid), intent(in) :: grid
-    real(wp), contiguous, intent(in) :: q(:, :)
-    real(wp), contiguous, intent(inout) :: r(:, :)
-    real(wp) :: flux(grid%nx), before(grid%nx), after(grid%nx)
-    integer :: i, j, nx
+  !> A row's r from what is stored in its cells and div(q um), with q upwind to second order; next to the outline q is
+  !> the mean of a face's two nodes.
+  pure subroutine set_wedge(nx, dx, u, q, before, after, stored, r)
+    integer, intent(in) :: nx
+    real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), stored(nx)
+    real(wp), intent(inout) :: r(nx)
+    real(wp) :: flux(nx)
+    integer :: i
 
-    nx = grid%nx
-    !$omp parallel do private(i, flux, before, after) schedule(static)
-    do j = 2, grid%ny - 1
-      flux(1) = grid%u(1, j)*(q(1, j) + q(2, j))/(2*grid%dx)
-      flux(nx - 1) = grid%u(nx - 1, j)*(q(nx - 1, j) + q(nx, j))/(2*grid%dx)
-      do i = 2, nx - 2
-        flux(i) = upwind(grid%u(i, j), q(i - 1, j), q(i, j), q(i + 1, j), q(i + 2, j))/grid%dx
-      end do
-      call flow_between_rows(grid, q, j - 1, before)
-      call flow_between_rows(grid, q, j, after)
-      do i = 2, nx - 1
-        r(i, j) = r(i, j) + flux(i) - flux(i - 1) + after(i) - before(i)
-      end do
+    flux(1) = u(1)*(q(1) + q(2))/2
+    flux(nx - 1) = u(nx - 1)*(q(nx - 1) + q(nx))/2
+    do i = 2, nx - 2
+      flux(i) = upwind(u(i), q(i - 1), q(i), q(i + 1), q(i + 2))
     end do
-  end subroutine add_wedge
+    do i = 2, nx - 1
+      r(i) = stored(i) + (flux(i) - flux(i - 1))*(1/dx) + after(i) - before(i)
+    end do
+  end subroutine set_wedge
 
-  !> Wedge flow through the faces between row j and the next, per spacing [m/s].
-  pure subroutine flow_between_rows(grid, q, j, flux)
+  !> Wedge flow through the faces between row j and the next, per spacing [m/s]; q of row k stands at mod(k, 5).
+  pure subroutine wedge_to_next_row(grid, j, q, flux)
     type(film_grid), intent(in) :: grid
-    real(wp), contiguous, intent(in) :: q(:, :)
     integer, intent(in) :: j
+    real(wp), intent(in) :: q(grid%nx, 0:4)
     real(wp), intent(out) :: flux(grid%nx)
     integer :: i
 
-    if (j == 1 .or. j == grid%ny - 1) then
-      flux = grid%v(:, j)*(q(:, j) + q(:, j + 1))/(2*grid%dy)
-    else
-      do i = 1, grid%nx
-        flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
-      end do
-    end if
-  end subroutine flow_between_rows
+    associate (v => grid%v(:, j), q2 => q(:, mod(j, 5)), q3 => q(:, mod(j + 1, 5)))
+      if (j == 1 .or. j == grid%ny - 1) then
+        flux = v*(q2 + q3)/(2*grid%dy)
+      else
+        associate (q1 => q(:, mod(j - 1, 5)), q4 => q(:, mod(j + 2, 5)))
+          do i = 1, grid%nx
+            flux(i) = upwind(v(i), q1(i), q2(i), q3(i), q4(i))*(1/grid%dy)
+          end do
+        end associate
+      end if
+    end associate
+  end subroutine wedge_to_next_row
 
   !> Flow of q through a face between the second and the third of four nodes.
   pure real(wp) function upwind(u, q1, q2, q3, q4)
