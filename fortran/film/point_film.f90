@@ -130,17 +130,25 @@ contains
     real(wp), contiguous, intent(in) :: p(:, :)
     real(wp), intent(in) :: h0
     real(wp), intent(out) :: residual, load_error
+    integer :: j
 
     call self%work%convolution%start()
     call self%space%deflection(p, self%fields%h)
     call self%work%convolution%finish()
     call self%work%flow%start()
-    self%fields%p = p
-    self%fields%h = self%fields%h + self%gap + h0
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      self%fields%p(:, j) = p(:, j)
+      self%fields%h(:, j) = self%fields%h(:, j) + self%gap(:, j) + h0
+    end do
     call set_film_fields(self%oil, self%floor, self%fields)
     call flow_imbalance(self%grid, self%fields, self%imbalance)
-    self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
-    residual = sum(abs(self%imbalance), mask=self%free)/self%wedge
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
+      self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
+    end do
+    residual = total(self%dh)/self%wedge
     load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
     call self%work%flow%finish()
   end subroutine film_residual

@@ -5,7 +5,7 @@
 !> that at ambient pressure, so that the residual is a volume flow per area [m/s].
 module reynolds
   use kinds, only: wp
-  use oil_laws, only: oil_law, viscosity, density
+  use oil_laws, only: oil_law, viscosities, densities
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
@@ -60,22 +60,34 @@ contains
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: floor
     type(film_fields), intent(inout) :: fields
-    real(wp) :: eta, slope, thickness
-    integer :: i, j
+    real(wp), dimension(size(fields%p, 1)) :: eta, slope
+    integer :: j
 
-    !$omp parallel do private(i, eta, slope, thickness) schedule(static)
+    !$omp parallel do private(eta, slope) schedule(static)
     do j = 1, size(fields%p, 2)
-      do i = 1, size(fields%p, 1)
-        call viscosity(oil, fields%p(i, j), eta, slope)
-        call density(oil, fields%p(i, j), fields%rho(i, j), fields%rho_p(i, j))
-        thickness = max(fields%h(i, j), floor)
-        fields%mobility(i, j) = fields%rho(i, j)*thickness**3/(12*eta)
-        fields%mobility_p(i, j) = fields%mobility(i, j)*(fields%rho_p(i, j)/fields%rho(i, j) - slope)
-        fields%mobility_h(i, j) = 0
-        if (fields%h(i, j) > floor) fields%mobility_h(i, j) = 3*fields%mobility(i, j)/thickness
-      end do
+      call viscosities(oil, fields%p(:, j), eta, slope)
+      call densities(oil, fields%p(:, j), fields%rho(:, j), fields%rho_p(:, j))
+      call set_mobility(size(eta), fields%h(:, j), floor, fields%rho(:, j), fields%rho_p(:, j), eta, slope, &
+        fields%mobility(:, j), fields%mobility_p(:, j), fields%mobility_h(:, j))
     end do
   end subroutine set_film_fields
+
+  !> A row's mobility and its derivatives.
+  pure subroutine set_mobility(n, h, floor, rho, rho_p, eta, slope, m, m_p, m_h)
+    integer, intent(in) :: n
+    real(wp), dimension(n), intent(in) :: h, rho, rho_p, eta, slope
+    real(wp), intent(in) :: floor
+    real(wp), dimension(n), intent(out) :: m, m_p, m_h
+    real(wp) :: thickness
+    integer :: i
+
+    do i = 1, n
+      thickness = max(h(i), floor)
+      m(i) = rho(i)*thickness**3/(12*eta(i))
+      m_p(i) = m(i)*(rho_p(i)/rho(i) - slope(i))
+      m_h(i) = merge(3*m(i)/thickness, 0.0_wp, h(i) > floor)
+    end do
+  end subroutine set_mobility
 
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine flow_imbalance(grid, fields, imbalance)

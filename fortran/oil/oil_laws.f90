@@ -4,7 +4,7 @@ module oil_laws
   implicit none(type, external)
   private
 
-  public :: oil_law, viscosity, density
+  public :: oil_law, viscosity, viscosities, density, densities
 
   !> eta = eta0 exp(alpha p) (Barus 1893)
   integer, parameter, public :: law_barus = 1
@@ -50,6 +50,18 @@ contains
     if (rise > largest_exponent) slope = 0
   end subroutine viscosity
 
+  !> The same over a row of pressures; here, where it is inlined, the loop is turned into vector instructions.
+  pure subroutine viscosities(oil, p, eta, slope)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:)
+    real(wp), intent(out) :: eta(size(p)), slope(size(p))
+    integer :: i
+
+    do i = 1, size(p)
+      call viscosity(oil, p(i), eta(i), slope(i))
+    end do
+  end subroutine viscosities
+
   !> Density over that at ambient pressure, `rho` [-], at `p` [Pa] and its derivative `slope` [1/Pa].
   elemental subroutine density(oil, p, rho, slope)
     type(oil_law), intent(in) :: oil
@@ -59,5 +71,17 @@ contains
     rho = 1 + oil%d1*p/(1 + oil%d2*p)
     slope = oil%d1/(1 + oil%d2*p)**2
   end subroutine density
+
+  !> The same over a row of pressures.
+  pure subroutine densities(oil, p, rho, slope)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:)
+    real(wp), intent(out) :: rho(size(p)), slope(size(p))
+    integer :: i
+
+    do i = 1, size(p)
+      call density(oil, p(i), rho(i), slope(i))
+    end do
+  end subroutine densities
 
 end module oil_laws
