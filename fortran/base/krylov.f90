@@ -5,7 +5,7 @@
 !> to some 1e-6 of the right-hand side, far below what a Newton step asks for.
 module krylov
   use kinds, only: pp, wp
-  use vectors, only: dot, project_out, combine
+  use vectors, only: dot, normalise, project_out, combine
   implicit none(type, external)
   private
 
@@ -60,8 +60,7 @@ contains
     reduction = 1
 
     do j = 1, most
-      w = w*(1/lift)
-      basis(:, j) = real(w, pp)
+      call normalise(lift, w, basis(:, j))
       ! x is scratch until the end
       call system%precondition(w, x)
       call system%multiply(x, w)

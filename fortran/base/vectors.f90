@@ -8,7 +8,7 @@ module vectors
   implicit none(type, external)
   private
 
-  public :: dot, total, step_along, project_out, combine
+  public :: dot, total, step_along, normalise, project_out, combine
 
   !> Elements of a block: long enough to be worth a thread's while.
   integer, parameter :: block_length = 8192
@@ -93,6 +93,20 @@ contains
       x(i) = x(i) + step*d(i)
     end do
   end subroutine step_along
+
+  !> Divides w by its norm, and keeps it as a column of a basis.
+  subroutine normalise(norm, w, column)
+    real(wp), intent(in) :: norm
+    real(wp), contiguous, intent(inout) :: w(:)
+    real(pp), contiguous, intent(out) :: column(:)
+    integer :: i
+
+    !$omp parallel do schedule(static) if(size(w) > block_length)
+    do i = 1, size(w)
+      w(i) = w(i)*(1/norm)
+      column(i) = real(w(i), pp)
+    end do
+  end subroutine normalise
 
   !> Takes from w what lies along the columns of an orthonormal basis: w - V V'w, by classical Gram-Schmidt.
   !>

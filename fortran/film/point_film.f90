@@ -277,7 +277,7 @@ contains
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
     real(wp), contiguous, pointer :: r(:, :), dp(:, :)
-    integer :: n
+    integer :: j, n
 
     n = self%grid%nx*self%grid%ny
     r(1:self%grid%nx, 1:self%grid%ny) => x(:n)
@@ -286,7 +286,10 @@ contains
     call film_cycle(self%cycles, r, dp)
     call self%work%cycle%finish()
     y(n + 1) = (total(dp) - x(n + 1)/(self%grid%dx*self%grid%dy*self%load_weight))/self%softness_load
-    dp = dp - self%softness*y(n + 1)
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      dp(:, j) = dp(:, j) - self%softness(:, j)*y(n + 1)
+    end do
   end subroutine precondition
 
 end module point_film
