@@ -29,6 +29,34 @@ DRY_TOLERANCE = 1e-5
 
 
 @dataclass(frozen=True)
+class Start:
+    """Where a film begins, or ended.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        Pressure [Pa], shape (nx, ny).
+    rigid_film : float
+        Rigid film [m].
+    """
+
+    pressure: np.ndarray
+    rigid_film: float
+
+    def finer(self, window=np.s_[:, :]) -> "Start":
+        """The same on nodes of half the spacing within a window."""
+        return Start(np.maximum(kernels.prolong(self.pressure[window]), 0.0), self.rigid_film)
+
+    def beyond(self, coarser: "Start") -> "Start":
+        """What half the spacing again would lead to, at second order, if one half led from `coarser` to this."""
+        pressure = self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
+        return Start(
+            np.maximum(pressure, 0.0),
+            self.rigid_film + (self.rigid_film - coarser.rigid_film) / 4,
+        )
+
+
+@dataclass(frozen=True)
 class Rung:
     """A film on one grid.
 
@@ -48,6 +76,8 @@ class Rung:
         Load that pressure on the grid carries [N].
     film : kernels.PointFilm
         The kernel's film, in its present state.
+    coarser : Start or None
+        Where the rung before ended, if it covered the same window.
     """
 
     forcing: ClassVar[float] = 0.03
@@ -60,6 +90,7 @@ class Rung:
     far: np.ndarray | float
     load: float
     film: kernels.PointFilm
+    coarser: Start | None = None
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
@@ -118,15 +149,20 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
         far = kernels.prolong(far[window])
-    finer = _rung(scene, size, grid, far, load)
-    finer.film.start(
-        np.where(finer.covered, np.maximum(kernels.prolong(pressure[window]), 0.0), 0.0),
-        rung.film.rigid_film,
-    )
+    here = Start(pressure, rung.film.rigid_film)
+    same = grid.shape == rung.grid.finer().shape
+    if rung.coarser is not None and same:
+        start = here.beyond(rung.coarser.finer()).finer()
+    else:
+        start = here.finer(window)
+    finer = _rung(scene, size, grid, far, load, here if same else None)
+    finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
 
 
-def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
+def _rung(
+    scene: Scene, size: Scales, grid: Grid, far, load: float, coarser: Start | None = None
+) -> Rung:
     x, y = grid.mesh()
     gap, covered = scene.gap(x, y)
     (u1, v1), (u2, v2) = (motion(x, y) for motion in scene.motions)
@@ -143,4 +179,4 @@ def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return Rung(grid, gap, covered, entrainment, sliding, far, load, film)
+    return Rung(grid, gap, covered, entrainment, sliding, far, load, film, coarser)
