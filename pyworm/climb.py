@@ -80,7 +80,7 @@ class Rung:
         Where the rung before ended, if it covered the same window.
     """
 
-    forcing: ClassVar[float] = 0.03
+    forcing: ClassVar[float] = 0.1
 
     grid: Grid
     gap: np.ndarray

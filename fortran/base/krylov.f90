@@ -1,8 +1,11 @@
-!> GMRES with right preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.5).
+!> GMRES with left preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.4).
+!>
+!> What is made small is the preconditioned residual: an estimate of the error. The residual itself says little of a
+!> film's error: its roughest parts, at the rupture line and the pressure spike, are the largest and matter least.
 !>
 !> The basis is kept in single precision, the most of what an iteration has to read, and orthogonalised by classical
 !> Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the residual that can be reached
-!> to some 1e-6 of the right-hand side, far below what a Newton step asks for.
+!> to some 1e-6 of the first, far below what a Newton step asks for.
 module krylov
   use kinds, only: pp, wp
   use vectors, only: dot, normalise, project_out, combine
@@ -30,9 +33,9 @@ module krylov
 
 contains
 
-  !> Solves A x = b until the residual is `tolerance` times |b| or `most` iterations are done.
+  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or `most` iterations are done.
   !>
-  !> `basis` is workspace, (size(b), most); `reduction` is the residual reached over |b|.
+  !> `basis` is workspace, (size(b), most); `reduction` is the share reached.
   subroutine gmres(system, b, tolerance, most, basis, x, iterations, reduction)
     class(linear_system), intent(inout) :: system
     real(wp), contiguous, intent(in) :: b(:)
@@ -44,26 +47,27 @@ contains
     real(wp), intent(out) :: reduction
     real(wp) :: hessenberg(most + 1, most), cosine(most), sine(most), projection(most + 1)
     real(wp), allocatable :: w(:)
-    real(wp) :: size_of_b, norm, lift
+    real(wp) :: start, norm, lift
     integer :: i, j
 
     x = 0
     iterations = 0
-    size_of_b = sqrt(dot(b, b))
+    allocate (w, mold=b)
+    call system%precondition(b, w)
+    start = sqrt(dot(w, w))
     reduction = 0
-    if (.not. size_of_b > 0) return
-    w = b
-    lift = size_of_b
+    if (.not. start > 0) return
+    lift = start
     projection = 0
-    projection(1) = size_of_b
+    projection(1) = start
     hessenberg = 0
     reduction = 1
 
     do j = 1, most
       call normalise(lift, w, basis(:, j))
       ! x is scratch until the end
-      call system%precondition(w, x)
-      call system%multiply(x, w)
+      call system%multiply(w, x)
+      call system%precondition(x, w)
       call project_out(basis(:, :j), w, hessenberg(:j, j), lift)
       lift = sqrt(lift)
       hessenberg(j + 1, j) = lift
@@ -77,7 +81,7 @@ contains
       call rotate(hessenberg(j, j), hessenberg(j + 1, j), cosine(j), sine(j))
       call rotate(projection(j), projection(j + 1), cosine(j), sine(j))
       iterations = j
-      reduction = abs(projection(j + 1))/size_of_b
+      reduction = abs(projection(j + 1))/start
       if (reduction <= tolerance .or. .not. lift > 0) exit
     end do
 
@@ -85,8 +89,7 @@ contains
       projection(i) = (projection(i) &
         - dot_product(hessenberg(i, i + 1:iterations), projection(i + 1:iterations)))/hessenberg(i, i)
     end do
-    call combine(basis(:, :iterations), projection(:iterations), w)
-    call system%precondition(w, x)
+    call combine(basis(:, :iterations), projection(:iterations), x)
   end subroutine gmres
 
   !> Givens rotation of the pair (a, b).
