@@ -11,7 +11,7 @@ from pyworm.accuracy import FIGURES, Convergence
 from pyworm.climb import Rung, dry_contact, first_rung, next_rung
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
-from pyworm.ladder import Outcome, Stride, settle
+from pyworm.ladder import Outcome, Stride, lead
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import DryFigures
@@ -46,7 +46,7 @@ class PointLadder:
         strides: list[Stride] = []
         rung = first_rung(self._scene, self._size, grids[0])
         for grid in grids[1:]:
-            strides += settle(rung, COARSE_TOLERANCE).strides
+            strides += lead(rung, COARSE_TOLERANCE)
             rung = next_rung(self._scene, self._size, rung, grid)
         return rung, strides
 

@@ -87,10 +87,17 @@ def _half_width(a: float, b: float, cosine: float, sine: float) -> float:
     return float(np.hypot(a * cosine, b * sine))
 
 
+ON_NODE = 1e-6
+"""Distance from a node, in spacings, that is none."""
+
+
 def value_at_origin(grid: Grid, field: Array) -> float:
-    """Value of a field at the contact point, by splines through the nodes nearest to it."""
-    columns = _around(-grid.west / grid.dx, grid.nx)
-    rows = _around(-grid.south / grid.dy, grid.ny)
+    """Value of a field at the contact point: at the node there, else by splines through the nodes nearest to it."""
+    i, j = -grid.west / grid.dx, -grid.south / grid.dy
+    if max(abs(i - round(i)), abs(j - round(j))) < ON_NODE:
+        return float(field[round(i), round(j)])
+    columns = _around(i, grid.nx)
+    rows = _around(j, grid.ny)
     spline = RectBivariateSpline(grid.x[columns], grid.y[rows], field[columns, rows])
     return float(spline(0.0, 0.0, grid=False))
 

@@ -9,7 +9,7 @@ import xarray as xr
 from pyworm.accuracy import FIGURES, JUDGED, Reading, domain_errors, grid_errors
 from pyworm.effects import Plan
 from pyworm.kernels import NO_MEMORY, KernelError
-from pyworm.ladder import Ladder, Rung, Settled, Stride, settle
+from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
 from pyworm.point_ladder import PointLadder
@@ -134,7 +134,7 @@ def _in_wider_window(
     """The figures on as fine a grid in the plan's wider window."""
     rung, strides = ladder.enter(plan.wider_grids)
     for _ in range(refinements):
-        strides += settle(rung, plan.tolerance).strides
+        strides += lead(rung, plan.tolerance)
         rung = ladder.higher(rung)
     settled = _settle_figures(rung, plan)
     return rung, settled, [*strides, *settled.strides]

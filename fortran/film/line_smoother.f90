@@ -16,6 +16,8 @@ module line_smoother
     real(pp), allocatable :: before(:, :), after(:, :)
     !> Factors: reciprocal pivot, coupling to the point eliminated before, coupling to that solved before.
     real(pp), allocatable :: pivot(:, :), outward(:, :), inward(:, :)
+    !> Workspace of one line.
+    real(pp), allocatable :: work(:)
   end type line_systems
 
 contains
@@ -28,7 +30,7 @@ contains
     integer :: err
 
     allocate (self%before(length, count), self%after(length, count), self%pivot(length, count), &
-      self%outward(length, count), self%inward(length, count), source=0.0_pp, stat=err)
+      self%outward(length, count), self%inward(length, count), self%work(length), source=0.0_pp, stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_line_systems
 
@@ -57,39 +59,37 @@ contains
 
   !> Solves line j of x for the right-hand side f against both its neighbours.
   pure subroutine relax_line(self, j, f, x)
-    type(line_systems), intent(in) :: self
+    type(line_systems), intent(inout) :: self
     integer, intent(in) :: j
     real(pp), contiguous, intent(in) :: f(:, :)
     real(pp), contiguous, intent(inout) :: x(:, :)
-    real(pp) :: g(size(x, 1))
     integer :: i
 
     do i = 2, size(x, 1) - 1
-      g(i) = (f(i, j) - self%before(i, j)*x(i, j - 1) - self%after(i, j)*x(i, j + 1))*self%pivot(i, j)
+      self%work(i) = (f(i, j) - self%before(i, j)*x(i, j - 1) - self%after(i, j)*x(i, j + 1))*self%pivot(i, j)
     end do
-    call substitute(self%outward(:, j), self%inward(:, j), g, x(:, j))
+    call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
   end subroutine relax_line
 
   !> The same in the first sweep from zero: only the neighbour met before, the line before when `rising`, counts.
   pure subroutine relax_first(self, j, rising, f, x)
-    type(line_systems), intent(in) :: self
+    type(line_systems), intent(inout) :: self
     integer, intent(in) :: j
     logical, intent(in) :: rising
     real(pp), contiguous, intent(in) :: f(:, :)
     real(pp), contiguous, intent(inout) :: x(:, :)
-    real(pp) :: g(size(x, 1))
     integer :: i
 
     if (rising) then
       do i = 2, size(x, 1) - 1
-        g(i) = (f(i, j) - self%before(i, j)*x(i, j - 1))*self%pivot(i, j)
+        self%work(i) = (f(i, j) - self%before(i, j)*x(i, j - 1))*self%pivot(i, j)
       end do
     else
       do i = 2, size(x, 1) - 1
-        g(i) = (f(i, j) - self%after(i, j)*x(i, j + 1))*self%pivot(i, j)
+        self%work(i) = (f(i, j) - self%after(i, j)*x(i, j + 1))*self%pivot(i, j)
       end do
     end if
-    call substitute(self%outward(:, j), self%inward(:, j), g, x(:, j))
+    call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
   end subroutine relax_first
 
   !> Solves a factored line whose right-hand side g is already divided by the pivots; g is used up.

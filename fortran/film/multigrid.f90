@@ -346,7 +346,7 @@ contains
       end if
       call cycle_from(self, l + 1)
       do j = first, last, step
-        if (j /= last) call correct_line(coarser%x, j + step, level%x)
+        if (j /= last) call correct_line(coarser%x, j + step, level%lines%work, level%x)
         call relax_line(level%lines, j, level%f, level%x)
       end do
     end associate
@@ -374,21 +374,22 @@ contains
     end do
   end subroutine restrict_rest
 
-  !> Adds the bilinear interpolant of the coarse field to line j. Where pressure is not free no coupling reads it.
-  pure subroutine correct_line(coarse, j, fine)
+  !> Adds the bilinear interpolant of the coarse field to line j; `row` is workspace. Where pressure is not free no
+  !> coupling reads it.
+  pure subroutine correct_line(coarse, j, row, fine)
     real(pp), contiguous, intent(in) :: coarse(:, :)
     integer, intent(in) :: j
-    real(pp), contiguous, intent(inout) :: fine(:, :)
-    real(pp) :: row(size(coarse, 1))
-    integer :: i, k
+    real(pp), contiguous, intent(inout) :: row(:), fine(:, :)
+    integer :: i, k, n
 
     k = (j + 1)/2
+    n = size(coarse, 1)
     if (mod(j, 2) == 1) then
-      row = coarse(:, k)
+      row(:n) = coarse(:, k)
     else
-      row = (coarse(:, k) + coarse(:, k + 1))/2
+      row(:n) = (coarse(:, k) + coarse(:, k + 1))/2
     end if
-    do i = 1, size(coarse, 1) - 1
+    do i = 1, n - 1
       fine(2*i - 1, j) = fine(2*i - 1, j) + row(i)
       fine(2*i, j) = fine(2*i, j) + (row(i) + row(i + 1))/2
     end do

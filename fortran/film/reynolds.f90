@@ -13,7 +13,7 @@ module reynolds
   public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
 
   !> Rows done in one go: what is upwind of them is computed for them alone, and lies in the first caches.
-  integer, parameter :: strip = 16
+  integer, parameter :: strip = 32
 
   !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
   type :: film_grid
@@ -125,7 +125,7 @@ contains
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: imbalance(:, :)
     !> rho h of row j at mod(j, 5); wedge flow to the row and to the next.
-    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx)
+    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx), stored(grid%nx), flux(grid%nx)
     integer :: j, k
 
     do j = max(first - 2, 1), first + 1
@@ -136,8 +136,9 @@ contains
       k = min(j + 2, grid%ny)
       mass(:, mod(k, 5)) = fields%rho(:, k)*fields%h(:, k)
       call wedge_to_next_row(grid, j, mass, after)
+      stored = fields%rho(:, j)*grid%squeeze(:, j)
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
-        fields%rho(:, j)*grid%squeeze(:, j), imbalance(:, j))
+        stored, flux, imbalance(:, j))
       call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
         fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), imbalance(:, j))
       before = after
@@ -152,7 +153,8 @@ contains
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: change(:, :)
     !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the next.
-    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx)
+    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx), stored(grid%nx), &
+      flux(grid%nx)
     integer :: j, k
 
     do j = max(first - 2, 1), first + 1
@@ -168,8 +170,9 @@ contains
       k = j + 1
       mobility(:, mod(k, 3)) = fields%mobility_p(:, k)*dp(:, k) + fields%mobility_h(:, k)*dh(:, k)
       call wedge_to_next_row(grid, j, mass, after)
+      stored = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
-        fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j), change(:, j))
+        stored, flux, change(:, j))
       call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
         dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
       call add_diffusion(grid, mobility(:, mod(j - 1, 3)), mobility(:, mod(j, 3)), mobility(:, mod(j + 1, 3)), &
@@ -195,12 +198,11 @@ contains
   end subroutine add_diffusion
 
   !> A row's r from what is stored in its cells and div(q um), with q upwind to second order; next to the outline q is
-  !> the mean of a face's two nodes.
-  pure subroutine set_wedge(nx, dx, u, q, before, after, stored, r)
+  !> the mean of a face's two nodes; `flux` is workspace.
+  pure subroutine set_wedge(nx, dx, u, q, before, after, stored, flux, r)
     integer, intent(in) :: nx
     real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), stored(nx)
-    real(wp), intent(inout) :: r(nx)
-    real(wp) :: flux(nx)
+    real(wp), intent(inout) :: flux(nx), r(nx)
     integer :: i
 
     flux(1) = u(1)*(q(1) + q(2))/2
