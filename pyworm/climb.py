@@ -68,8 +68,6 @@ class Rung:
         Undeformed gap [m], shape (nx, ny).
     covered : numpy.ndarray
         Where both surfaces exist.
-    entrainment, sliding : tuple of numpy.ndarray
-        Components (u, v) of the mean velocity and of body 1 relative to body 2 [m/s].
     far : numpy.ndarray or float
         Deflection by pressure beyond the grid [m].
     load : float
@@ -85,8 +83,6 @@ class Rung:
     grid: Grid
     gap: np.ndarray
     covered: np.ndarray
-    entrainment: tuple[np.ndarray, np.ndarray]
-    sliding: tuple[np.ndarray, np.ndarray]
     far: np.ndarray | float
     load: float
     film: kernels.PointFilm
@@ -163,14 +159,11 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
 def _rung(
     scene: Scene, size: Scales, grid: Grid, far, load: float, coarser: Start | None = None
 ) -> Rung:
-    x, y = grid.mesh()
-    gap, covered = scene.gap(x, y)
-    (u1, v1), (u2, v2) = (motion(x, y) for motion in scene.motions)
-    entrainment, sliding = ((u1 + u2) / 2, (v1 + v2) / 2), (u1 - u2, v1 - v2)
+    gap, covered = scene.gap(*grid.mesh())
     film = kernels.PointFilm(
         gap + far,
         covered,
-        entrainment,
+        scene.entrainment(*grid.mesh()),
         np.zeros_like(gap),
         grid.dx,
         grid.dy,
@@ -179,4 +172,4 @@ def _rung(
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return Rung(grid, gap, covered, entrainment, sliding, far, load, film, coarser)
+    return Rung(grid, gap, covered, far, load, film, coarser)

@@ -65,7 +65,7 @@ class PointLadder:
 
     def _figures(self, rung: Rung, dry: DryContact) -> dict[str, Any]:
         film, density, imbalance = rung.film.fields()
-        u, v = rung.entrainment
+        u, v = self._scene.entrainment(*rung.grid.mesh())
         exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, self._size.angle)
         extents = reading.contact_extent(rung.grid, dry.pressure)
         return {
@@ -90,16 +90,18 @@ class PointLadder:
         }
 
     def _fields(self, rung: Rung, dry: DryContact) -> xr.Dataset:
+        entrainment = self._scene.entrainment(*rung.grid.mesh())
+        sliding = self._scene.sliding(*rung.grid.mesh())
         variables = {
             "gap": rung.gap,
             "covered": rung.covered.astype(np.int8),
             "dry_pressure": dry.pressure,
             "pressure": rung.film.pressure,
             "film": rung.film.fields()[0],
-            "entrainment_x": rung.entrainment[0],
-            "entrainment_y": rung.entrainment[1],
-            "sliding_x": rung.sliding[0],
-            "sliding_y": rung.sliding[1],
+            "entrainment_x": entrainment[0],
+            "entrainment_y": entrainment[1],
+            "sliding_x": sliding[0],
+            "sliding_y": sliding[1],
         }
         return describe(
             xr.Dataset(

@@ -21,7 +21,7 @@ module point_film
   public :: point_contact, new_point_contact, film_residual, film_step
 
   !> Most Krylov iterations in one Newton step.
-  integer, parameter :: most_krylov = 24
+  integer, parameter :: most_krylov = 16
   !> Shortest step tried along a Newton direction.
   real(wp), parameter :: shortest_step = 1.0_wp/64
   !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
@@ -53,9 +53,9 @@ module point_film
     !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
     real(wp), allocatable :: softness(:, :)
     real(wp) :: softness_load = 0
-    !> Scratch of one field; the Newton step's right-hand side, its solution, the pressure it starts from; the
+    !> Scratch of one field; the Newton step's right-hand side, then the pressure it starts from; its solution; the
     !> Krylov basis.
-    real(wp), allocatable :: dh(:, :), right(:), change(:), start(:, :)
+    real(wp), allocatable :: dh(:, :), right(:), change(:)
     real(pp), allocatable :: basis(:, :)
     type(film_work) :: work
   contains
@@ -100,7 +100,7 @@ contains
     if (stat == status_ok) call new_film_multigrid(self%grid, self%space%centre, self%cycles, stat)
     if (stat /= status_ok) return
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
-      self%start(nx, ny), self%right(nx*ny + 1), self%change(nx*ny + 1), &
+      self%right(nx*ny + 1), self%change(nx*ny + 1), &
       self%basis(nx*ny + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_point_contact
@@ -204,21 +204,24 @@ contains
       return
     end if
 
-    self%start = p
+    do j = 1, self%grid%ny
+      k = nx*(j - 1)
+      self%right(k + 1:k + nx) = p(:, j)
+    end do
     start_h0 = h0
     merit = residual + abs(load_error)
     step = 1
     do
       do j = 1, self%grid%ny
         k = nx*(j - 1)
-        p(:, j) = max(self%start(:, j) + step*self%change(k + 1:k + nx), 0.0_wp)
+        p(:, j) = max(self%right(k + 1:k + nx) + step*self%change(k + 1:k + nx), 0.0_wp)
       end do
       h0 = start_h0 + step*self%change(n + 1)
       call film_residual(self, p, h0, residual, load_error)
       if (residual + abs(load_error) <= most_growth*merit) exit
       step = step/2
       if (step < shortest_step) then
-        p = self%start
+        p = reshape(self%right(:n), shape(p))
         h0 = start_h0
         call film_residual(self, p, h0, residual, load_error)
         stat = status_no_descent
@@ -230,15 +233,16 @@ contains
 
   !> Pressure by which the preconditioner answers a unit rise of the rigid film.
   subroutine set_softness(self)
-    type(point_contact), intent(inout) :: self
+    type(point_contact), target, intent(inout) :: self
+    real(wp), contiguous, pointer :: start(:, :)
 
-    ! start and dh are free at this point of a step
-    self%start = 0
+    ! softness, change and dh are free at this point of a step
+    self%softness = 0
     self%dh = 1
-    call flow_imbalance_change(self%grid, self%fields, self%start, self%dh, self%softness)
-    self%start = self%softness
+    start(1:self%grid%nx, 1:self%grid%ny) => self%change(:size(self%dh))
+    call flow_imbalance_change(self%grid, self%fields, self%softness, self%dh, start)
     call self%work%cycle%start()
-    call film_cycle(self%cycles, self%start, self%softness)
+    call film_cycle(self%cycles, start, self%softness)
     call self%work%cycle%finish()
     self%softness_load = total(self%softness)
   end subroutine set_softness
