@@ -9,7 +9,7 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve, point_film_work
+    point_film_convolve, point_film_work, point_film_thickness
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic
@@ -113,7 +113,9 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
+    call contact%work%whole%start()
     call film_residual(contact, p, h0, residual, load_error)
+    call contact%work%whole%finish()
   end subroutine point_film_evaluate
 
   !> One Newton step from the state last evaluated; p and h0 are replaced.
@@ -135,9 +137,9 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    call contact%work%step%start()
+    call contact%work%whole%start()
     call film_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
-    call contact%work%step%finish()
+    call contact%work%whole%finish()
   end subroutine point_film_step
 
   !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
@@ -170,8 +172,21 @@ contains
     call contact%space%deflection(p, w)
   end subroutine point_film_convolve
 
+  !> Film [m] alone, as last evaluated.
+  subroutine point_film_thickness(handle, nx, ny, film)
+    use point_film, only: point_contact
+    use point_film_handle, only: contact_of
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: film(nx, ny)
+    type(point_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    film = contact%fields%h
+  end subroutine point_film_thickness
+
   !> How often each part of the work on a contact was done and the processor time [s] that it took: convolutions,
-  !> fields and flows, building the preconditioner, its cycles, whole steps.
+  !> fields and flows, building the preconditioner, its cycles, and all of it with whole steps and evaluations.
   subroutine point_film_work(handle, counts, seconds)
     use point_film, only: point_contact
     use point_film_handle, only: contact_of
@@ -182,9 +197,9 @@ contains
 
     contact => contact_of(handle)
     associate (work => contact%work)
-      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%step%count]
+      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%whole%count]
       seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
-        work%step%seconds]
+        work%whole%seconds]
     end associate
   end subroutine point_film_work
 

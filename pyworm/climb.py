@@ -90,7 +90,7 @@ class Rung:
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
-        film, _, _ = self.film.fields()
+        film = self.film.thickness()
         film_min, at = film_minimum(self.grid, film, self.film.pressure > 0)
         return Reading(
             film_min,

@@ -37,12 +37,25 @@ class Rung(Protocol):
 
 @dataclass(frozen=True)
 class Stride:
-    """One Newton step: grid points along each direction, balance reached, GMRES iterations."""
+    """One Newton step.
+
+    Attributes
+    ----------
+    points : tuple of int
+        Grid points along each direction.
+    residual, load_error : float
+        Balance reached.
+    krylov : int
+        GMRES iterations.
+    work : dict
+        What was done on the grid since the step before, or since the film was made (`kernels.PointFilm.work`).
+    """
 
     points: tuple[int, ...]
     residual: float
     load_error: float
     krylov: int
+    work: dict[str, float]
 
 
 @dataclass(frozen=True)
@@ -73,7 +86,7 @@ def stride(rung: Rung) -> Stride | None:
             raise
         return None
     balance = step.balance
-    return Stride(rung.grid.shape, balance.residual, balance.load_error, step.krylov)
+    return Stride(rung.grid.shape, balance.residual, balance.load_error, step.krylov, rung.film.work())
 
 
 def lead(rung: Rung, tolerance: float) -> list[Stride]:

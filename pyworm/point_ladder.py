@@ -97,7 +97,7 @@ class PointLadder:
             "covered": rung.covered.astype(np.int8),
             "dry_pressure": dry.pressure,
             "pressure": rung.film.pressure,
-            "film": rung.film.fields()[0],
+            "film": rung.film.thickness(),
             "entrainment_x": entrainment[0],
             "entrainment_y": entrainment[1],
             "sliding_x": sliding[0],

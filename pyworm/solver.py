@@ -1,6 +1,7 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
+from statistics import median
 from time import perf_counter, process_time
 
 import numpy as np
@@ -35,7 +36,7 @@ MOST_UNSETTLED = 2
 """Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
 
 TIMED_CONVOLUTIONS = 10
-"""Convolutions timed for the unit of cost."""
+"""Convolutions timed for the unit of cost, which is their median."""
 
 
 def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None) -> Solution:
@@ -106,6 +107,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
             break
     seconds, work = perf_counter() - started, process_time() - started_work
 
+    unit = _convolution_work(rung)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
     return Solution(
@@ -124,7 +126,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         ),
         fields=outcome.fields,
         history=_history(strides, "xy"[: len(rung.grid.shape)]),
-        cost=Cost(seconds, work / _convolution_work(rung)),
+        cost=Cost(seconds, work / unit, unit),
     )
 
 
@@ -203,6 +205,8 @@ def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:
     }
     for name in ("residual", "load_error", "krylov"):
         columns[name] = [getattr(stride, name) for stride in strides]
+    for name in strides[0].work if strides else ():
+        columns[name] = [stride.work[name] for stride in strides]
     return describe(
         xr.Dataset(
             {name: ("iteration", np.array(values)) for name, values in columns.items()},
@@ -213,7 +217,9 @@ def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:
 
 def _convolution_work(rung: Rung) -> float:
     """Processor time of one convolution [s]; elapsed time would count what else the machine does."""
-    started = process_time()
+    times = []
     for _ in range(TIMED_CONVOLUTIONS):
+        started = process_time()
         rung.film.convolve()
-    return (process_time() - started) / TIMED_CONVOLUTIONS
+        times.append(process_time() - started)
+    return median(times)

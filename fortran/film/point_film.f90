@@ -27,9 +27,10 @@ module point_film
   !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
   real(wp), parameter :: most_growth = 2
 
-  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its cycles, whole steps.
+  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its cycles; all of it, by the
+  !> caller.
   type :: film_work
-    type(work_tally) :: convolution, flow, building, cycle, step
+    type(work_tally) :: convolution, flow, building, cycle, whole
   end type film_work
 
   type, extends(linear_system) :: point_contact
