@@ -9,8 +9,8 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve, point_film_shear, point_film_heat, point_film_warm, point_film_rise, &
-    point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
+    point_film_convolve, point_film_work, point_film_thickness, point_film_shear, point_film_heat, point_film_warm, &
+    point_film_rise, point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic, level_positions
@@ -138,7 +138,9 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
+    call contact%work%whole%start()
     call film_residual(contact%point_contact, p, h0, residual, load_error)
+    call contact%work%whole%finish()
   end subroutine point_film_evaluate
 
   !> One Newton step from the state last evaluated; p and h0 are replaced.
@@ -161,7 +163,9 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
+    call contact%work%whole%start()
     call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    call contact%work%whole%finish()
   end subroutine point_film_step
 
   !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
@@ -327,6 +331,37 @@ contains
     contact => contact_of(handle)
     call film_profile(contact%point_contact, i, j, u1, v1, u, v, stat)
   end subroutine point_film_profile
+
+  !> Film [m] alone, as last evaluated.
+  subroutine point_film_thickness(handle, nx, ny, film)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: film(nx, ny)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    film = contact%fields%h
+  end subroutine point_film_thickness
+
+  !> How often each part of the work on a contact was done and the processor time [s] that it took: convolutions,
+  !> fields and flows, building the preconditioner, its cycles, and all of it with whole steps and evaluations.
+  subroutine point_film_work(handle, counts, seconds)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: counts(5)
+    real(c_double), intent(out) :: seconds(5)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    associate (work => contact%work)
+      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%whole%count]
+      seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
+        work%whole%seconds]
+    end associate
+  end subroutine point_film_work
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &

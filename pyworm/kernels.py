@@ -274,6 +274,10 @@ class _Film:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
         return self._binding("fields")(self._handle, *self._shape)
 
+    def work(self) -> dict[str, float]:
+        """What was done since this was last asked, by name of a history's variable (`pyworm.variables`)."""
+        return {}
+
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return self._binding("convolve")(self._handle, self.pressure)
@@ -321,6 +325,30 @@ class PointFilm(_Film):
         super().__init__(made, np.shape(gap))
         self.levels = 0
         self.heated = False
+        self._told = self._tallies()
+
+    def thickness(self) -> np.ndarray:
+        """Film [m]."""
+        return self._binding("thickness")(self._handle, *self._shape)
+
+    def _tallies(self) -> np.ndarray:
+        """Work since the film was made: counts, then processor times [s]."""
+        counts, seconds = self._binding("work")(self._handle)
+        return np.concatenate([counts, seconds])
+
+    def work(self) -> dict[str, float]:
+        """Convolutions and multigrid cycles, and processor time by part [s], since this was last asked."""
+        before, self._told = self._told, self._tallies()
+        done = self._told - before
+        convolution, flow, building, cycle, whole = done[5:]
+        return {
+            "convolutions": int(done[0]),
+            "cycles": int(done[3]),
+            "convolution_seconds": convolution,
+            "flow_seconds": flow,
+            "cycle_seconds": building + cycle,
+            "vector_seconds": whole - convolution - flow - building - cycle,
+        }
 
     def shear(self, law: FlowLaw, levels: int, sliding) -> None:
         """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
@@ -518,3 +546,8 @@ def level_positions(levels: int) -> np.ndarray:
 def prolong(field) -> np.ndarray:
     """A field on the grid of half the spacing, by cubic interpolation."""
     return _core.bindings.prolong_cubic(_field(field))
+
+
+def prolong_levels(fields) -> np.ndarray:
+    """The same for fields at levels across the film, the last index."""
+    return np.stack([prolong(level) for level in np.moveaxis(fields, 2, 0)], axis=2)

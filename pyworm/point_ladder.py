@@ -12,7 +12,7 @@ from pyworm.climb import Rung, dry_contact, first_rung, next_rung, with_shear
 from pyworm.effects import Plan
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
-from pyworm.ladder import Outcome, Stride, settle
+from pyworm.ladder import Outcome, Stride, lead
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import DryFigures
@@ -57,10 +57,10 @@ class PointLadder:
         strides: list[Stride] = []
         rung = first_rung(self._scene, self._size, grids[0])
         for grid in grids[1:]:
-            strides += settle(rung, COARSE_TOLERANCE).strides
+            strides += lead(rung, COARSE_TOLERANCE)
             rung = next_rung(self._scene, self._size, rung, grid)
         if self._model.levels:
-            strides += settle(rung, COARSE_TOLERANCE).strides
+            strides += lead(rung, COARSE_TOLERANCE)
             with_shear(self._scene, self._size, self._model, rung)
         return rung, strides
 
@@ -68,7 +68,8 @@ class PointLadder:
         """Half the spacing over the same window."""
         finer = next_rung(self._scene, self._size, rung, rung.grid.finer())
         if self._model.levels:
-            with_shear(self._scene, self._size, self._model, finer, rung)
+            rise = kernels.prolong_levels(rung.film.rise()) if self._model.heated else None
+            with_shear(self._scene, self._size, self._model, finer, rise)
         return finer
 
     def outcome(self, rung: Rung) -> Outcome:
@@ -83,7 +84,7 @@ class PointLadder:
 
     def _figures(self, rung: Rung, dry: DryContact) -> dict[str, Any]:
         film, density, imbalance = rung.film.fields()
-        u, v = rung.entrainment
+        u, v = self._scene.entrainment(*rung.grid.mesh())
         exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, self._size.angle)
         extents = reading.contact_extent(rung.grid, dry.pressure)
         return {
@@ -109,16 +110,18 @@ class PointLadder:
         }
 
     def _fields(self, rung: Rung, dry: DryContact) -> xr.Dataset:
+        entrainment = self._scene.entrainment(*rung.grid.mesh())
+        sliding = self._scene.sliding(*rung.grid.mesh())
         variables = {
             "gap": rung.gap,
             "covered": rung.covered.astype(np.int8),
             "dry_pressure": dry.pressure,
             "pressure": rung.film.pressure,
-            "film": rung.film.fields()[0],
-            "entrainment_x": rung.entrainment[0],
-            "entrainment_y": rung.entrainment[1],
-            "sliding_x": rung.sliding[0],
-            "sliding_y": rung.sliding[1],
+            "film": rung.film.thickness(),
+            "entrainment_x": entrainment[0],
+            "entrainment_y": entrainment[1],
+            "sliding_x": sliding[0],
+            "sliding_y": sliding[1],
             **self._shear_fields(rung),
             **self._heat_fields(rung),
         }
@@ -163,11 +166,8 @@ class PointLadder:
         """Across the film where it is hottest."""
         rise = rung.film.rise()
         node = np.unravel_index(np.argmax(rise.max(axis=2)), rung.grid.shape)
-        body_1 = [
-            float(mean[node] + sliding[node] / 2)
-            for mean, sliding in zip(rung.entrainment, rung.sliding, strict=True)
-        ]
-        u, v = rung.film.profile(node, body_1)
+        place = np.array(rung.grid.x[node[0]]), np.array(rung.grid.y[node[1]])
+        u, v = rung.film.profile(node, [float(of) for of in self._scene.motions[0](*place)])
         return describe(
             xr.Dataset(
                 {

@@ -6,7 +6,7 @@
 !> that going to and fro between film and bodies diverges. As an integral equation of the second kind it suits GMRES.
 module wall_balance
   use heated_surface, only: heated_body
-  use kinds, only: wp
+  use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)
@@ -30,8 +30,10 @@ module wall_balance
     !> Temperature of the walls [K] and flux into the bodies [W/m2], (nx, ny, 2); derivative of flux i with respect to
     !> wall j [W/(m2 K)], (nx, ny, 2, 2).
     real(wp), allocatable :: wall(:, :, :), flux(:, :, :), admittance(:, :, :, :)
-    !> Flux and rise of one wall; what both walls miss and how they change; the Krylov basis.
-    real(wp), allocatable :: q(:, :), risen(:, :), missed(:, :, :), change(:, :, :), basis(:, :)
+    !> Flux and rise of one wall; what both walls miss and how they change.
+    real(wp), allocatable :: q(:, :), risen(:, :), missed(:, :, :), change(:, :, :)
+    !> Krylov basis.
+    real(pp), allocatable :: basis(:, :)
   contains
     procedure :: multiply
     procedure :: precondition
@@ -61,7 +63,7 @@ contains
     self%body(1)%bulk = first_bulk
     self%body(2)%bulk = second_bulk
     allocate (self%wall(nx, ny, 2), self%flux(nx, ny, 2), self%admittance(nx, ny, 2, 2), self%q(nx, ny), &
-      self%risen(nx, ny), self%missed(nx, ny, 2), self%change(nx, ny, 2), self%basis(2*nx*ny, most + 1), stat=err)
+      self%risen(nx, ny), self%missed(nx, ny, 2), self%change(nx, ny, 2), self%basis(2*nx*ny, most), stat=err)
     stat = status_no_memory
     if (err /= 0) return
     self%wall(:, :, 1) = first_bulk
@@ -93,7 +95,7 @@ contains
     missed = maxval(abs(self%missed))
     right(1:size(self%missed)) => self%missed
     solution(1:size(self%change)) => self%change
-    call gmres(self, right, tolerance, size(self%basis, 2) - 1, self%basis, solution, iterations, reduction)
+    call gmres(self, right, tolerance, size(self%basis, 2), self%basis, solution, iterations, reduction)
     do wall = 1, 2
       call change_flux(self, wall, self%change, self%q)
       self%flux(:, :, wall) = self%flux(:, :, wall) + self%q

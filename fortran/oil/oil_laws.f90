@@ -4,7 +4,7 @@ module oil_laws
   implicit none(type, external)
   private
 
-  public :: oil_law, viscosity, density, hot_fluidity, hot_density, expansivity
+  public :: oil_law, viscosity, viscosities, density, densities, hot_fluidity, hot_density, expansivity
 
   !> eta = eta0 exp(alpha p) (Barus 1893)
   integer, parameter, public :: law_barus = 1
@@ -103,6 +103,18 @@ contains
     end do
   end subroutine hot_fluidity
 
+  !> The same over a row of pressures; here, where it is inlined, the loop is turned into vector instructions.
+  pure subroutine viscosities(oil, p, eta, slope)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:)
+    real(wp), intent(out) :: eta(size(p)), slope(size(p))
+    integer :: i
+
+    do i = 1, size(p)
+      call viscosity(oil, p(i), eta(i), slope(i))
+    end do
+  end subroutine viscosities
+
   !> Density over that at ambient pressure, `rho` [-], at `p` [Pa] and its derivative `slope` [1/Pa].
   elemental subroutine density(oil, p, rho, slope)
     type(oil_law), intent(in) :: oil
@@ -134,5 +146,17 @@ contains
     rho = cold*(1 - expansion)
     slope = cold_slope*(1 - expansion) + cold*expansion*oil%expansivity_decay
   end subroutine hot_density
+
+  !> The same over a row of pressures.
+  pure subroutine densities(oil, p, rho, slope)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:)
+    real(wp), intent(out) :: rho(size(p)), slope(size(p))
+    integer :: i
+
+    do i = 1, size(p)
+      call density(oil, p(i), rho(i), slope(i))
+    end do
+  end subroutine densities
 
 end module oil_laws

@@ -8,7 +8,7 @@ import xarray as xr
 
 from pyworm.accuracy import Convergence
 from pyworm.effects import Plan
-from pyworm.ladder import Outcome, Stride, settle
+from pyworm.ladder import Outcome, Stride, lead
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import line_scales
@@ -61,12 +61,12 @@ class LineLadder:
         (grid,) = grids
         for lift in LIFTS:
             rung = first_rung(self._scene, self._size, grid, lift * self._size.film)
-            strides = list(settle(rung, FIRST_TOLERANCE).strides)
+            strides = lead(rung, FIRST_TOLERANCE)
             if rung.film.balance.worst <= FIRST_TOLERANCE:
                 break
         for _ in range(SUPPLIES - 1):
             rung = supplied(self._scene, self._size, rung)
-            strides += settle(rung, FIRST_TOLERANCE).strides
+            strides += lead(rung, FIRST_TOLERANCE)
         return supplied(self._scene, self._size, rung), strides
 
     def higher(self, rung: LineRung) -> LineRung:
