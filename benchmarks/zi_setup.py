@@ -9,7 +9,7 @@ from math import radians
 import pyworm
 from pyworm.climb import dry_contact
 from pyworm.grid import Grid
-from pyworm.reading import contact_extent, pressure_maximum
+from pyworm.reading import contact_extent, maximum
 from pyworm.scales import scales
 
 # Swivel [deg], shift along the wheel's axis [mm], phase at which the pair reproduces the published radii
@@ -36,7 +36,7 @@ def main() -> None:
         length, width = contact_extent(GRID, dry.pressure)
         print(
             f"{swivel:10.3f} {shift:9.3f} {phase:6.2f}  {scene.radii[0]:.3f}, {1e3 * scene.radii[1]:.1f}"
-            f"      {1e3 * length:.2f} x {1e3 * width:.2f}   {pressure_maximum(dry.pressure) / 1e6:6.1f}"
+            f"      {1e3 * length:.2f} x {1e3 * width:.2f}   {maximum(dry.pressure) / 1e6:6.1f}"
         )
 
 

@@ -10,10 +10,10 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
     point_film_convolve, point_film_shear, point_film_heat, point_film_warm, point_film_rise, &
-    point_film_set_rise, point_film_shear_fields
+    point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
-  public :: prolong_cubic
+  public :: prolong_cubic, level_positions
 
 contains
 
@@ -198,28 +198,31 @@ contains
   !>
   !> `oil` holds T0 [K], the exponent of viscosity with temperature, expansivity and its decay (`oil_laws`),
   !> conductivity, c1, c2, capacity, k1, k2, b0, b1, b2 (`oil_heat`); `bodies` conductivity, heat capacity and bulk
-  !> temperature above the inlet's of each, and the velocity (u, v) of its surface at the contact point; `paths`
-  !> is not zero where a body's surface is followed along its paths (`surface_path`).
-  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, paths, stat)
+  !> temperature above the inlet's of each; `semi` the contact's semi-axes [m]. `errors` are those of the bodies' model
+  !> of conduction (`conduction_model`).
+  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, semi, errors, stat)
+    use conducting_body, only: new_conducting_body
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact, heat_contact
     use heated_surface, only: heated_body
-    use moving_source, only: moving_body, new_moving_body
     use oil_heat, only: oil_heat_law
     use status, only: status_ok
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
-    real(c_double), intent(in) :: oil(13), bodies(5, 2)
-    integer(c_int), intent(in) :: paths(2)
+    real(c_double), intent(in) :: oil(13), bodies(3, 2), semi(2)
+    real(c_double), intent(out) :: errors(2)
     integer(c_int), intent(out) :: stat
     type(heated_contact), pointer :: contact
     class(heated_body), allocatable :: body_1, body_2
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call new_body(u1, v1, bodies(:, 1), paths(1), body_1)
-    if (stat == status_ok) call new_body(u2, v2, bodies(:, 2), paths(2), body_2)
+    associate (heat => contact%fields%p, dx => contact%grid%dx, dy => contact%grid%dy)
+      call new_conducting_body(u1, v1, heat, semi, dx, dy, bodies(1, 1), bodies(2, 1), body_1, errors(1), stat)
+      if (stat == status_ok) call new_conducting_body(u2, v2, heat, semi, dx, dy, bodies(1, 2), bodies(2, 2), body_2, &
+        errors(2), stat)
+    end associate
     if (stat /= status_ok) return
     contact%oil%temperature = oil(1)
     contact%oil%thermal_exponent = oil(2)
@@ -227,21 +230,6 @@ contains
     contact%oil%expansivity_decay = oil(4)
     call heat_contact(contact, oil_heat_law(oil(5), oil(6), oil(7), oil(8), oil(9), oil(10), oil(11), oil(12), oil(13)), &
       u1, v1, body_1, body_2, bodies(3, :), stat)
-
-  contains
-
-    !> A body on the contact's grid.
-    subroutine new_body(u, v, body, path, surface)
-      real(c_double), intent(in) :: u(:, :), v(:, :), body(5)
-      integer(c_int), intent(in) :: path
-      class(heated_body), allocatable, intent(out) :: surface
-      type(moving_body), allocatable :: moving
-
-      allocate (moving)
-      call new_moving_body(moving, nx, ny, contact%grid%dx, contact%grid%dy, body(4), body(5), body(1), body(2), stat)
-      call move_alloc(moving, surface)
-    end subroutine new_body
-
   end subroutine point_film_heat
 
   !> One sweep of heat through a contact (`film_temperature`); `change` is the largest of its temperature [K].
@@ -283,27 +271,62 @@ contains
     call set_temperature(contact, rise)
   end subroutine point_film_set_rise
 
-  !> Stress at the middle of the film [Pa], heat of shearing [W/m2], what oil carries away of it [W/m2], the largest
-  !> shear rate across the film [1/s], slip (`shear_flow`) and flux into the bodies [W/m2] of a heated contact.
-  subroutine point_film_shear_fields(handle, nx, ny, stress_x, stress_y, friction, carried, shear_rate, slip, flux)
+  !> Fields of a contact's shear; see `nodal_shear`.
+  subroutine point_film_shear_fields(handle, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use nodal_shear, only: shear_field, shear_fields
+    use status, only: status_ok
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), along(nx, ny), &
+      across(nx, ny)
+    integer(c_int), intent(out) :: slip(nx, ny), stat
+    type(heated_contact), pointer :: contact
+    type(shear_field) :: field
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call shear_fields(contact%point_contact, field, stat)
+    if (stat /= status_ok) return
+    stress_x = field%stress_x
+    stress_y = field%stress_y
+    friction = field%friction
+    rate = field%rate
+    along = field%along
+    across = field%across
+    slip = field%slip
+  end subroutine point_film_shear_fields
+
+  !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2].
+  subroutine point_film_heat_fields(handle, nx, ny, flux, carried)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), carried(nx, ny), &
-      shear_rate(nx, ny), flux(nx, ny, 2)
-    integer(c_int), intent(out) :: slip(nx, ny)
+    real(c_double), intent(out) :: flux(nx, ny, 2), carried(nx, ny)
     type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
-    stress_x = contact%heat%stress_x
-    stress_y = contact%heat%stress_y
-    friction = contact%heat%friction
-    carried = contact%heat%carried
-    shear_rate = contact%heat%shear_rate
-    slip = contact%heat%slip
     flux = contact%heat%walls%flux
-  end subroutine point_film_shear_fields
+    carried = contact%heat%carried
+  end subroutine point_film_heat_fields
+
+  !> Velocity [m/s] across the film at node (i, j), counted from 1, body 1 moving with (u1, v1).
+  subroutine point_film_profile(handle, i, j, u1, v1, levels, u, v, stat)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use nodal_shear, only: film_profile
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: i, j, levels
+    real(c_double), intent(in) :: u1, v1
+    real(c_double), intent(out) :: u(levels), v(levels)
+    integer(c_int), intent(out) :: stat
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call film_profile(contact%point_contact, i, j, u1, v1, u, v, stat)
+  end subroutine point_film_profile
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
@@ -415,6 +438,17 @@ contains
     contact => contact_of(handle)
     call contact%plane%deflection(p, w)
   end subroutine line_film_convolve
+
+  !> Where `count` levels across a film are, from -1/2 at body 1 to 1/2 at body 2.
+  subroutine level_positions(count, z)
+    use film_levels, only: levels_across, new_levels
+    integer(c_int), intent(in) :: count
+    real(c_double), intent(out) :: z(count)
+    type(levels_across) :: levels
+
+    levels = new_levels(count)
+    z = levels%z
+  end subroutine level_positions
 
   !> Field on a grid of half the spacing.
   subroutine prolong_cubic(coarse, nx, ny, fine)

@@ -1,7 +1,7 @@
 """How far a figure may be from the truth: by its grid, by its window, by its unfinished algebra."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -18,12 +18,21 @@ class Reading:
         Largest pressure, between nodes [Pa].
     film_min_at : tuple of float
         Where the minimum film is, along each direction of the grid [m].
+    further : dict
+        Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
+        the inlet's [K].
     """
 
     film_min: float
     film_central: float
     pressure_max: float
     film_min_at: tuple[float, ...]
+    further: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def figures(self) -> dict[str, float]:
+        """All figures by name."""
+        return {name: getattr(self, name) for name in FIGURES} | self.further
 
 
 JUDGED = ("film_min", "film_central")
@@ -31,6 +40,10 @@ JUDGED = ("film_min", "film_central")
 light loads it is the tip of a spike at the exit, which no practicable grid resolves."""
 
 FIGURES = (*JUDGED, "pressure_max")
+
+SHEAR_FIGURES = ("friction_coefficient", "power_loss", "shear_rate_max")
+
+HEAT_FIGURES = ("temperature_max_body_1", "temperature_max_body_2", "temperature_max_film")
 
 
 @dataclass(frozen=True)
@@ -54,9 +67,10 @@ class Convergence:
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
     """Relative change of each figure from one reading to another."""
+    last = before.figures
     return {
-        name: abs(getattr(after, name) - getattr(before, name)) / abs(getattr(after, name))
-        for name in FIGURES
+        name: abs(value - last[name]) / abs(value) if value != last[name] else 0.0
+        for name, value in after.figures.items()
     }
 
 
@@ -68,14 +82,14 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
     gone at each grid. On two grids no fall is seen; then the larger change of both films is the error of all.
     """
     if len(readings) == 1:
-        return dict.fromkeys(FIGURES, np.inf)
+        return dict.fromkeys(readings[0].figures, np.inf)
     last = change(readings[-2], readings[-1])
     if len(readings) == 2:
         films = max(last[name] for name in JUDGED)
-        return {name: max(films, last[name]) for name in FIGURES}
+        return {name: max(films, of) for name, of in last.items()}
     before = change(readings[-3], readings[-2])
     errors = {}
-    for name in FIGURES:
+    for name in last:
         steepest = 2 ** orders[name]
         fall = np.clip(before[name] / last[name], 2.0, steepest) if last[name] > 0 else steepest
         errors[name] = float(max(last[name], before[name] / 4) / (fall - 1))
@@ -103,7 +117,7 @@ def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> di
     divide it by ten while the central film, a smooth figure, is still on its way.
     """
     errors = {}
-    for name in FIGURES:
+    for name in last:
         fall = max(last[name] / before[name], LEAST_FALL) if before[name] > 0 else 1.0
         errors[name] = last[name] * (fall / (1 - fall) if fall < 0.5 else 1.0)
     return errors

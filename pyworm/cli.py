@@ -75,7 +75,7 @@ def _parser() -> argparse.ArgumentParser:
     case = argparse.ArgumentParser(add_help=False)
     case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
-    case.add_argument("--effects", default="isothermal", help="model (default: isothermal)")
+    case.add_argument("--effects", help="model (default: the most that the oil is known for)")
     case.add_argument(
         "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
     )
@@ -181,23 +181,14 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import plan_table
 
-    notes = [
-        f"[oil.{table}] is read and kept with the results; {effect} not simulated yet."
-        for table, effect in (("shear", "shear thinning is"), ("heat", "heat is"))
-        if getattr(case.tables.oil, table) is not None
-    ]
     if options.json:
         scenes = [scene_summary(scene) | {"plan": asdict(plan)} for scene, plan in work]
-        _print_json(
-            {"case": case.name, "resolved": case.resolved, "scenes": scenes, "notes": notes}
-        )
+        _print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         for scene, plan in work:
             console.print(plan_table(scene, plan))
-        for note in notes:
-            console.print(note, highlight=False, markup=False)
     return CONVERGED
 
 

@@ -10,11 +10,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from pyworm import kernels
+from pyworm import kernels, reading
 from pyworm.accuracy import Reading
+from pyworm.effects import Model
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
-from pyworm.reading import film_minimum, pressure_maximum, value_at_origin
+from pyworm.oils import NEWTONIAN
 from pyworm.scales import Scales
 from pyworm.scene import Scene
 
@@ -64,13 +65,44 @@ class Rung:
     def read(self) -> Reading:
         """The film's figures in its present state."""
         film, _, _ = self.film.fields()
-        film_min, at = film_minimum(self.grid, film, self.film.pressure > 0)
+        film_min, at = reading.film_minimum(self.grid, film, self.film.pressure > 0)
         return Reading(
             film_min,
-            value_at_origin(self.grid, film),
-            pressure_maximum(self.film.pressure),
+            reading.value_at_origin(self.grid, film),
+            reading.maximum(self.film.pressure),
             at,
+            self._shear_figures() | self._heat_figures(),
         )
+
+    def _shear_figures(self) -> dict[str, float]:
+        if not self.film.levels:
+            return {}
+        shear = self.film.shear_fields()
+        within = self.covered & (self.film.pressure > 0)
+        sliding = self.sliding[0], self.sliding[1]
+        force = [
+            float(stress[within].sum()) * self.grid.cell
+            for stress in (shear.stress_x, shear.stress_y)
+        ]
+        # friction acts along the sliding at the contact point; without any it has no direction, and no size
+        along = [reading.value_at_origin(self.grid, component) for component in sliding]
+        speed = float(np.hypot(*along))
+        friction = abs(float(np.dot(force, along))) / speed if speed > 0 else 0.0
+        return {
+            "friction_coefficient": friction / self.load,
+            "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
+            "shear_rate_max": float(shear.rate[within].max()),
+        }
+
+    def _heat_figures(self) -> dict[str, float]:
+        if not self.film.heated:
+            return {}
+        rise = self.film.rise()
+        return {
+            "temperature_max_body_1": reading.maximum(rise[:, :, 0]),
+            "temperature_max_body_2": reading.maximum(rise[:, :, -1]),
+            "temperature_max_film": reading.maximum(rise.max(axis=2)),
+        }
 
 
 def dry_contact(scene: Scene, grid: Grid, gap, covered, guess) -> kernels.DryContact:
@@ -124,6 +156,31 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
         rung.film.rigid_film,
     )
     return finer
+
+
+def with_shear(
+    scene: Scene, size: Scales, model: Model, rung: Rung, coarser: Rung | None = None
+) -> None:
+    """Lets the film of a rung flow by the oil's law, and warm, from its present pressure.
+
+    It starts at the temperature of a coarser rung over the same window, if there is one.
+    """
+    film = rung.film
+    film.shear(scene.oil.flow or NEWTONIAN, model.levels, rung.sliding)
+    if model.heated:
+        (u, v), (us, vs) = rung.entrainment, rung.sliding
+        rise = None
+        if coarser is not None:
+            levels = np.moveaxis(coarser.film.rise(), 2, 0)
+            rise = np.stack([kernels.prolong(level) for level in levels], axis=2)
+        film.heat(
+            scene.oil,
+            scene.bodies,
+            ((u + us / 2, v + vs / 2), (u - us / 2, v - vs / 2)),
+            (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
+            rise,
+        )
+    film.start(film.pressure, film.rigid_film)
 
 
 def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:

@@ -7,13 +7,43 @@ from pyworm.grid import Grid, nest
 from pyworm.line.grid import LineGrid, first_grids
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
-from pyworm.oils import Oil
+from pyworm.oils import NEWTONIAN, Oil
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.window import FAR, Reach, near_reach, window
 
-MODELS = ("isothermal",)
-"""Names that `effects` may take."""
+
+@dataclass(frozen=True)
+class Model:
+    """What of the oil in a contact is simulated.
+
+    Attributes
+    ----------
+    name : str
+        Its name.
+    levels : int
+        Levels across the film, walls included; 0 for a Newtonian film of one temperature, which needs none.
+    heated : bool
+        Whether the film and the bodies warm.
+    """
+
+    name: str
+    levels: int = 0
+    heated: bool = False
+
+
+MODELS = ("isothermal", "sheared", "mean-film", "thermal")
+"""Names that `effects` may take: a Newtonian film of one temperature; one with the oil's flow law; that with
+surface temperatures and a parabola of temperature across the film; with temperature resolved across it."""
+
+PARABOLA = 3
+"""Levels across a film whose temperature is a parabola."""
+
+LEVEL_ERRORS = ((5, 5e-3), (7, 1e-3), (9, 1e-4), (11, 0.0))
+"""Levels across the film, and what error they leave in its figures (`benchmarks/levels.py`)."""
+
+LEVEL_SHARE = 0.1
+"""Error by the levels allowed, as a share of the accuracy asked for."""
 
 COARSE_CELLS = 16
 """Cells of the first grid of the figures along the short one of the contact's lengths: Hertz's semi-axis and,
@@ -66,6 +96,8 @@ class Plan:
     ----------
     accuracy : float
         Relative error wanted in minimum and central film [-].
+    model : Model
+        What of the oil is simulated.
     effects : tuple of Effect
         Every effect judged.
     grids : tuple of Grid or LineGrid
@@ -82,6 +114,7 @@ class Plan:
     """
 
     accuracy: float
+    model: Model
     effects: tuple[Effect, ...]
     grids: tuple[Grid | LineGrid, ...]
     wider_grids: tuple[Grid | LineGrid, ...]
@@ -90,7 +123,7 @@ class Plan:
     expected_convolutions: float
 
 
-def plan(scene: Scene | LineScene, accuracy: float = 0.01, effects: str = "isothermal") -> Plan:
+def plan(scene: Scene | LineScene, accuracy: float = 0.01, effects: str | None = None) -> Plan:
     """Plan of a solve.
 
     Parameters
@@ -99,28 +132,60 @@ def plan(scene: Scene | LineScene, accuracy: float = 0.01, effects: str = "isoth
         The contact.
     accuracy : float
         Relative error wanted [-], between 1e-5 and 0.5.
-    effects : str
-        Name of the model; "isothermal" is elastic, piezoviscous, compressible, Newtonian, isothermal.
+    effects : str, optional
+        One of `MODELS`; by default the most that is known enough of the oil for.
 
     Raises
     ------
     ValueError
-        For a name or an accuracy that there is none of, or a scene that entrains no oil.
+        For a name or an accuracy that there is none of, a model that too little is known of the oil for, or a
+        scene without load or size.
     """
+    if effects is None:
+        effects = _most(scene)
     if effects not in MODELS:
         raise ValueError(f"effects = {effects}: choose one of {', '.join(MODELS)}")
     if not 1e-5 <= accuracy <= 0.5:
         raise ValueError(
             f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"
         )
-    return PLANS[type(scene)](scene, accuracy)
+    return PLANS[type(scene)](scene, accuracy, _model(scene, accuracy, effects))
 
 
-def _plan_point(scene: Scene, accuracy: float) -> Plan:
+def _most(scene: Scene | LineScene) -> str:
+    """The most complete model that a scene's oil is known well enough for."""
+    if isinstance(scene, LineScene):
+        return "isothermal"
+    if scene.oil.heat is not None:
+        return "thermal"
+    return "isothermal" if scene.oil.flow is None else "sheared"
+
+
+def _model(scene: Scene | LineScene, accuracy: float, name: str) -> Model:
+    if name == "isothermal":
+        return Model(name)
+    if isinstance(scene, LineScene):
+        raise ValueError(f"effects = {name}: of a line contact only isothermal is simulated")
+    if name == "sheared":
+        if scene.oil.flow is None:
+            raise ValueError("effects = sheared: the oil has no flow law, give [oil.shear]")
+        return Model(name, _levels(accuracy))
+    if scene.oil.heat is None:
+        raise ValueError(f"effects = {name}: how the oil takes heat is not known, give [oil.heat]")
+    return Model(name, PARABOLA if name == "mean-film" else _levels(accuracy), heated=True)
+
+
+def _levels(accuracy: float) -> int:
+    """Levels across the film whose error is small against an accuracy (`docs/theory/heat.md`)."""
+    return next(levels for levels, error in LEVEL_ERRORS if error <= LEVEL_SHARE * accuracy)
+
+
+def _plan_point(scene: Scene, accuracy: float, model: Model) -> Plan:
     size = scales(scene)
     return Plan(
         accuracy=accuracy,
-        effects=_isothermal(scene.oil, across=True),
+        model=model,
+        effects=_effects(scene.oil, model, across=True),
         grids=_grids(scene, size, near_reach(size), FAR),
         wider_grids=_grids(scene, size, near_reach(size).doubled(), FAR.doubled()),
         largest_grid=LARGEST_GRID,
@@ -129,11 +194,12 @@ def _plan_point(scene: Scene, accuracy: float) -> Plan:
     )
 
 
-def _plan_line(scene: LineScene, accuracy: float) -> Plan:
+def _plan_line(scene: LineScene, accuracy: float, model: Model) -> Plan:
     grid, wider = first_grids(scene, line_scales(scene), accuracy)
     return Plan(
         accuracy=accuracy,
-        effects=_isothermal(scene.oil, across=False),
+        model=model,
+        effects=_effects(scene.oil, model, across=False),
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
@@ -159,16 +225,27 @@ def _grids(scene: Scene, size: Scales, near: Reach, far: Reach) -> tuple[Grid, .
     return nest(window(scene, size, near), window(scene, size, far), dx, dy)
 
 
-def _isothermal(oil: Oil, across: bool) -> tuple[Effect, ...]:
-    """Effects of the isothermal Newtonian model; what the kernel does not simulate is named too.
+def _effects(oil: Oil, model: Model, across: bool) -> tuple[Effect, ...]:
+    """Effects and whether a model has them; what the kernel does not simulate is named too.
 
     `across` tells whether there is a second direction for anything to happen in.
     """
-    asked = "part of the isothermal model"
+    asked = f"part of the {model.name} model"
+    left_out = f"not part of the {model.name} model"
     missing = "not simulated"
     line = "a line contact is the same all along"
     compressible = oil.density.d1 > 0
     piezoviscous = oil.viscosity.alpha > 0
+    flow = oil.flow or NEWTONIAN
+
+    def sheared(has_it: bool, what: str) -> tuple[bool, str]:
+        if not model.levels:
+            return False, left_out
+        return (True, asked) if has_it else (False, what)
+
+    def heated(on: bool) -> tuple[bool, str]:
+        return (True, asked) if on else (False, left_out)
+
     return (
         Effect("elastic deflection", True, asked),
         Effect(
@@ -180,16 +257,16 @@ def _isothermal(oil: Oil, across: bool) -> tuple[Effect, ...]:
         Effect("real gap", True, asked),
         Effect("second dimension", across, asked if across else line),
         Effect("varying velocity and spin", across, asked if across else line),
+        Effect("shear thinning", *sheared(flow.thins, "the oil's flow law has none")),
+        Effect("limiting shear stress", *sheared(flow.limited, "the oil's flow law has none")),
+        Effect("surface flash heating", *heated(model.heated)),
+        Effect("film heating", *heated(model.heated)),
+        Effect(
+            "viscosity across the film",
+            *heated(model.heated),
+        ),
         *(
             Effect(name, False, missing)
-            for name in (
-                "shear thinning",
-                "limiting shear stress",
-                "surface flash heating",
-                "film heating",
-                "inlet starvation",
-                "squeeze",
-                "surface roughness",
-            )
+            for name in ("inlet starvation", "squeeze", "surface roughness")
         ),
     )

@@ -58,6 +58,11 @@ class Grid:
         """Number of nodes."""
         return self.nx * self.ny
 
+    @property
+    def cell(self) -> float:
+        """Area of a cell [m2]."""
+        return self.dx * self.dy
+
     def mesh(self) -> tuple[np.ndarray, np.ndarray]:
         """Positions of all nodes, each (nx, ny) in Fortran order."""
         x, y = np.meshgrid(self.x, self.y)

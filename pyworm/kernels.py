@@ -14,7 +14,8 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from pyworm import _core
-from pyworm.oils import Barus, Oil
+from pyworm.bodies import Body
+from pyworm.oils import Barus, FlowLaw, Oil, OilHeat
 
 _MESSAGES = {
     1: "a size, a spacing, a load or a first guess makes no sense",
@@ -138,15 +139,18 @@ class Balance:
         Summed Reynolds residual over the summed wedge flow.
     load_error : float
         Missing load over the load.
+    warming : float
+        Last change of the film's temperature over its largest rise; zero where heat is not simulated.
     """
 
     residual: float
     load_error: float
+    warming: float = 0.0
 
     @property
     def worst(self) -> float:
-        """The larger of both."""
-        return max(self.residual, abs(self.load_error))
+        """The largest of them."""
+        return max(self.residual, abs(self.load_error), self.warming)
 
 
 @dataclass(frozen=True)
@@ -166,6 +170,40 @@ class Step:
     balance: Balance
     krylov: int
     share: float
+
+
+@dataclass(frozen=True)
+class ShearFields:
+    """Fields of a sheared film, each of shape (nx, ny).
+
+    Attributes
+    ----------
+    stress_x, stress_y : numpy.ndarray
+        Shear stress at the middle of the film, along the velocity of body 2 relative to body 1 [Pa].
+    friction : numpy.ndarray
+        Heat of shearing [W/m2].
+    rate : numpy.ndarray
+        Largest shear rate across the film [1/s].
+    along, across : numpy.ndarray
+        Flow factors D and C of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)].
+    slip : numpy.ndarray
+        Where the film slips: 1 at body 1, 2 at body 2, 3 at both.
+    """
+
+    stress_x: np.ndarray
+    stress_y: np.ndarray
+    friction: np.ndarray
+    rate: np.ndarray
+    along: np.ndarray
+    across: np.ndarray
+    slip: np.ndarray
+
+
+LEAST_RISE = 10.0
+"""Temperature [K] against which changes are measured where less heat than that is made."""
+
+_FLOW_LAWS = {"newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3, "carreau": 4}
+"""Numbers of the laws in `fortran/oil/flow_laws.f90`."""
 
 
 def _oil_numbers(oil: Oil) -> tuple:
@@ -281,6 +319,154 @@ class PointFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+        self.levels = 0
+        self.heated = False
+
+    def shear(self, law: FlowLaw, levels: int, sliding) -> None:
+        """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
+
+        Parameters
+        ----------
+        law : FlowLaw
+            The oil's law.
+        levels : int
+            Levels across the film, walls included.
+        sliding : tuple of array_like
+            Velocity (u, v) of body 1 relative to body 2 at the nodes [m/s].
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a velocity is not finite.
+        """
+        _check(
+            self._binding("shear")(
+                self._handle,
+                -_field(sliding[0]),
+                -_field(sliding[1]),
+                _FLOW_LAWS[law.law],
+                law.stress or 1.0,
+                law.stress_pressure,
+                law.stress_temperature,
+                law.limit,
+                law.limit_pressure,
+                law.exponent,
+                levels,
+            )
+        )
+        self.levels = levels
+
+    def heat(self, oil: Oil, bodies, motions, semi_axes, rise=None) -> None:
+        """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
+
+        Parameters
+        ----------
+        oil : Oil
+            Oil that is known to take heat.
+        bodies : tuple of Body
+            Both bodies, with thermal constants.
+        motions : tuple
+            Velocity (u, v) of each body's surface at the nodes [m/s].
+        semi_axes : tuple of float
+            Semi-axes of the contact along x and y [m].
+        rise : array_like, optional
+            Temperature above the inlet's to begin with [K], shape (nx, ny, levels).
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        (u1, v1), (u2, v2) = motions
+        self.conduction_errors, status = self._binding("heat")(
+            self._handle,
+            _field(u1),
+            _field(v1),
+            _field(u2),
+            _field(v2),
+            _heat_numbers(oil),
+            np.column_stack([_body_numbers(body, oil.heat) for body in bodies]),
+            np.array(semi_axes),
+        )
+        _check(status)
+        if rise is not None:
+            self._binding("set_rise")(self._handle, _field(rise))
+        self.heated = True
+
+    def step(self, forcing: float) -> Step:
+        """One Newton step, and where heat is simulated one sweep of it at the new pressure."""
+        step = super().step(forcing)
+        if not self.heated:
+            return step
+        change = self._binding("warm")(self._handle)
+        balance = self.start(self.pressure, self.rigid_film)
+        warming = change / max(LEAST_RISE, float(self.rise().max()))
+        self.balance = Balance(balance.residual, balance.load_error, warming)
+        return Step(self.balance, step.krylov, step.share)
+
+    def rise(self) -> np.ndarray:
+        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, shape (nx, ny, levels)."""
+        return self._binding("rise")(self._handle, *self._shape, self.levels)
+
+    def shear_fields(self) -> ShearFields:
+        """Fields of a sheared film.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
+        _check(status)
+        return ShearFields(*fields)
+
+    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
+        """Heat flux into the bodies, shape (nx, ny, 2), and what oil carries away of the friction [W/m2]."""
+        return self._binding("heat_fields")(self._handle, *self._shape)
+
+    def profile(self, node: tuple[int, int], velocity) -> tuple[np.ndarray, np.ndarray]:
+        """Velocity (u, v) [m/s] at the levels above a node, where body 1's surface has this `velocity`.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        u, v, status = self._binding("profile")(
+            self._handle, node[0] + 1, node[1] + 1, *velocity, self.levels
+        )
+        _check(status)
+        return u, v
+
+
+def _heat_numbers(oil: Oil) -> np.ndarray:
+    """How an oil takes heat, as the kernel takes it (`bindings.f90`, point_film_heat)."""
+    heat = oil.heat
+    return np.array(
+        [
+            heat.inlet_temperature,
+            heat.viscosity_exponent,
+            heat.expansivity,
+            heat.expansivity_decay,
+            heat.conductivity,
+            heat.conductivity_c1,
+            heat.conductivity_c2,
+            oil.density.rho0 * heat.specific_heat,
+            heat.heat_capacity_k1,
+            heat.heat_capacity_k2,
+            heat.heat_capacity_b0,
+            heat.heat_capacity_b1,
+            heat.heat_capacity_b2,
+        ]
+    )
+
+
+def _body_numbers(body: Body, heat: OilHeat) -> list[float]:
+    return [
+        body.conductivity,
+        body.density * body.specific_heat,
+        body.bulk_temperature - heat.inlet_temperature,
+    ]
 
 
 class LineFilm(_Film):
@@ -322,6 +508,11 @@ class LineFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+
+
+def level_positions(levels: int) -> np.ndarray:
+    """Where the levels across a film are, from -1/2 at body 1 to 1/2 at body 2."""
+    return _core.bindings.level_positions(levels)
 
 
 def prolong(field) -> np.ndarray:

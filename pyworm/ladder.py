@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import FIGURES, JUDGED, Convergence, Reading, algebra_errors, change
+from pyworm.accuracy import JUDGED, Convergence, Reading, algebra_errors, change
 from pyworm.kernels import NO_DESCENT, NOT_FINITE, KernelError, LineFilm, PointFilm
 
 MOST_STEPS = 30
@@ -79,7 +79,7 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Sett
     strides: list[Stride] = []
     reading = rung.read()
     changes: list[dict[str, float]] = []
-    algebra = dict.fromkeys(FIGURES, np.inf)
+    algebra = dict.fromkeys(reading.figures, np.inf)
     while len(strides) < MOST_STEPS and (
         rung.film.balance.worst > tolerance
         or max(algebra[name] for name in JUDGED) > algebra_wanted
@@ -111,15 +111,18 @@ class Outcome:
         Fields over the grid.
     flaw : str or None
         Why they are not to be trusted, whatever the film says.
+    profile : xarray.Dataset or None
+        Temperature and velocity across the film at its hottest point, where heat is simulated.
     """
 
     figures: dict[str, Any]
     fields: xr.Dataset
     flaw: str | None = None
+    profile: xr.Dataset | None = None
 
 
 class Ladder(Protocol):
-    """A kind of contact as `pyworm.solver` sees it; made from its scene.
+    """A kind of contact as `pyworm.solver` sees it; made from its scene and plan.
 
     Attributes
     ----------
@@ -127,10 +130,13 @@ class Ladder(Protocol):
         What results call it.
     convergence : Convergence
         How its figures come near the truth.
+    origins : dict
+        What figures count from, where their readings count from something else.
     """
 
     kind: ClassVar[str]
     convergence: ClassVar[Convergence]
+    origins: dict[str, float]
 
     def enter(self, grids: Sequence[Any]) -> tuple[Rung, list[Stride]]:
         """Up the plan's grids to the last of them, not yet settled there."""

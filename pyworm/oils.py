@@ -133,7 +133,8 @@ class FlowLaw:
     | carreau        | that at which tau = eta rate [1 + (eta rate/G)^2]^((n - 1)/2)            |
 
     tau0 and G are `stress` exp[`stress_pressure` p - `stress_temperature` (T - T0)], T being the mean
-    temperature across the film and T0 the inlet's; tauL = `limit` + `limit_pressure` p; n = `exponent`.
+    temperature across the film and T0 the inlet's; tauL = `limit` + `limit_pressure` p,
+    but at least 0.1 MPa; n = `exponent`.
     What a law does not name it does not read.
 
     Attributes
@@ -159,6 +160,20 @@ class FlowLaw:
     limit: float = 0.0
     limit_pressure: float = 0.0
     exponent: float = 1.0
+
+    @property
+    def thins(self) -> bool:
+        """Whether the oil flows more easily the faster it shears."""
+        return self.law != "newtonian"
+
+    @property
+    def limited(self) -> bool:
+        """Whether there is a stress that it cannot exceed."""
+        return self.law in ("bair-winer", "eyring-limited")
+
+
+NEWTONIAN = FlowLaw("newtonian")
+"""The flow law of an oil that shears by its viscosity alone."""
 
 
 @dataclass(frozen=True)

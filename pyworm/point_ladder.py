@@ -6,9 +6,10 @@ from typing import Any, ClassVar
 import numpy as np
 import xarray as xr
 
-from pyworm import reading
-from pyworm.accuracy import FIGURES, Convergence
-from pyworm.climb import Rung, dry_contact, first_rung, next_rung
+from pyworm import kernels, reading
+from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
+from pyworm.climb import Rung, dry_contact, first_rung, next_rung, with_shear
+from pyworm.effects import Plan
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
 from pyworm.ladder import Outcome, Stride, settle
@@ -28,18 +29,28 @@ class PointLadder:
     ----------
     scene : Scene
         The contact.
+    plan : Plan
+        What of it is simulated.
     """
 
     kind: ClassVar[str] = "point"
     # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
     # measured against a reach 15 times larger; 2^-1.5 is left when the reach is doubled.
     convergence: ClassVar[Convergence] = Convergence(
-        orders=dict.fromkeys(FIGURES, 2.0), window_limit=1.7, wider_share=0.35
+        orders=dict.fromkeys((*FIGURES, *SHEAR_FIGURES, *HEAT_FIGURES), 2.0),
+        window_limit=1.7,
+        wider_share=0.35,
     )
 
-    def __init__(self, scene: Scene):
+    def __init__(self, scene: Scene, plan: Plan):
         self._scene = scene
+        self._model = plan.model
         self._size = scales(scene)
+        self.origins = (
+            dict.fromkeys(HEAT_FIGURES, scene.oil.heat.inlet_temperature)
+            if self._model.heated
+            else {}
+        )
 
     def enter(self, grids: Sequence[Grid]) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
@@ -48,11 +59,17 @@ class PointLadder:
         for grid in grids[1:]:
             strides += settle(rung, COARSE_TOLERANCE).strides
             rung = next_rung(self._scene, self._size, rung, grid)
+        if self._model.levels:
+            strides += settle(rung, COARSE_TOLERANCE).strides
+            with_shear(self._scene, self._size, self._model, rung)
         return rung, strides
 
     def higher(self, rung: Rung) -> Rung:
         """Half the spacing over the same window."""
-        return next_rung(self._scene, self._size, rung, rung.grid.finer())
+        finer = next_rung(self._scene, self._size, rung, rung.grid.finer())
+        if self._model.levels:
+            with_shear(self._scene, self._size, self._model, finer, rung)
+        return finer
 
     def outcome(self, rung: Rung) -> Outcome:
         """Figures of the lubricated and of the dry contact, and the fields."""
@@ -61,6 +78,7 @@ class PointLadder:
             self._figures(rung, dry),
             self._fields(rung, dry),
             None if dry.converged else "the dry contact did not converge",
+            self._profile(rung) if self._model.heated else None,
         )
 
     def _figures(self, rung: Rung, dry: DryContact) -> dict[str, Any]:
@@ -85,8 +103,9 @@ class PointLadder:
             "film_exit_min": exit_min,
             "film_exit_min_at": exit_min_at,
             "dry": DryFigures(
-                reading.pressure_maximum(dry.pressure), max(extents), min(extents), dry.approach
+                reading.maximum(dry.pressure), max(extents), min(extents), dry.approach
             ),
+            "heat_balance": _heat_balance(rung) if self._model.heated else None,
         }
 
     def _fields(self, rung: Rung, dry: DryContact) -> xr.Dataset:
@@ -100,6 +119,8 @@ class PointLadder:
             "entrainment_y": rung.entrainment[1],
             "sliding_x": rung.sliding[0],
             "sliding_y": rung.sliding[1],
+            **self._shear_fields(rung),
+            **self._heat_fields(rung),
         }
         return describe(
             xr.Dataset(
@@ -113,3 +134,59 @@ class PointLadder:
                 },
             )
         )
+
+    def _shear_fields(self, rung: Rung) -> dict[str, np.ndarray]:
+        if not self._model.levels:
+            return {}
+        shear = rung.film.shear_fields()
+        return {
+            "shear_stress_x": shear.stress_x,
+            "shear_stress_y": shear.stress_y,
+            "friction_power": shear.friction,
+            "shear_rate": shear.rate,
+            "slip": shear.slip.astype(np.int8),
+            "flow_factor_sliding": shear.along,
+            "flow_factor_across": shear.across,
+        }
+
+    def _heat_fields(self, rung: Rung) -> dict[str, np.ndarray]:
+        if not self._model.heated:
+            return {}
+        temperature = self._scene.oil.heat.inlet_temperature + rung.film.rise()
+        return {
+            "temperature_body_1": temperature[:, :, 0],
+            "temperature_body_2": temperature[:, :, -1],
+            "temperature_middle": temperature[:, :, self._model.levels // 2],
+        }
+
+    def _profile(self, rung: Rung) -> xr.Dataset:
+        """Across the film where it is hottest."""
+        rise = rung.film.rise()
+        node = np.unravel_index(np.argmax(rise.max(axis=2)), rung.grid.shape)
+        body_1 = [
+            float(mean[node] + sliding[node] / 2)
+            for mean, sliding in zip(rung.entrainment, rung.sliding, strict=True)
+        ]
+        u, v = rung.film.profile(node, body_1)
+        return describe(
+            xr.Dataset(
+                {
+                    "profile_temperature": (
+                        "level",
+                        self._scene.oil.heat.inlet_temperature + rise[node],
+                    ),
+                    "profile_velocity_x": ("level", u),
+                    "profile_velocity_y": ("level", v),
+                    "profile_x": rung.grid.x[node[0]],
+                    "profile_y": rung.grid.y[node[1]],
+                },
+                coords={"level_position": ("level", kernels.level_positions(len(u)))},
+            )
+        )
+
+
+def _heat_balance(rung: Rung) -> float:
+    """What both bodies take up and oil carries away, less the heat of shearing, over that."""
+    flux, carried = rung.film.heat_fields()
+    friction = rung.film.shear_fields().friction
+    return float((flux.sum() + carried.sum() - friction.sum()) / friction.sum())

@@ -27,9 +27,9 @@ def film_minimum(grid: Grid, film: Array, where: Array) -> tuple[float, tuple[fl
     return value, (grid.west + grid.dx * x, grid.south + grid.dy * y)
 
 
-def pressure_maximum(pressure: Array) -> float:
-    """Largest pressure [Pa], between nodes."""
-    return -_vertex(-pressure, -pressure)[0]
+def maximum(field: Array) -> float:
+    """Largest value of a field, between nodes."""
+    return -_vertex(-field, -field)[0]
 
 
 def _vertex(searched: Array, field: Array) -> tuple[float, tuple[float, float]]:

@@ -6,7 +6,7 @@ from time import perf_counter, process_time
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import FIGURES, JUDGED, Reading, domain_errors, grid_errors
+from pyworm.accuracy import JUDGED, Reading, domain_errors, grid_errors
 from pyworm.effects import Plan
 from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, settle
@@ -62,8 +62,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         If the scene makes no sense to the kernel (values that are not finite) or memory runs out.
     """
     tell = progress or (lambda message, share: None)
-    ladder = LADDERS[type(scene)](scene)
-    domain = dict.fromkeys(FIGURES, np.inf)
+    ladder = LADDERS[type(scene)](scene, plan)
+    domain: dict[str, float] = {}
     readings: list[Reading] = []
     unsettled = 0
 
@@ -75,11 +75,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         strides += settled.strides
         readings.append(settled.reading)
         unsettled += rung.film.balance.worst > plan.tolerance
-        if (
-            _film_is_sound(rung, settled, plan)
-            and plan.wider_grids
-            and np.isinf(domain["film_min"])
-        ):
+        if _film_is_sound(rung, settled, plan) and plan.wider_grids and not domain:
             tell(f"{scene.name}: wider window", 1 - 0.7 ** len(readings))
             wider, settled_wider, steps = _in_wider_window(ladder, plan, len(readings) - 1)
             strides += steps
@@ -125,6 +121,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         fields=outcome.fields,
         history=_history(strides, "xy"[: len(rung.grid.shape)]),
         cost=Cost(seconds, work / _convolution_work(rung)),
+        inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
+        profile=outcome.profile,
     )
 
 
@@ -156,12 +154,15 @@ def _estimates(
     """The figures with their error bars, which are infinite where the film is none."""
     grid = grid_errors(readings, ladder.convergence.orders)
     if not _film_is_sound(rung, settled, plan):
-        grid = dict.fromkeys(FIGURES, np.inf)
+        grid = dict.fromkeys(grid, np.inf)
     return {
         name: Estimate(
-            getattr(settled.reading, name), grid[name], domain[name], settled.algebra[name]
+            ladder.origins.get(name, 0.0) + value,
+            grid[name],
+            domain.get(name, np.inf),
+            settled.algebra[name],
         )
-        for name in FIGURES
+        for name, value in settled.reading.figures.items()
     }
 
 

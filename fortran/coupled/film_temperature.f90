@@ -9,14 +9,14 @@
 !> Conduction along the film is left out: against that across it, it is as the square of film over contact length.
 module film_temperature
   use film_column, only: film_strip, new_film_strip, solve_columns
-  use flow_laws, only: stress_scales
   use heated_surface, only: heated_body
   use kinds, only: wp
   use oil_heat, only: oil_heat_law, conductivity, heat_capacity
-  use oil_laws, only: hot_fluidity, expansivity
+  use nodal_shear, only: line_cut, take, put, shear_cut
+  use oil_laws, only: expansivity
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use point_film, only: point_contact
-  use shear_flow, only: shear_strip, new_shear_strip, solve_shear, film_velocity, film_shear_rate, shear_heat => film_heat
+  use shear_flow, only: shear_strip, new_shear_strip, film_velocity, shear_heat => film_heat
   use status, only: status_ok, status_no_memory
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
@@ -38,12 +38,10 @@ module film_temperature
     !> Velocities of body 1's surface at the nodes [m/s].
     real(wp), allocatable :: u1(:, :), v1(:, :)
     type(wall_pair) :: walls
-    !> Stress at the middle of the film [Pa], and where it slips (`shear_flow`).
+    !> Stress at the middle of the film [Pa], from which the next sweep starts.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
-    integer, allocatable :: slip(:, :)
-    !> Heat of shearing, and what oil carries away less what compression gives it [W/m2]; the largest shear rate
-    !> across the film [1/s].
-    real(wp), allocatable :: friction(:, :), carried(:, :), shear_rate(:, :)
+    !> What oil carries away, less what compression gives it [W/m2].
+    real(wp), allocatable :: carried(:, :)
     !> Temperature of the line in work and of two on either side, (columns, levels, -2:2).
     real(wp), allocatable :: lines(:, :, :)
     !> Scratch of each thread.
@@ -55,14 +53,6 @@ module film_temperature
   type, extends(point_contact) :: heated_contact
     type(film_heat), allocatable :: heat
   end type heated_contact
-
-  !> Some columns of one line of the grid.
-  type :: line_cut
-    !> Whether lines run along y.
-    logical :: transposed = .false.
-    !> The line, of how many, and its first and last column, of how many.
-    integer :: line = 0, lines = 0, first = 0, last = 0, length = 0
-  end type line_cut
 
 contains
 
@@ -86,10 +76,8 @@ contains
       heat%law = law
       call new_wall_pair(heat%walls, body_1, bulk(1), body_2, bulk(2), most_wall_iterations, stat)
       if (stat /= status_ok) return
-      allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%friction(nx, ny), &
-        heat%carried(nx, ny), heat%shear_rate(nx, ny), &
+      allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%carried(nx, ny), &
         heat%lines(merge(ny, nx, self%cycles%transposed), levels, -2:2), source=0.0_wp, stat=err)
-      if (err == 0) allocate (heat%slip(nx, ny), source=0, stat=err)
       if (err == 0) allocate (heat%columns(0:omp_get_max_threads() - 1), heat%shear(0:omp_get_max_threads() - 1), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
       if (stat /= status_ok) return
@@ -205,38 +193,21 @@ contains
     type(film_strip), intent(inout) :: columns
     type(shear_strip), intent(inout) :: shear
     real(wp), intent(inout) :: change
-    real(wp), dimension(most_columns) :: p, u1, v1, mean, unused_1, unused_2, capacity, warmth, friction, carried
-    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: by_pressure, by_temperature, u, v, rate, &
-      dissipation, own, inflow
+    real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, warmth, carried
+    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, dissipation, own, inflow
     integer :: m, k, n, c, downstream, failures
 
     m = cut%last - cut%first + 1
     n = contact%shear%nodes%levels%count
     downstream = merge(1, -1, contact%cycles%rising)
     columns%columns = m
-    shear%points = m
     associate (nodes => contact%shear%nodes)
-      call take(contact%fields%p, cut, 0, 0, p)
-      call take_gradient(contact, cut, shear%px, shear%py)
-      call take(contact%fields%h, cut, 0, 0, shear%film)
-      shear%film(:m) = max(shear%film(:m), contact%floor)
-      call take(nodes%sliding_x, cut, 0, 0, shear%us)
-      call take(nodes%sliding_y, cut, 0, 0, shear%vs)
-      call take(heat%stress_x, cut, 0, 0, shear%tau_x)
-      call take(heat%stress_y, cut, 0, 0, shear%tau_y)
-      call take(heat%u1, cut, 0, 0, u1)
-      call take(heat%v1, cut, 0, 0, v1)
-      mean = 0
-      do k = 1, n
-        call take(nodes%rise(:, :, k), cut, 0, 0, columns%known(:, k))
-        mean(:m) = mean(:m) + nodes%levels%weight(k)*columns%known(:m, k)
-      end do
-      call hot_fluidity(contact%oil, p(:m), columns%known(:m, :), shear%fluidity(:m, :), by_pressure(:m, :), &
-        by_temperature(:m, :))
-      call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), unused_1(:m), shear%limit(:m), unused_2(:m))
-      call solve_shear(nodes%law, nodes%levels, shear, failures)
+      call take(heat%stress_x, cut, shear%tau_x)
+      call take(heat%stress_y, cut, shear%tau_y)
+      call take(heat%u1, cut, u1)
+      call take(heat%v1, cut, v1)
+      call shear_cut(contact%point_contact, cut, shear, p, mean, columns%known, softening, failures)
       call film_velocity(nodes%law, nodes%levels, shear, u1, v1, u, v)
-      call film_shear_rate(nodes%levels, shear, rate)
       call shear_heat(nodes%levels, shear, dissipation, own, columns%loading(:, :, 1), columns%loading(:, :, 2), &
         columns%relief(:, :, 1), columns%relief(:, :, 2))
 
@@ -245,17 +216,13 @@ contains
       capacity(:m) = heat_capacity(heat%law, p(:m), mean(:m))
       warmth(:m) = expansivity(contact%oil, p(:m))
       call carry(contact, cut, m, heat%lines, downstream, capacity, u, v, columns%absorption, inflow)
-      friction = 0
       do k = 1, n
         do c = 1, m
-          ! fluidity changes with temperature
-          own(c, k) = own(c, k)*shear%fluidity(c, k)*by_temperature(c, k)
-          columns%relief(c, k, :) = columns%relief(c, k, :)*shear%fluidity(c, k)*by_temperature(c, k)
-          columns%growth(c, k) = own(c, k)
+          columns%growth(c, k) = own(c, k)*softening(c, k)
+          columns%relief(c, k, :) = columns%relief(c, k, :)*softening(c, k)
           inflow(c, k) = inflow(c, k) + warmth(c)*(contact%oil%temperature + columns%known(c, k)) &
             *(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
           columns%source(c, k) = dissipation(c, k) + inflow(c, k)
-          friction(c) = friction(c) + nodes%levels%weight(k)*shear%film(c)*dissipation(c, k)
         end do
       end do
       columns%wall(:m, 1) = columns%known(:m, 1)
@@ -274,20 +241,13 @@ contains
     end associate
     call put(shear%tau_x, cut, heat%stress_x)
     call put(shear%tau_y, cut, heat%stress_y)
-    call put(friction, cut, heat%friction)
     call put(carried, cut, heat%carried)
-    call put(maxval(rate(:m, :), dim=2), cut, heat%shear_rate)
     do k = 1, 2
       call put(columns%flux(:, k), cut, heat%walls%flux(:, :, k))
       do n = 1, 2
         call put(columns%admittance(:, n, k), cut, heat%walls%admittance(:, :, n, k))
       end do
     end do
-    if (cut%transposed) then
-      heat%slip(cut%line, cut%first:cut%last) = shear%slip(:m)
-    else
-      heat%slip(cut%first:cut%last, cut%line) = shear%slip(:m)
-    end if
   end subroutine heat_cut
 
   !> What convection takes from a level for each kelvin, `absorption` [W/(m3 K)], and brings it, `inflow` [W/m3].
@@ -331,67 +291,5 @@ contains
       end do
     end do
   end subroutine carry
-
-  !> Pressure gradient at the columns of a cut [Pa/m].
-  subroutine take_gradient(contact, cut, px, py)
-    type(heated_contact), intent(in) :: contact
-    type(line_cut), intent(in) :: cut
-    real(wp), intent(out) :: px(:), py(:)
-    real(wp) :: before(most_columns), after(most_columns)
-    integer :: m
-
-    m = cut%last - cut%first + 1
-    call take(contact%fields%p, cut, 0, -1, before)
-    call take(contact%fields%p, cut, 0, 1, after)
-    if (cut%transposed) then
-      px(:m) = (after(:m) - before(:m))/(2*contact%grid%dx)
-    else
-      py(:m) = (after(:m) - before(:m))/(2*contact%grid%dy)
-    end if
-    call take(contact%fields%p, cut, -1, 0, before)
-    call take(contact%fields%p, cut, 1, 0, after)
-    if (cut%transposed) then
-      py(:m) = (after(:m) - before(:m))/(2*contact%grid%dy)
-    else
-      px(:m) = (after(:m) - before(:m))/(2*contact%grid%dx)
-    end if
-  end subroutine take_gradient
-
-  !> A field's values `along` columns further on the line than those of a cut and `ahead` lines further.
-  pure subroutine take(field, cut, along, ahead, values)
-    real(wp), intent(in) :: field(:, :)
-    type(line_cut), intent(in) :: cut
-    integer, intent(in) :: along, ahead
-    real(wp), intent(out) :: values(:)
-    integer :: c
-
-    if (cut%transposed) then
-      do c = cut%first, cut%last
-        values(c - cut%first + 1) = field(cut%line + ahead, c + along)
-      end do
-    else
-      do c = cut%first, cut%last
-        values(c - cut%first + 1) = field(c + along, cut%line + ahead)
-      end do
-    end if
-  end subroutine take
-
-  !> Puts values into a field at the columns of a cut.
-  pure subroutine put(values, cut, field)
-    real(wp), intent(in) :: values(:)
-    type(line_cut), intent(in) :: cut
-    real(wp), intent(inout) :: field(:, :)
-    integer :: c
-
-    if (cut%transposed) then
-      do c = cut%first, cut%last
-        field(cut%line, c) = values(c - cut%first + 1)
-      end do
-    else
-      do c = cut%first, cut%last
-        field(c, cut%line) = values(c - cut%first + 1)
-      end do
-    end if
-  end subroutine put
 
 end module film_temperature

@@ -97,7 +97,7 @@ contains
       call sum_rates(law, levels, strip, 1, strip%points)
       call newton_step(strip, 1, strip%points)
       left = count(.not. accurate(strip, 1, strip%points))
-      if (left*few <= strip%points) exit
+      if (left*few <= strip%points .or. step == steps_together) exit
       call bounded_move(law, strip, strip%points)
     end do
     do i = 1, strip%points
@@ -284,31 +284,49 @@ contains
 
   !> Newton's method with a line search, of a point whose sums and step are those at its stress.
   !>
-  !> Along a step the slope of the potential is minus the step times the lacking velocity, and grows: a move is taken
-  !> when it has shrunk to half, and one that has overshot is drawn back.
+  !> Along a path the slope of the potential is minus the path's direction times the lacking velocity: a move is taken
+  !> when the slope has shrunk to half, and one that has overshot is drawn back.
   pure subroutine solve_alone(law, levels, strip, i, converged)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(inout) :: strip
     integer, intent(in) :: i
     logical, intent(out) :: converged
-    real(wp) :: from(2), step(2), share, low, high, descent, slope
+    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), share, low, high, descent, slope
+    logical :: turns
     integer :: newton, search
 
+    call find_centre(law, strip, i, centre, turns)
+    if (has_limit(law) .and. hypot(strip%tau_x(i) - centre(1), strip%tau_y(i) - centre(2)) > strip%limit(i)) then
+      ! back to the middle of the circle, from where a film that can bear its gradient has both walls within
+      strip%tau_x(i) = 0
+      strip%tau_y(i) = 0
+      call sum_rates(law, levels, strip, i, i)
+      call newton_step(strip, i, i)
+    end if
     do newton = 1, steps_alone
       converged = all(accurate(strip, i, i))
       if (converged) return
       from = [strip%tau_x(i), strip%tau_y(i)]
       step = [strip%step_x(i), strip%step_y(i)]
       descent = strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2)
+      call find_centre(law, strip, i, centre, turns)
       share = 1
+      if (has_limit(law)) share = strip%limit(i)/max(norm2(step), strip%limit(i))
       low = 0
       high = 0
       do search = 1, search_steps
-        strip%tau_x(i) = from(1) + share*step(1)
-        strip%tau_y(i) = from(2) + share*step(2)
+        if (turns) then
+          call turn(from - centre, step, share, to, direction)
+          to = to + centre
+        else
+          to = from + share*step
+          direction = step
+        end if
+        strip%tau_x(i) = to(1)
+        strip%tau_y(i) = to(2)
         call sum_rates(law, levels, strip, i, i)
-        slope = -(strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2))
+        slope = -(strip%rest_x(i)*direction(1) + strip%rest_y(i)*direction(2))
         if (abs(slope) <= descent/2) exit
         if (slope > 0) then
           high = share
@@ -322,6 +340,41 @@ contains
     end do
     converged = all(accurate(strip, i, i))
   end subroutine solve_alone
+
+  !> Stress halfway that leaves the more stressed wall without stress; `turns` if that wall is near slip, where stresses
+  !> can only move round it.
+  pure subroutine find_centre(law, strip, i, centre, turns)
+    type(flow_law), intent(in) :: law
+    type(shear_strip), intent(in) :: strip
+    integer, intent(in) :: i
+    real(wp), intent(out) :: centre(2)
+    logical, intent(out) :: turns
+    !> Share of the stress at slip that is near it.
+    real(wp), parameter :: near = 0.9_wp
+    real(wp) :: middle(2), half(2)
+
+    middle = [strip%tau_x(i), strip%tau_y(i)]
+    half = [strip%px(i), strip%py(i)]*strip%film(i)/2
+    centre = sign(1.0_wp, -dot_product(middle, half))*half
+    turns = has_limit(law) .and. norm2(middle - centre) > near*slip_stress(strip%limit(i))
+  end subroutine find_centre
+
+  !> Where a share of a step leads, `to`, that keeps its part along `from` and bends the other round the origin; and the
+  !> derivative `direction` by the share.
+  pure subroutine turn(from, step, share, to, direction)
+    real(wp), intent(in) :: from(2), step(2), share
+    real(wp), intent(out) :: to(2), direction(2)
+    real(wp) :: radius, along, across, angle, radial(2), tangent(2)
+
+    radius = norm2(from)
+    along = dot_product(from, step)/radius
+    across = (from(1)*step(2) - from(2)*step(1))/radius
+    angle = share*across/radius
+    radial = [from(1)*cos(angle) - from(2)*sin(angle), from(2)*cos(angle) + from(1)*sin(angle)]/radius
+    tangent = [-radial(2), radial(1)]
+    to = (radius + share*along)*radial
+    direction = along*radial + (radius + share*along)*across/radius*tangent
+  end subroutine turn
 
   !> Takes the last Newton step, with thinning to first order.
   pure subroutine finish(levels, strip)

@@ -27,6 +27,8 @@ module flow_laws
   !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than any
   !> ratio of slip to shear, still end below the limit.
   real(wp), parameter :: slip_step = 1e-4_wp
+  !> Least limiting stress [Pa]: one proportional to pressure would else forbid the oil to flow at ambient pressure.
+  real(wp), parameter :: least_limit = 1e5_wp
   !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.
   real(wp), parameter :: largest_eyring = 150.0_wp, largest_slip = 50.0_wp, largest_carreau = 1e30_wp
   !> Square of tau/tau0 below which Eyring's thinning is summed as a series.
@@ -71,8 +73,8 @@ contains
 
     reference = law%reference*exp(law%reference_growth*p - law%reference_decay*rise)
     reference_slope = law%reference_growth*reference
-    limit = law%limit + law%limit_growth*p
-    limit_slope = law%limit_growth
+    limit = max(law%limit + law%limit_growth*p, least_limit)
+    limit_slope = merge(law%limit_growth, 0.0_wp, limit > least_limit)
   end subroutine stress_scales
 
   !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at `square`

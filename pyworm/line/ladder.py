@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import Convergence
+from pyworm.effects import Plan
 from pyworm.ladder import Outcome, Stride, settle
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied
 from pyworm.line.grid import LineGrid
@@ -35,6 +36,8 @@ class LineLadder:
     ----------
     scene : LineScene
         The contact.
+    plan : Plan
+        What of it is simulated: so far an isothermal Newtonian film.
     """
 
     kind: ClassVar[str] = "line"
@@ -48,8 +51,9 @@ class LineLadder:
         wider_share=0.4,
     )
 
-    def __init__(self, scene: LineScene):
+    def __init__(self, scene: LineScene, plan: Plan):
         self._scene = scene
+        self.origins = {}
         self._size = line_scales(scene)
 
     def enter(self, grids: Sequence[LineGrid]) -> tuple[LineRung, list[Stride]]:

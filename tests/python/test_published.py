@@ -10,9 +10,9 @@ import pyworm
 CASES = Path(__file__).parents[2] / "cases"
 
 
-def solved(name, accuracy, phase=None):
+def solved(name, accuracy, phase=None, effects=None):
     scene = pyworm.load(CASES / f"{name}.toml").scene(phase)
-    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy))
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
     assert solution.converged
     return solution
 
@@ -33,6 +33,11 @@ def worm():
     return solved("zi_sharif_2001", 0.03, phase=0.5)
 
 
+@pytest.fixture(scope="module")
+def cold_worm():
+    return solved("zi_sharif_2001", 0.03, phase=0.5, effects="isothermal")
+
+
 def test_worm_dry_contact(worm):
     """23.2 by 2.4 mm and 540 MPa (Sharif et al. 2001, section 6); the radii alone are calibrated."""
     dry = worm.figures.dry
@@ -41,19 +46,39 @@ def test_worm_dry_contact(worm):
     assert dry.pressure_max == pytest.approx(540e6, rel=0.04)
 
 
-def test_worm_film_is_split_as_the_paper_found(worm):
+@pytest.mark.parametrize(("name", "unequal"), [("worm", 0.95), ("cold_worm", 0.8)])
+def test_worm_film_is_split_as_the_paper_found(name, unequal, request):
     """Two unequal side lobes; the thinner band starts above and crosses the contact (paper, Fig. 11)."""
+    worm = request.getfixturevalue(name)
     film, dry = worm.fields.film, worm.fields.dry_pressure.values > 0
     inside = film.where(dry)
     # the ridge of thick film that comes in from the left, and the band that crosses behind it
     across = inside.sel(x=0.0, method="nearest").dropna("y")
     upper, lower = across.sel(y=slice(0, None)).min(), across.sel(y=slice(None, 0)).min()
-    assert upper < 0.8 * lower
+    assert upper < unequal * lower
     along = inside.sel(y=0.0, method="nearest").dropna("x")
     band = float(along.x[np.argmin(along.values)])
     assert 1e-3 < band < 6e-3
     assert float(along.min()) < 0.6 * float(along.sel(x=slice(None, -2e-3)).max())
     assert worm.figures.film_min_at[1] < 0 < band
+
+
+def test_worm_is_as_hot_as_the_paper_has_it(worm):
+    """108, 106 and 117 degC, a rise of 57 K (Sharif et al. 2001, section 6 and Fig. 13)."""
+    inlet = 273.15 + 60
+    for name, degrees in (
+        ("temperature_max_body_1", 108),
+        ("temperature_max_body_2", 106),
+        ("temperature_max_film", 117),
+    ):
+        rise = getattr(worm.figures, name).value - inlet
+        assert rise == pytest.approx(degrees - 60, rel=0.06)
+    # heat builds up towards the exit on the worm, downwards on the wheel
+    fields = worm.fields
+    hottest = [fields[f"temperature_body_{body}"].argmax(dim=("x", "y")) for body in (1, 2)]
+    assert float(fields.x[hottest[0]["x"]]) > 3e-3
+    assert float(fields.y[hottest[1]["y"]]) < -0.2e-3
+    assert abs(worm.figures.heat_balance) < 0.01
 
 
 def test_worm_pressure_has_a_shoulder_over_the_thin_band(worm):
