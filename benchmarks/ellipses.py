@@ -1,8 +1,8 @@
 """Elliptic contacts at M = 200, L = 10 against an independent dense solver, compressible Roelands oil.
 
-D is the radius along over that across the entrainment. Afterwards D = 5 and 10 on three grids of one window, with the
-order observed: their side lobes are narrow, and the independent solver found no film there. Run from the repository's
-root:
+D is the radius along over that across the entrainment. Afterwards D = 5 and 10 on three grids of one window,
+with the order observed: their side lobes are narrow, and the independent solver had no films there that its
+grids agreed on. Run from the repository's root:
 
     python benchmarks/ellipses.py [order]
 """
