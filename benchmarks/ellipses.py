@@ -23,7 +23,7 @@ OIL = Oil(Roelands.from_alpha(0.04, 22e-9), Density.dowson_higginson_pole(870.0)
 RADIUS = 0.01
 M, L = 200.0, 10.0
 ACCURACY = 0.003
-LARGEST_GRID = 4_500_000
+LARGEST_GRID = 5_500_000
 # D -> central and minimum film in Moes' units, large inlet (docs/validation.md); None: not found by it
 REFERENCE = {
     1 / 30: (5.355, 4.456),
