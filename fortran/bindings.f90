@@ -345,8 +345,9 @@ contains
     film = contact%fields%h
   end subroutine point_film_thickness
 
-  !> How often each part of the work on a contact was done and the processor time [s] that it took: convolutions,
-  !> fields and flows, building the preconditioner, its cycles, and all of it with whole steps and evaluations.
+  !> How often each part of the work on a contact was done and the processor time [s] that it took:
+  !> convolutions, fields and flows, building the preconditioner, its cycles, and all of it with whole steps
+  !> and evaluations.
   subroutine point_film_work(handle, counts, seconds)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact

@@ -50,7 +50,7 @@ class Start:
         return Start(np.maximum(kernels.prolong(self.pressure[window]), 0.0), self.rigid_film)
 
     def beyond(self, coarser: "Start") -> "Start":
-        """What half the spacing again would lead to, at second order, if one half led from `coarser` to this."""
+        """What half the spacing leads to at second order, where twice the spacing led to `coarser`."""
         pressure = (
             self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
         )
