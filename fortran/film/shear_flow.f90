@@ -1,15 +1,15 @@
 !> Flow of an oil between two sliding walls under a pressure gradient, with its exact derivatives.
 !>
-!> Shear stress is linear across the film, tau = tau_m + z h grad p with z from -1/2 at body 1 to 1/2 at body 2, and the
-!> rate of shear f g(tau^2) tau with the fluidity f and the thinning g of the flow law (Sharif, Kong, Evans and Snidle
-!> 2001, eqs 3-9). The stress tau_m halfway makes the rates add up to the sliding. It is the least point of a strictly
-!> convex potential, so that it exists, is unique, and Newton's method has a positive definite matrix: with
-!> K = f (g I + 2 g' tau tau^T), of which all derivatives here are made,
+!> Shear stress is linear across the film, tau = tau_m + z h grad p with z from -1/2 at body 1 to 1/2 at body
+!> 2, and the rate of shear f g(tau^2) tau with the fluidity f and the thinning g of the flow law (Sharif,
+!> Kong, Evans and Snidle 2001, eqs 3-9). The stress tau_m halfway makes the rates add up to the sliding. It
+!> is the least point of a strictly convex potential, so that it exists, is unique, and Newton's method has a
+!> positive definite matrix: with K = f (g I + 2 g' tau tau^T), of which all derivatives here are made,
 !>
 !>   A = int K dz',  B = int z' K dz',  C = int z'^2 K dz',  z' = h z.
 !>
-!> Points are worked on a strip at a time, so that loops run over points. Fluidity is held in all derivatives by film,
-!> gradient and stresses.
+!> Points are worked on a strip at a time, so that loops run over points. Fluidity is held in all derivatives
+!> by film, gradient and stresses.
 module shear_flow
   use kinds, only: wp
   use film_levels, only: levels_across
@@ -24,8 +24,9 @@ module shear_flow
   !> Bits of a point's slip.
   integer, parameter, public :: slip_at_body_1 = 1, slip_at_body_2 = 2
 
-  !> Velocity that a film may lack, relative to the rates of shear summed over it, before the last Newton step.
-  !> Convergence is quadratic: stresses, flow and heat are then right to its square, their derivatives to itself.
+  !> Velocity that a film may lack, relative to the rates of shear summed over it, before the last Newton
+  !> step. Convergence is quadratic: stresses, flow and heat are then right to its square, their derivatives
+  !> to itself.
   real(wp), parameter :: tolerance = 1e-5_wp
   !> Newton steps of all points together, and then of each one that is left, with a line search.
   integer, parameter :: steps_together = 8, steps_alone = 50, search_steps = 60
@@ -36,8 +37,8 @@ module shear_flow
   type :: shear_strip
     !> Points in use, at most as many as there is space for.
     integer :: points = 0
-    !> To be set: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and limiting
-    !> stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
+    !> To be set: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and
+    !> limiting stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
     real(wp), allocatable :: film(:), px(:), py(:), us(:), vs(:), reference(:), limit(:), fluidity(:, :)
     !> Stress halfway [Pa]: a guess, or zero for none, and then the solution.
     real(wp), allocatable :: tau_x(:), tau_y(:)
@@ -80,7 +81,8 @@ contains
     strip%limit = 1
   end subroutine new_shear_strip
 
-  !> Stress halfway, thinning and slip of a strip; `failures` counts the points where Newton's method did not converge.
+  !> Stress halfway, thinning and slip of a strip; `failures` counts the points where Newton's method did not
+  !> converge.
   pure subroutine solve_shear(law, levels, strip, failures)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -159,7 +161,8 @@ contains
     end do
   end subroutine guess_stress
 
-  !> Thinning of some points, the velocity that the film lacks, A, the power of shear [W/m2], and int f g dz' [m/(Pa s)].
+  !> Thinning of some points, the velocity that the film lacks, A, the power of shear [W/m2], and int f g dz'
+  !> [m/(Pa s)].
   pure subroutine sum_rates(law, levels, strip, first, last)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -223,9 +226,8 @@ contains
     end do
   end subroutine add_rate
 
-  !> Inverse of A and Newton's step of some points, and by what the velocity they lack, squared, is too much for the step
-  !> to be the last.
-  pure subroutine newton_step(strip, first, last)
+  !> Inverse of A of some points.
+  pure subroutine invert(strip, first, last)
     type(shear_strip), intent(inout) :: strip
     integer, intent(in) :: first, last
     real(wp) :: determinant
@@ -236,6 +238,18 @@ contains
       strip%inverse_xx(i) = strip%a_yy(i)/determinant
       strip%inverse_xy(i) = -strip%a_xy(i)/determinant
       strip%inverse_yy(i) = strip%a_xx(i)/determinant
+    end do
+  end subroutine invert
+
+  !> Newton's step of some points, and by what the velocity they lack, squared, is too much for the step to be
+  !> the last.
+  pure subroutine newton_step(strip, first, last)
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: first, last
+    integer :: i
+
+    call invert(strip, first, last)
+    do i = first, last
       strip%step_x(i) = strip%inverse_xx(i)*strip%rest_x(i) + strip%inverse_xy(i)*strip%rest_y(i)
       strip%step_y(i) = strip%inverse_xy(i)*strip%rest_x(i) + strip%inverse_yy(i)*strip%rest_y(i)
       ! Schwarz: the sum of the rates' magnitudes is at most the root of power times ease
@@ -245,8 +259,9 @@ contains
 
   !> Moves all points along their Newton steps.
   !>
-  !> A step much beyond the stresses met so far would overshoot where rates grow exponentially, and walls approach the
-  !> limiting stress, if there is one, in shares of their distance to it (Sharif et al., text to fig. 4).
+  !> A step much beyond the stresses met so far would overshoot where rates grow exponentially, and walls
+  !> approach the limiting stress, if there is one, in shares of their distance to it (Sharif et al., text to
+  !> fig. 4).
   pure subroutine bounded_move(limited, strip)
     logical, intent(in) :: limited
     type(shear_strip), intent(inout) :: strip
@@ -270,8 +285,8 @@ contains
 
   !> Newton's method with a line search, of a point whose sums and step are those at its stress.
   !>
-  !> Along a path the slope of the potential is minus the path's direction times the lacking velocity: a move is taken
-  !> when the slope has shrunk to half, and one that has overshot is drawn back.
+  !> Along a path the slope of the potential is minus the path's direction times the lacking velocity: a move
+  !> is taken when the slope has shrunk to half, and one that has overshot is drawn back.
   pure subroutine solve_alone(law, levels, strip, i, converged)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -283,8 +298,9 @@ contains
     integer :: newton, search
 
     call find_centre(law, strip, i, centre, turns)
-    if (has_limit(law) .and. hypot(strip%tau_x(i) - centre(1), strip%tau_y(i) - centre(2)) > strip%limit(i)) then
-      ! back to the middle of the circle, from where a film that can bear its gradient has both walls within
+    if (turns .and. hypot(strip%rest_x(i), strip%rest_y(i)) > hypot(strip%us(i), strip%vs(i))) then
+      ! a wall slips too fast, from where Newton's steps are short: back to the middle of the circle, where a film that
+      ! can bear its gradient has both walls within
       strip%tau_x(i) = 0
       strip%tau_y(i) = 0
       call sum_rates(law, levels, strip, i, i)
@@ -330,8 +346,8 @@ contains
     strip%step_y(i) = 0
   end subroutine solve_alone
 
-  !> Stress halfway that leaves the more stressed wall without stress; `turns` if that wall is near slip, where stresses
-  !> can only move round it.
+  !> Stress halfway that leaves the more stressed wall without stress; `turns` if that wall is near slip,
+  !> where stresses can only move round it.
   pure subroutine find_centre(law, strip, i, centre, turns)
     type(flow_law), intent(in) :: law
     type(shear_strip), intent(in) :: strip
@@ -348,8 +364,8 @@ contains
     turns = has_limit(law) .and. norm2(middle - centre) > near*slip_stress(strip%limit(i))
   end subroutine find_centre
 
-  !> Where a share of a step leads, `to`, that keeps its part along `from` and bends the other round the origin; and the
-  !> derivative `direction` by the share.
+  !> Where a share of a step leads, `to`, that keeps its part along `from` and bends the other round the
+  !> origin; and the derivative `direction` by the share.
   pure subroutine turn(from, step, share, to, direction)
     real(wp), intent(in) :: from(2), step(2), share
     real(wp), intent(out) :: to(2), direction(2)
@@ -365,24 +381,38 @@ contains
     direction = along*radial + (radius + share*along)*across/radius*tangent
   end subroutine turn
 
-  !> Takes the last Newton step, with thinning to first order.
+  !> Takes the last Newton step, with thinning to first order, by which the rates add up to the sliding. A is
+  !> summed anew: in the mobility of a film that slips it cancels against B and C to a few digits.
   pure subroutine finish(levels, strip)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(inout) :: strip
-    real(wp) :: x, y
+    real(wp) :: x, y, share, along, across
     integer :: i, k
 
-    do k = 1, levels%count
-      do i = 1, strip%points
-        x = strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i)
-        y = strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i)
-        strip%g(i, k) = strip%g(i, k) + 2*strip%g_slope(i, k)*(x*strip%step_x(i) + y*strip%step_y(i))
+    associate (s => strip)
+      do i = 1, s%points
+        s%tau_x(i) = s%tau_x(i) + s%step_x(i)
+        s%tau_y(i) = s%tau_y(i) + s%step_y(i)
       end do
-    end do
-    do i = 1, strip%points
-      strip%tau_x(i) = strip%tau_x(i) + strip%step_x(i)
-      strip%tau_y(i) = strip%tau_y(i) + strip%step_y(i)
-    end do
+      s%a_xx = 0
+      s%a_xy = 0
+      s%a_yy = 0
+      do k = 1, levels%count
+        do i = 1, s%points
+          x = s%tau_x(i) + levels%z(k)*s%film(i)*s%px(i)
+          y = s%tau_y(i) + levels%z(k)*s%film(i)*s%py(i)
+          s%g(i, k) = s%g(i, k) &
+            + 2*s%g_slope(i, k)*((x - s%step_x(i))*s%step_x(i) + (y - s%step_y(i))*s%step_y(i))
+          share = levels%weight(k)*s%film(i)*s%fluidity(i, k)
+          along = share*s%g(i, k)
+          across = 2*share*s%g_slope(i, k)
+          s%a_xx(i) = s%a_xx(i) + along + across*x*x
+          s%a_xy(i) = s%a_xy(i) + across*x*y
+          s%a_yy(i) = s%a_yy(i) + along + across*y*y
+        end do
+      end do
+    end associate
+    call invert(strip, 1, strip%points)
   end subroutine finish
 
   !> Which walls are beyond the stress at slip.
@@ -405,8 +435,8 @@ contains
     end do
   end subroutine find_slip
 
-  !> Flow [m2/s] that shear takes from the entrainment, S = int z' f g tau dz': the film carries u h - S, with u the
-  !> mean velocity of the bodies (Sharif et al., eqs 10 and 11).
+  !> Flow [m2/s] that shear takes from the entrainment, S = int z' f g tau dz': the film carries u h - S, with
+  !> u the mean velocity of the bodies (Sharif et al., eqs 10 and 11).
   pure subroutine flow_deficit(levels, strip, deficit_x, deficit_y)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip
@@ -425,8 +455,9 @@ contains
     end do
   end subroutine flow_deficit
 
-  !> The deficit S [m2/s] with its derivatives at given sliding: the mobility dS/d(grad p) = C - B A^-1 B [m3/(Pa s)],
-  !> symmetric and positive definite; by the film [m/s]; and by the fluidity at each level [Pa m2].
+  !> The deficit S [m2/s] with its derivatives at given sliding: the mobility dS/d(grad p) = C - B A^-1 B
+  !> [m3/(Pa s)], symmetric and positive definite; by the film [m/s]; and by the fluidity at each level [Pa
+  !> m2].
   pure subroutine flow_change(levels, strip, deficit_x, deficit_y, mobility_xx, mobility_xy, mobility_yy, by_film_x, &
     by_film_y, by_fluidity_x, by_fluidity_y)
     type(levels_across), intent(in) :: levels
@@ -523,8 +554,8 @@ contains
     end associate
   end subroutine flow_change_by_stresses
 
-  !> Velocity (u, v) [m/s] of the oil at the levels, from that of body 1 (u1, v1); at the walls that of the bodies, from
-  !> which the oil next to them differs where it slips.
+  !> Velocity (u, v) [m/s] of the oil at the levels, from that of body 1 (u1, v1); at the walls that of the
+  !> bodies, from which the oil next to them differs where it slips.
   pure subroutine film_velocity(law, levels, strip, u1, v1, u, v)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -580,8 +611,9 @@ contains
     end do
   end subroutine take_slip
 
-  !> Slip velocity [m/s] of point i at the wall whose level is given: what the rate there exceeds that at the stress
-  !> where slip begins. Its product with the wall's shear stress is heat [W/m2] that `film_heat` counts at that level.
+  !> Slip velocity [m/s] of point i at the wall whose level is given: what the rate there exceeds that at the
+  !> stress where slip begins. Its product with the wall's shear stress is heat [W/m2] that `film_heat` counts
+  !> at that level.
   pure subroutine wall_slip(law, levels, strip, i, wall, slip_x, slip_y)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -620,10 +652,12 @@ contains
     end do
   end subroutine film_shear_rate
 
-  !> Heat of shear f g tau^2 [W/m3] at the levels, and its derivatives by their fluidity f at given sliding: at level k by
-  !> that at level l, own(k) where k = l, less response_x(k) stress_x(l) + response_y(k) stress_y(l).
+  !> Heat of shear f g tau^2 [W/m3] at the levels, and its derivatives by their fluidity f at given sliding:
+  !> at level k by that at level l, own(k) where k = l, less response_x(k) stress_x(l) + response_y(k)
+  !> stress_y(l).
   !>
-  !> `own` [Pa2], `response` = 2 f (g + g' tau^2) tau [1/s], and `stress` [Pa2 s]: how much the stress halfway sinks.
+  !> `own` [Pa2], `response` = 2 f (g + g' tau^2) tau [1/s], and `stress` [Pa2 s]: how much the stress halfway
+  !> sinks.
   pure subroutine film_heat(levels, strip, heat, own, response_x, response_y, stress_x, stress_y)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip
@@ -649,12 +683,13 @@ contains
     end do
   end subroutine film_heat
 
-  !> Flow factors [m3/(Pa s)] along the sliding, `factor_s`, and across it, `factor_r`, and the entrainment [m/s] that
-  !> viscosity varying across the film takes from the mean velocity of the bodies, (lag_s, lag_r), such that the flow is
-  !> (u - lag) h - factor dp along each direction (Sharif et al., eqs 13a to 16). Direction s is (cosine, sine), that of
-  !> the sliding or, without it, that of the pressure gradient.
+  !> Flow factors [m3/(Pa s)] along the sliding, `factor_s`, and across it, `factor_r`, and the entrainment
+  !> [m/s] that viscosity varying across the film takes from the mean velocity of the bodies, (lag_s, lag_r),
+  !> such that the flow is (u - lag) h - factor dp along each direction (Sharif et al., eqs 13a to 16).
+  !> Direction s is (cosine, sine), that of the sliding or, without it, that of the pressure gradient.
   !>
-  !> The flows without one gradient are those at the same stress halfway, as the arguments in eqs 13a to 16 say.
+  !> The flows without one gradient are those at the same stress halfway, as the arguments in eqs 13a to 16
+  !> say.
   pure subroutine flow_factors(law, levels, strip, cosine, sine, factor_s, factor_r, lag_s, lag_r)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -688,8 +723,8 @@ contains
     end if
   end subroutine unit_vector
 
-  !> Flow factor and lag of point i along the direction of `stress` and of the `drop` h dp [Pa] of stress across the
-  !> film; `stress_across` and `drop_across` are those in the other direction.
+  !> Flow factor and lag of point i along the direction of `stress` and of the `drop` h dp [Pa] of stress
+  !> across the film; `stress_across` and `drop_across` are those in the other direction.
   pure subroutine flow_factor(law, levels, strip, i, stress, drop, stress_across, drop_across, factor, lag)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -697,7 +732,8 @@ contains
     integer, intent(in) :: i
     real(wp), intent(in) :: stress, drop, stress_across, drop_across
     real(wp), intent(out) :: factor, lag
-    !> Least drop, in stresses halfway, that a difference resolves; below it the factor is the one at that drop.
+    !> Least drop, in stresses halfway, that a difference resolves; below it the factor is the one at that
+    !> drop.
     real(wp), parameter :: least_drop = 1e-4_wp
     real(wp) :: across(levels%count), with(levels%count), without(levels%count), share(levels%count), resolved
     real(wp), dimension(levels%count) :: per_reference, per_limit, g, g_without, slope

@@ -1,9 +1,10 @@
 !> How an oil flows under shear: rate = F(tau) = g tau / eta, with g >= 1 the thinning of its law.
 !>
-!> Thinning is written as a function of the square of the stress, by which films shear in two directions (Sharif,
-!> Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. Within half a per cent of
-!> it they are continued exponentially: there a body slips over its film, and the slip follows the shear stress at its
-!> wall. The stress then stays below the limit at any speed, and thinning keeps a derivative.
+!> Thinning is written as a function of the square of the stress, by which films shear in two directions
+!> (Sharif, Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. Within
+!> half a per cent of it they are continued exponentially: there a body slips over its film, and the slip
+!> follows the shear stress at its wall. The stress then stays below the limit at any speed, and thinning
+!> keeps a derivative.
 module flow_laws
   use kinds, only: wp
   implicit none(type, external)
@@ -15,17 +16,17 @@ module flow_laws
   integer, parameter, public :: law_newton = 0
   !> F = tau0/eta sinh(tau/tau0) (Eyring 1936)
   integer, parameter, public :: law_eyring = 1
-  !> F = -tauL/eta ln(1 - tau/tauL) (Bair and Winer 1979; Sharif et al., eq. 5)
+  !> F = -tauL/eta ln(1 - tau/tauL) (Bair and Winer; Sharif et al., eq. 5)
   integer, parameter, public :: law_bair_winer = 2
   !> F = tau0/eta sinh(tau/tau0) tauL^(2 lambda) / (tauL^(2 lambda) - tau^(2 lambda)) (Sharif et al., eq. 6)
   integer, parameter, public :: law_eyring_limited = 3
-  !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Bair 2004; Habchi, Vergne, Bair et al. 2010)
+  !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Carreau's law by stress, as Bair and Habchi use it)
   integer, parameter, public :: law_carreau = 4
 
   !> Share of the limit at which a wall slips (Sharif et al., text to fig. 4).
   real(wp), parameter :: slip_share = 0.995_wp
-  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than any
-  !> ratio of slip to shear, still end below the limit.
+  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than
+  !> any ratio of slip to shear, still end below the limit.
   real(wp), parameter :: slip_step = 1e-4_wp
   !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.
   real(wp), parameter :: largest_eyring = 150.0_wp, largest_slip = 50.0_wp, largest_carreau = 1e30_wp
@@ -64,8 +65,8 @@ contains
     slip_stress = slip_share*limit
   end function slip_stress
 
-  !> Reference and limiting stress [Pa] at pressure `p` [Pa] and mean temperature `rise` [K] of the film above the
-  !> reference temperature, with their derivatives by pressure [-].
+  !> Reference and limiting stress [Pa] at pressure `p` [Pa] and mean temperature `rise` [K] of the film above
+  !> the reference temperature, with their derivatives by pressure [-].
   elemental subroutine stress_scales(law, p, rise, reference, reference_slope, limit, limit_slope)
     type(flow_law), intent(in) :: law
     real(wp), intent(in) :: p, rise
@@ -77,8 +78,9 @@ contains
     limit_slope = law%limit_growth
   end subroutine stress_scales
 
-  !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at `square`
-  !> [Pa2]; `per_reference` and `per_limit` are 1/reference^2 and 1/limit^2 [1/Pa2], which levels of a film share.
+  !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at
+  !> `square` [Pa2]; `per_reference` and `per_limit` are 1/reference^2 and 1/limit^2 [1/Pa2], which levels of
+  !> a film share.
   pure subroutine thinning(law, count, square, per_reference, per_limit, g, slope)
     type(flow_law), intent(in) :: law
     integer, intent(in) :: count
@@ -306,11 +308,12 @@ contains
     stiffness = g_c(1) + 2*c**2*slope_c(1)
     growth = exp((stress - c)/step)
     g = (g_c(1)*c + stiffness*step*(growth - 1))/stress
-    slope = (stiffness*growth - g)/(2*stress**2)
-    if (square > stress**2) slope = 0
+    slope = 0
+    if (stress < c + largest_slip*step) slope = (stiffness*growth - g)/(2*stress**2)
   end subroutine continue_slip
 
-  !> Derivatives [1/Pa] of thinning by the reference and the limiting stress, from `g` and `slope` of `thinning` there.
+  !> Derivatives [1/Pa] of thinning by the reference and the limiting stress, from `g` and `slope` of
+  !> `thinning` there.
   !>
   !> Thinning depends on the ratios of the three stresses only, so that its derivatives obey Euler's relation.
   pure subroutine thinning_by_stresses(law, count, square, reference, limit, g, slope, by_reference, by_limit)
@@ -362,7 +365,8 @@ contains
     slip_by_reference = ((sinh(x) - x*cosh(x))*(excess + excess_slope*growth) - x*sinh(x)*excess*growth/reference)/stress
   end function slip_by_reference
 
-  !> Stress [Pa], about right for a first guess, at which the law shears as a Newtonian oil does at `newtonian` [Pa].
+  !> Stress [Pa], about right for a first guess, at which the law shears as a Newtonian oil does at
+  !> `newtonian` [Pa].
   elemental real(wp) function stress_guess(law, newtonian, reference, limit)
     type(flow_law), intent(in) :: law
     real(wp), intent(in) :: newtonian, reference, limit
