@@ -299,8 +299,8 @@ contains
 
     call find_centre(law, strip, i, centre, turns)
     if (turns .and. hypot(strip%rest_x(i), strip%rest_y(i)) > hypot(strip%us(i), strip%vs(i))) then
-      ! a wall slips too fast, from where Newton's steps are short: back to the middle of the circle, where a film that
-      ! can bear its gradient has both walls within
+      ! a wall slips too fast, from where Newton's steps are short: back to the middle of the circle, where a
+      ! film that can bear its gradient has both walls within
       strip%tau_x(i) = 0
       strip%tau_y(i) = 0
       call sum_rates(law, levels, strip, i, i)
