@@ -110,7 +110,7 @@ class Rung:
     def _shear_figures(self) -> dict[str, float]:
         if not self.film.levels:
             return {}
-        shear = self.film.shear_fields()
+        shear = self.film.heat_fields() if self.film.heated else self.film.shear_fields()
         within = self.covered & (self.film.pressure > 0)
         force = [
             float(stress[within].sum()) * self.grid.cell
