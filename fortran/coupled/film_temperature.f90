@@ -27,7 +27,7 @@ module film_temperature
   !> Columns treated together.
   integer, parameter :: most_columns = 64
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
-  real(wp), parameter :: judged_pressure = 0.005_wp
+  real(wp), parameter :: judged_pressure = 0.02_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
