@@ -26,6 +26,10 @@ FLOOR_SHARE = 1e-3
 TRACE = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
 
+CONTACT_PRESSURE = 0.01
+"""Pressure over the largest down to which friction counts as the contact's. Oil farther out is dragged along
+too, but its friction falls with the gap alone, so that its sum has no end but the bodies'."""
+
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
 
@@ -74,8 +78,8 @@ class Rung:
         Where both surfaces exist.
     far : numpy.ndarray or float
         Deflection by pressure beyond the grid [m].
-    load : float
-        Load that pressure on the grid carries [N].
+    load, whole_load : float
+        Load that pressure on the grid carries, and that of the contact [N].
     sliding : tuple of float
         Velocity of body 1 relative to body 2 at the contact point [m/s].
     film : kernels.PointFilm
@@ -91,6 +95,7 @@ class Rung:
     covered: np.ndarray
     far: np.ndarray | float
     load: float
+    whole_load: float
     sliding: tuple[float, float]
     film: kernels.PointFilm
     coarser: Start | None = None
@@ -111,7 +116,7 @@ class Rung:
         if not self.film.levels:
             return {}
         shear = self.film.heat_fields() if self.film.heated else self.film.shear_fields()
-        within = self.covered & (self.film.pressure > 0)
+        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
         force = [
             float(stress[within].sum()) * self.grid.cell
             for stress in (shear.stress_x, shear.stress_y)
@@ -120,7 +125,7 @@ class Rung:
         speed = hypot(*self.sliding)
         friction = -float(np.dot(force, self.sliding)) / speed if speed > 0 else 0.0
         return {
-            "friction_coefficient": friction / self.load,
+            "friction_coefficient": friction / self.whole_load,
             "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
             "shear_rate_max": float(shear.rate[within].max()),
         }
@@ -231,4 +236,4 @@ def _rung(
         FLOOR_SHARE * size.film,
     )
     sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
-    return Rung(grid, gap, covered, far, load, sliding, film, coarser)
+    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser)
