@@ -76,6 +76,8 @@ class Rung:
         Deflection by pressure beyond the grid [m].
     load : float
         Load that pressure on the grid carries [N].
+    whole_load : float
+        Load of the scene [N].
     sliding : tuple of float
         Velocity of body 1 relative to body 2 at the contact point [m/s].
     film : kernels.PointFilm
@@ -91,6 +93,7 @@ class Rung:
     covered: np.ndarray
     far: np.ndarray | float
     load: float
+    whole_load: float
     sliding: tuple[float, float]
     film: kernels.PointFilm
     coarser: Start | None = None
@@ -120,7 +123,8 @@ class Rung:
         speed = hypot(*self.sliding)
         friction = -float(np.dot(force, self.sliding)) / speed if speed > 0 else 0.0
         return {
-            "friction_coefficient": friction / self.load,
+            # what the grid does not carry makes hardly any friction, but is a part of the load
+            "friction_coefficient": friction / self.whole_load,
             "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
             "shear_rate_max": float(shear.rate[within].max()),
         }
@@ -231,4 +235,4 @@ def _rung(
         FLOOR_SHARE * size.film,
     )
     sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
-    return Rung(grid, gap, covered, far, load, sliding, film, coarser)
+    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser)
