@@ -1,8 +1,8 @@
 """Elliptic contacts at M = 200, L = 10 against an independent dense solver, compressible Roelands oil.
 
-D is the radius along over that across the entrainment. Afterwards D = 5 and 10 on three grids of one window, with the
-order observed: their side lobes are narrow, and the independent solver found no film there. Run from the repository's
-root:
+D is the radius along over that across the entrainment. Afterwards D = 5 and 10 on three grids of one window,
+with the order observed: their side lobes are narrow, and the independent solver had no films there that its
+grids agreed on. Run from the repository's root:
 
     python benchmarks/ellipses.py [order]
 """
@@ -23,7 +23,7 @@ OIL = Oil(Roelands.from_alpha(0.04, 22e-9), Density.dowson_higginson_pole(870.0)
 RADIUS = 0.01
 M, L = 200.0, 10.0
 ACCURACY = 0.003
-LARGEST_GRID = 4_500_000
+LARGEST_GRID = 5_500_000
 # D -> central and minimum film in Moes' units, large inlet (docs/validation.md); None: not found by it
 REFERENCE = {
     1 / 30: (5.355, 4.456),

@@ -1,10 +1,10 @@
-"""What a film costs: whole solves in padded FFT convolutions, where the time goes, and how that grows with the grid.
+"""What a film costs: whole solves in padded FFT convolutions, where the time goes, how that grows.
 
-A convolution on the finest grid, timed in the same run, is the unit; coarser and outer grids are included, and so is
-the sampling of the scene. The split is of processor time: convolutions; fields and flows; the preconditioner; the
-vectors of GMRES; all else, which is Python, sampling and setting up. Beside it stands what no clock can change: the
-convolutions that were counted on the finest grid, and those on all grids in units of that, by their nodes. Run from
-the repository's root:
+A convolution on the finest grid, timed in the same run, is the unit; coarser and outer grids are included, so
+is the sampling of the scene. The split is of processor time: convolutions; fields and flows; the
+preconditioner; the vectors of GMRES; all else, which is Python, sampling and setting up. Beside it is what no
+clock can change: the convolutions counted on the finest grid, and those on all grids in units of that, by
+their nodes. Run from the repository's root:
 
     python benchmarks/film.py                      the cases at 1 %, and to 1e-6 on about 257 x 257 nodes
     python benchmarks/film.py growth [CASE ...]    to 1e-6 on about 129, 257, 513 and 1025 nodes a side
@@ -98,8 +98,8 @@ def split(solution: Solution) -> Iterator[float]:
 
 
 HEADER = (
-    f"{'case':18} {'grid':>11} {'seconds':>8} {'convol.':>8} = {'FFT':>6} {'flow':>6} {'cycle':>6} {'vector':>6} "
-    f"{'else':>6} {'counted':>9} {'all':>6} {'krylov':>7} {'residual':>9}"
+    f"{'case':18} {'grid':>11} {'seconds':>8} {'convol.':>8} = {'FFT':>6} {'flow':>6} {'cycle':>6} "
+    f"{'vector':>6} {'else':>6} {'counted':>9} {'all':>6} {'krylov':>7} {'residual':>9}"
 )
 
 

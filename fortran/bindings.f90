@@ -302,16 +302,22 @@ contains
     slip = field%slip
   end subroutine point_film_shear_fields
 
-  !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2].
-  subroutine point_film_heat_fields(handle, nx, ny, flux, carried)
+  !> Stress at the middle of the film [Pa], heat of shearing [W/m2], the largest shear rate across the film [1/s], heat
+  !> flux into the bodies and what oil carries away, less what compression gives it [W/m2]: as of the last sweep of heat.
+  subroutine point_film_heat_fields(handle, nx, ny, stress_x, stress_y, friction, rate, flux, carried)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(out) :: flux(nx, ny, 2), carried(nx, ny)
+    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), &
+      flux(nx, ny, 2), carried(nx, ny)
     type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
+    stress_x = contact%heat%stress_x
+    stress_y = contact%heat%stress_y
+    friction = contact%heat%friction
+    rate = contact%heat%rate
     flux = contact%heat%walls%flux
     carried = contact%heat%carried
   end subroutine point_film_heat_fields
@@ -345,8 +351,9 @@ contains
     film = contact%fields%h
   end subroutine point_film_thickness
 
-  !> How often each part of the work on a contact was done and the processor time [s] that it took: convolutions,
-  !> fields and flows, building the preconditioner, its cycles, and all of it with whole steps and evaluations.
+  !> How often each part of the work on a contact was done and the processor time [s] that it took:
+  !> convolutions, fields and flows, building the preconditioner, its cycles, and all of it with whole steps
+  !> and evaluations.
   subroutine point_film_work(handle, counts, seconds)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact

@@ -26,6 +26,10 @@ FLOOR_SHARE = 1e-3
 TRACE = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
 
+CONTACT_PRESSURE = 0.01
+"""Pressure over the largest down to which friction counts as the contact's. Oil farther out is dragged along
+too, but its friction falls with the gap alone, so that its sum has no end but the bodies'."""
+
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
 
@@ -50,7 +54,7 @@ class Start:
         return Start(np.maximum(kernels.prolong(self.pressure[window]), 0.0), self.rigid_film)
 
     def beyond(self, coarser: "Start") -> "Start":
-        """What half the spacing again would lead to, at second order, if one half led from `coarser` to this."""
+        """What half the spacing leads to at second order, where twice the spacing led to `coarser`."""
         pressure = (
             self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
         )
@@ -74,10 +78,8 @@ class Rung:
         Where both surfaces exist.
     far : numpy.ndarray or float
         Deflection by pressure beyond the grid [m].
-    load : float
-        Load that pressure on the grid carries [N].
-    whole_load : float
-        Load of the scene [N].
+    load, whole_load : float
+        Load that pressure on the grid carries, and that of the contact [N].
     sliding : tuple of float
         Velocity of body 1 relative to body 2 at the contact point [m/s].
     film : kernels.PointFilm
@@ -113,8 +115,8 @@ class Rung:
     def _shear_figures(self) -> dict[str, float]:
         if not self.film.levels:
             return {}
-        shear = self.film.shear_fields()
-        within = self.covered & (self.film.pressure > 0)
+        shear = self.film.heat_fields() if self.film.heated else self.film.shear_fields()
+        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
         force = [
             float(stress[within].sum()) * self.grid.cell
             for stress in (shear.stress_x, shear.stress_y)
@@ -123,7 +125,6 @@ class Rung:
         speed = hypot(*self.sliding)
         friction = -float(np.dot(force, self.sliding)) / speed if speed > 0 else 0.0
         return {
-            # what the grid does not carry makes hardly any friction, but is a part of the load
             "friction_coefficient": friction / self.whole_load,
             "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
             "shear_rate_max": float(shear.rate[within].max()),

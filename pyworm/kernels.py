@@ -199,6 +199,28 @@ class ShearFields:
     slip: np.ndarray
 
 
+@dataclass(frozen=True)
+class HeatFields:
+    """Fields of a heated film, each of shape (nx, ny) but `flux`.
+
+    Attributes
+    ----------
+    stress_x, stress_y, friction, rate : numpy.ndarray
+        As those of `ShearFields`.
+    flux : numpy.ndarray
+        Heat flux into both bodies [W/m2], shape (nx, ny, 2).
+    carried : numpy.ndarray
+        What oil carries away of the heat, less what compression gives it [W/m2].
+    """
+
+    stress_x: np.ndarray
+    stress_y: np.ndarray
+    friction: np.ndarray
+    rate: np.ndarray
+    flux: np.ndarray
+    carried: np.ndarray
+
+
 LEAST_RISE = 10.0
 """Temperature [K] against which changes are measured where less heat than that is made."""
 
@@ -448,9 +470,9 @@ class PointFilm(_Film):
         _check(status)
         return ShearFields(*fields)
 
-    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
-        """Heat flux into the bodies, shape (nx, ny, 2), and what oil carries away of the friction [W/m2]."""
-        return self._binding("heat_fields")(self._handle, *self._shape)
+    def heat_fields(self) -> HeatFields:
+        """Fields of a heated film, as of its last sweep of heat."""
+        return HeatFields(*self._binding("heat_fields")(self._handle, *self._shape))
 
     def profile(self, node: tuple[int, int], velocity) -> tuple[np.ndarray, np.ndarray]:
         """Velocity (u, v) [m/s] at the levels above a node, where body 1's surface has this `velocity`.

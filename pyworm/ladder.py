@@ -48,7 +48,8 @@ class Stride:
     krylov : int
         GMRES iterations.
     work : dict
-        What was done on the grid since the step before, or since the film was made (`kernels.PointFilm.work`).
+        What was done on the grid since the step before, or since the film was made
+        (`kernels.PointFilm.work`).
     """
 
     points: tuple[int, ...]
@@ -92,7 +93,7 @@ def stride(rung: Rung) -> Stride | None:
 
 
 def lead(rung: Rung, tolerance: float) -> list[Stride]:
-    """Newton steps on a grid that only leads to others: until residual and load error are within a tolerance."""
+    """Newton steps on a grid that only leads to others, until its equations are met within a tolerance."""
     strides: list[Stride] = []
     while len(strides) < MOST_STEPS and rung.film.balance.worst > tolerance:
         taken = stride(rung)

@@ -187,6 +187,6 @@ class PointLadder:
 
 def _heat_balance(rung: Rung) -> float:
     """What both bodies take up and oil carries away, less the heat of shearing, over that."""
-    flux, carried = rung.film.heat_fields()
-    friction = rung.film.shear_fields().friction
-    return float((flux.sum() + carried.sum() - friction.sum()) / friction.sum())
+    heat = rung.film.heat_fields()
+    friction = heat.friction.sum()
+    return float((heat.flux.sum() + heat.carried.sum() - friction) / friction)

@@ -43,7 +43,7 @@ def _place(number: np.intp, field: Array) -> tuple[int, int]:
 
 
 def _vertex(field: Array, i: int, j: int, where: Array) -> tuple[float, tuple[float, float]]:
-    """Minimum of the quadratic surface through the nodes about a field's smallest node (i, j), in node counts.
+    """Minimum of the quadratic surface through the nodes about a field's smallest, (i, j), in node counts.
 
     That node itself on the outline, and where not all nodes about it count.
     """
@@ -104,7 +104,7 @@ ON_NODE = 1e-6
 
 
 def value_at_origin(grid: Grid, field: Array) -> float:
-    """Value of a field at the contact point: at the node there, else by splines through the nodes nearest to it."""
+    """Value of a field at the contact point: the node there, else splines through the nodes nearest to it."""
     i, j = -grid.west / grid.dx, -grid.south / grid.dy
     if max(abs(i - round(i)), abs(j - round(j))) < ON_NODE:
         return float(field[round(i), round(j)])

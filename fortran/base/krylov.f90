@@ -1,11 +1,12 @@
 !> GMRES with left preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.4).
 !>
-!> What is made small is the preconditioned residual: an estimate of the error. The residual itself says little of a
-!> film's error: its roughest parts, at the rupture line and the pressure spike, are the largest and matter least.
+!> What is made small is the preconditioned residual: an estimate of the error. The residual itself says
+!> little of a film's error: its roughest parts, at the rupture line and the pressure spike, are the largest
+!> and matter least.
 !>
-!> The basis is kept in single precision, the most of what an iteration has to read, and orthogonalised by classical
-!> Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the residual that can be reached
-!> to some 1e-6 of the first, far below what a Newton step asks for.
+!> The basis is kept in single precision, the most of what an iteration has to read, and orthogonalised by
+!> classical Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the residual that
+!> can be reached to some 1e-6 of the first, far below what a Newton step asks for.
 module krylov
   use kinds, only: pp, wp
   use vectors, only: dot, normalise, project_out, combine
@@ -33,7 +34,8 @@ module krylov
 
 contains
 
-  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or `most` iterations are done.
+  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or `most` iterations
+  !> are done.
   !>
   !> `basis` is workspace, (size(b), most); `reduction` is the share reached.
   subroutine gmres(system, b, tolerance, most, basis, x, iterations, reduction)

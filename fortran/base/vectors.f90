@@ -1,8 +1,9 @@
 !> Sums and steps over long vectors, on all threads.
 !>
-!> Sums go over blocks of a fixed length, whose sums are then added in order: the result is the same to the last bit
-!> whatever the number of threads. Within a block they go in lanes, which gfortran 12 turns into vector instructions; a
-!> simd directive's reduction it does not, and leave to reorder all sums would spoil those that are in good order.
+!> Sums go over blocks of a fixed length, whose sums are then added in order: the result is the same to the
+!> last bit whatever the number of threads. Within a block they go in lanes, which gfortran 12 turns into
+!> vector instructions; a simd directive's reduction it does not, and leave to reorder all sums would spoil
+!> those that are in good order.
 module vectors
   use kinds, only: pp, wp
   implicit none(type, external)

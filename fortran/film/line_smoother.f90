@@ -10,7 +10,8 @@ module line_smoother
 
   public :: line_systems, new_line_systems, factor_line, relax_line, relax_first
 
-  !> The lines of a field, which run along its first index; (length, count). Points of the outline are never touched.
+  !> The lines of a field, which run along its first index; (length, count). Points of the outline are never
+  !> touched.
   type :: line_systems
     !> What couples a point to the lines before and after.
     real(pp), allocatable :: before(:, :), after(:, :)
@@ -71,7 +72,8 @@ contains
     call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
   end subroutine relax_line
 
-  !> The same in the first sweep from zero: only the neighbour met before, the line before when `rising`, counts.
+  !> The same in the first sweep from zero: only the neighbour met before, the line before when `rising`,
+  !> counts.
   pure subroutine relax_first(self, j, rising, f, x)
     type(line_systems), intent(inout) :: self
     integer, intent(in) :: j

@@ -1,17 +1,17 @@
 !> An approximate solve of the linearised Reynolds equation, by one multigrid V-cycle on a local model.
 !>
 !> The model keeps the five nearest points: diffusion as it is, first-order upwind wedge, and the deflection
-!> kernel cut down to a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the entrainment
-!> and swept downstream, so that the wedge of the model is solved exactly by a sweep; the coarsest grid is solved
-!> by band LU. The cycle preconditions the exact system and decides only how fast that converges, not to what:
-!> hence single precision.
+!> kernel cut down to a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the
+!> entrainment and swept downstream, so that the wedge of the model is solved exactly by a sweep; the
+!> coarsest grid is solved by band LU. The cycle preconditions the exact system and decides only how fast
+!> that converges, not to what: hence single precision.
 !>
-!> Fields of a level have the direction of the lines as their first index: (length, count). They are those of the
-!> film transposed if the entrainment runs, on the whole, along x.
+!> Fields of a level have the direction of the lines as their first index: (length, count). They are those of
+!> the film transposed if the entrainment runs, on the whole, along x.
 !>
-!> A cycle is bound by the memory it reads. Hence a sweep from zero leaves a residual that only the line after each
-!> adds to, which is restricted as it is computed; and the coarse grid's correction is added to a line just before
-!> its neighbour is solved against it, since a line's own old values are never read.
+!> A cycle is bound by the memory it reads. Hence a sweep from zero leaves a residual that only the line
+!> after each adds to, which is restricted as it is computed; and the coarse grid's correction is added to a
+!> line just before its neighbour is solved against it, since a line's own old values are never read.
 module multigrid
   use kinds, only: pp, wp
   use lapack, only: sgbtrf, sgbtrs
@@ -227,8 +227,8 @@ contains
     end do
   end subroutine set_mobility
 
-  !> The five-point matrix of the local model: factored lines, on the coarsest level a band. Rows where pressure is
-  !> not free are those of the identity.
+  !> The five-point matrix of the local model: factored lines, on the coarsest level a band. Rows where
+  !> pressure is not free are those of the identity.
   subroutine set_lines(self, l, m_across)
     type(film_multigrid), intent(inout) :: self
     integer, intent(in) :: l
@@ -274,7 +274,8 @@ contains
     end associate
   end subroutine set_lines
 
-  !> Line j of n points in LAPACK's band storage: element (row, column) stands at (2 n + 1 + row - column, column).
+  !> Line j of n points in LAPACK's band storage: element (row, column) stands at (2 n + 1 + row - column,
+  !> column).
   pure subroutine set_band(band, n, j, centre, left, right, before, after)
     real(pp), intent(inout) :: band(:, :)
     integer, intent(in) :: n, j
@@ -292,7 +293,8 @@ contains
     end do
   end subroutine set_band
 
-  !> Flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, less that by one at 2, `enter`.
+  !> Flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, less that by one at 2,
+  !> `enter`.
   elemental subroutine face_flow(m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length, leave, enter)
     real(pp), intent(in) :: m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length
     real(pp), intent(out) :: leave, enter
@@ -383,7 +385,8 @@ contains
     end associate
   end subroutine cycle_from
 
-  !> Restricts by full weighting what a sweep from zero leaves: x of the line that follows by `step`, by its coupling.
+  !> Restricts by full weighting what a sweep from zero leaves: x of the line that follows by `step`, by its
+  !> coupling.
   subroutine restrict_rest(coupling, x, step, coarse)
     real(pp), contiguous, intent(in) :: coupling(:, :), x(:, :)
     integer, intent(in) :: step
@@ -405,8 +408,8 @@ contains
     end do
   end subroutine restrict_rest
 
-  !> Adds the bilinear interpolant of the coarse field to line j; `row` is workspace. Where pressure is not free no
-  !> coupling reads it.
+  !> Adds the bilinear interpolant of the coarse field to line j; `row` is workspace. Where pressure is not
+  !> free no coupling reads it.
   pure subroutine correct_line(coarse, j, row, fine)
     real(pp), contiguous, intent(in) :: coarse(:, :)
     integer, intent(in) :: j

@@ -30,8 +30,8 @@ module point_film
   !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
   real(wp), parameter :: most_growth = 2
 
-  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its cycles; all of it, by the
-  !> caller.
+  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its cycles; all of it,
+  !> by the caller.
   type :: film_work
     type(work_tally) :: convolution, flow, building, cycle, whole
   end type film_work
@@ -59,8 +59,8 @@ module point_film
     !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
     real(wp), allocatable :: softness(:, :)
     real(wp) :: softness_load = 0
-    !> Scratch of one field; the Newton step's right-hand side, then the pressure it starts from; its solution; the
-    !> Krylov basis.
+    !> Scratch of one field; the Newton step's right-hand side, then the pressure it starts from; its
+    !> solution; the Krylov basis.
     real(wp), allocatable :: dh(:, :), right(:), change(:)
     real(pp), allocatable :: basis(:, :)
     type(film_work) :: work

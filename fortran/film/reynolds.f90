@@ -192,7 +192,8 @@ contains
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: change(:, :)
-    !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the next.
+    !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the
+    !> next.
     real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx), stored(grid%nx), &
       flux(grid%nx)
     integer :: j, k
@@ -237,8 +238,8 @@ contains
     end do
   end subroutine add_diffusion
 
-  !> A row's r from what is stored in its cells and div(q um), with q upwind to second order; next to the outline q is
-  !> the mean of a face's two nodes; `flux` is workspace.
+  !> A row's r from what is stored in its cells and div(q um), with q upwind to second order; next to the
+  !> outline q is the mean of a face's two nodes; `flux` is workspace.
   pure subroutine set_wedge(nx, dx, u, q, before, after, stored, flux, r)
     integer, intent(in) :: nx
     real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), stored(nx)

@@ -58,11 +58,12 @@ contains
     if (rise > largest_exponent) slope = 0
   end subroutine viscosity
 
-  !> Fluidity 1/eta [1/(Pa s)] of points at pressure `p` [Pa] and, at several levels (second index), `rise` [K] above the
-  !> oil's temperature, with its logarithmic derivatives by pressure [1/Pa] and by temperature [1/K].
+  !> Fluidity 1/eta [1/(Pa s)] of points at pressure `p` [Pa] and, at several levels (second index), `rise`
+  !> [K] above the oil's temperature, with its logarithmic derivatives by pressure [1/Pa] and by temperature
+  !> [1/K].
   !>
-  !> Roelands: eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138)/(T0 - 138))^(-s0) - 1]} (Sharif, Kong, Evans and
-  !> Snidle 2001, eq. 20).
+  !> Roelands: eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138)/(T0 - 138))^(-s0) - 1]} (Sharif, Kong,
+  !> Evans and Snidle 2001, eq. 20).
   pure subroutine hot_fluidity(oil, p, rise, fluidity, by_pressure, by_temperature)
     type(oil_law), intent(in) :: oil
     real(wp), contiguous, intent(in) :: p(:), rise(:, :)
@@ -133,8 +134,8 @@ contains
     expansivity = oil%expansivity*exp(-oil%expansivity_decay*p)
   end function expansivity
 
-  !> Density over that at ambient pressure and the oil's temperature, `rho` [-], at `p` [Pa] and `rise` [K] above that
-  !> temperature, and its derivative `slope` [1/Pa] by pressure (Sharif et al. 2001, appendix).
+  !> Density over that at ambient pressure and the oil's temperature, `rho` [-], at `p` [Pa] and `rise` [K]
+  !> above that temperature, and its derivative `slope` [1/Pa] by pressure (Sharif et al. 2001, appendix).
   elemental subroutine hot_density(oil, p, rise, rho, slope)
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: p, rise
