@@ -163,6 +163,8 @@ class Solution:
         Time taken.
     inlet_temperature : float or None
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
+    slide_roll_ratio : float or None
+        Place on a traction curve [-].
     profile : xarray.Dataset or None
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
@@ -180,6 +182,7 @@ class Solution:
     history: xr.Dataset
     cost: Cost
     inlet_temperature: float | None = None
+    slide_roll_ratio: float | None = None
     profile: xr.Dataset | None = None
 
     def summary(self) -> dict:
@@ -194,6 +197,7 @@ class Solution:
             "name": self.name,
             "kind": self.kind,
             "phase": self.phase,
+            "slide_roll_ratio": self.slide_roll_ratio,
             LOAD_KEYS[self.kind]: self.load,
             "converged": self.converged,
             "stop_reason": self.stop_reason,

@@ -110,6 +110,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         name=scene.name,
         kind=ladder.kind,
         phase=scene.phase,
+        slide_roll_ratio=scene.slide_roll_ratio,
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
