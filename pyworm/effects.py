@@ -154,8 +154,6 @@ def plan(scene: Scene | LineScene, accuracy: float = 0.01, effects: str | None =
 
 def _most(scene: Scene | LineScene) -> str:
     """The most complete model that a scene's oil is known well enough for."""
-    if isinstance(scene, LineScene):
-        return "isothermal"
     if scene.oil.heat is not None:
         return "thermal"
     return "isothermal" if scene.oil.flow is None else "sheared"
@@ -164,8 +162,6 @@ def _most(scene: Scene | LineScene) -> str:
 def _model(scene: Scene | LineScene, accuracy: float, name: str) -> Model:
     if name == "isothermal":
         return Model(name)
-    if isinstance(scene, LineScene):
-        raise ValueError(f"effects = {name}: of a line contact only isothermal is simulated")
     if name == "sheared":
         if scene.oil.flow is None:
             raise ValueError("effects = sheared: the oil has no flow law, give [oil.shear]")
@@ -195,7 +191,14 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> Plan:
 
 
 def _plan_line(scene: LineScene, accuracy: float, model: Model) -> Plan:
-    grid, wider = first_grids(scene, line_scales(scene), accuracy)
+    size = line_scales(scene)
+    if model.heated and 0 in scene.velocities:
+        at_rest = scene.velocities.index(0) + 1
+        raise ValueError(
+            f"effects = {model.name}: body {at_rest} is at rest (0 m/s), and a body at rest under a line "
+            "contact warms without end; give it a velocity, or choose sheared or isothermal"
+        )
+    grid, wider = first_grids(scene, size, accuracy)
     return Plan(
         accuracy=accuracy,
         model=model,

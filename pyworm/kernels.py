@@ -199,6 +199,31 @@ class ShearFields:
     slip: np.ndarray
 
 
+@dataclass(frozen=True)
+class LineShearFields:
+    """Fields of a sheared line contact, each of shape (n,).
+
+    Attributes
+    ----------
+    stress : numpy.ndarray
+        Shear stress at the middle of the film, along the velocity of body 2 relative to body 1 [Pa].
+    friction : numpy.ndarray
+        Heat of shearing [W/m2].
+    rate : numpy.ndarray
+        Largest shear rate across the film [1/s].
+    factor : numpy.ndarray
+        Flow factor D of Sharif et al. (2001), equation 13a [m3/(Pa s)].
+    slip : numpy.ndarray
+        Where the film slips: 1 at body 1, 2 at body 2, 3 at both.
+    """
+
+    stress: np.ndarray
+    friction: np.ndarray
+    rate: np.ndarray
+    factor: np.ndarray
+    slip: np.ndarray
+
+
 LEAST_RISE = 10.0
 """Temperature [K] against which changes are measured where less heat than that is made."""
 
@@ -236,6 +261,8 @@ class _Film:
         self._handle, status = made
         _check(status)
         self._shape = shape
+        self.levels = 0
+        self.heated = False
         weakref.finalize(self, self._binding("free"), self._handle)
 
     @classmethod
@@ -250,7 +277,9 @@ class _Film:
         return self.balance
 
     def step(self, forcing: float) -> Step:
-        """One Newton step, its linear system solved to `forcing` times the right-hand side.
+        """One Newton step, and where heat is simulated one sweep of it at the new pressure.
+
+        The linear system is solved to `forcing` times the right-hand side.
 
         Raises
         ------
@@ -268,6 +297,11 @@ class _Film:
         _check(status)
         self.rigid_film = rigid_film
         self.balance = Balance(residual, load_error)
+        if self.heated:
+            change = self._binding("warm")(self._handle)
+            balance = self.start(self.pressure, self.rigid_film)
+            warming = change / max(LEAST_RISE, float(self.rise().max()))
+            self.balance = Balance(balance.residual, balance.load_error, warming)
         return Step(self.balance, krylov, share)
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -277,6 +311,51 @@ class _Film:
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return self._binding("convolve")(self._handle, self.pressure)
+
+    def rise(self) -> np.ndarray:
+        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
+        return self._binding("rise")(self._handle, *self._shape, self.levels)
+
+    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
+        """Heat flux into the bodies, the last index, and what oil carries away of the friction [W/m2]."""
+        return self._binding("heat_fields")(self._handle, *self._shape)
+
+    def _shear(self, law: FlowLaw, levels: int, *sliding) -> None:
+        """Lets the oil flow by a law, body 1 moving over body 2 with the nodal `sliding` [m/s]."""
+        _check(
+            self._binding("shear")(
+                self._handle,
+                *(-_field(component) for component in sliding),
+                _FLOW_LAWS[law.law],
+                law.stress or 1.0,
+                law.stress_pressure,
+                law.stress_temperature,
+                law.limit,
+                law.limit_pressure,
+                law.exponent,
+                levels,
+            )
+        )
+        self.levels = levels
+
+    def _take_heat(self, oil: Oil, bodies, velocities, at_origin, rise) -> None:
+        """Lets film and bodies warm, from a rise above the inlet's temperature or from none."""
+        _check(
+            self._binding("heat")(
+                self._handle,
+                *(_field(component) for component in velocities),
+                _heat_numbers(oil),
+                np.column_stack(
+                    [
+                        _body_numbers(body, oil.heat, velocity)
+                        for body, velocity in zip(bodies, at_origin, strict=True)
+                    ]
+                ),
+            )
+        )
+        if rise is not None:
+            self._binding("set_rise")(self._handle, _field(rise))
+        self.heated = True
 
 
 class PointFilm(_Film):
@@ -319,8 +398,6 @@ class PointFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
-        self.levels = 0
-        self.heated = False
 
     def shear(self, law: FlowLaw, levels: int, sliding) -> None:
         """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
@@ -339,22 +416,7 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice or a velocity is not finite.
         """
-        _check(
-            self._binding("shear")(
-                self._handle,
-                -_field(sliding[0]),
-                -_field(sliding[1]),
-                _FLOW_LAWS[law.law],
-                law.stress or 1.0,
-                law.stress_pressure,
-                law.stress_temperature,
-                law.limit,
-                law.limit_pressure,
-                law.exponent,
-                levels,
-            )
-        )
-        self.levels = levels
+        self._shear(law, levels, *sliding)
 
     def heat(self, oil: Oil, bodies, motions, at_origin, rise=None) -> None:
         """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
@@ -377,41 +439,7 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        (u1, v1), (u2, v2) = motions
-        _check(
-            self._binding("heat")(
-                self._handle,
-                _field(u1),
-                _field(v1),
-                _field(u2),
-                _field(v2),
-                _heat_numbers(oil),
-                np.column_stack(
-                    [
-                        _body_numbers(body, oil.heat, velocity)
-                        for body, velocity in zip(bodies, at_origin, strict=True)
-                    ]
-                ),
-            )
-        )
-        if rise is not None:
-            self._binding("set_rise")(self._handle, _field(rise))
-        self.heated = True
-
-    def step(self, forcing: float) -> Step:
-        """One Newton step, and where heat is simulated one sweep of it at the new pressure."""
-        step = super().step(forcing)
-        if not self.heated:
-            return step
-        change = self._binding("warm")(self._handle)
-        balance = self.start(self.pressure, self.rigid_film)
-        warming = change / max(LEAST_RISE, float(self.rise().max()))
-        self.balance = Balance(balance.residual, balance.load_error, warming)
-        return Step(self.balance, step.krylov, step.share)
-
-    def rise(self) -> np.ndarray:
-        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, shape (nx, ny, levels)."""
-        return self._binding("rise")(self._handle, *self._shape, self.levels)
+        self._take_heat(oil, bodies, [of for motion in motions for of in motion], at_origin, rise)
 
     def shear_fields(self) -> ShearFields:
         """Fields of a sheared film.
@@ -424,10 +452,6 @@ class PointFilm(_Film):
         *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
         _check(status)
         return ShearFields(*fields)
-
-    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
-        """Heat flux into the bodies, shape (nx, ny, 2), and what oil carries away of the friction [W/m2]."""
-        return self._binding("heat_fields")(self._handle, *self._shape)
 
     def profile(self, node: tuple[int, int], velocity) -> tuple[np.ndarray, np.ndarray]:
         """Velocity (u, v) [m/s] at the levels above a node, where body 1's surface has this `velocity`.
@@ -514,6 +538,71 @@ class LineFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+
+    def shear(self, law: FlowLaw, levels: int, sliding) -> None:
+        """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
+
+        Parameters
+        ----------
+        law : FlowLaw
+            The oil's law.
+        levels : int
+            Levels across the film, walls included.
+        sliding : array_like
+            Velocity of body 1 relative to body 2 at the nodes [m/s].
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a velocity is not finite.
+        """
+        self._shear(law, levels, sliding)
+
+    def heat(self, oil: Oil, bodies, velocities, rise=None) -> None:
+        """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
+
+        Parameters
+        ----------
+        oil : Oil
+            Oil that is known to take heat.
+        bodies : tuple of Body
+            Both bodies, with thermal constants.
+        velocities : tuple of float
+            Velocity of each body's surface [m/s], neither of them zero.
+        rise : array_like, optional
+            Temperature above the inlet's to begin with [K], shape (n, levels).
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a body is at rest.
+        """
+        of_body_1 = np.full(self._shape, velocities[0])
+        self._take_heat(oil, bodies, [of_body_1], [(velocity,) for velocity in velocities], rise)
+
+    def shear_fields(self) -> LineShearFields:
+        """Fields of a sheared film.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
+        _check(status)
+        return LineShearFields(*fields)
+
+    def profile(self, node: int, velocity: float) -> np.ndarray:
+        """Velocity [m/s] at the levels above an inner node, where body 1's surface has this `velocity`.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        u, status = self._binding("profile")(self._handle, node + 1, velocity, self.levels)
+        _check(status)
+        return u
 
 
 def level_positions(levels: int) -> np.ndarray:

@@ -15,7 +15,7 @@ module film_column
   implicit none(type, external)
   private
 
-  public :: film_strip, new_film_strip, solve_columns, warm_walls
+  public :: film_strip, new_film_strip, solve_columns, solve_column, warm_walls
 
   !> Columns solved together: some vector registers, and matrices that stay in the first cache.
   integer, parameter :: lanes = 16
@@ -33,6 +33,8 @@ module film_column
   type :: film_strip
     integer :: columns = 0
     type(levels_across) :: levels
+    !> Least pivots of the inner levels, in conductivity/h.
+    real(wp), allocatable :: least_pivot(:)
     !> Film thickness [m] and conductivity of the oil [W/(m K)], (m).
     real(wp), allocatable :: thickness(:), conductivity(:)
     !> Temperature of the two walls [K], (m, 2).
@@ -68,6 +70,7 @@ contains
     if (m < 1 .or. n < 3) return
     strip%columns = m
     strip%levels = levels
+    strip%least_pivot = least_share*conduction_pivots(levels)
     allocate (strip%thickness(m), strip%conductivity(m), strip%wall(m, 2), strip%absorption(m, n), strip%source(m, n), &
       strip%known(m, n), strip%growth(m, n), strip%loading(m, n, 2), strip%relief(m, n, 2), strip%temperature(m, n), &
       strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), stat=err)
@@ -77,24 +80,38 @@ contains
   !> Temperature, fluxes and their derivatives with respect to the walls.
   pure subroutine solve_columns(strip)
     type(film_strip), intent(inout) :: strip
-    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
-    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
-    !> Change of the inner levels' temperature, with walls as known, and its derivatives with respect to the walls.
-    real(wp) :: change(lanes, strip%levels%count, 3)
-    real(wp) :: least_pivot(strip%levels%count), rise(strip%columns, 2)
-    integer :: first, count
+    real(wp) :: rise(strip%columns, 2)
+    integer :: first
 
-    least_pivot = least_share*conduction_pivots(strip%levels)
     do first = 1, strip%columns, lanes
-      count = min(lanes, strip%columns - first + 1)
-      call set_balances(strip, first, count, matrix, excess)
-      call solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
-      call set_walls(strip, first, count, matrix, excess, change)
+      call solve_together(strip, first, min(lanes, strip%columns - first + 1))
     end do
     rise(:, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
     rise(:, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
     call warm_walls(strip, rise)
   end subroutine solve_columns
+
+  !> The same for one column alone, whose walls stay as known.
+  pure subroutine solve_column(strip, column)
+    type(film_strip), intent(inout) :: strip
+    integer, intent(in) :: column
+
+    call solve_together(strip, column, 1)
+  end subroutine solve_column
+
+  !> The same for `count` columns from `first` on, whose walls stay as known.
+  pure subroutine solve_together(strip, first, count)
+    type(film_strip), intent(inout) :: strip
+    integer, intent(in) :: first, count
+    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
+    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
+    !> Change of the inner levels' temperature, and its derivatives with respect to the walls.
+    real(wp) :: change(lanes, strip%levels%count, 3)
+
+    call set_balances(strip, first, count, matrix, excess)
+    call solve_inner_levels(strip, first, count, strip%least_pivot, matrix, excess, change)
+    call set_walls(strip, first, count, matrix, excess, change)
+  end subroutine solve_together
 
   !> Pivots of the inner levels in the elimination of conduction alone, in conductivity/h.
   pure function conduction_pivots(levels) result(pivot)
