@@ -62,6 +62,9 @@ LARGEST_LINE = 33_000
 LINE_TOLERANCE = 1e-6
 """Residual allowed in a line contact: Newton's last step falls far below it at no cost."""
 
+HEATED_LINE_SHARE = 0.01
+"""The same of one that warms, as a share of the accuracy asked for: film and temperature take turns."""
+
 RESIDUAL_SHARE = 0.1
 """Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
 
@@ -198,7 +201,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> Plan:
             f"effects = {model.name}: body {at_rest} is at rest (0 m/s), and a body at rest under a line "
             "contact warms without end; give it a velocity, or choose sheared or isothermal"
         )
-    grid, wider = first_grids(scene, size, accuracy)
+    grid, wider = first_grids(scene, size, accuracy, model.heated)
     return Plan(
         accuracy=accuracy,
         model=model,
@@ -206,7 +209,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> Plan:
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
-        tolerance=LINE_TOLERANCE,
+        tolerance=HEATED_LINE_SHARE * accuracy if model.heated else LINE_TOLERANCE,
         expected_convolutions=LINE_CONVOLUTIONS,
     )
 

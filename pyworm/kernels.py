@@ -140,7 +140,8 @@ class Balance:
     load_error : float
         Missing load over the load.
     warming : float
-        Last change of the film's temperature over its largest rise; zero where heat is not simulated.
+        Last change of the film's temperature over its largest rise; zero where heat is not simulated,
+        infinite before the first.
     """
 
     residual: float
@@ -263,6 +264,7 @@ class _Film:
         self._shape = shape
         self.levels = 0
         self.heated = False
+        self._warming = 0.0
         weakref.finalize(self, self._binding("free"), self._handle)
 
     @classmethod
@@ -273,7 +275,8 @@ class _Film:
         """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
         self.pressure = _field(pressure).copy(order="F")
         self.rigid_film = rigid_film
-        self.balance = Balance(*self._binding("evaluate")(self._handle, self.pressure, rigid_film))
+        residual, load_error = self._binding("evaluate")(self._handle, self.pressure, rigid_film)
+        self.balance = Balance(residual, load_error, self._warming)
         return self.balance
 
     def step(self, forcing: float) -> Step:
@@ -296,12 +299,11 @@ class _Film:
         )
         _check(status)
         self.rigid_film = rigid_film
-        self.balance = Balance(residual, load_error)
+        self.balance = Balance(residual, load_error, self._warming)
         if self.heated:
             change = self._binding("warm")(self._handle)
-            balance = self.start(self.pressure, self.rigid_film)
-            warming = change / max(LEAST_RISE, float(self.rise().max()))
-            self.balance = Balance(balance.residual, balance.load_error, warming)
+            self._warming = change / max(LEAST_RISE, float(self.rise().max()))
+            self.start(self.pressure, self.rigid_film)
         return Step(self.balance, krylov, share)
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -356,6 +358,7 @@ class _Film:
         if rise is not None:
             self._binding("set_rise")(self._handle, _field(rise))
         self.heated = True
+        self._warming = np.inf
 
 
 class PointFilm(_Film):

@@ -28,6 +28,8 @@ module line_temperature
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.01_wp
   integer, parameter :: most_wall_iterations = 20
+  !> Share of the faster body's velocity below which oil is slow.
+  real(wp), parameter :: slow_share = 0.2_wp
 
   !> Temperatures are those above the inlet's.
   type :: line_heat
@@ -208,23 +210,44 @@ contains
 
   !> What convection takes from the levels at node i for each kelvin, `absorption` [W/(m3 K)], and brings them, `inflow`
   !> [W/m3], by differences to the one or two nodes from where oil comes.
+  !>
+  !> Where oil flows both ways, levels of little velocity have it from both sides: else one that turns from sweep to
+  !> sweep would have it now from the inlet, now from the contact.
   pure subroutine bring(rise, flow, i, absorption, inflow)
-    real(wp), intent(in) :: rise(:, :), flow(:)
+    real(wp), contiguous, intent(in) :: rise(:, :)
+    real(wp), intent(in) :: flow(:)
     integer, intent(in) :: i
     real(wp), intent(out) :: absorption(:), inflow(:)
-    integer :: k, up
+    real(wp) :: slow, from_before
+    integer :: k
 
+    slow = tiny(slow)
+    if (minval(flow) < 0 .and. maxval(flow) > 0) slow = slow_share*maxval(abs(flow([1, size(flow)])))
     do k = 1, size(flow)
-      up = merge(-1, 1, flow(k) > 0)
-      if (i + 2*up >= 1 .and. i + 2*up <= size(rise, 1)) then
-        absorption(k) = 1.5_wp*abs(flow(k))
-        inflow(k) = abs(flow(k))*(2*rise(i + up, k) - 0.5_wp*rise(i + 2*up, k))
-      else
-        absorption(k) = abs(flow(k))
-        inflow(k) = abs(flow(k))*rise(i + up, k)
-      end if
+      from_before = min(max((1 + flow(k)/slow)/2, 0.0_wp), 1.0_wp)
+      absorption(k) = 0
+      inflow(k) = 0
+      call bring_from(-1, rise(:, k), i, from_before*abs(flow(k)), from_before >= 1, absorption(k), inflow(k))
+      call bring_from(1, rise(:, k), i, (1 - from_before)*abs(flow(k)), from_before <= 0, absorption(k), inflow(k))
     end do
   end subroutine bring
+
+  !> Adds what a `rate` [W/(m3 K)] of oil takes and brings from one side of node i.
+  pure subroutine bring_from(side, rise, i, rate, second, absorption, inflow)
+    integer, intent(in) :: side, i
+    logical, intent(in) :: second
+    real(wp), contiguous, intent(in) :: rise(:)
+    real(wp), intent(in) :: rate
+    real(wp), intent(inout) :: absorption, inflow
+
+    if (second .and. i + 2*side >= 1 .and. i + 2*side <= size(rise)) then
+      absorption = absorption + 1.5_wp*rate
+      inflow = inflow + rate*(2*rise(i + side) - 0.5_wp*rise(i + 2*side))
+    else
+      absorption = absorption + rate
+      inflow = inflow + rate*rise(i + side)
+    end if
+  end subroutine bring_from
 
   !> Fluxes and admittances of a strip's columns for the walls, what oil carries away, and the largest change of
   !> temperature [K] at nodes of more than a `judged` pressure [Pa].

@@ -19,7 +19,8 @@ module film_column
 
   !> Columns solved together: some vector registers, and matrices that stay in the first cache.
   integer, parameter :: lanes = 16
-  !> Most growth of heat with temperature, beyond absorption, that enters, in conductivity/h2. Conduction between the
+  !> Most growth of heat with temperature that enters, in conductivity/h2, whatever oil carries away: where it carries all,
+  !> a column must not be warmer by more than those are from which oil comes. Conduction between the
   !> walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4 pi2 in the second.
   !> Stress is relieved where the film warms as a whole: hence a bound on the second mode, and a tighter one on what
   !> relief leaves of the first. A linearisation that grows faster sends Newton's method astray; what is left out alters
@@ -160,10 +161,9 @@ contains
       end do
       do c = 1, count
         i = first + c - 1
-        growth(c) = strip%growth(i, k) - strip%absorption(i, k)
-        growth(c) = min(growth(c), most_growth*conductance(c)/strip%thickness(i), &
+        growth(c) = min(strip%growth(i, k), most_growth*conductance(c)/strip%thickness(i), &
           strip%loading(i, k, 1)*relief(c, 1) + strip%loading(i, k, 2)*relief(c, 2) &
-          + most_growth_of_all*conductance(c)/strip%thickness(i))
+          + most_growth_of_all*conductance(c)/strip%thickness(i)) - strip%absorption(i, k)
         matrix(c, k, k) = matrix(c, k, k) - volume(c)*growth(c)
       end do
     end do

@@ -40,6 +40,8 @@ class LineRung:
         Undeformed gap [m].
     covered : numpy.ndarray
         Where both surfaces exist.
+    sliding : float
+        Velocity of body 1 relative to body 2 [m/s].
     load : float
         Load for each length, what pressure beyond the grid carries included [N/m].
     film : kernels.LineFilm
@@ -51,6 +53,7 @@ class LineRung:
     grid: LineGrid
     gap: Array
     covered: Array
+    sliding: float
     load: float
     film: LineFilm
 
@@ -72,10 +75,10 @@ class LineRung:
             return {}
         shear = self.film.shear_fields()
         within = self.covered & (self.film.pressure > 0)
+        # without sliding there is no friction, and no digit of it
+        force = abs(float(shear.stress[within].sum())) * self.grid.dx if self.sliding else 0.0
         return {
-            "friction_coefficient": abs(float(shear.stress[within].sum()))
-            * self.grid.dx
-            / self.load,
+            "friction_coefficient": force / self.load,
             "power_loss": float(shear.friction[within].sum()) * self.grid.dx,
             "shear_rate_max": float(shear.rate[within].max()),
         }
@@ -118,22 +121,24 @@ def next_rung(scene: LineScene, size: LineScales, rung: LineRung) -> LineRung:
     )
 
 
-def with_shear(
-    scene: LineScene, model: Model, rung: LineRung, before: LineRung | None = None
-) -> LineRung:
-    """Lets the film of a rung flow by the oil's law, and warm, from its present pressure.
-
-    It starts at the temperature of the rung before, on its own grid or on that of twice the spacing.
-    """
+def with_shear(scene: LineScene, model: Model, rung: LineRung) -> None:
+    """Lets the film of a rung flow by the oil's law, from its present pressure."""
     film = rung.film
     film.shear(scene.oil.flow or NEWTONIAN, model.levels, np.full(rung.grid.nodes, scene.sliding))
-    if model.heated:
-        rise = None if before is None else before.film.rise()
-        if rise is not None and before.grid != rung.grid:
-            rise = np.stack([_prolonged(level) for level in rise.T], axis=1)
-        film.heat(scene.oil, scene.bodies, scene.velocities, rise)
     film.start(film.pressure, film.rigid_film)
-    return rung
+
+
+def with_heat(scene: LineScene, rung: LineRung, before: LineRung | None = None) -> None:
+    """Lets the sheared film of a rung warm, from its present pressure.
+
+    It starts at the temperature of the rung before, on the same grid or on that of twice the spacing.
+    """
+    film = rung.film
+    rise = None if before is None else before.film.rise()
+    if rise is not None and before.grid != rung.grid:
+        rise = np.stack([_prolonged(level) for level in rise.T], axis=1)
+    film.heat(scene.oil, scene.bodies, scene.velocities, rise)
+    film.start(film.pressure, film.rigid_film)
 
 
 def _entered(
@@ -163,7 +168,7 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return LineRung(grid, gap, covered, scene.load, film)
+    return LineRung(grid, gap, covered, scene.sliding, scene.load, film)
 
 
 def _prolonged(field: Array) -> Array:
