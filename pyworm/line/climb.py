@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.accuracy import Reading
 from pyworm.effects import Model
 from pyworm.kernels import LineFilm
-from pyworm.line.far_field import line_far_field
+from pyworm.line.far_field import LineFarField, line_far_field
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
@@ -44,6 +44,8 @@ class LineRung:
         Velocity of body 1 relative to body 2 [m/s].
     load : float
         Load for each length, what pressure beyond the grid carries included [N/m].
+    beyond : LineFarField
+        What lies before its inlet.
     film : kernels.LineFilm
         The kernel's film, in its present state.
     """
@@ -55,6 +57,7 @@ class LineRung:
     covered: Array
     sliding: float
     load: float
+    beyond: LineFarField
     film: LineFilm
 
     def read(self) -> Reading:
@@ -75,11 +78,12 @@ class LineRung:
             return {}
         shear = self.film.shear_fields()
         within = self.covered & (self.film.pressure > 0)
-        # without sliding there is no friction, and no digit of it
-        force = abs(float(shear.stress[within].sum())) * self.grid.dx if self.sliding else 0.0
+        force = float(shear.stress[within].sum()) * self.grid.dx + self.beyond.friction
+        power = float(shear.friction[within].sum()) * self.grid.dx + self.beyond.power
         return {
-            "friction_coefficient": force / self.load,
-            "power_loss": float(shear.friction[within].sum()) * self.grid.dx,
+            # without sliding there is no friction, and no digit of it
+            "friction_coefficient": abs(force) / self.load if self.sliding else 0.0,
+            "power_loss": power,
             "shear_rate_max": float(shear.rate[within].max()),
         }
 
@@ -97,7 +101,7 @@ class LineRung:
 
 def first_rung(scene: LineScene, size: LineScales, grid: LineGrid, lift: float) -> LineRung:
     """The coarsest grid, entered from the dry contact lifted by a film [m]; no oil lies before its inlet."""
-    rung = _rung(scene, size, grid, scene.load)
+    rung = _rung(scene, size, grid, LineFarField(0.0, 0.0))
     dry = size.hertz.pressure(grid.x)
     for _ in range(SMOOTHINGS):
         dry[1:-1] = (dry[:-2] + 2 * dry[1:-1] + dry[2:]) / 4
@@ -147,15 +151,14 @@ def _entered(
     """A grid entered from a pressure on it; oil comes to its inlet as the rung before lets it."""
     film, _, _ = before.film.fields()
     beyond = line_far_field(scene, before.grid, before.film.pressure, film)
-    # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
-    rung = _rung(scene, size, grid, scene.load - beyond.load + beyond.pressure * grid.dx / 2)
+    rung = _rung(scene, size, grid, beyond)
     started = np.where(rung.covered, pressure, 0.0)
     started[[0, -1]] = (beyond.pressure, 0.0) if scene.entrainment > 0 else (0.0, beyond.pressure)
     rung.film.start(started, before.film.rigid_film)
     return rung
 
 
-def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> LineRung:
+def _rung(scene: LineScene, size: LineScales, grid: LineGrid, beyond: LineFarField) -> LineRung:
     gap, covered = scene.gap(grid.x)
     film = LineFilm(
         gap,
@@ -164,11 +167,12 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         np.zeros(grid.nodes),
         grid.dx,
         scene.reduced_modulus,
-        load,
+        # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
+        scene.load - beyond.load + beyond.pressure * grid.dx / 2,
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return LineRung(grid, gap, covered, scene.sliding, scene.load, film)
+    return LineRung(grid, gap, covered, scene.sliding, scene.load, beyond, film)
 
 
 def _prolonged(field: Array) -> Array:
