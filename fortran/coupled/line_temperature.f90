@@ -214,17 +214,20 @@ contains
   !> Where oil flows both ways, levels of little velocity have it from both sides: else one that turns from sweep to
   !> sweep would have it now from the inlet, now from the contact.
   pure subroutine bring(rise, flow, i, absorption, inflow)
-    real(wp), contiguous, intent(in) :: rise(:, :)
-    real(wp), intent(in) :: flow(:)
+    real(wp), intent(in) :: rise(:, :), flow(:)
     integer, intent(in) :: i
     real(wp), intent(out) :: absorption(:), inflow(:)
     real(wp) :: slow, from_before
     integer :: k
 
-    slow = tiny(slow)
+    slow = 0
     if (minval(flow) < 0 .and. maxval(flow) > 0) slow = slow_share*maxval(abs(flow([1, size(flow)])))
     do k = 1, size(flow)
-      from_before = min(max((1 + flow(k)/slow)/2, 0.0_wp), 1.0_wp)
+      if (abs(flow(k)) < slow) then
+        from_before = (1 + flow(k)/slow)/2
+      else
+        from_before = merge(1, 0, flow(k) > 0)
+      end if
       absorption(k) = 0
       inflow(k) = 0
       call bring_from(-1, rise(:, k), i, from_before*abs(flow(k)), from_before >= 1, absorption(k), inflow(k))
@@ -232,12 +235,12 @@ contains
     end do
   end subroutine bring
 
-  !> Adds what a `rate` [W/(m3 K)] of oil takes and brings from one side of node i.
+  !> Adds what a `rate` [W/(m3 K)] of oil takes and brings from one side of node i, by a difference of `second` order or of
+  !> first, with which errors of values that lag behind do not grow from sweep to sweep.
   pure subroutine bring_from(side, rise, i, rate, second, absorption, inflow)
     integer, intent(in) :: side, i
+    real(wp), intent(in) :: rise(:), rate
     logical, intent(in) :: second
-    real(wp), contiguous, intent(in) :: rise(:)
-    real(wp), intent(in) :: rate
     real(wp), intent(inout) :: absorption, inflow
 
     if (second .and. i + 2*side >= 1 .and. i + 2*side <= size(rise)) then
