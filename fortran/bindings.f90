@@ -9,8 +9,9 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve, point_film_shear, point_film_heat, point_film_warm, point_film_rise, &
-    point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
+    point_film_convolve, point_film_work, point_film_thickness, point_film_entrain, point_film_shear, &
+    point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, &
+    point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve, line_film_shear, line_film_heat, line_film_warm, line_film_rise, &
     line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
@@ -103,6 +104,20 @@ contains
     deallocate (contact)
   end subroutine point_film_free
 
+  !> Changes the nodal entrainment of a contact to (u, v) [m/s].
+  subroutine point_film_entrain(handle, u, v, nx, ny)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use point_film, only: entrain
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: u(nx, ny), v(nx, ny)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call entrain(contact%point_contact, u, v)
+  end subroutine point_film_entrain
+
   !> Gives a contact's oil a flow law; see `flow_laws` and `point_film` for the arguments.
   subroutine point_film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
       reference_decay, limit, limit_growth, exponent, levels, stat)
@@ -139,7 +154,9 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
+    call contact%work%whole%start()
     call film_residual(contact%point_contact, p, h0, residual, load_error)
+    call contact%work%whole%finish()
   end subroutine point_film_evaluate
 
   !> One Newton step from the state last evaluated; p and h0 are replaced.
@@ -162,7 +179,9 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
+    call contact%work%whole%start()
     call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    call contact%work%whole%finish()
   end subroutine point_film_step
 
   !> Film [m], viscosity-free mobility [m3/(Pa s)], relative density and net outflow [m/s] as last evaluated.
@@ -199,26 +218,31 @@ contains
   !>
   !> `oil` holds T0 [K], the exponent of viscosity with temperature, expansivity and its decay (`oil_laws`),
   !> conductivity, c1, c2, capacity, k1, k2, b0, b1, b2 (`oil_heat`); `bodies` conductivity, heat capacity and bulk
-  !> temperature above the inlet's of each, and the velocity (u, v) of its surface at the contact point.
-  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, stat)
+  !> temperature above the inlet's of each; `semi` the contact's semi-axes [m]. `errors` are those of the bodies' model
+  !> of conduction (`conduction_model`).
+  subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, semi, errors, stat)
+    use conducting_body, only: new_conducting_body
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact, heat_contact
     use heated_surface, only: heated_body
-    use moving_source, only: moving_body, new_moving_body
     use oil_heat, only: oil_heat_law
     use status, only: status_ok
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
-    real(c_double), intent(in) :: oil(13), bodies(5, 2)
+    real(c_double), intent(in) :: oil(13), bodies(3, 2), semi(2)
+    real(c_double), intent(out) :: errors(2)
     integer(c_int), intent(out) :: stat
     type(heated_contact), pointer :: contact
     class(heated_body), allocatable :: body_1, body_2
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call new_body(bodies(:, 1), body_1)
-    if (stat == status_ok) call new_body(bodies(:, 2), body_2)
+    associate (heat => contact%fields%p, dx => contact%grid%dx, dy => contact%grid%dy)
+      call new_conducting_body(u1, v1, heat, semi, dx, dy, bodies(1, 1), bodies(2, 1), body_1, errors(1), stat)
+      if (stat == status_ok) call new_conducting_body(u2, v2, heat, semi, dx, dy, bodies(1, 2), bodies(2, 2), body_2, &
+        errors(2), stat)
+    end associate
     if (stat /= status_ok) return
     contact%oil%temperature = oil(1)
     contact%oil%thermal_exponent = oil(2)
@@ -226,20 +250,6 @@ contains
     contact%oil%expansivity_decay = oil(4)
     call heat_contact(contact, oil_heat_law(oil(5), oil(6), oil(7), oil(8), oil(9), oil(10), oil(11), oil(12), oil(13)), &
       u1, v1, body_1, body_2, bodies(3, :), stat)
-
-  contains
-
-    !> A body on the contact's grid.
-    subroutine new_body(body, surface)
-      real(c_double), intent(in) :: body(5)
-      class(heated_body), allocatable, intent(out) :: surface
-      type(moving_body), allocatable :: moving
-
-      allocate (moving)
-      call new_moving_body(moving, nx, ny, contact%grid%dx, contact%grid%dy, body(4), body(5), body(1), body(2), stat)
-      call move_alloc(moving, surface)
-    end subroutine new_body
-
   end subroutine point_film_heat
 
   !> One sweep of heat through a contact (`film_temperature`); `change` is the largest of its temperature [K].
@@ -308,16 +318,22 @@ contains
     slip = field%slip
   end subroutine point_film_shear_fields
 
-  !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2].
-  subroutine point_film_heat_fields(handle, nx, ny, flux, carried)
+  !> Stress at the middle of the film [Pa], heat of shearing [W/m2], the largest shear rate across the film [1/s], heat
+  !> flux into the bodies and what oil carries away, less what compression gives it [W/m2]: as of the last sweep of heat.
+  subroutine point_film_heat_fields(handle, nx, ny, stress_x, stress_y, friction, rate, flux, carried)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(out) :: flux(nx, ny, 2), carried(nx, ny)
+    real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), &
+      flux(nx, ny, 2), carried(nx, ny)
     type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
+    stress_x = contact%heat%stress_x
+    stress_y = contact%heat%stress_y
+    friction = contact%heat%friction
+    rate = contact%heat%rate
     flux = contact%heat%walls%flux
     carried = contact%heat%carried
   end subroutine point_film_heat_fields
@@ -337,6 +353,38 @@ contains
     contact => contact_of(handle)
     call film_profile(contact%point_contact, i, j, u1, v1, u, v, stat)
   end subroutine point_film_profile
+
+  !> Film [m] alone, as last evaluated.
+  subroutine point_film_thickness(handle, nx, ny, film)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: film(nx, ny)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    film = contact%fields%h
+  end subroutine point_film_thickness
+
+  !> How often each part of the work on a contact was done and the processor time [s] that it took:
+  !> convolutions, fields and flows, building the preconditioner, its cycles, and all of it with whole steps
+  !> and evaluations.
+  subroutine point_film_work(handle, counts, seconds)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: counts(5)
+    real(c_double), intent(out) :: seconds(5)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    associate (work => contact%work)
+      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%whole%count]
+      seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
+        work%whole%seconds]
+    end associate
+  end subroutine point_film_work
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
@@ -476,9 +524,8 @@ contains
 
   !> Heat of a line contact whose oil has a flow law; see `line_temperature` for the arguments.
   !>
-  !> `oil` as in `point_film_heat`; `bodies` holds conductivity, heat capacity, bulk temperature above the inlet's and
-  !> velocity of the surface of each.
-  subroutine line_film_heat(handle, u1, n, oil, bodies, stat)
+  !> `oil` and `bodies` as in `point_film_heat`; `velocities` [m/s] are those of both surfaces, neither of them zero.
+  subroutine line_film_heat(handle, u1, n, oil, bodies, velocities, stat)
     use heated_surface, only: heated_body
     use line_handle, only: contact_of
     use line_source, only: line_body, new_line_body
@@ -488,15 +535,15 @@ contains
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: u1(n)
-    real(c_double), intent(in) :: oil(13), bodies(4, 2)
+    real(c_double), intent(in) :: oil(13), bodies(3, 2), velocities(2)
     integer(c_int), intent(out) :: stat
     type(heated_line), pointer :: contact
     class(heated_body), allocatable :: body_1, body_2
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call new_body(bodies(:, 1), body_1)
-    if (stat == status_ok) call new_body(bodies(:, 2), body_2)
+    call new_body(1, body_1)
+    if (stat == status_ok) call new_body(2, body_2)
     if (stat /= status_ok) return
     contact%oil%temperature = oil(1)
     contact%oil%thermal_exponent = oil(2)
@@ -509,12 +556,12 @@ contains
 
     !> A body on the contact's grid.
     subroutine new_body(body, surface)
-      real(c_double), intent(in) :: body(4)
+      integer, intent(in) :: body
       class(heated_body), allocatable, intent(out) :: surface
       type(line_body), allocatable :: moving
 
       allocate (moving)
-      call new_line_body(moving, n, contact%grid%dx, body(4), body(1), body(2), stat)
+      call new_line_body(moving, n, contact%grid%dx, velocities(body), bodies(1, body), bodies(2, body), stat)
       call move_alloc(moving, surface)
     end subroutine new_body
 

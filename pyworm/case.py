@@ -4,6 +4,7 @@ import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,15 @@ from pyworm.case_error import CaseError, sentence
 from pyworm.contact_scene import contact_scene
 from pyworm.line.scene import LineScene
 from pyworm.scene import Scene
-from pyworm.schema import CONTACT_CASES, AnyContactCase, ContactCase, DriveCase, PublishedValue
+from pyworm.schema import (
+    CONTACT_CASES,
+    AnyContactCase,
+    ContactCase,
+    DriveCase,
+    GapCase,
+    PointCase,
+    PublishedValue,
+)
 
 
 @dataclass(frozen=True)
@@ -60,6 +69,14 @@ class Case:
         return self.tables.operation.phases if isinstance(self.tables, DriveCase) else ()
 
     @property
+    def slide_roll_ratios(self) -> tuple[float, ...]:
+        """Slide-roll ratios of a traction curve; empty where velocities are given, or a drive."""
+        tables = self.tables
+        if not isinstance(tables, PointCase | GapCase):
+            return ()
+        return tables.motion.slide_roll_ratios or ()
+
+    @property
     def resolved(self) -> dict[str, Any]:
         """The whole case as plain numbers in SI, defaults filled in: for provenance."""
         return {"name": self.name, **self.tables.model_dump(mode="json")}
@@ -93,25 +110,39 @@ class Case:
         except ValueError as error:
             raise CaseError(f"drive.{error}") from error
 
-    def scene(self, phase: float | None = None) -> Scene | LineScene:
+    def scene(
+        self, phase: float | None = None, slide_roll_ratio: float | None = None
+    ) -> Scene | LineScene:
         """One contact at one instant.
 
         Parameters
         ----------
         phase : float, optional
             Place in the mesh cycle, 0 to 1; by default the first of the case's phases. Only for drives.
+        slide_roll_ratio : float, optional
+            Place on the traction curve; by default the first of the case's slide-roll ratios. Only for cases
+            that give a mean velocity.
 
         Raises
         ------
         CaseError
-            No contact at this phase, or a phase given where there is no mesh cycle.
+            No contact at this phase, a phase given where there is no mesh cycle, or a slide-roll ratio where
+            no mean velocity is given.
         """
+        if slide_roll_ratio is not None and not self.slide_roll_ratios:
+            raise CaseError(
+                f"slide-roll ratio {slide_roll_ratio:g}: {self.name} gives no motion.mean_velocity"
+            )
+        if slide_roll_ratio is not None and not isfinite(slide_roll_ratio):
+            raise CaseError(f"slide-roll ratio {slide_roll_ratio:g}: must be finite")
         if self.drive is None:
             if phase is not None:
                 raise CaseError(
                     f"phase {phase:g}: {self.name} has no mesh cycle, it is one contact"
                 )
-            return contact_scene(self.tables, self.name, self.directory)
+            if slide_roll_ratio is None and self.slide_roll_ratios:
+                slide_roll_ratio = self.slide_roll_ratios[0]
+            return contact_scene(self.tables, self.name, self.directory, slide_roll_ratio)
         phase = self.phases[0] if phase is None else phase
         if not 0 <= phase <= 1:
             raise CaseError(f"phase {phase:g}: must lie between 0 and 1")
@@ -120,11 +151,17 @@ class Case:
         except ValueError as error:
             raise CaseError(f"drive at phase {phase:g}: {error}") from error
 
-    def scenes(self, phases: Sequence[float] | None = None) -> Iterator[Scene | LineScene]:
-        """The contacts at these phases, by default at the case's own."""
-        if phases is None:
-            phases = self.phases or (None,)
-        return (self.scene(phase) for phase in phases)
+    def scenes(
+        self,
+        phases: Sequence[float] | None = None,
+        slide_roll_ratios: Sequence[float] | None = None,
+    ) -> Iterator[Scene | LineScene]:
+        """The contacts at these phases or slide-roll ratios, by default at the case's own."""
+        return (
+            self.scene(phase, ratio)
+            for phase in phases or self.phases or (None,)
+            for ratio in slide_roll_ratios or self.slide_roll_ratios or (None,)
+        )
 
 
 def load(path: str | Path) -> Case:

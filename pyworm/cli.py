@@ -26,7 +26,7 @@ BAD_INPUT = 2
 NOT_CONVERGED = 3
 
 RESULT_NAME = "result.nc"
-PICTURES = ("scene_*.png", "mesh_cycle.png")
+PICTURES = ("scene_*.png", "mesh_cycle.png", "traction.png")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -78,6 +78,12 @@ def _parser() -> argparse.ArgumentParser:
     case.add_argument("--effects", help="model (default: the most that the oil is known for)")
     case.add_argument(
         "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
+    )
+    case.add_argument(
+        "--slide-roll-ratio",
+        type=float,
+        nargs="+",
+        help="places on a traction curve to solve; else the case's",
     )
     case.add_argument("--json", action="store_true", help="one JSON object on standard output")
 
@@ -226,7 +232,7 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
 
     from pyworm.effects import plan
 
-    scenes = list(case.scenes(options.phase))
+    scenes = list(case.scenes(options.phase, options.slide_roll_ratio))
     try:
         return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
     except ValueError as error:

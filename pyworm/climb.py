@@ -6,6 +6,7 @@ on the window's sides.
 """
 
 from dataclasses import dataclass
+from math import hypot
 from typing import ClassVar
 
 import numpy as np
@@ -25,8 +26,42 @@ FLOOR_SHARE = 1e-3
 TRACE = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
 
+CONTACT_PRESSURE = 0.01
+"""Pressure over the largest down to which friction counts as the contact's. Oil farther out is dragged along
+too, but its friction falls with the gap alone, so that its sum has no end but the bodies'."""
+
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a film begins, or ended.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        Pressure [Pa], shape (nx, ny).
+    rigid_film : float
+        Rigid film [m].
+    """
+
+    pressure: np.ndarray
+    rigid_film: float
+
+    def finer(self, window=np.s_[:, :]) -> "Start":
+        """The same on nodes of half the spacing within a window."""
+        return Start(np.maximum(kernels.prolong(self.pressure[window]), 0.0), self.rigid_film)
+
+    def beyond(self, coarser: "Start") -> "Start":
+        """What half the spacing leads to at second order, where twice the spacing led to `coarser`."""
+        pressure = (
+            self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
+        )
+        return Start(
+            np.maximum(pressure, 0.0),
+            self.rigid_film + (self.rigid_film - coarser.rigid_film) / 4,
+        )
 
 
 @dataclass(frozen=True)
@@ -41,30 +76,33 @@ class Rung:
         Undeformed gap [m], shape (nx, ny).
     covered : numpy.ndarray
         Where both surfaces exist.
-    entrainment, sliding : tuple of numpy.ndarray
-        Components (u, v) of the mean velocity and of body 1 relative to body 2 [m/s].
     far : numpy.ndarray or float
         Deflection by pressure beyond the grid [m].
-    load : float
-        Load that pressure on the grid carries [N].
+    load, whole_load : float
+        Load that pressure on the grid carries, and that of the contact [N].
+    sliding : tuple of float
+        Velocity of body 1 relative to body 2 at the contact point [m/s].
     film : kernels.PointFilm
         The kernel's film, in its present state.
+    coarser : Start or None
+        Where the rung before ended, if it covered the same window.
     """
 
-    forcing: ClassVar[float] = 0.03
+    forcing: ClassVar[float] = 0.1
 
     grid: Grid
     gap: np.ndarray
     covered: np.ndarray
-    entrainment: tuple[np.ndarray, np.ndarray]
-    sliding: tuple[np.ndarray, np.ndarray]
     far: np.ndarray | float
     load: float
+    whole_load: float
+    sliding: tuple[float, float]
     film: kernels.PointFilm
+    coarser: Start | None = None
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
-        film, _, _ = self.film.fields()
+        film = self.film.thickness()
         film_min, at = reading.film_minimum(self.grid, film, self.film.pressure > 0)
         return Reading(
             film_min,
@@ -77,19 +115,17 @@ class Rung:
     def _shear_figures(self) -> dict[str, float]:
         if not self.film.levels:
             return {}
-        shear = self.film.shear_fields()
-        within = self.covered & (self.film.pressure > 0)
-        sliding = self.sliding[0], self.sliding[1]
+        shear = self.film.heat_fields() if self.film.heated else self.film.shear_fields()
+        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
         force = [
             float(stress[within].sum()) * self.grid.cell
             for stress in (shear.stress_x, shear.stress_y)
         ]
-        # friction acts along the sliding at the contact point; without any it has no direction, and no size
-        along = [reading.value_at_origin(self.grid, component) for component in sliding]
-        speed = float(np.hypot(*along))
-        friction = abs(float(np.dot(force, along))) / speed if speed > 0 else 0.0
+        # along the sliding at the contact point; without any friction has no direction, and no size
+        speed = hypot(*self.sliding)
+        friction = -float(np.dot(force, self.sliding)) / speed if speed > 0 else 0.0
         return {
-            "friction_coefficient": friction / self.load,
+            "friction_coefficient": friction / self.whole_load,
             "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
             "shear_rate_max": float(shear.rate[within].max()),
         }
@@ -119,13 +155,16 @@ def dry_contact(scene: Scene, grid: Grid, gap, covered, guess) -> kernels.DryCon
     )
 
 
-def first_rung(scene: Scene, size: Scales, grid: Grid) -> Rung:
-    """The outermost grid, entered from the dry contact lifted by the expected film."""
+def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
+    """The outermost grid, entered from the dry contact lifted by the expected film.
+
+    `far` is the scene that the oil beyond the grid belongs to.
+    """
     x, y = grid.mesh()
     gap, covered = scene.gap(x, y)
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
     rigid_film = size.film - dry.approach
-    beyond = far_field(scene, grid, gap + rigid_film, covered)
+    beyond = far_field(far, grid, gap + rigid_film, covered)
     rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load)
     # Some pressure everywhere: a rupture line that starts too far out is found in a few Newton steps, one
     # that starts too near moves by a cell a step.
@@ -150,46 +189,47 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
         far = kernels.prolong(far[window])
-    finer = _rung(scene, size, grid, far, load)
-    finer.film.start(
-        np.where(finer.covered, np.maximum(kernels.prolong(pressure[window]), 0.0), 0.0),
-        rung.film.rigid_film,
-    )
+    here = Start(pressure, rung.film.rigid_film)
+    same = grid.shape == rung.grid.finer().shape
+    if rung.coarser is not None and same:
+        start = here.beyond(rung.coarser.finer()).finer()
+    else:
+        start = here.finer(window)
+    finer = _rung(scene, size, grid, far, load, here if same else None)
+    finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
 
 
-def with_shear(scene: Scene, model: Model, rung: Rung, coarser: Rung | None = None) -> None:
+def with_shear(
+    scene: Scene, size: Scales, model: Model, rung: Rung, rise: np.ndarray | None = None
+) -> None:
     """Lets the film of a rung flow by the oil's law, and warm, from its present pressure.
 
-    It starts at the temperature of a coarser rung over the same window, if there is one.
+    `rise` is the temperature above the inlet's to begin with [K], on the rung's grid.
     """
     film = rung.film
-    film.shear(scene.oil.flow or NEWTONIAN, model.levels, rung.sliding)
+    mesh = rung.grid.mesh()
+    (u1, v1), (u2, v2) = (motion(*mesh) for motion in scene.motions)
+    film.shear(scene.oil.flow or NEWTONIAN, model.levels, (u1 - u2, v1 - v2))
     if model.heated:
-        (u, v), (us, vs) = rung.entrainment, rung.sliding
-        rise = None
-        if coarser is not None:
-            levels = np.moveaxis(coarser.film.rise(), 2, 0)
-            rise = np.stack([kernels.prolong(level) for level in levels], axis=2)
         film.heat(
             scene.oil,
             scene.bodies,
-            ((u + us / 2, v + vs / 2), (u - us / 2, v - vs / 2)),
-            [motion(np.array(0.0), np.array(0.0)) for motion in scene.motions],
+            ((u1, v1), (u2, v2)),
+            (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
             rise,
         )
     film.start(film.pressure, film.rigid_film)
 
 
-def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
-    x, y = grid.mesh()
-    gap, covered = scene.gap(x, y)
-    (u1, v1), (u2, v2) = (motion(x, y) for motion in scene.motions)
-    entrainment, sliding = ((u1 + u2) / 2, (v1 + v2) / 2), (u1 - u2, v1 - v2)
+def _rung(
+    scene: Scene, size: Scales, grid: Grid, far, load: float, coarser: Start | None = None
+) -> Rung:
+    gap, covered = scene.gap(*grid.mesh())
     film = kernels.PointFilm(
         gap + far,
         covered,
-        entrainment,
+        scene.entrainment(*grid.mesh()),
         np.zeros_like(gap),
         grid.dx,
         grid.dy,
@@ -198,4 +238,5 @@ def _rung(scene: Scene, size: Scales, grid: Grid, far, load: float) -> Rung:
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return Rung(grid, gap, covered, entrainment, sliding, far, load, film)
+    sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
+    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser)

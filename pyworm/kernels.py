@@ -225,6 +225,28 @@ class LineShearFields:
     slip: np.ndarray
 
 
+@dataclass(frozen=True)
+class HeatFields:
+    """Fields of a heated film, each of shape (nx, ny) but `flux`.
+
+    Attributes
+    ----------
+    stress_x, stress_y, friction, rate : numpy.ndarray
+        As those of `ShearFields`.
+    flux : numpy.ndarray
+        Heat flux into both bodies [W/m2], shape (nx, ny, 2).
+    carried : numpy.ndarray
+        What oil carries away of the heat, less what compression gives it [W/m2].
+    """
+
+    stress_x: np.ndarray
+    stress_y: np.ndarray
+    friction: np.ndarray
+    rate: np.ndarray
+    flux: np.ndarray
+    carried: np.ndarray
+
+
 LEAST_RISE = 10.0
 """Temperature [K] against which changes are measured where less heat than that is made."""
 
@@ -310,6 +332,10 @@ class _Film:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
         return self._binding("fields")(self._handle, *self._shape)
 
+    def work(self) -> dict[str, float]:
+        """What was done since this was last asked, by name of a history's variable (`pyworm.variables`)."""
+        return {}
+
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return self._binding("convolve")(self._handle, self.pressure)
@@ -317,10 +343,6 @@ class _Film:
     def rise(self) -> np.ndarray:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
         return self._binding("rise")(self._handle, *self._shape, self.levels)
-
-    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
-        """Heat flux into the bodies, the last index, and what oil carries away of the friction [W/m2]."""
-        return self._binding("heat_fields")(self._handle, *self._shape)
 
     def _shear(self, law: FlowLaw, levels: int, *sliding) -> None:
         """Lets the oil flow by a law, body 1 moving over body 2 with the nodal `sliding` [m/s]."""
@@ -340,21 +362,21 @@ class _Film:
         )
         self.levels = levels
 
-    def _take_heat(self, oil: Oil, bodies, velocities, at_origin, rise) -> None:
-        """Lets film and bodies warm, from a rise above the inlet's temperature or from none."""
-        _check(
-            self._binding("heat")(
-                self._handle,
-                *(_field(component) for component in velocities),
-                _heat_numbers(oil),
-                np.column_stack(
-                    [
-                        _body_numbers(body, oil.heat, velocity)
-                        for body, velocity in zip(bodies, at_origin, strict=True)
-                    ]
-                ),
-            )
+    def _take_heat(self, oil: Oil, bodies, velocities, of_bodies):
+        """What the kernel returns when film and bodies are to warm.
+
+        `of_bodies` is what the kind of contact's model of conduction asks for besides.
+        """
+        return self._binding("heat")(
+            self._handle,
+            *(_field(component) for component in velocities),
+            _heat_numbers(oil),
+            np.column_stack([_body_numbers(body, oil.heat) for body in bodies]),
+            np.array(of_bodies),
         )
+
+    def _warm_from(self, rise) -> None:
+        """Begins with a rise above the inlet's temperature at the levels [K], or with none."""
         if rise is not None:
             self._binding("set_rise")(self._handle, _field(rise))
         self.heated = True
@@ -401,6 +423,34 @@ class PointFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+        self._told = self._tallies()
+
+    def thickness(self) -> np.ndarray:
+        """Film [m]."""
+        return self._binding("thickness")(self._handle, *self._shape)
+
+    def _tallies(self) -> np.ndarray:
+        """Work since the film was made: counts, then processor times [s]."""
+        counts, seconds = self._binding("work")(self._handle)
+        return np.concatenate([counts, seconds])
+
+    def work(self) -> dict[str, float]:
+        """Convolutions and multigrid cycles, and processor time by part [s], since this was last asked."""
+        before, self._told = self._told, self._tallies()
+        done = self._told - before
+        convolution, flow, building, cycle, whole = done[5:]
+        return {
+            "convolutions": int(done[0]),
+            "cycles": int(done[3]),
+            "convolution_seconds": convolution,
+            "flow_seconds": flow,
+            "cycle_seconds": building + cycle,
+            "vector_seconds": whole - convolution - flow - building - cycle,
+        }
+
+    def entrain(self, entrainment) -> None:
+        """Changes the nodal entrainment velocity (u, v) [m/s]; the film is to be started before it steps."""
+        self._binding("entrain")(self._handle, *(_field(component) for component in entrainment))
 
     def shear(self, law: FlowLaw, levels: int, sliding) -> None:
         """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
@@ -421,7 +471,7 @@ class PointFilm(_Film):
         """
         self._shear(law, levels, *sliding)
 
-    def heat(self, oil: Oil, bodies, motions, at_origin, rise=None) -> None:
+    def heat(self, oil: Oil, bodies, motions, semi_axes, rise=None) -> None:
         """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
 
         Parameters
@@ -432,8 +482,8 @@ class PointFilm(_Film):
             Both bodies, with thermal constants.
         motions : tuple
             Velocity (u, v) of each body's surface at the nodes [m/s].
-        at_origin : tuple
-            The same at the contact point: that with which a body passes its heat source.
+        semi_axes : tuple of float
+            Semi-axes of the contact along x and y [m].
         rise : array_like, optional
             Temperature above the inlet's to begin with [K], shape (nx, ny, levels).
 
@@ -442,7 +492,10 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        self._take_heat(oil, bodies, [of for motion in motions for of in motion], at_origin, rise)
+        velocities = [component for motion in motions for component in motion]
+        self.conduction_errors, status = self._take_heat(oil, bodies, velocities, semi_axes)
+        _check(status)
+        self._warm_from(rise)
 
     def shear_fields(self) -> ShearFields:
         """Fields of a sheared film.
@@ -455,6 +508,10 @@ class PointFilm(_Film):
         *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
         _check(status)
         return ShearFields(*fields)
+
+    def heat_fields(self) -> HeatFields:
+        """Fields of a heated film, as of its last sweep of heat."""
+        return HeatFields(*self._binding("heat_fields")(self._handle, *self._shape))
 
     def profile(self, node: tuple[int, int], velocity) -> tuple[np.ndarray, np.ndarray]:
         """Velocity (u, v) [m/s] at the levels above a node, where body 1's surface has this `velocity`.
@@ -493,12 +550,11 @@ def _heat_numbers(oil: Oil) -> np.ndarray:
     )
 
 
-def _body_numbers(body: Body, heat: OilHeat, velocity) -> list[float]:
+def _body_numbers(body: Body, heat: OilHeat) -> list[float]:
     return [
         body.conductivity,
         body.density * body.specific_heat,
         body.bulk_temperature - heat.inlet_temperature,
-        *velocity,
     ]
 
 
@@ -581,7 +637,8 @@ class LineFilm(_Film):
             If memory does not suffice or a body is at rest.
         """
         of_body_1 = np.full(self._shape, velocities[0])
-        self._take_heat(oil, bodies, [of_body_1], [(velocity,) for velocity in velocities], rise)
+        _check(self._take_heat(oil, bodies, [of_body_1], velocities))
+        self._warm_from(rise)
 
     def shear_fields(self) -> LineShearFields:
         """Fields of a sheared film.
@@ -594,6 +651,10 @@ class LineFilm(_Film):
         *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
         _check(status)
         return LineShearFields(*fields)
+
+    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
+        """Heat flux into the bodies, shape (n, 2), and what oil carries away of the friction [W/m2]."""
+        return self._binding("heat_fields")(self._handle, *self._shape)
 
     def profile(self, node: int, velocity: float) -> np.ndarray:
         """Velocity [m/s] at the levels above an inner node, where body 1's surface has this `velocity`.
@@ -616,3 +677,8 @@ def level_positions(levels: int) -> np.ndarray:
 def prolong(field) -> np.ndarray:
     """A field on the grid of half the spacing, by cubic interpolation."""
     return _core.bindings.prolong_cubic(_field(field))
+
+
+def prolong_levels(fields) -> np.ndarray:
+    """The same for fields at levels across the film, the last index."""
+    return np.stack([prolong(level) for level in np.moveaxis(fields, 2, 0)], axis=2)

@@ -37,12 +37,26 @@ class Rung(Protocol):
 
 @dataclass(frozen=True)
 class Stride:
-    """One Newton step: grid points along each direction, balance reached, GMRES iterations."""
+    """One Newton step.
+
+    Attributes
+    ----------
+    points : tuple of int
+        Grid points along each direction.
+    residual, load_error : float
+        Balance reached.
+    krylov : int
+        GMRES iterations.
+    work : dict
+        What was done on the grid since the step before, or since the film was made
+        (`kernels.PointFilm.work`).
+    """
 
     points: tuple[int, ...]
     residual: float
     load_error: float
     krylov: int
+    work: dict[str, float]
 
 
 @dataclass(frozen=True)
@@ -64,8 +78,33 @@ class Settled:
     algebra: dict[str, float]
 
 
-def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Settled:
-    """Newton steps until the film is settled, or no step helps any more.
+def stride(rung: Rung) -> Stride | None:
+    """One Newton step; None if there is none that helps."""
+    try:
+        step = rung.film.step(rung.forcing)
+    except KernelError as error:
+        if error.status not in (NO_DESCENT, NOT_FINITE):
+            raise
+        return None
+    balance = step.balance
+    return Stride(
+        rung.grid.shape, balance.residual, balance.load_error, step.krylov, rung.film.work()
+    )
+
+
+def lead(rung: Rung, tolerance: float) -> list[Stride]:
+    """Newton steps on a grid that only leads to others, until its equations are met within a tolerance."""
+    strides: list[Stride] = []
+    while len(strides) < MOST_STEPS and rung.film.balance.worst > tolerance:
+        taken = stride(rung)
+        if taken is None:
+            break
+        strides.append(taken)
+    return strides
+
+
+def settle(rung: Rung, tolerance: float, algebra_wanted: float) -> Settled:
+    """Newton steps until the film's figures are settled, or no step helps any more.
 
     Parameters
     ----------
@@ -84,18 +123,14 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float = np.inf) -> Sett
         rung.film.balance.worst > tolerance
         or max(algebra[name] for name in JUDGED) > algebra_wanted
     ):
-        try:
-            step = rung.film.step(rung.forcing)
-        except KernelError as error:
-            if error.status not in (NO_DESCENT, NOT_FINITE):
-                raise
+        taken = stride(rung)
+        if taken is None:
             break
-        balance = step.balance
+        strides.append(taken)
         last, reading = reading, rung.read()
         changes.append(change(last, reading))
         if len(changes) > 1:
             algebra = algebra_errors(*changes[-2:])
-        strides.append(Stride(rung.grid.shape, balance.residual, balance.load_error, step.krylov))
     return Settled(tuple(strides), reading, algebra)
 
 

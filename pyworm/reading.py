@@ -23,23 +23,35 @@ def film_minimum(grid: Grid, film: Array, where: Array) -> tuple[float, tuple[fl
     where : numpy.ndarray
         Nodes that count.
     """
-    value, (x, y) = _vertex(np.where(where, film, np.inf), film)
+    i, j = _place(np.where(where, film, np.inf).T.argmin(), film)
+    value, (x, y) = _vertex(film, i, j, where)
     return value, (grid.west + grid.dx * x, grid.south + grid.dy * y)
 
 
 def maximum(field: Array) -> float:
     """Largest value of a field, between nodes."""
-    return -_vertex(-field, -field)[0]
+    i, j = _place(field.T.argmax(), field)
+    around = np.s_[max(i - 1, 0) : i + 2, max(j - 1, 0) : j + 2]
+    peak = -field[around]
+    return -_vertex(peak, min(i, 1), min(j, 1), np.ones(peak.shape, dtype=bool))[0]
 
 
-def _vertex(searched: Array, field: Array) -> tuple[float, tuple[float, float]]:
-    """Minimum of the quadratic surface through the nodes about a field's smallest node, in node counts."""
-    i, j = np.unravel_index(np.argmin(searched), searched.shape)
+def _place(number: np.intp, field: Array) -> tuple[int, int]:
+    """Node of a number that counts in Fortran order, as fields lie in memory."""
+    j, i = divmod(int(number), field.shape[0])
+    return i, j
+
+
+def _vertex(field: Array, i: int, j: int, where: Array) -> tuple[float, tuple[float, float]]:
+    """Minimum of the quadratic surface through the nodes about a field's smallest, (i, j), in node counts.
+
+    That node itself on the outline, and where not all nodes about it count.
+    """
     lowest = float(field[i, j])
     if not (0 < i < field.shape[0] - 1 and 0 < j < field.shape[1] - 1):
         return lowest, (float(i), float(j))
     patch = field[i - 1 : i + 2, j - 1 : j + 2]
-    if not np.all(np.isfinite(searched[i - 1 : i + 2, j - 1 : j + 2])):
+    if not where[i - 1 : i + 2, j - 1 : j + 2].all():
         return lowest, (float(i), float(j))
     gradient = np.array([patch[2, 1] - patch[0, 1], patch[1, 2] - patch[1, 0]]) / 2
     cross = (patch[2, 2] - patch[2, 0] - patch[0, 2] + patch[0, 0]) / 4
@@ -87,10 +99,17 @@ def _half_width(a: float, b: float, cosine: float, sine: float) -> float:
     return float(np.hypot(a * cosine, b * sine))
 
 
+ON_NODE = 1e-6
+"""Distance from a node, in spacings, that is none."""
+
+
 def value_at_origin(grid: Grid, field: Array) -> float:
-    """Value of a field at the contact point, by splines through the nodes nearest to it."""
-    columns = _around(-grid.west / grid.dx, grid.nx)
-    rows = _around(-grid.south / grid.dy, grid.ny)
+    """Value of a field at the contact point: the node there, else splines through the nodes nearest to it."""
+    i, j = -grid.west / grid.dx, -grid.south / grid.dy
+    if max(abs(i - round(i)), abs(j - round(j))) < ON_NODE:
+        return float(field[round(i), round(j)])
+    columns = _around(i, grid.nx)
+    rows = _around(j, grid.ny)
     spline = RectBivariateSpline(grid.x[columns], grid.y[rows], field[columns, rows])
     return float(spline(0.0, 0.0, grid=False))
 

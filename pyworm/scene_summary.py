@@ -18,6 +18,7 @@ def scene_summary(scene: Scene | LineScene) -> dict[str, Any]:
     return {
         "name": scene.name,
         "phase": scene.phase,
+        "slide_roll_ratio": scene.slide_roll_ratio,
         "reduced_modulus_Pa": scene.reduced_modulus,
         **_SUMMARIES[type(scene)](scene),
     }

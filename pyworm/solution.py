@@ -1,6 +1,6 @@
 """What a solve leaves behind: fields, figures with error bars, and how they were come by."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Literal
 
 import xarray as xr
@@ -120,11 +120,14 @@ class Cost:
     seconds : float
         Elapsed time of the film solve, all grids [s].
     convolutions : float
-        The same in padded FFT convolutions on the finest grid.
+        Processor time of the same, in padded FFT convolutions on the finest grid.
+    unit_seconds : float
+        Processor time of one of them [s].
     """
 
     seconds: float
     convolutions: float
+    unit_seconds: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -154,11 +157,14 @@ class Solution:
         flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
         temperature_middle. Those of a line contact are over x, and have no dry_pressure and nothing along y.
     history : xarray.Dataset
-        Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov.
+        Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov; of a point
+        contact also the work of each step: convolutions, cycles and processor times by part.
     cost : Cost
         Time taken.
     inlet_temperature : float or None
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
+    slide_roll_ratio : float or None
+        Place on a traction curve [-].
     profile : xarray.Dataset or None
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
@@ -176,6 +182,7 @@ class Solution:
     history: xr.Dataset
     cost: Cost
     inlet_temperature: float | None = None
+    slide_roll_ratio: float | None = None
     profile: xr.Dataset | None = None
 
     def summary(self) -> dict:
@@ -190,6 +197,7 @@ class Solution:
             "name": self.name,
             "kind": self.kind,
             "phase": self.phase,
+            "slide_roll_ratio": self.slide_roll_ratio,
             LOAD_KEYS[self.kind]: self.load,
             "converged": self.converged,
             "stop_reason": self.stop_reason,
@@ -207,7 +215,8 @@ class Solution:
             "residual": figures.residual,
             "load_error": figures.load_error,
             "mass_error": figures.mass_error,
-            **asdict(self.cost),
+            "seconds": self.cost.seconds,
+            "convolutions": self.cost.convolutions,
         }
 
     def _point_summary(self) -> dict[str, float]:

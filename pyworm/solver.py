@@ -1,6 +1,7 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
+from statistics import median
 from time import perf_counter, process_time
 
 import numpy as np
@@ -9,7 +10,7 @@ import xarray as xr
 from pyworm.accuracy import JUDGED, Reading, domain_errors, grid_errors
 from pyworm.effects import Plan
 from pyworm.kernels import NO_MEMORY, KernelError
-from pyworm.ladder import Ladder, Rung, Settled, Stride, settle
+from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
 from pyworm.point_ladder import PointLadder
@@ -35,7 +36,7 @@ MOST_UNSETTLED = 2
 """Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
 
 TIMED_CONVOLUTIONS = 10
-"""Convolutions timed for the unit of cost."""
+"""Convolutions timed for the unit of cost, which is their median."""
 
 
 def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None) -> Solution:
@@ -102,12 +103,14 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
             break
     seconds, work = perf_counter() - started, process_time() - started_work
 
+    unit = _convolution_work(rung)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
     return Solution(
         name=scene.name,
         kind=ladder.kind,
         phase=scene.phase,
+        slide_roll_ratio=scene.slide_roll_ratio,
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
@@ -120,7 +123,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         ),
         fields=outcome.fields,
         history=_history(strides, "xy"[: len(rung.grid.shape)]),
-        cost=Cost(seconds, work / _convolution_work(rung)),
+        cost=Cost(seconds, work / unit, unit),
         inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
         profile=outcome.profile,
     )
@@ -132,7 +135,7 @@ def _in_wider_window(
     """The figures on as fine a grid in the plan's wider window."""
     rung, strides = ladder.enter(plan.wider_grids)
     for _ in range(refinements):
-        strides += settle(rung, plan.tolerance).strides
+        strides += lead(rung, plan.tolerance)
         rung = ladder.higher(rung)
     settled = _settle_figures(rung, plan)
     return rung, settled, [*strides, *settled.strides]
@@ -204,6 +207,8 @@ def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:
     }
     for name in ("residual", "load_error", "krylov"):
         columns[name] = [getattr(stride, name) for stride in strides]
+    for name in strides[0].work if strides else ():
+        columns[name] = [stride.work[name] for stride in strides]
     return describe(
         xr.Dataset(
             {name: ("iteration", np.array(values)) for name, values in columns.items()},
@@ -214,7 +219,9 @@ def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:
 
 def _convolution_work(rung: Rung) -> float:
     """Processor time of one convolution [s]; elapsed time would count what else the machine does."""
-    started = process_time()
+    times = []
     for _ in range(TIMED_CONVOLUTIONS):
+        started = process_time()
         rung.film.convolve()
-    return (process_time() - started) / TIMED_CONVOLUTIONS
+        times.append(process_time() - started)
+    return median(times)

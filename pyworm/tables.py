@@ -135,13 +135,14 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     summaries : sequence of mapping
         `Solution.summary()` of each one's solution.
     """
-    table = Table("Scene", title="All scenes", title_justify="left")
+    heading, labels = _places(scenes)
+    table = Table(heading, title="All scenes", title_justify="left")
     for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
     table.add_column("Converged")
-    for scene, values in zip(scenes, summaries, strict=True):
+    for label, values in zip(labels, summaries, strict=True):
         table.add_row(
-            scene.name if scene.phase is None else f"{scene.phase:g}",
+            label,
             f"{values['dry_pressure_max_Pa'] / 1e6:.4g}",
             f"{values['pressure_max_Pa'] / 1e6:.4g}",
             f"{values['film_central_m'] * 1e6:.4g}",
@@ -160,13 +161,14 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     The error bar of the temperatures is the largest of the three.
     """
     heated = all("temperature_max_C" in values for values in summaries)
-    table = Table("Scene", title="Friction and heat of all scenes", title_justify="left")
+    heading, labels = _places(scenes)
+    table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
     headings = ["Friction", "± %", "Loss\nW"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
         table.add_column(heading, justify="right")
-    for scene, values in zip(scenes, summaries, strict=True):
+    for label, values in zip(labels, summaries, strict=True):
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
@@ -175,16 +177,26 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
         if heated:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
-        table.add_row(scene.name if scene.phase is None else f"{scene.phase:g}", *cells)
+        table.add_row(label, *cells)
     return table
+
+
+def _places(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
+    """What tells scenes of one case apart: what it is, and that of each."""
+    for heading, place in (("Phase", "phase"), ("Slide-\nroll\nratio", "slide_roll_ratio")):
+        places = [getattr(scene, place) for scene in scenes]
+        if None not in places:
+            return heading, [f"{of:g}" for of in places]
+    return "Scene", [scene.name for scene in scenes]
 
 
 def published_for(
     summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Mapping[str, PublishedValue]:
-    """What a case's source prints for a scene: all of it, unless it names another phase."""
-    if "phase" in published and published["phase"].value != summary["phase"]:
-        return {}
+    """What a case's source prints for a scene: all of it, unless it names another place in the sweep."""
+    for place in ("phase", "slide_roll_ratio"):
+        if place in published and published[place].value != summary[place]:
+            return {}
     return published
 
 

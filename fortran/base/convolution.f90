@@ -1,8 +1,9 @@
 !> Convolution of a field on a grid with any kernel, by fast Fourier transforms.
 !>
-!> As in `half_space`, the two-dimensional transform is done by hand, rows first and then blocks of columns that stay
-!> in cache through forward transform, product and backward transform, and rows of padding are never transformed. Here
-!> the kernel need not be even: its transform is complex, and padding to 2n - 1 points is needed.
+!> As in `half_space`, the two-dimensional transform is done by hand, rows first and then blocks of columns
+!> that stay in cache through forward transform, product and backward transform, and rows of padding are never
+!> transformed. Here the kernel need not be even: its transform is complex, and padding to 2n - 1 points is
+!> needed.
 module convolution
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, &
     c_double_complex

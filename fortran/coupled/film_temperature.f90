@@ -16,7 +16,7 @@ module film_temperature
   use nodal_shear, only: line_cut, take, put, shear_cut
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use point_film, only: point_contact
-  use shear_flow, only: shear_strip, new_shear_strip
+  use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
   use status, only: status_ok, status_no_memory
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
@@ -27,7 +27,7 @@ module film_temperature
   !> Columns treated together.
   integer, parameter :: most_columns = 64
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
-  real(wp), parameter :: judged_pressure = 0.005_wp
+  real(wp), parameter :: judged_pressure = 0.02_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
@@ -40,10 +40,12 @@ module film_temperature
     type(wall_pair) :: walls
     !> Stress at the middle of the film [Pa], from which the next sweep starts.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
-    !> What oil carries away, less what compression gives it [W/m2].
-    real(wp), allocatable :: carried(:, :)
-    !> Temperature of the line in work and of two on either side, (columns, levels, -2:2).
-    real(wp), allocatable :: lines(:, :, :)
+    !> Heat of shearing, and what oil carries away less what compression gives it [W/m2]; the largest shear rate across
+    !> the film [1/s].
+    real(wp), allocatable :: friction(:, :), carried(:, :), rate(:, :)
+    !> Temperature of the line in work and of two on either side, as they stand, line k at mod(k, 5); what the line in
+    !> work becomes, which its own columns are not to see before all are done. (columns, levels).
+    real(wp), allocatable :: lines(:, :, :), renewed(:, :)
     !> Scratch of each thread.
     type(film_strip), allocatable :: columns(:)
     type(shear_strip), allocatable :: shear(:)
@@ -76,8 +78,9 @@ contains
       heat%law = law
       call new_wall_pair(heat%walls, body_1, bulk(1), body_2, bulk(2), most_wall_iterations, stat)
       if (stat /= status_ok) return
-      allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%carried(nx, ny), &
-        heat%lines(merge(ny, nx, self%cycles%transposed), levels, -2:2), source=0.0_wp, stat=err)
+      allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%friction(nx, ny), &
+        heat%carried(nx, ny), heat%rate(nx, ny), heat%lines(merge(ny, nx, self%cycles%transposed), levels, 0:4), &
+        heat%renewed(merge(ny, nx, self%cycles%transposed), levels), source=0.0_wp, stat=err)
       if (err == 0) allocate (heat%columns(0:omp_get_max_threads() - 1), heat%shear(0:omp_get_max_threads() - 1), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
       if (stat /= status_ok) return
@@ -157,7 +160,7 @@ contains
     type(film_heat), intent(inout) :: heat
     real(wp), intent(out) :: change
     type(line_cut) :: cut
-    integer :: step, first, thread, k
+    integer :: step, first, thread, downstream
     real(wp) :: least
 
     cut%transposed = contact%cycles%transposed
@@ -165,41 +168,55 @@ contains
     cut%length = merge(contact%grid%ny, contact%grid%nx, cut%transposed)
     least = judged(contact)
     change = 0
+    downstream = merge(1, -1, contact%cycles%rising)
+    do step = 1, 3
+      call read_line(contact, cut, merge(step, cut%lines + 1 - step, downstream > 0), heat%lines)
+    end do
     do step = 2, cut%lines - 1
-      cut%line = merge(step, cut%lines + 1 - step, contact%cycles%rising)
-      do k = max(-2, 1 - cut%line), min(2, cut%lines - cut%line)
-        if (cut%transposed) then
-          heat%lines(:, :, k) = contact%shear%nodes%rise(cut%line + k, :, :)
-        else
-          heat%lines(:, :, k) = contact%shear%nodes%rise(:, cut%line + k, :)
-        end if
-      end do
+      cut%line = merge(step, cut%lines + 1 - step, downstream > 0)
+      if (step < cut%lines - 1) call read_line(contact, cut, cut%line + 2*downstream, heat%lines)
+      heat%renewed(:, :) = heat%lines(:, :, mod(cut%line, 5))
       !$omp parallel do private(thread) firstprivate(cut) reduction(max:change) schedule(static)
       do first = 2, cut%length - 1, most_columns
         cut%first = first
         cut%last = min(first + most_columns - 1, cut%length - 1)
         thread = omp_get_thread_num()
-        call heat_cut(contact, cut, least, heat, heat%columns(thread), heat%shear(thread), change)
+        call heat_cut(contact, cut, downstream, least, heat, heat%columns(thread), heat%shear(thread), change)
       end do
+      heat%lines(:, :, mod(cut%line, 5)) = heat%renewed
     end do
   end subroutine heat_columns
 
+  !> Temperature of a line as it stands.
+  subroutine read_line(contact, cut, line, lines)
+    type(heated_contact), intent(in) :: contact
+    type(line_cut), intent(in) :: cut
+    integer, intent(in) :: line
+    real(wp), intent(inout) :: lines(:, :, 0:)
+
+    if (cut%transposed) then
+      lines(:, :, mod(line, 5)) = contact%shear%nodes%rise(line, :, :)
+    else
+      lines(:, :, mod(line, 5)) = contact%shear%nodes%rise(:, line, :)
+    end if
+  end subroutine read_line
+
   !> The columns of a cut.
-  subroutine heat_cut(contact, cut, least, heat, columns, shear, change)
+  subroutine heat_cut(contact, cut, downstream, least, heat, columns, shear, change)
     type(heated_contact), intent(inout) :: contact
     type(line_cut), intent(in) :: cut
+    integer, intent(in) :: downstream
     real(wp), intent(in) :: least
     type(film_heat), intent(inout) :: heat
     type(film_strip), intent(inout) :: columns
     type(shear_strip), intent(inout) :: shear
     real(wp), intent(inout) :: change
-    real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, carried
-    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, compression, inflow
-    integer :: m, k, n, c, downstream, failures
+    real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, friction, carried
+    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, rate, compression, inflow
+    integer :: m, k, n, c, failures
 
     m = cut%last - cut%first + 1
     n = contact%shear%nodes%levels%count
-    downstream = merge(1, -1, contact%cycles%rising)
     columns%columns = m
     associate (nodes => contact%shear%nodes)
       call take(heat%stress_x, cut, shear%tau_x)
@@ -208,7 +225,9 @@ contains
       call take(heat%v1, cut, v1)
       call shear_cut(contact%point_contact, cut, shear, p, mean, columns%known, softening, failures)
       call set_heat(heat%law, contact%oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
-      call carry(contact, cut, m, heat%lines, downstream, capacity, u, v, columns%absorption, inflow)
+      call film_shear_rate(nodes%levels, shear, rate)
+      friction(:m) = shear%film(:m)*matmul(columns%source(:m, :), nodes%levels%weight)
+      call carry(contact, cut, m, downstream, heat%lines, capacity, u, v, columns%absorption, inflow)
       inflow(:m, :) = inflow(:m, :) + compression(:m, :)
       columns%source(:m, :) = columns%source(:m, :) + inflow(:m, :)
       call solve_columns(columns)
@@ -216,6 +235,7 @@ contains
         do c = 1, m
           if (p(c) > least) change = max(change, abs(columns%temperature(c, k) - columns%known(c, k)))
         end do
+        heat%renewed(cut%first:cut%last, k) = columns%temperature(:m, k)
         call put(columns%temperature(:, k), cut, nodes%rise(:, :, k))
       end do
       do c = 1, m
@@ -224,7 +244,9 @@ contains
     end associate
     call put(shear%tau_x, cut, heat%stress_x)
     call put(shear%tau_y, cut, heat%stress_y)
+    call put(friction, cut, heat%friction)
     call put(carried, cut, heat%carried)
+    call put(maxval(rate(:m, :), dim=2), cut, heat%rate)
     do k = 1, 2
       call put(columns%flux(:, k), cut, heat%walls%flux(:, :, k))
       do n = 1, 2
@@ -238,15 +260,16 @@ contains
   !> Oil comes from the foot of its path on the square of the eight nodes about its own; where that lies on the line
   !> before, a second foot two lines back makes the difference along the path one of second order. Elsewhere values
   !> lag behind, and only a first-order difference is sure not to let their errors grow from sweep to sweep.
-  subroutine carry(contact, cut, m, lines, downstream, capacity, u, v, absorption, inflow)
+  subroutine carry(contact, cut, m, downstream, lines, capacity, u, v, absorption, inflow)
     type(heated_contact), intent(in) :: contact
     type(line_cut), intent(in) :: cut
     integer, intent(in) :: m, downstream
-    real(wp), intent(in) :: lines(:, :, -2:), capacity(:), u(:, :), v(:, :)
+    real(wp), intent(in) :: lines(:, :, 0:), capacity(:), u(:, :), v(:, :)
     real(wp), intent(out) :: absorption(:, :), inflow(:, :)
     real(wp) :: across, along, rate, skew, foot, second, share
-    integer :: k, c, column, up, side, whole, far
+    integer :: k, c, column, up, side, whole, far, here, next, second_next
 
+    here = mod(cut%line, 5)
     do k = 1, size(u, 2)
       do c = 1, m
         column = cut%first + c - 1
@@ -256,10 +279,11 @@ contains
         side = merge(-1, 1, along > 0)
         rate = max(abs(across), abs(along), tiny(rate))
         skew = min(abs(across), abs(along))/rate
+        next = mod(cut%line + up, 5)
         if (abs(across) < abs(along)) then
-          foot = (1 - skew)*lines(column + side, k, 0) + skew*lines(column + side, k, up)
+          foot = (1 - skew)*lines(column + side, k, here) + skew*lines(column + side, k, next)
         else
-          foot = (1 - skew)*lines(column, k, up) + skew*lines(column + side, k, up)
+          foot = (1 - skew)*lines(column, k, next) + skew*lines(column + side, k, next)
         end if
         absorption(c, k) = capacity(c)*rate
         inflow(c, k) = capacity(c)*rate*foot
@@ -268,7 +292,8 @@ contains
         far = column + side*(whole + 1)
         if (cut%line + 2*up < 1 .or. cut%line + 2*up > cut%lines .or. far < 1 .or. far > cut%length) cycle
         share = 2*skew - whole
-        second = (1 - share)*lines(far - side, k, 2*up) + share*lines(far, k, 2*up)
+        second_next = mod(cut%line + 2*up, 5)
+        second = (1 - share)*lines(far - side, k, second_next) + share*lines(far, k, second_next)
         absorption(c, k) = 1.5_wp*capacity(c)*rate
         inflow(c, k) = capacity(c)*rate*(2*foot - 0.5_wp*second)
       end do

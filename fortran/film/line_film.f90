@@ -9,7 +9,7 @@
 module line_film
   use flow_laws, only: flow_law
   use half_plane, only: elastic_half_plane, new_half_plane
-  use kinds, only: wp
+  use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use line_preconditioner, only: band_model, set_band_model
   use line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
@@ -52,7 +52,7 @@ module line_film
     !> Response of pressure to a rise of the rigid film, by the preconditioner.
     real(wp), allocatable :: softness(:)
     !> Krylov basis.
-    real(wp), allocatable :: basis(:, :)
+    real(pp), allocatable :: basis(:, :)
   contains
     procedure :: multiply
     procedure :: precondition
@@ -90,7 +90,7 @@ contains
     if (stat == status_ok) call new_line_flow(n, self%flow, stat)
     if (stat /= status_ok) return
     allocate (self%free(n), self%imbalance(n), self%by_pressure(n, -2:2), self%by_film(n, -2:2), self%softness(n), &
-      self%basis(n + 1, most_krylov + 1), stat=err)
+      self%basis(n + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_line_contact
 

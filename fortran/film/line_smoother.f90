@@ -1,123 +1,131 @@
 !> Gauss-Seidel by lines: every line of a field is solved at once against its two neighbours.
 !>
-!> Each tridiagonal system is factored beforehand from both ends towards its middle, so that a sweep runs
-!> two independent recurrences side by side and divides nowhere.
+!> Each tridiagonal system is factored beforehand from both ends towards its middle, so that a line runs
+!> two independent recurrences side by side and divides nowhere. Of the matrix only what couples lines is kept.
 module line_smoother
   use kinds, only: pp
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
-  public :: five_points, line_factors, new_line_factors, factor_lines, sweep_lines
+  public :: line_systems, new_line_systems, factor_line, relax_line, relax_first
 
-  !> A five-point matrix over a field whose lines run along the first index.
-  type :: five_points
-    !> Centre, the two neighbours within the line, the lines before and after; (length, count).
-    real(pp), allocatable :: centre(:, :), left(:, :), right(:, :), before(:, :), after(:, :)
-  end type five_points
-
-  !> Factors: reciprocal pivot, coupling to the point eliminated before, coupling to that solved before.
-  type :: line_factors
+  !> The lines of a field, which run along its first index; (length, count). Points of the outline are never
+  !> touched.
+  type :: line_systems
+    !> What couples a point to the lines before and after.
+    real(pp), allocatable :: before(:, :), after(:, :)
+    !> Factors: reciprocal pivot, coupling to the point eliminated before, coupling to that solved before.
     real(pp), allocatable :: pivot(:, :), outward(:, :), inward(:, :)
-  end type line_factors
+    !> Workspace of one line.
+    real(pp), allocatable :: work(:)
+  end type line_systems
 
 contains
 
-  !> Space for the factors of `count` lines of `length` points.
-  subroutine new_line_factors(length, count, self, stat)
+  !> Space for `count` lines of `length` points.
+  subroutine new_line_systems(length, count, self, stat)
     integer, intent(in) :: length, count
-    type(line_factors), intent(out) :: self
+    type(line_systems), intent(out) :: self
     integer, intent(out) :: stat
     integer :: err
 
-    allocate (self%pivot(length, count), self%outward(length, count), self%inward(length, count), &
-      source=0.0_pp, stat=err)
+    allocate (self%before(length, count), self%after(length, count), self%pivot(length, count), &
+      self%outward(length, count), self%inward(length, count), self%work(length), source=0.0_pp, stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
-  end subroutine new_line_factors
+  end subroutine new_line_systems
 
-  !> Factors the lines; points of the outline are never touched.
-  subroutine factor_lines(matrix, self)
-    type(five_points), intent(in) :: matrix
-    type(line_factors), intent(inout) :: self
-    integer :: i, j, n, middle
+  !> Factors line j from its coefficients; where `free` is 0 its solution will be zero, else `free` is 1.
+  pure subroutine factor_line(self, j, centre, left, right, free)
+    type(line_systems), intent(inout) :: self
+    integer, intent(in) :: j
+    real(pp), contiguous, intent(in) :: centre(:), left(:), right(:), free(:)
+    integer :: i, n, middle
 
-    n = size(matrix%centre, 1)
+    n = size(centre)
     middle = n/2
-    !$omp parallel do private(i) schedule(static)
-    do j = 2, size(matrix%centre, 2) - 1
+    associate (pivot => self%pivot(:, j), outward => self%outward(:, j), inward => self%inward(:, j))
       do i = 2, middle
-        self%pivot(i, j) = 1/(matrix%centre(i, j) - matrix%left(i, j)*self%inward(i - 1, j))
-        self%outward(i, j) = matrix%left(i, j)*self%pivot(i, j)
-        self%inward(i, j) = matrix%right(i, j)*self%pivot(i, j)
+        pivot(i) = free(i)/(centre(i) - left(i)*inward(i - 1))
+        outward(i) = left(i)*pivot(i)
+        inward(i) = right(i)*pivot(i)
       end do
       do i = n - 1, middle + 1, -1
-        self%pivot(i, j) = 1/(matrix%centre(i, j) - matrix%right(i, j)*self%inward(i + 1, j))
-        self%outward(i, j) = matrix%right(i, j)*self%pivot(i, j)
-        self%inward(i, j) = matrix%left(i, j)*self%pivot(i, j)
+        pivot(i) = free(i)/(centre(i) - right(i)*inward(i + 1))
+        outward(i) = right(i)*pivot(i)
+        inward(i) = left(i)*pivot(i)
       end do
-    end do
-  end subroutine factor_lines
+    end associate
+  end subroutine factor_line
 
-  !> One sweep over all lines, in rising order when `rising`, else in falling order.
-  pure subroutine sweep_lines(matrix, factors, f, rising, x)
-    type(five_points), intent(in) :: matrix
-    type(line_factors), intent(in) :: factors
-    real(pp), contiguous, intent(in) :: f(:, :)
-    logical, intent(in) :: rising
-    real(pp), contiguous, intent(inout) :: x(:, :)
-    integer :: j, count
-
-    count = size(x, 2)
-    if (rising) then
-      do j = 2, count - 1
-        call solve_line(matrix, factors, j, f, x)
-      end do
-    else
-      do j = count - 1, 2, -1
-        call solve_line(matrix, factors, j, f, x)
-      end do
-    end if
-  end subroutine sweep_lines
-
-  pure subroutine solve_line(matrix, factors, j, f, x)
-    type(five_points), intent(in) :: matrix
-    type(line_factors), intent(in) :: factors
+  !> Solves line j of x for the right-hand side f against both its neighbours.
+  pure subroutine relax_line(self, j, f, x)
+    type(line_systems), intent(inout) :: self
     integer, intent(in) :: j
     real(pp), contiguous, intent(in) :: f(:, :)
     real(pp), contiguous, intent(inout) :: x(:, :)
-    real(pp) :: g(size(x, 1))
+    integer :: i
+
+    do i = 2, size(x, 1) - 1
+      self%work(i) = (f(i, j) - self%before(i, j)*x(i, j - 1) - self%after(i, j)*x(i, j + 1))*self%pivot(i, j)
+    end do
+    call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
+  end subroutine relax_line
+
+  !> The same in the first sweep from zero: only the neighbour met before, the line before when `rising`,
+  !> counts.
+  pure subroutine relax_first(self, j, rising, f, x)
+    type(line_systems), intent(inout) :: self
+    integer, intent(in) :: j
+    logical, intent(in) :: rising
+    real(pp), contiguous, intent(in) :: f(:, :)
+    real(pp), contiguous, intent(inout) :: x(:, :)
+    integer :: i
+
+    if (rising) then
+      do i = 2, size(x, 1) - 1
+        self%work(i) = (f(i, j) - self%before(i, j)*x(i, j - 1))*self%pivot(i, j)
+      end do
+    else
+      do i = 2, size(x, 1) - 1
+        self%work(i) = (f(i, j) - self%after(i, j)*x(i, j + 1))*self%pivot(i, j)
+      end do
+    end if
+    call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
+  end subroutine relax_first
+
+  !> Solves a factored line whose right-hand side g is already divided by the pivots; g is used up.
+  pure subroutine substitute(outward, inward, g, x)
+    real(pp), contiguous, intent(in) :: outward(:), inward(:)
+    real(pp), contiguous, intent(inout) :: g(:), x(:)
     real(pp) :: low, high
     integer :: i, k, n, middle
 
-    n = size(x, 1)
+    n = size(x)
     middle = n/2
-    do i = 2, n - 1
-      g(i) = (f(i, j) - matrix%before(i, j)*x(i, j - 1) - matrix%after(i, j)*x(i, j + 1))*factors%pivot(i, j)
-    end do
     ! elimination from both ends: the upper half has one point more if n is odd
     low = 0
     high = 0
     if (mod(n, 2) == 1) high = g(n - 1)
     do k = 2, middle
-      low = g(k) - factors%outward(k, j)*low
+      low = g(k) - outward(k)*low
       g(k) = low
       i = n + 1 - k - mod(n, 2)
-      high = g(i) - factors%outward(i, j)*high
+      high = g(i) - outward(i)*high
       g(i) = high
     end do
-    low = (g(middle) - factors%inward(middle, j)*g(middle + 1)) &
-      /(1 - factors%inward(middle, j)*factors%inward(middle + 1, j))
-    high = g(middle + 1) - factors%inward(middle + 1, j)*low
-    x(middle, j) = low
-    x(middle + 1, j) = high
+    low = (g(middle) - inward(middle)*g(middle + 1))/(1 - inward(middle)*inward(middle + 1))
+    high = g(middle + 1) - inward(middle + 1)*low
+    x(middle) = low
+    x(middle + 1) = high
     do k = middle - 1, 2, -1
-      low = g(k) - factors%inward(k, j)*low
-      x(k, j) = low
+      low = g(k) - inward(k)*low
+      x(k) = low
       i = 2*middle + 1 - k
-      high = g(i) - factors%inward(i, j)*high
-      x(i, j) = high
+      high = g(i) - inward(i)*high
+      x(i) = high
     end do
-    if (mod(n, 2) == 1) x(n - 1, j) = g(n - 1) - factors%inward(n - 1, j)*high
-  end subroutine solve_line
+    if (mod(n, 2) == 1) x(n - 1) = g(n - 1) - inward(n - 1)*high
+  end subroutine substitute
 
 end module line_smoother

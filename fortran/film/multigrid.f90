@@ -1,23 +1,27 @@
 !> An approximate solve of the linearised Reynolds equation, by one multigrid V-cycle on a local model.
 !>
 !> The model keeps the five nearest points: diffusion as it is, first-order upwind wedge, and the deflection
-!> kernel cut down to a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the entrainment
-!> and swept downstream, so that the wedge of the model is solved exactly by a sweep; the coarsest grid is solved
-!> by band LU. The cycle preconditions the exact system and decides only how fast that converges, not to what:
-!> hence single precision.
+!> kernel cut down to a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the
+!> entrainment and swept downstream, so that the wedge of the model is solved exactly by a sweep; the
+!> coarsest grid is solved by band LU. The cycle preconditions the exact system and decides only how fast
+!> that converges, not to what: hence single precision.
 !>
-!> Fields of a level have the direction of the lines as their first index: (length, count). They are those of the
-!> film transposed if the entrainment runs, on the whole, along x.
+!> Fields of a level have the direction of the lines as their first index: (length, count). They are those of
+!> the film transposed if the entrainment runs, on the whole, along x.
+!>
+!> A cycle is bound by the memory it reads. Hence a sweep from zero leaves a residual that only the line
+!> after each adds to, which is restricted as it is computed; and the coarse grid's correction is added to a
+!> line just before its neighbour is solved against it, since a line's own old values are never read.
 module multigrid
   use kinds, only: pp, wp
   use lapack, only: sgbtrf, sgbtrs
-  use line_smoother, only: five_points, line_factors, new_line_factors, factor_lines, sweep_lines
+  use line_smoother, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
   use reynolds, only: film_fields, film_grid
   use status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)
   private
 
-  public :: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  public :: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
 
   !> The kernel's stand-in, in units of its centre value: its nearest neighbours count too.
   real(pp), parameter :: kernel_share = 4.0_pp
@@ -32,16 +36,14 @@ module multigrid
     real(pp) :: compliance = 0
     !> Entrainment through the face after a node, along the line and towards the next line [m/s].
     real(pp), allocatable :: along(:, :), across(:, :)
-    !> Mobility, and what multiplies a pressure change in the change of mobility and of rho h.
-    real(pp), allocatable :: m(:, :), dm(:, :), dq(:, :)
+    !> Mobility, pressure, and 1 where it is free to change, else 0.
+    real(pp), allocatable :: m(:, :), p(:, :), free(:, :)
     !> Mobility towards the next line where it is another than within a line.
     real(pp), allocatable :: m_across(:, :)
-    !> Pressure, and 1 where it is free to change, else 0.
-    real(pp), allocatable :: p(:, :), free(:, :)
-    type(five_points) :: matrix
-    type(line_factors) :: factors
-    !> Solution, right-hand side, residual.
-    real(pp), allocatable :: x(:, :), f(:, :), r(:, :)
+    type(line_systems) :: lines
+    !> Solution and right-hand side. While a level is built: what multiplies a pressure change in the change of
+    !> mobility and in that of rho h.
+    real(pp), allocatable :: x(:, :), f(:, :)
   end type grid_level
 
   type :: film_multigrid
@@ -83,22 +85,30 @@ contains
         level%compliance = kernel_share*real(centre*2**(l - 1), pp)
         call allocate_level(level, stat)
         if (stat /= status_ok) return
-        if (l == 1) then
-          call orient(self%transposed, merge(grid%v, grid%u, self%transposed), level%along)
-          call orient(self%transposed, merge(grid%u, grid%v, self%transposed), level%across)
-        else
-          call coarsen_entrainment(self%level(l - 1), level)
-        end if
       end associate
       length = (length + 1)/2
       count = (count + 1)/2
     end do
+    call set_entrainment(self, grid)
     associate (coarsest => self%level(levels))
       allocate (self%band(3*coarsest%length + 1, coarsest%length*coarsest%count), &
         self%pivots(coarsest%length*coarsest%count), stat=err)
     end associate
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_multigrid
+
+  !> Takes up the grid's entrainment. Lines stay as they were laid.
+  subroutine set_entrainment(self, grid)
+    type(film_multigrid), intent(inout) :: self
+    type(film_grid), intent(in) :: grid
+    integer :: l
+
+    call orient(self%transposed, merge(grid%v, grid%u, self%transposed), self%level(1)%along)
+    call orient(self%transposed, merge(grid%u, grid%v, self%transposed), self%level(1)%across)
+    do l = 2, size(self%level)
+      call coarsen_entrainment(self%level(l - 1), self%level(l))
+    end do
+  end subroutine set_entrainment
 
   !> How often both directions can be halved.
   pure integer function coarsenings(length, count)
@@ -122,13 +132,10 @@ contains
 
     n = level%length
     m = level%count
-    allocate (level%along(n, m), level%across(n, m), level%m(n, m), level%dm(n, m), level%dq(n, m), &
-      level%p(n, m), level%free(n, m), level%x(n, m), level%f(n, m), level%r(n, m), source=0.0_pp, stat=err)
+    allocate (level%along(n, m), level%across(n, m), level%m(n, m), level%p(n, m), level%free(n, m), level%x(n, m), &
+      level%f(n, m), source=0.0_pp, stat=err)
     stat = status_no_memory
-    if (err /= 0) return
-    allocate (level%matrix%centre(n, m), level%matrix%left(n, m), level%matrix%right(n, m), &
-      level%matrix%before(n, m), level%matrix%after(n, m), source=0.0_pp, stat=err)
-    if (err == 0) call new_line_factors(n, m, level%factors, stat)
+    if (err == 0) call new_line_systems(n, m, level%lines, stat)
   end subroutine allocate_level
 
   !> A film's field as the finest level has it.
@@ -185,16 +192,16 @@ contains
       associate (level => self%level(l))
         call orient(self%transposed, fields%p(::stride, ::stride), level%p)
         call orient(self%transposed, fields%mobility_p(::stride, ::stride) &
-          + level%compliance*fields%mobility_h(::stride, ::stride), level%dm)
+          + level%compliance*fields%mobility_h(::stride, ::stride), level%x)
         call orient(self%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
-          + level%compliance*fields%rho(::stride, ::stride), level%dq)
+          + level%compliance*fields%rho(::stride, ::stride), level%f)
         call orient(self%transposed, merge(1.0_wp, 0.0_wp, free(::stride, ::stride)), level%free)
         if (allocated(level%m_across)) then
-          call set_matrix(level, level%m_across)
+          call set_lines(self, l, level%m_across)
         else
-          call set_matrix(level, level%m)
+          call set_lines(self, l, level%m)
         end if
-        if (l < size(self%level)) call factor_lines(level%matrix, level%factors)
+        level%x = 0
       end associate
     end do
     call factor_coarsest(self, stat)
@@ -228,46 +235,74 @@ contains
     end do
   end subroutine set_mobility
 
-  !> The five-point matrix of the local model; rows where pressure is not free are those of the identity.
-  subroutine set_matrix(level, m_across)
-    type(grid_level), intent(inout) :: level
+  !> The five-point matrix of the local model: factored lines, on the coarsest level a band. Rows where
+  !> pressure is not free are those of the identity.
+  subroutine set_lines(self, l, m_across)
+    type(film_multigrid), intent(inout) :: self
+    integer, intent(in) :: l
     real(pp), intent(in) :: m_across(:, :)
-    real(pp) :: leave(level%length), enter(level%length)
+    real(pp), dimension(self%level(l)%length) :: centre, left, right, before, after, leave, enter
     integer :: i, j, n
 
-    n = level%length
-    associate (a => level%matrix, m => level%m, p => level%p, dm => level%dm, dq => level%dq, free => level%free)
-      !$omp parallel do private(i, leave, enter) schedule(static)
+    n = self%level(l)%length
+    if (l == size(self%level)) self%band = 0
+    associate (level => self%level(l), m => self%level(l)%m, p => self%level(l)%p, free => self%level(l)%free, &
+      dm => self%level(l)%x, dq => self%level(l)%f)
+      !$omp parallel do private(i, centre, left, right, before, after, leave, enter) schedule(static)
       do j = 2, level%count - 1
         ! through the faces within the line: what a node's pressure drives out of it, and the next one's into it
         call face_flow(m(:n - 1, j), m(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
           dq(2:, j), level%along(:n - 1, j), 1/level%d_along, leave(:n - 1), enter(:n - 1))
         do i = 2, n - 1
-          a%centre(i, j) = leave(i) + enter(i - 1)
-          a%right(i, j) = -enter(i)*free(i + 1, j)
-          a%left(i, j) = -leave(i - 1)*free(i - 1, j)
+          centre(i) = leave(i) + enter(i - 1)
+          right(i) = -free(i, j)*enter(i)*free(i + 1, j)
+          left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
         end do
         ! through the faces towards the next line, and from the one before
         call face_flow(m_across(:, j), m_across(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), dq(:, j), dq(:, j + 1), &
           level%across(:, j), 1/level%d_across, leave, enter)
-        a%centre(:, j) = a%centre(:, j) + leave
-        a%after(:, j) = -enter*free(:, j + 1)
+        do i = 2, n - 1
+          centre(i) = centre(i) + leave(i)
+          after(i) = -free(i, j)*enter(i)*free(i, j + 1)
+        end do
         call face_flow(m_across(:, j - 1), m_across(:, j), p(:, j - 1), p(:, j), dm(:, j - 1), dm(:, j), dq(:, j - 1), dq(:, j), &
           level%across(:, j - 1), 1/level%d_across, leave, enter)
-        a%centre(:, j) = a%centre(:, j) + enter
-        a%before(:, j) = -leave*free(:, j - 1)
         do i = 2, n - 1
-          a%centre(i, j) = free(i, j)*a%centre(i, j) + (1 - free(i, j))
-          a%left(i, j) = free(i, j)*a%left(i, j)
-          a%right(i, j) = free(i, j)*a%right(i, j)
-          a%before(i, j) = free(i, j)*a%before(i, j)
-          a%after(i, j) = free(i, j)*a%after(i, j)
+          centre(i) = merge(centre(i) + enter(i), 1.0_pp, free(i, j) > 0)
+          before(i) = -free(i, j)*leave(i)*free(i, j - 1)
         end do
+        if (l == size(self%level)) then
+          call set_band(self%band, n, j, centre, left, right, before, after)
+        else
+          level%lines%before(2:n - 1, j) = before(2:n - 1)
+          level%lines%after(2:n - 1, j) = after(2:n - 1)
+          call factor_line(level%lines, j, centre, left, right, free(:, j))
+        end if
       end do
     end associate
-  end subroutine set_matrix
+  end subroutine set_lines
 
-  !> Flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, less that by one at 2, `enter`.
+  !> Line j of n points in LAPACK's band storage: element (row, column) stands at (2 n + 1 + row - column,
+  !> column).
+  pure subroutine set_band(band, n, j, centre, left, right, before, after)
+    real(pp), intent(inout) :: band(:, :)
+    integer, intent(in) :: n, j
+    real(pp), intent(in) :: centre(n), left(n), right(n), before(n), after(n)
+    integer :: i, row, diagonal
+
+    diagonal = 2*n + 1
+    do i = 2, n - 1
+      row = i + n*(j - 1)
+      band(diagonal, row) = centre(i)
+      band(diagonal + 1, row - 1) = left(i)
+      band(diagonal - 1, row + 1) = right(i)
+      band(diagonal + n, row - n) = before(i)
+      band(diagonal - n, row + n) = after(i)
+    end do
+  end subroutine set_band
+
+  !> Flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, less that by one at 2,
+  !> `enter`.
   elemental subroutine face_flow(m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length, leave, enter)
     real(pp), intent(in) :: m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length
     real(pp), intent(out) :: leave, enter
@@ -282,25 +317,13 @@ contains
   subroutine factor_coarsest(self, stat)
     type(film_multigrid), intent(inout) :: self
     integer, intent(out) :: stat
-    integer :: i, j, row, n, points, info, diagonal
+    integer :: n, points, info
 
-    associate (level => self%level(size(self%level)), a => self%level(size(self%level))%matrix)
+    associate (level => self%level(size(self%level)), diagonal => self%band(2*self%level(size(self%level))%length + 1, :))
       n = level%length
       points = n*level%count
-      diagonal = 2*n + 1
-      self%band = 0
-      self%band(diagonal, :) = 1
-      ! LAPACK's band storage: element (row, column) stands at (diagonal + row - column, column)
-      do j = 2, level%count - 1
-        do i = 2, n - 1
-          row = i + n*(j - 1)
-          self%band(diagonal, row) = a%centre(i, j)
-          self%band(diagonal + 1, row - 1) = a%left(i, j)
-          self%band(diagonal - 1, row + 1) = a%right(i, j)
-          self%band(diagonal + n, row - n) = a%before(i, j)
-          self%band(diagonal - n, row + n) = a%after(i, j)
-        end do
-      end do
+      ! rows of the outline, which no line has set
+      where (.not. abs(diagonal) > 0) diagonal = 1
       call sgbtrf(points, points, n, n, self%band, 3*n + 1, self%pivots, info)
     end associate
     stat = merge(status_ok, status_not_converged, info == 0)
@@ -313,7 +336,6 @@ contains
     real(wp), intent(out) :: x(:, :)
 
     call orient(self%transposed, f, self%level(1)%f)
-    self%level(1)%f = self%level(1)%f*self%level(1)%free
     call cycle_from(self, 1)
     call orient_back(self%transposed, self%level(1)%x, x)
   end subroutine film_cycle
@@ -345,37 +367,75 @@ contains
   recursive subroutine cycle_from(self, l)
     type(film_multigrid), intent(inout) :: self
     integer, intent(in) :: l
+    integer :: j, first, last, step
 
     if (l == size(self%level)) then
       call solve_coarsest(self)
       return
     end if
     associate (level => self%level(l), coarser => self%level(l + 1))
-      level%x = 0
-      call sweep_lines(level%matrix, level%factors, level%f, self%rising, level%x)
-      call residual(level)
-      call restrict(level%r, coarser%f)
-      coarser%f = coarser%f*coarser%free
+      step = merge(1, -1, self%rising)
+      first = merge(2, level%count - 1, self%rising)
+      last = merge(level%count - 1, 2, self%rising)
+      do j = first, last, step
+        call relax_first(level%lines, j, self%rising, level%f, level%x)
+      end do
+      if (self%rising) then
+        call restrict_rest(level%lines%after, level%x, 1, coarser%f)
+      else
+        call restrict_rest(level%lines%before, level%x, -1, coarser%f)
+      end if
       call cycle_from(self, l + 1)
-      call add_prolonged(coarser%x, level%free, level%x)
-      call sweep_lines(level%matrix, level%factors, level%f, self%rising, level%x)
+      do j = first, last, step
+        if (j /= last) call correct_line(coarser%x, j + step, level%lines%work, level%x)
+        call relax_line(level%lines, j, level%f, level%x)
+      end do
     end associate
   end subroutine cycle_from
 
-  subroutine residual(level)
-    type(grid_level), intent(inout) :: level
-    integer :: i, j
+  !> Restricts by full weighting what a sweep from zero leaves: x of the line that follows by `step`, by its
+  !> coupling.
+  subroutine restrict_rest(coupling, x, step, coarse)
+    real(pp), contiguous, intent(in) :: coupling(:, :), x(:, :)
+    integer, intent(in) :: step
+    real(pp), contiguous, intent(inout) :: coarse(:, :)
+    real(pp) :: row(size(x, 1))
+    integer :: i, j, l
 
-    associate (a => level%matrix, x => level%x)
-      !$omp parallel do private(i) schedule(static)
-      do j = 2, level%count - 1
-        do i = 2, level%length - 1
-          level%r(i, j) = level%f(i, j) - a%centre(i, j)*x(i, j) - a%left(i, j)*x(i - 1, j) &
-            - a%right(i, j)*x(i + 1, j) - a%before(i, j)*x(i, j - 1) - a%after(i, j)*x(i, j + 1)
-        end do
+    ! the coupling of the outline's lines is zero
+    !$omp parallel do private(i, l, row) schedule(static)
+    do j = 2, size(coarse, 2) - 1
+      l = 2*j - 1
+      do i = 2, size(x, 1) - 1
+        row(i) = -(coupling(i, l)*x(i, l + step) + (coupling(i, l - 1)*x(i, l - 1 + step) &
+          + coupling(i, l + 1)*x(i, l + 1 + step))/2)/2
       end do
-    end associate
-  end subroutine residual
+      do i = 2, size(coarse, 1) - 1
+        coarse(i, j) = (row(2*i - 1) + (row(2*i - 2) + row(2*i))/2)/2
+      end do
+    end do
+  end subroutine restrict_rest
+
+  !> Adds the bilinear interpolant of the coarse field to line j; `row` is workspace. Where pressure is not
+  !> free no coupling reads it.
+  pure subroutine correct_line(coarse, j, row, fine)
+    real(pp), contiguous, intent(in) :: coarse(:, :)
+    integer, intent(in) :: j
+    real(pp), contiguous, intent(inout) :: row(:), fine(:, :)
+    integer :: i, k, n
+
+    k = (j + 1)/2
+    n = size(coarse, 1)
+    if (mod(j, 2) == 1) then
+      row(:n) = coarse(:, k)
+    else
+      row(:n) = (coarse(:, k) + coarse(:, k + 1))/2
+    end if
+    do i = 1, n - 1
+      fine(2*i - 1, j) = fine(2*i - 1, j) + row(i)
+      fine(2*i, j) = fine(2*i, j) + (row(i) + row(i + 1))/2
+    end do
+  end subroutine correct_line
 
   subroutine solve_coarsest(self)
     type(film_multigrid), intent(inout) :: self
@@ -385,7 +445,7 @@ contains
     associate (level => self%level(size(self%level)))
       points = level%length*level%count
       allocate (b(points, 1))
-      b = reshape(level%f, [points, 1])
+      b = reshape(level%f*level%free, [points, 1])
       call sgbtrs("N", points, level%length, level%length, 1, self%band, 3*level%length + 1, self%pivots, b, points, &
         info)
       level%x = reshape(b, [level%length, level%count])
@@ -409,27 +469,5 @@ contains
       end do
     end do
   end subroutine restrict
-
-  !> Adds the bilinear interpolant of the coarse field where pressure is free.
-  subroutine add_prolonged(coarse, free, fine)
-    real(pp), intent(in) :: coarse(:, :), free(:, :)
-    real(pp), intent(inout) :: fine(:, :)
-    real(pp) :: row(size(coarse, 1))
-    integer :: i, j, k
-
-    !$omp parallel do private(i, k, row) schedule(static)
-    do j = 1, size(fine, 2)
-      k = (j + 1)/2
-      if (mod(j, 2) == 1) then
-        row = coarse(:, k)
-      else
-        row = (coarse(:, k) + coarse(:, k + 1))/2
-      end if
-      do i = 1, size(coarse, 1) - 1
-        fine(2*i - 1, j) = fine(2*i - 1, j) + free(2*i - 1, j)*row(i)
-        fine(2*i, j) = fine(2*i, j) + free(2*i, j)*(row(i) + row(i + 1))/2
-      end do
-    end do
-  end subroutine add_prolonged
 
 end module multigrid

@@ -6,9 +6,9 @@
 !> system. Python owns the loop; each call does one step.
 module point_film
   use half_space, only: elastic_half_space, new_half_space
-  use kinds, only: wp
+  use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
-  use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  use multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
   use flow_laws, only: flow_law
   use oil_laws, only: oil_law
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
@@ -16,18 +16,25 @@ module point_film
   use sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
     sheared_imbalance_change
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
+  use tally, only: work_tally
   use vectors, only: total
   implicit none(type, external)
   private
 
-  public :: point_contact, new_point_contact, shear_point_contact, film_residual, film_step
+  public :: point_contact, new_point_contact, shear_point_contact, entrain, film_residual, film_step
 
   !> Most Krylov iterations in one Newton step.
-  integer, parameter :: most_krylov = 24
+  integer, parameter :: most_krylov = 16
   !> Shortest step tried along a Newton direction.
   real(wp), parameter :: shortest_step = 1.0_wp/64
   !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
   real(wp), parameter :: most_growth = 2
+
+  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its cycles; all of it,
+  !> by the caller.
+  type :: film_work
+    type(work_tally) :: convolution, flow, building, cycle, whole
+  end type film_work
 
   type, extends(linear_system) :: point_contact
     type(film_grid) :: grid
@@ -52,9 +59,11 @@ module point_film
     !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
     real(wp), allocatable :: softness(:, :)
     real(wp) :: softness_load = 0
-    !> Scratch of one field; the Newton step's right-hand side, its solution, the pressure it starts from; the
-    !> Krylov basis.
-    real(wp), allocatable :: dh(:, :), right(:), change(:), start(:, :), basis(:, :)
+    !> Scratch of one field; the Newton step's right-hand side, then the pressure it starts from; its
+    !> solution; the Krylov basis.
+    real(wp), allocatable :: dh(:, :), right(:), change(:)
+    real(pp), allocatable :: basis(:, :)
+    type(film_work) :: work
   contains
     procedure :: multiply
     procedure :: precondition
@@ -97,10 +106,20 @@ contains
     if (stat == status_ok) call new_film_multigrid(self%grid, self%space%centre, self%cycles, stat)
     if (stat /= status_ok) return
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
-      self%start(nx, ny), self%right(nx*ny + 1), self%change(nx*ny + 1), &
-      self%basis(nx*ny + 1, most_krylov + 1), stat=err)
+      self%right(nx*ny + 1), self%change(nx*ny + 1), &
+      self%basis(nx*ny + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_point_contact
+
+  !> Changes the nodal entrainment to (u, v) [m/s]. Residuals stay measured by the wedge flow of the first one.
+  subroutine entrain(self, u, v)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: u(:, :), v(:, :)
+
+    self%grid%u = face_mean_x(u)
+    self%grid%v = face_mean_y(v)
+    call set_entrainment(self%cycles, self%grid)
+  end subroutine entrain
 
   !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
   !>
@@ -147,10 +166,17 @@ contains
     real(wp), contiguous, intent(in) :: p(:, :)
     real(wp), intent(in) :: h0
     real(wp), intent(out) :: residual, load_error
+    integer :: j
 
-    self%fields%p = p
+    call self%work%convolution%start()
     call self%space%deflection(p, self%fields%h)
-    self%fields%h = self%fields%h + self%gap + h0
+    call self%work%convolution%finish()
+    call self%work%flow%start()
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      self%fields%p(:, j) = p(:, j)
+      self%fields%h(:, j) = self%fields%h(:, j) + self%gap(:, j) + h0
+    end do
     if (allocated(self%shear)) then
       call set_sheared_fields(self%grid, self%oil, self%floor, self%shear, self%fields)
       call sheared_imbalance(self%grid, self%shear, self%fields, self%imbalance)
@@ -158,9 +184,14 @@ contains
       call set_film_fields(self%oil, self%floor, self%fields)
       call flow_imbalance(self%grid, self%fields, self%imbalance)
     end if
-    self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
-    residual = sum(abs(self%imbalance), mask=self%free)/self%wedge
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
+      self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
+    end do
+    residual = total(self%dh)/self%wedge
     load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
+    call self%work%flow%finish()
   end subroutine film_residual
 
   !> Sum of |um . grad g| and of the squeeze over the inner nodes [m/s], g being the undeformed gap [m].
@@ -197,7 +228,9 @@ contains
     n = size(p)
     step = 0
     krylov = 0
+    call self%work%building%start()
     call set_film_multigrid(self%cycles, self%fields, self%free, stat)
+    call self%work%building%finish()
     if (stat /= status_ok) return
     call set_softness(self)
 
@@ -212,21 +245,24 @@ contains
       return
     end if
 
-    self%start = p
+    do j = 1, self%grid%ny
+      k = nx*(j - 1)
+      self%right(k + 1:k + nx) = p(:, j)
+    end do
     start_h0 = h0
     merit = residual + abs(load_error)
     step = 1
     do
       do j = 1, self%grid%ny
         k = nx*(j - 1)
-        p(:, j) = max(self%start(:, j) + step*self%change(k + 1:k + nx), 0.0_wp)
+        p(:, j) = max(self%right(k + 1:k + nx) + step*self%change(k + 1:k + nx), 0.0_wp)
       end do
       h0 = start_h0 + step*self%change(n + 1)
       call film_residual(self, p, h0, residual, load_error)
       if (residual + abs(load_error) <= most_growth*merit) exit
       step = step/2
       if (step < shortest_step) then
-        p = self%start
+        p = reshape(self%right(:n), shape(p))
         h0 = start_h0
         call film_residual(self, p, h0, residual, load_error)
         stat = status_no_descent
@@ -238,14 +274,17 @@ contains
 
   !> Pressure by which the preconditioner answers a unit rise of the rigid film.
   subroutine set_softness(self)
-    type(point_contact), intent(inout) :: self
+    type(point_contact), target, intent(inout) :: self
+    real(wp), contiguous, pointer :: start(:, :)
 
-    ! start and dh are free at this point of a step
-    self%start = 0
+    ! softness, change and dh are free at this point of a step
+    self%softness = 0
     self%dh = 1
-    call imbalance_change(self, self%start, self%dh, self%softness)
-    self%start = self%softness
-    call film_cycle(self%cycles, self%start, self%softness)
+    start(1:self%grid%nx, 1:self%grid%ny) => self%change(:size(self%dh))
+    call imbalance_change(self, self%softness, self%dh, start)
+    call self%work%cycle%start()
+    call film_cycle(self%cycles, start, self%softness)
+    call self%work%cycle%finish()
     self%softness_load = total(self%softness)
   end subroutine set_softness
 
@@ -268,15 +307,25 @@ contains
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
     real(wp), contiguous, pointer :: dp(:, :), dr(:, :)
-    integer :: n
+    integer :: j, n
 
     n = self%grid%nx*self%grid%ny
     dp(1:self%grid%nx, 1:self%grid%ny) => x(:n)
     dr(1:self%grid%nx, 1:self%grid%ny) => y(:n)
+    call self%work%convolution%start()
     call self%space%deflection(dp, self%dh)
-    self%dh = self%dh + x(n + 1)
+    call self%work%convolution%finish()
+    call self%work%flow%start()
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      self%dh(:, j) = self%dh(:, j) + x(n + 1)
+    end do
     call imbalance_change(self, dp, self%dh, dr)
-    where (.not. self%free) dr = 0
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      where (.not. self%free(:, j)) dr(:, j) = 0
+    end do
+    call self%work%flow%finish()
     y(n + 1) = total(dp)*self%grid%dx*self%grid%dy*self%load_weight
   end subroutine multiply
 
@@ -286,14 +335,19 @@ contains
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
     real(wp), contiguous, pointer :: r(:, :), dp(:, :)
-    integer :: n
+    integer :: j, n
 
     n = self%grid%nx*self%grid%ny
     r(1:self%grid%nx, 1:self%grid%ny) => x(:n)
     dp(1:self%grid%nx, 1:self%grid%ny) => y(:n)
+    call self%work%cycle%start()
     call film_cycle(self%cycles, r, dp)
+    call self%work%cycle%finish()
     y(n + 1) = (total(dp) - x(n + 1)/(self%grid%dx*self%grid%dy*self%load_weight))/self%softness_load
-    dp = dp - self%softness*y(n + 1)
+    !$omp parallel do schedule(static)
+    do j = 1, self%grid%ny
+      dp(:, j) = dp(:, j) - self%softness(:, j)*y(n + 1)
+    end do
   end subroutine precondition
 
 end module point_film

@@ -5,13 +5,16 @@
 !> that at ambient pressure, so that the residual is a volume flow per area [m/s].
 module reynolds
   use kinds, only: wp
-  use oil_laws, only: oil_law, viscosity, density
+  use oil_laws, only: oil_law, viscosities, densities
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
   public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
-  public :: add_wedge, clear_outline
+  public :: add_wedge
+
+  !> Rows done in one go: what is upwind of them is computed for them alone, and lies in the first caches.
+  integer, parameter :: strip = 32
 
   !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
   type :: film_grid
@@ -33,8 +36,6 @@ module reynolds
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
     !> Mobility along y where it is another than along x (`sheared_reynolds`).
     real(wp), allocatable :: mobility_y(:, :)
-    !> Scratch: rho h, or its change, and the change of the mobility.
-    real(wp), allocatable :: mass(:, :), mobility_change(:, :)
   end type film_fields
 
 contains
@@ -47,8 +48,7 @@ contains
     integer :: err
 
     allocate (fields%p(nx, ny), fields%h(nx, ny), fields%rho(nx, ny), fields%rho_p(nx, ny), &
-      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), fields%mass(nx, ny), &
-      fields%mobility_change(nx, ny), stat=err)
+      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
     fields%p = 0
@@ -63,122 +63,219 @@ contains
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: floor
     type(film_fields), intent(inout) :: fields
-    real(wp) :: eta, slope, thickness
-    integer :: i, j
+    real(wp), dimension(size(fields%p, 1)) :: eta, slope
+    integer :: j
 
-    !$omp parallel do private(i, eta, slope, thickness) schedule(static)
+    !$omp parallel do private(eta, slope) schedule(static)
     do j = 1, size(fields%p, 2)
-      do i = 1, size(fields%p, 1)
-        call viscosity(oil, fields%p(i, j), eta, slope)
-        call density(oil, fields%p(i, j), fields%rho(i, j), fields%rho_p(i, j))
-        thickness = max(fields%h(i, j), floor)
-        fields%mobility(i, j) = fields%rho(i, j)*thickness**3/(12*eta)
-        fields%mobility_p(i, j) = fields%mobility(i, j)*(fields%rho_p(i, j)/fields%rho(i, j) - slope)
-        fields%mobility_h(i, j) = 0
-        if (fields%h(i, j) > floor) fields%mobility_h(i, j) = 3*fields%mobility(i, j)/thickness
-      end do
+      call viscosities(oil, fields%p(:, j), eta, slope)
+      call densities(oil, fields%p(:, j), fields%rho(:, j), fields%rho_p(:, j))
+      call set_mobility(size(eta), fields%h(:, j), floor, fields%rho(:, j), fields%rho_p(:, j), eta, slope, &
+        fields%mobility(:, j), fields%mobility_p(:, j), fields%mobility_h(:, j))
     end do
   end subroutine set_film_fields
+
+  !> A row's mobility and its derivatives.
+  pure subroutine set_mobility(n, h, floor, rho, rho_p, eta, slope, m, m_p, m_h)
+    integer, intent(in) :: n
+    real(wp), dimension(n), intent(in) :: h, rho, rho_p, eta, slope
+    real(wp), intent(in) :: floor
+    real(wp), dimension(n), intent(out) :: m, m_p, m_h
+    real(wp) :: thickness
+    integer :: i
+
+    do i = 1, n
+      thickness = max(h(i), floor)
+      m(i) = rho(i)*thickness**3/(12*eta(i))
+      m_p(i) = m(i)*(rho_p(i)/rho(i) - slope(i))
+      m_h(i) = merge(3*m(i)/thickness, 0.0_wp, h(i) > floor)
+    end do
+  end subroutine set_mobility
 
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine flow_imbalance(grid, fields, imbalance)
     type(film_grid), intent(in) :: grid
-    type(film_fields), intent(inout) :: fields
+    type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(out) :: imbalance(:, :)
-    integer :: j
+    integer :: first
 
-    !$omp parallel do schedule(static)
-    do j = 1, grid%ny
-      fields%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
-      imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
-    end do
-    call add_wedge(grid, fields%mass, imbalance)
-    call add_diffusion(grid, fields%mobility, fields%p, imbalance)
     call clear_outline(imbalance)
+    !$omp parallel do schedule(static)
+    do first = 2, grid%ny - 1, strip
+      call imbalance_of_rows(grid, fields, first, min(first + strip, grid%ny) - 1, imbalance)
+    end do
   end subroutine flow_imbalance
 
   !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
   subroutine flow_imbalance_change(grid, fields, dp, dh, change)
     type(film_grid), intent(in) :: grid
-    type(film_fields), intent(inout) :: fields
+    type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
-    integer :: j
+    integer :: first
 
-    !$omp parallel do schedule(static)
-    do j = 1, grid%ny
-      fields%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
-      fields%mobility_change(:, j) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
-      change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
-    end do
-    call add_wedge(grid, fields%mass, change)
-    call add_diffusion(grid, fields%mobility, dp, change)
-    call add_diffusion(grid, fields%mobility_change, fields%p, change)
     call clear_outline(change)
+    !$omp parallel do schedule(static)
+    do first = 2, grid%ny - 1, strip
+      call change_of_rows(grid, fields, dp, dh, first, min(first + strip, grid%ny) - 1, change)
+    end do
   end subroutine flow_imbalance_change
 
-  !> Adds -div(m grad p).
-  subroutine add_diffusion(grid, m, p, r)
-    type(film_grid), intent(in) :: grid
-    real(wp), contiguous, intent(in) :: m(:, :), p(:, :)
-    real(wp), contiguous, intent(inout) :: r(:, :)
-    real(wp) :: along_x, along_y
-    integer :: i, j
-
-    along_x = 0.5_wp/grid%dx**2
-    along_y = 0.5_wp/grid%dy**2
-    !$omp parallel do private(i) schedule(static)
-    do j = 2, grid%ny - 1
-      do i = 2, grid%nx - 1
-        r(i, j) = r(i, j) &
-          + along_x*((m(i, j) + m(i + 1, j))*(p(i, j) - p(i + 1, j)) &
-          + (m(i, j) + m(i - 1, j))*(p(i, j) - p(i - 1, j))) &
-          + along_y*((m(i, j) + m(i, j + 1))*(p(i, j) - p(i, j + 1)) &
-          + (m(i, j) + m(i, j - 1))*(p(i, j) - p(i, j - 1)))
-      end do
-    end do
-  end subroutine add_diffusion
-
-  !> Adds div(q um) with q upwind to second order; next to the outline q is the mean of a face's two nodes.
+  !> Adds div(q um) to what r holds at the inner nodes; r becomes zero on the outline.
   subroutine add_wedge(grid, q, r)
     type(film_grid), intent(in) :: grid
     real(wp), contiguous, intent(in) :: q(:, :)
     real(wp), contiguous, intent(inout) :: r(:, :)
-    real(wp) :: flux(grid%nx), before(grid%nx), after(grid%nx)
-    integer :: i, j, nx
+    integer :: first
 
-    nx = grid%nx
-    !$omp parallel do private(i, flux, before, after) schedule(static)
-    do j = 2, grid%ny - 1
-      flux(1) = grid%u(1, j)*(q(1, j) + q(2, j))/(2*grid%dx)
-      flux(nx - 1) = grid%u(nx - 1, j)*(q(nx - 1, j) + q(nx, j))/(2*grid%dx)
-      do i = 2, nx - 2
-        flux(i) = upwind(grid%u(i, j), q(i - 1, j), q(i, j), q(i + 1, j), q(i + 2, j))/grid%dx
-      end do
-      call flow_between_rows(grid, q, j - 1, before)
-      call flow_between_rows(grid, q, j, after)
-      do i = 2, nx - 1
-        r(i, j) = r(i, j) + flux(i) - flux(i - 1) + after(i) - before(i)
-      end do
+    call clear_outline(r)
+    !$omp parallel do schedule(static)
+    do first = 2, grid%ny - 1, strip
+      call add_wedge_of_rows(grid, q, first, min(first + strip, grid%ny) - 1, r)
     end do
   end subroutine add_wedge
 
-  !> Wedge flow through the faces between row j and the next, per spacing [m/s].
-  pure subroutine flow_between_rows(grid, q, j, flux)
+  !> The same for rows `first` to `last`.
+  pure subroutine add_wedge_of_rows(grid, q, first, last, r)
     type(film_grid), intent(in) :: grid
     real(wp), contiguous, intent(in) :: q(:, :)
+    integer, intent(in) :: first, last
+    real(wp), contiguous, intent(inout) :: r(:, :)
+    real(wp) :: rows(grid%nx, 0:4), before(grid%nx), after(grid%nx), stored(grid%nx), flux(grid%nx)
+    integer :: j, k
+
+    do j = max(first - 2, 1), first + 1
+      rows(:, mod(j, 5)) = q(:, j)
+    end do
+    call wedge_to_next_row(grid, first - 1, rows, before)
+    do j = first, last
+      k = min(j + 2, grid%ny)
+      rows(:, mod(k, 5)) = q(:, k)
+      call wedge_to_next_row(grid, j, rows, after)
+      stored = r(:, j)
+      call set_wedge(grid%nx, grid%dx, grid%u(:, j), q(:, j), before, after, stored, flux, r(:, j))
+      before = after
+    end do
+  end subroutine add_wedge_of_rows
+
+  !> Imbalance of rows `first` to `last`.
+  pure subroutine imbalance_of_rows(grid, fields, first, last, imbalance)
+    type(film_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    integer, intent(in) :: first, last
+    real(wp), contiguous, intent(inout) :: imbalance(:, :)
+    !> rho h of row j at mod(j, 5); wedge flow to the row and to the next.
+    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx), stored(grid%nx), flux(grid%nx)
+    integer :: j, k
+
+    do j = max(first - 2, 1), first + 1
+      mass(:, mod(j, 5)) = fields%rho(:, j)*fields%h(:, j)
+    end do
+    call wedge_to_next_row(grid, first - 1, mass, before)
+    do j = first, last
+      k = min(j + 2, grid%ny)
+      mass(:, mod(k, 5)) = fields%rho(:, k)*fields%h(:, k)
+      call wedge_to_next_row(grid, j, mass, after)
+      stored = fields%rho(:, j)*grid%squeeze(:, j)
+      call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
+        stored, flux, imbalance(:, j))
+      call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
+        fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), imbalance(:, j))
+      before = after
+    end do
+  end subroutine imbalance_of_rows
+
+  !> Change of the imbalance of rows `first` to `last`.
+  pure subroutine change_of_rows(grid, fields, dp, dh, first, last, change)
+    type(film_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    integer, intent(in) :: first, last
+    real(wp), contiguous, intent(inout) :: change(:, :)
+    !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the
+    !> next.
+    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx), stored(grid%nx), &
+      flux(grid%nx)
+    integer :: j, k
+
+    do j = max(first - 2, 1), first + 1
+      mass(:, mod(j, 5)) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+    end do
+    do j = first - 1, first
+      mobility(:, mod(j, 3)) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
+    end do
+    call wedge_to_next_row(grid, first - 1, mass, before)
+    do j = first, last
+      k = min(j + 2, grid%ny)
+      mass(:, mod(k, 5)) = fields%rho_p(:, k)*fields%h(:, k)*dp(:, k) + fields%rho(:, k)*dh(:, k)
+      k = j + 1
+      mobility(:, mod(k, 3)) = fields%mobility_p(:, k)*dp(:, k) + fields%mobility_h(:, k)*dh(:, k)
+      call wedge_to_next_row(grid, j, mass, after)
+      stored = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
+      call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
+        stored, flux, change(:, j))
+      call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
+        dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
+      call add_diffusion(grid, mobility(:, mod(j - 1, 3)), mobility(:, mod(j, 3)), mobility(:, mod(j + 1, 3)), &
+        fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), change(:, j))
+      before = after
+    end do
+  end subroutine change_of_rows
+
+  !> Adds -div(m grad p) to a row's r; m and p of the row before, the row itself and the next.
+  pure subroutine add_diffusion(grid, m_before, m, m_after, p_before, p, p_after, r)
+    type(film_grid), intent(in) :: grid
+    real(wp), dimension(grid%nx), intent(in) :: m_before, m, m_after, p_before, p, p_after
+    real(wp), intent(inout) :: r(grid%nx)
+    real(wp) :: along_x, along_y
+    integer :: i
+
+    along_x = 0.5_wp/grid%dx**2
+    along_y = 0.5_wp/grid%dy**2
+    do i = 2, grid%nx - 1
+      r(i) = r(i) + along_x*((m(i) + m(i + 1))*(p(i) - p(i + 1)) + (m(i) + m(i - 1))*(p(i) - p(i - 1))) &
+        + along_y*((m(i) + m_after(i))*(p(i) - p_after(i)) + (m(i) + m_before(i))*(p(i) - p_before(i)))
+    end do
+  end subroutine add_diffusion
+
+  !> A row's r from what is stored in its cells and div(q um), with q upwind to second order; next to the
+  !> outline q is the mean of a face's two nodes; `flux` is workspace.
+  pure subroutine set_wedge(nx, dx, u, q, before, after, stored, flux, r)
+    integer, intent(in) :: nx
+    real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), stored(nx)
+    real(wp), intent(inout) :: flux(nx), r(nx)
+    integer :: i
+
+    flux(1) = u(1)*(q(1) + q(2))/2
+    flux(nx - 1) = u(nx - 1)*(q(nx - 1) + q(nx))/2
+    do i = 2, nx - 2
+      flux(i) = upwind(u(i), q(i - 1), q(i), q(i + 1), q(i + 2))
+    end do
+    do i = 2, nx - 1
+      r(i) = stored(i) + (flux(i) - flux(i - 1))*(1/dx) + after(i) - before(i)
+    end do
+  end subroutine set_wedge
+
+  !> Wedge flow through the faces between row j and the next, per spacing [m/s]; q of row k stands at mod(k, 5).
+  pure subroutine wedge_to_next_row(grid, j, q, flux)
+    type(film_grid), intent(in) :: grid
     integer, intent(in) :: j
+    real(wp), intent(in) :: q(grid%nx, 0:4)
     real(wp), intent(out) :: flux(grid%nx)
     integer :: i
 
-    if (j == 1 .or. j == grid%ny - 1) then
-      flux = grid%v(:, j)*(q(:, j) + q(:, j + 1))/(2*grid%dy)
-    else
-      do i = 1, grid%nx
-        flux(i) = upwind(grid%v(i, j), q(i, j - 1), q(i, j), q(i, j + 1), q(i, j + 2))/grid%dy
-      end do
-    end if
-  end subroutine flow_between_rows
+    associate (v => grid%v(:, j), q2 => q(:, mod(j, 5)), q3 => q(:, mod(j + 1, 5)))
+      if (j == 1 .or. j == grid%ny - 1) then
+        flux = v*(q2 + q3)/(2*grid%dy)
+      else
+        associate (q1 => q(:, mod(j - 1, 5)), q4 => q(:, mod(j + 2, 5)))
+          do i = 1, grid%nx
+            flux(i) = upwind(v(i), q1(i), q2(i), q3(i), q4(i))*(1/grid%dy)
+          end do
+        end associate
+      end if
+    end associate
+  end subroutine wedge_to_next_row
 
   !> Flow of q through a face between the second and the third of four nodes.
   pure real(wp) function upwind(u, q1, q2, q3, q4)

@@ -12,7 +12,7 @@ module sheared_reynolds
   use kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use oil_laws, only: oil_law, hot_fluidity, hot_density
-  use reynolds, only: film_grid, film_fields, add_wedge, clear_outline
+  use reynolds, only: film_grid, film_fields, add_wedge
   use shear_flow, only: shear_strip, new_shear_strip, solve_shear, flow_change, flow_change_by_stresses
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
@@ -51,6 +51,8 @@ module sheared_reynolds
   type :: sheared_film
     type(sheared_oil) :: nodes
     type(face_flow) :: along_x, along_y
+    !> Scratch: rho h, or its change.
+    real(wp), allocatable :: mass(:, :)
     !> One strip of faces for each thread.
     type(shear_strip), allocatable :: strips(:)
   end type sheared_film
@@ -74,7 +76,8 @@ contains
     self%nodes%sliding_y = sliding_y
     associate (nodes => self%nodes)
       allocate (nodes%rise(nx, ny, levels), nodes%fluidity(nx, ny, levels), nodes%fluidity_p(nx, ny, levels), &
-        nodes%onset(nx, ny), nodes%onset_p(nx, ny), nodes%limit(nx, ny), nodes%limit_p(nx, ny), source=0.0_wp, stat=err)
+        nodes%onset(nx, ny), nodes%onset_p(nx, ny), nodes%limit(nx, ny), nodes%limit_p(nx, ny), self%mass(nx, ny), &
+        source=0.0_wp, stat=err)
     end associate
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat == status_ok) call new_face_flow(nx, ny, self%along_x, stat)
@@ -315,36 +318,35 @@ contains
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine sheared_imbalance(grid, film, fields, imbalance)
     type(film_grid), intent(in) :: grid
-    type(sheared_film), intent(in) :: film
-    type(film_fields), intent(inout) :: fields
+    type(sheared_film), intent(inout) :: film
+    type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(out) :: imbalance(:, :)
     integer :: j
 
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      fields%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
+      film%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
       imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
     end do
-    call add_wedge(grid, fields%mass, imbalance)
+    call add_wedge(grid, film%mass, imbalance)
     call take_inflow(grid, film%along_x%flow, film%along_y%flow, imbalance)
-    call clear_outline(imbalance)
   end subroutine sheared_imbalance
 
   !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
   subroutine sheared_imbalance_change(grid, film, fields, dp, dh, change)
     type(film_grid), intent(in) :: grid
-    type(sheared_film), intent(in) :: film
-    type(film_fields), intent(inout) :: fields
+    type(sheared_film), intent(inout) :: film
+    type(film_fields), intent(in) :: fields
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
     integer :: i, j
 
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      fields%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+      film%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
       change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
     end do
-    call add_wedge(grid, fields%mass, change)
+    call add_wedge(grid, film%mass, change)
     associate (x => film%along_x, y => film%along_y, slope_x => 1/(4*grid%dx), slope_y => 1/(4*grid%dy))
       !$omp parallel do private(i) schedule(static)
       do j = 2, grid%ny - 1
@@ -364,7 +366,6 @@ contains
         end block
       end do
     end associate
-    call clear_outline(change)
 
   contains
 

@@ -1,11 +1,13 @@
-!> Energy equation across the film of a strip of columns (Sharif et al. 2001, eq. 18), implicit across the film.
+!> Energy equation across the film, implicit, for a strip of columns (Sharif et al. 2001, eq. 18).
 !>
-!> In weak form on Gauss-Lobatto levels, with w the weights and S the stiffness of `film_levels`, each level k obeys
+!> In weak form on Gauss-Lobatto levels, with w the weights and S the stiffness of `film_levels`, each level k
+!> obeys
 !>   h w_k (absorption_k T_k - source_k) + (conductivity/h) sum_l S_kl T_l + flux into its wall, if it is one = 0.
-!> The columns of S add to nothing, so that dissipation = what is convected away + what both walls take, to rounding.
+!> The columns of S add to nothing, so that dissipation = what is convected away + what both walls take, to
+!> rounding.
 !>
-!> The source depends on the temperature of the whole column: oil that warms gives more or less heat itself, and
-!> lowers the stress everywhere. Its derivative d source_k / d T_l comes in that form,
+!> The source depends on the temperature of the whole column: oil that warms gives more or less heat itself,
+!> and lowers the stress everywhere. Its derivative d source_k / d T_l comes in that form,
 !>   growth_k delta_kl - sum_s loading_ks relief_ls,
 !> s being the two components of the shear stress.
 module film_column
@@ -44,14 +46,14 @@ module film_column
     real(wp), allocatable :: absorption(:, :)
     !> Dissipation and what oil brings along [W/m3] at the temperature `known` [K], (m, n).
     real(wp), allocatable :: source(:, :), known(:, :)
-    !> Derivative of the source: heat with temperature [W/(m3 K)], (m, n); heat with shear stress [W/(m3 Pa)] and
-    !> loss of shear stress with a level's temperature [Pa/K], (m, n, 2).
+    !> Derivative of the source: heat with temperature [W/(m3 K)], (m, n); heat with shear stress [W/(m3 Pa)]
+    !> and loss of shear stress with a level's temperature [Pa/K], (m, n, 2).
     real(wp), allocatable :: growth(:, :), loading(:, :, :), relief(:, :, :)
 
     !> Temperature [K], (m, n), and heat flux into the two bodies [W/m2], (m, 2).
     real(wp), allocatable :: temperature(:, :), flux(:, :)
-    !> Derivatives with respect to the temperature of wall j: of flux i [W/(m2 K)], (m, 2, 2), and of the levels'
-    !> temperature [-], (m, n, 2).
+    !> Derivatives with respect to the temperature of wall j: of flux i [W/(m2 K)], (m, 2, 2), and of the
+    !> levels' temperature [-], (m, n, 2).
     real(wp), allocatable :: admittance(:, :, :), response(:, :, :)
   end type film_strip
 
@@ -131,7 +133,7 @@ contains
     pivot([1, levels%count]) = 0
   end function conduction_pivots
 
-  !> Balances of all levels at the known temperature and their derivatives, for `count` columns from `first` on.
+  !> Balances of all levels at the known temperature and their derivatives, for columns from `first` on.
   pure subroutine set_balances(strip, first, count, matrix, excess)
     type(film_strip), intent(in) :: strip
     integer, intent(in) :: first, count
@@ -169,10 +171,11 @@ contains
     end do
   end subroutine set_balances
 
-  !> Change of the inner levels' temperature that balances them, and its derivatives with respect to the walls.
+  !> Change of the inner levels' temperature that balances them, and its derivatives with respect to the
+  !> walls.
   !>
-  !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a pivot below
-  !> a share of conduction's.
+  !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a
+  !> pivot below a share of conduction's.
   pure subroutine solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
     type(film_strip), intent(in) :: strip
     integer, intent(in) :: first, count
@@ -227,7 +230,8 @@ contains
     change(:count, n, 3) = 1
   end subroutine solve_inner_levels
 
-  !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the bodies.
+  !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the
+  !> bodies.
   pure subroutine set_walls(strip, first, count, matrix, excess, change)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count

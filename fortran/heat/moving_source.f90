@@ -2,9 +2,10 @@
 !>
 !> Heat spread evenly over a cell of the grid for an instant leaves, a time t later, the temperature
 !>   dt/(rho c sqrt(pi kappa t)) X(x, t) Y(y, t),  X = [erf((x + dx/2 - u t)/w) - erf((x - dx/2 - u t)/w)]/2, Y alike,
-!> on the surface, w = sqrt(4 kappa t) (Carslaw and Jaeger 1959, sec. 10.3; Jaeger 1942). The kernel of the convolution
-!> is its integral over all past times, exact in three dimensions for any velocity and for none; time is integrated by
-!> the trapezoidal rule in a variable for which the spot of heat grows, and moves by its own size, at an even pace.
+!> on the surface, w = sqrt(4 kappa t) (Carslaw and Jaeger 1959, sec. 10.3; Jaeger 1942). The kernel of the
+!> convolution is its integral over all past times, exact in three dimensions for any velocity and for none;
+!> time is integrated by the trapezoidal rule in a variable for which the spot of heat grows, and moves by its
+!> own size, at an even pace.
 module moving_source
   use convolution, only: grid_convolution, new_grid_convolution
   use heated_surface, only: heated_body
@@ -16,8 +17,8 @@ module moving_source
   public :: moving_body, new_moving_body
 
   real(wp), parameter :: pi = acos(-1.0_wp)
-  !> Step of the trapezoidal rule in theta = ln t + U sqrt(t/kappa). Its error is about exp(-pi2/step) for a body at rest
-  !> and exp(-(pi/step)2) for a fast one.
+  !> Step of the trapezoidal rule in theta = ln t + U sqrt(t/kappa). Its error is about exp(-pi2/step) for a
+  !> body at rest and exp(-(pi/step)2) for a fast one.
   real(wp), parameter :: step = 0.8_wp
   !> Widths w to which a spot reaches: erfc(4) = 1.5e-8.
   real(wp), parameter :: reach = 4
@@ -36,8 +37,8 @@ module moving_source
 
 contains
 
-  !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface passes the grid with the velocity
-  !> (u, v) [m/s]; what lies downstream of a source, in the direction of (u, v), is in its wake.
+  !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface passes the grid with
+  !> the velocity (u, v) [m/s]; what lies downstream of a source, in the direction of (u, v), is in its wake.
   subroutine new_moving_body(self, nx, ny, dx, dy, u, v, conductivity, heat_capacity, stat)
     type(moving_body), intent(inout) :: self
     integer, intent(in) :: nx, ny
@@ -68,7 +69,8 @@ contains
     call self%response%convolve(q, temperature_rise)
   end subroutine rise
 
-  !> Temperature [K m2/W] at all offsets from a cell under unit flux. Time is told by the depth sqrt(kappa t) [m].
+  !> Temperature [K m2/W] at all offsets from a cell under unit flux. Time is told by the depth sqrt(kappa t)
+  !> [m].
   subroutine integrate_spots(nx, ny, dx, dy, u, v, conductivity, diffusivity, kernel)
     integer, intent(in) :: nx, ny
     real(wp), intent(in) :: dx, dy, u, v, conductivity, diffusivity
@@ -151,7 +153,8 @@ contains
     end do
   end function early_spots
 
-  !> Sum of the spots after a depth, over the area of a cell; they are even over the window, and leave it if they move.
+  !> Sum of the spots after a depth, over the area of a cell; they are even over the window, and leave it if
+  !> they move.
   pure real(wp) function late_spots(speed, depth)
     real(wp), intent(in) :: speed, depth
     real(wp) :: here
@@ -164,7 +167,8 @@ contains
     end do
   end function late_spots
 
-  !> Factor X or Y of a spot at offsets `from` to `to`, beyond which it is negligible; none of them if the spot is gone.
+  !> Factor X or Y of a spot at offsets `from` to `to`, beyond which it is negligible; none of them if the
+  !> spot is gone.
   pure subroutine spot_factor(n, spacing, speed, depth, factor, from, to)
     integer, intent(in) :: n
     real(wp), intent(in) :: spacing, speed, depth

@@ -2,14 +2,15 @@
 !>
 !> Heat flows into depth while a point of the surface crosses the contact (Sharif et al. 2001, eq. 19):
 !>   rise(t) = int q(t') / sqrt(pi k rho c (t - t')) dt'  along the point's path, from where it enters the window.
-!> Meanwhile it spreads to both sides of the path: a slender contact that is crossed the long way is cooled by that
-!> long before conduction along the path, which alone is neglected, counts.
+!> Meanwhile it spreads to both sides of the path: a slender contact that is crossed the long way is cooled by
+!> that long before conduction along the path, which alone is neglected, counts.
 !>
 !> The square root is a sum of exponentials of the age t - t', the trapezoidal rule for
 !>   1/sqrt(t) = 1/sqrt(pi) int exp(y/2 - t exp(y)) dy,
-!> whose integrals need no past but one line of the grid: lines are taken one after another with the motion, each node
-!> finds what its path brings at a foot on the line before it, and the flux in between is linear in time. What the paths
-!> bring spreads along the line by an implicit step, of which the spread, the variance, is exact.
+!> whose integrals need no past but one line of the grid: lines are taken one after another with the motion,
+!> each node finds what its path brings at a foot on the line before it, and the flux in between is linear in
+!> time. What the paths bring spreads along the line by an implicit step, of which the spread, the variance,
+!> is exact.
 module surface_path
   use heated_surface, only: heated_body
   use kinds, only: wp
@@ -20,46 +21,50 @@ module surface_path
   public :: fast_body, new_fast_body
 
   real(wp), parameter :: pi = acos(-1.0_wp)
-  !> Ratio of successive rates of decay. The sum's relative error oscillates by 2 |Gamma(1/2 + 2 pi i/ln(ratio))|/sqrt(pi),
-  !> 3.5e-4 for this ratio, and averages out.
+  !> Ratio of successive rates of decay. The sum's relative error swings by 2 |Gamma(1/2 + 2 pi
+  !> i/ln(ratio))|/sqrt(pi), 3.5e-4 for this ratio, and averages out.
   integer, parameter :: ratio = 3
-  !> Rates of decay from this over the longest age, where slower ones make one together, to this over the shortest age,
-  !> where faster ones have decayed.
+  !> Rates of decay from this over the longest age, where slower ones make one together, to this over the
+  !> shortest age, where faster ones have decayed.
   real(wp), parameter :: slowest = 0.1_wp, fastest = 9.0_wp
-  !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of the foot, in
-  !> nodes, that ends them.
+  !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of
+  !> the foot, in nodes, that ends them.
   integer, parameter :: foot_iterations = 8
   real(wp), parameter :: foot_settled = 1e-8_wp
-  !> Exponentials come in whole vector registers.
+  !> Exponentials that are taken together: a vector register. Each group goes its way over all lines by
+  !> itself, so that threads that take different ones need not wait for each other.
   integer, parameter :: lanes = 4
 
   type, extends(heated_body) :: fast_body
     !> True if lines are rows of constant y, taken one after another along y; true if against the axis.
     logical :: along_y = .false., backward = .false.
-    !> Nodes on a line, lines, and exponentials.
-    integer :: nodes = 0, lines = 0, modes = 0
+    !> Nodes on a line, lines, and groups of exponentials.
+    integer :: nodes = 0, lines = 0, groups = 0
     !> Rise under a unit of int q dt/sqrt(t) [K m2/(W sqrt(s))].
     real(wp) :: effusion = 0
-    !> Persistence [s], one over the rate of decay, and weights [1/sqrt(s)] of the exponentials, slowest first; the first
-    !> stands for all slower ones.
-    real(wp), allocatable :: persistence(:), weight(:)
-    !> First of the four nodes around a path's foot on the line before; their weights, nought if the foot is outside; time
-    !> from the foot [s]; decay of the exponentials since then. (nodes, lines), weights and decays first.
+    !> Persistence [s], one over the rate of decay, and weights [1/sqrt(s)] of the exponentials, slowest
+    !> first, (lanes, groups); the first stands for all slower ones.
+    real(wp), allocatable :: persistence(:, :), weight(:, :)
+    !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights, nought
+    !> if the foot is outside, (4, nodes, lines), and the time from the foot [s], (nodes, lines).
     integer, allocatable :: foot(:, :)
-    real(wp), allocatable :: share(:, :, :), duration(:, :), decay(:, :, :)
-    !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot.
+    real(wp), allocatable :: share(:, :, :), duration(:, :)
+    !> Decay of the exponentials in that time, (lanes, nodes, lines, groups).
+    real(wp), allocatable :: decay(:, :, :, :)
+    !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot,
+    !> (nodes, lines).
     real(wp), allocatable :: passed(:, :), pivot(:, :)
-    !> Flux and rise, (nodes, lines); the exponentials' integrals on a line, and what of them its nodes' paths bring,
-    !> (modes, nodes); flux at the feet of the paths, (nodes).
-    real(wp), allocatable :: flux(:, :), risen(:, :), past(:, :), brought(:, :), before(:)
+    !> Flux at the nodes and at the feet of their paths, and rise, (nodes, lines); what earlier steps add to
+    !> int q dt/sqrt(t) [W sqrt(s)/m2], (nodes, lines, groups).
+    real(wp), allocatable :: flux(:, :), before(:, :), risen(:, :), history(:, :, :)
   contains
     procedure :: rise
   end type fast_body
 
 contains
 
-  !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface moves with (u, v) [m/s], (nx, ny).
-  !> One component must have the same sign all over the window.
+  !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface moves with (u, v)
+  !> [m/s], (nx, ny). One component must have the same sign all over the window.
   subroutine new_fast_body(self, dx, dy, u, v, conductivity, heat_capacity, stat)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: dx, dy, conductivity, heat_capacity
@@ -89,9 +94,8 @@ contains
     self%lines = merge(self%ny, self%nx, by_y)
     self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
     allocate (self%foot(self%nodes, self%lines), self%share(4, self%nodes, self%lines), &
-      self%duration(self%nodes, self%lines), &
-      self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
-      self%flux(self%nodes, self%lines), self%risen(self%nodes, self%lines), &
+      self%duration(self%nodes, self%lines), self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
+      self%flux(self%nodes, self%lines), self%before(self%nodes, self%lines), self%risen(self%nodes, self%lines), &
       ahead(self%nodes, self%lines), aside(self%nodes, self%lines), stat=err)
     stat = status_no_memory
     if (err /= 0) return
@@ -107,11 +111,7 @@ contains
       call factor_spread(self, conductivity/heat_capacity/dy**2*(1 + (aside/ahead)**2))
     end if
     call choose_rates(self, stat)
-    if (stat /= status_ok) return
     self%own = self%effusion*4/3*sqrt(sum(self%duration(:, 2:))/size(self%duration(:, 2:)))
-    allocate (self%past(self%modes, self%nodes), self%brought(self%modes, self%nodes), self%before(self%nodes), &
-      stat=err)
-    if (err /= 0) stat = status_no_memory
   end subroutine new_fast_body
 
   !> A field of the grid, line after line in the order of the motion.
@@ -141,9 +141,9 @@ contains
 
   !> Where the paths through the nodes cross the line before, and how long they take from there.
   !>
-  !> Simpson's rule along the path, with the velocity halfway from the mean of both lines: exact velocities if the body
-  !> is rigid. `ahead` is the speed from line to line, `aside` along them [m/s], `apart` and `spacing` the distances [m]
-  !> of lines and of nodes.
+  !> Simpson's rule along the path, with the velocity halfway from the mean of both lines: exact velocities if
+  !> the body is rigid. `ahead` is the speed from line to line, `aside` along them [m/s], `apart` and
+  !> `spacing` the distances [m] of lines and of nodes.
   subroutine find_feet(self, ahead, aside, apart, spacing)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: ahead(:, :), aside(:, :), apart, spacing
@@ -181,7 +181,8 @@ contains
     end do
   end subroutine find_feet
 
-  !> The four nodes around a place on a line of n nodes, from `first` on, and their weights in cubic interpolation.
+  !> The four nodes around a place on a line of n nodes, from `first` on, and their weights in cubic
+  !> interpolation.
   pure subroutine around(at, n, first, share)
     real(wp), intent(in) :: at
     integer, intent(in) :: n
@@ -208,36 +209,44 @@ contains
   subroutine choose_rates(self, stat)
     type(fast_body), intent(inout) :: self
     integer, intent(out) :: stat
-    real(wp), allocatable :: rate(:)
-    real(wp) :: stay, slow, step
-    integer :: mode, node, line, err
+    real(wp), allocatable :: rate(:, :)
+    real(wp) :: stay, slow, step, decay
+    integer :: mode, group, node, line, err
 
     stay = sum(maxval(self%duration, dim=1))
     step = log(real(ratio, wp))
     slow = slowest/stay
-    self%modes = lanes*ceiling((1 + log(fastest/minval(self%duration(:, 2:))/slow)/step)/lanes)
-    allocate (rate(self%modes), self%weight(self%modes), self%decay(self%modes, self%nodes, self%lines), stat=err)
+    self%groups = ceiling((1 + log(fastest/minval(self%duration(:, 2:))/slow)/step)/lanes)
+    allocate (rate(lanes, self%groups), self%weight(lanes, self%groups), &
+      self%decay(lanes, self%nodes, self%lines, self%groups), self%history(self%nodes, self%lines, self%groups), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (err /= 0) return
-    rate(2:) = [(slow*real(ratio, wp)**(mode - 2), mode=2, self%modes)]
+    rate = reshape([(slow*real(ratio, wp)**(mode - 2), mode=1, lanes*self%groups)], shape(rate))
     self%weight = step*sqrt(rate/pi)
     ! slower ones, in geometric sums: their weight, and the rate that keeps their first moment
-    self%weight(1) = step*sqrt(slow/pi)/(sqrt(real(ratio, wp)) - 1)
-    rate(1) = step*sqrt(slow/pi)*slow/(sqrt(real(ratio, wp))**3 - 1)/self%weight(1)
+    self%weight(1, 1) = step*sqrt(slow/pi)/(sqrt(real(ratio, wp)) - 1)
+    rate(1, 1) = step*sqrt(slow/pi)*slow/(sqrt(real(ratio, wp))**3 - 1)/self%weight(1, 1)
     self%persistence = 1/rate
-    !$omp parallel do private(node, mode) schedule(static)
+    !$omp parallel do private(node, group, mode, decay) schedule(static)
     do line = 1, self%lines
       do node = 1, self%nodes
-        self%decay(1:2, node, line) = exp(-rate(1:2)*self%duration(node, line))
-        do mode = 3, self%modes
-          self%decay(mode, node, line) = self%decay(mode - 1, node, line)**ratio
+        decay = exp(-slow*self%duration(node, line))
+        do group = 1, self%groups
+          do mode = 1, lanes
+            if (mode == 1 .and. group == 1) then
+              self%decay(mode, node, line, group) = exp(-rate(1, 1)*self%duration(node, line))
+            else
+              self%decay(mode, node, line, group) = decay
+              decay = decay**ratio
+            end if
+          end do
         end do
       end do
     end do
   end subroutine choose_rates
 
-  !> Factors of an implicit step of diffusion along the lines, at so many squares of nodes per second. A line that the
-  !> paths cross askew is longer than they are wide.
+  !> Factors of an implicit step of diffusion along the lines, at so many squares of nodes per second. A line
+  !> that the paths cross askew is longer than they are wide.
   subroutine factor_spread(self, rate)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: rate(:, :)
@@ -265,28 +274,25 @@ contains
     class(fast_body), intent(inout) :: self
     real(wp), intent(in) :: q(self%nx, self%ny)
     real(wp), intent(out) :: temperature_rise(self%nx, self%ny)
-    integer :: line, node
+    integer :: line, group
 
     call take_lines(self, q, self%flux)
-    self%past = 0
-    self%risen(:, 1) = 0
-    !$omp parallel private(line)
-    do line = 2, self%lines
-      !$omp do schedule(static)
-      do node = 1, self%nodes
-        call follow_path(self, node, line)
-      end do
-      !$omp single
-      call spread_aside(self, line)
-      !$omp end single
-      !$omp do schedule(static)
-      do node = 1, self%nodes
-        call heat_node(self, node, line)
-      end do
-    end do
-    !$omp end parallel
+    self%before(:, 1) = 0
     !$omp parallel do schedule(static)
+    do line = 2, self%lines
+      call flux_at_feet(self, line)
+    end do
+    !$omp parallel do schedule(static)
+    do group = 1, self%groups
+      call remember(self, group)
+    end do
+    !$omp parallel do private(group) schedule(static)
     do line = 1, self%lines
+      self%risen(:, line) = sqrt(self%duration(:, line))*(4*self%flux(:, line) + 2*self%before(:, line))/3
+      do group = 1, self%groups
+        self%risen(:, line) = self%risen(:, line) + self%history(:, line, group)
+      end do
+      self%risen(:, line) = self%effusion*self%risen(:, line)
       if (self%along_y) then
         temperature_rise(:, place(self, line)) = self%risen(:, line)
       else
@@ -295,62 +301,76 @@ contains
     end do
   end subroutine rise
 
-  !> What its path brings a node.
-  subroutine follow_path(self, node, line)
-    class(fast_body), intent(inout) :: self
-    integer, intent(in) :: node, line
-    real(wp) :: share(4)
-    integer :: foot, mode
-
-    foot = self%foot(node, line)
-    share = self%share(:, node, line)
-    do mode = 1, self%modes
-      self%brought(mode, node) = self%decay(mode, node, line)*(share(1)*self%past(mode, foot) &
-        + share(2)*self%past(mode, foot + 1) + share(3)*self%past(mode, foot + 2) + share(4)*self%past(mode, foot + 3))
-    end do
-    self%before(node) = dot_product(share, self%flux(foot:foot + 3, line - 1))
-  end subroutine follow_path
-
-  !> Spreads what the paths have brought along the line.
-  subroutine spread_aside(self, line)
+  !> Flux at the feet of a line's paths, spread along the line meanwhile.
+  subroutine flux_at_feet(self, line)
     class(fast_body), intent(inout) :: self
     integer, intent(in) :: line
     integer :: node
 
-    associate (brought => self%brought, before => self%before, passed => self%passed(:, line), pivot => self%pivot(:, line))
-      brought(:, 1) = pivot(1)*brought(:, 1)
+    associate (before => self%before(:, line), passed => self%passed(:, line), pivot => self%pivot(:, line))
+      do node = 1, self%nodes
+        associate (foot => self%foot(node, line))
+          before(node) = dot_product(self%share(:, node, line), self%flux(foot:foot + 3, line - 1))
+        end associate
+      end do
       before(1) = pivot(1)*before(1)
       do node = 2, self%nodes
-        brought(:, node) = pivot(node)*brought(:, node) + passed(node)*brought(:, node - 1)
         before(node) = pivot(node)*before(node) + passed(node)*before(node - 1)
       end do
       do node = self%nodes - 1, 1, -1
-        brought(:, node) = brought(:, node) + passed(node)*brought(:, node + 1)
         before(node) = before(node) + passed(node)*before(node + 1)
       end do
     end associate
-  end subroutine spread_aside
+  end subroutine flux_at_feet
 
-  !> Rise of a node, and its exponentials' integrals from what was brought.
-  subroutine heat_node(self, node, line)
+  !> What a group of exponentials remembers of earlier steps, line after line.
+  subroutine remember(self, group)
     class(fast_body), intent(inout) :: self
-    integer, intent(in) :: node, line
-    real(wp) :: here, there, time, history, whole, early
-    integer :: mode
+    integer, intent(in) :: group
+    !> Integrals of the exponentials with the flux on a line, and what of those of the line before the paths
+    !> bring.
+    real(wp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
+    real(wp) :: share(4), here, there, pace, history, decay, whole, early
+    integer :: line, node, foot, mode
 
-    time = self%duration(node, line)
-    here = self%flux(node, line)
-    there = self%before(node)
-    history = 0
-    !$omp simd reduction(+:history)
-    do mode = 1, self%modes
-      history = history + self%weight(mode)*self%brought(mode, node)
-      ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
-      whole = (1 - self%decay(mode, node, line))*self%persistence(mode)
-      early = (whole/time - self%decay(mode, node, line))*self%persistence(mode)
-      self%past(mode, node) = self%brought(mode, node) + here*(whole - early) + there*early
+    past = 0
+    self%history(:, 1, group) = 0
+    do line = 2, self%lines
+      do node = 1, self%nodes
+        foot = self%foot(node, line)
+        share = self%share(:, node, line)
+        do mode = 1, lanes
+          brought(mode, node) = self%decay(mode, node, line, group)*(share(1)*past(mode, foot) &
+            + share(2)*past(mode, foot + 1) + share(3)*past(mode, foot + 2) + share(4)*past(mode, foot + 3))
+        end do
+      end do
+
+      associate (passed => self%passed(:, line), pivot => self%pivot(:, line))
+        brought(:, 1) = pivot(1)*brought(:, 1)
+        do node = 2, self%nodes
+          brought(:, node) = pivot(node)*brought(:, node) + passed(node)*brought(:, node - 1)
+        end do
+        do node = self%nodes - 1, 1, -1
+          brought(:, node) = brought(:, node) + passed(node)*brought(:, node + 1)
+        end do
+      end associate
+
+      do node = 1, self%nodes
+        here = self%flux(node, line)
+        there = self%before(node, line)
+        pace = 1/self%duration(node, line)
+        history = 0
+        do mode = 1, lanes
+          history = history + self%weight(mode, group)*brought(mode, node)
+          ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
+          decay = self%decay(mode, node, line, group)
+          whole = (1 - decay)*self%persistence(mode, group)
+          early = (whole*pace - decay)*self%persistence(mode, group)
+          past(mode, node) = brought(mode, node) + here*(whole - early) + there*early
+        end do
+        self%history(node, line, group) = history
+      end do
     end do
-    self%risen(node, line) = self%effusion*(sqrt(time)*(4*here + 2*there)/3 + history)
-  end subroutine heat_node
+  end subroutine remember
 
 end module surface_path

@@ -1,12 +1,14 @@
 !> Temperature of the two walls of a film, such that the bodies are as warm as the film's heat makes them.
 !>
-!> The film's flux into its walls, linearised about their present temperature, meets the rise it causes in the bodies:
+!> The film's flux into its walls, linearised about their present temperature, meets the rise it causes in the
+!> bodies:
 !>   T_i = bulk_i + rise_i(q_i),  q_i = flux_i + sum_j admittance_ij (T_j - wall_j).
-!> The film passes heat from wall to wall three to ten times as well as a body takes it up over a lubricated contact, so
-!> that going to and fro between film and bodies diverges. As an integral equation of the second kind it suits GMRES.
+!> The film passes heat from wall to wall three to ten times as well as a body takes it up over a lubricated
+!> contact, so that going to and fro between film and bodies diverges. As an integral equation of the second
+!> kind it suits GMRES.
 module wall_balance
   use heated_surface, only: heated_body
-  use kinds, only: wp
+  use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)
@@ -14,8 +16,9 @@ module wall_balance
 
   public :: bounding_body, wall_pair, new_wall_pair, balance_walls
 
-  !> Rise of a node for the preconditioner, in rises under the flux on its own cell: a node heats those around it, which
-  !> heat it. Counted on a worm's contact, iterations are fewest from 4 to 8 and a third more with 1 or 16.
+  !> Rise of a node for the preconditioner, in rises under the flux on its own cell: a node heats those around
+  !> it, which heat it. Counted on a worm's contact, iterations are fewest from 4 to 8 and a third more with 1
+  !> or 16.
   real(wp), parameter :: neighbourhood = 4
 
   !> A body with the temperature [K] that its surface has where no heat reaches it.
@@ -27,11 +30,13 @@ module wall_balance
   type, extends(linear_system) :: wall_pair
     integer :: nx = 0, ny = 0
     type(bounding_body) :: body(2)
-    !> Temperature of the walls [K] and flux into the bodies [W/m2], (nx, ny, 2); derivative of flux i with respect to
-    !> wall j [W/(m2 K)], (nx, ny, 2, 2).
+    !> Temperature of the walls [K] and flux into the bodies [W/m2], (nx, ny, 2); derivative of flux i with
+    !> respect to wall j [W/(m2 K)], (nx, ny, 2, 2).
     real(wp), allocatable :: wall(:, :, :), flux(:, :, :), admittance(:, :, :, :)
-    !> Flux and rise of one wall; what both walls miss and how they change; the Krylov basis.
-    real(wp), allocatable :: q(:, :), risen(:, :), missed(:, :, :), change(:, :, :), basis(:, :)
+    !> Flux and rise of one wall; what both walls miss and how they change.
+    real(wp), allocatable :: q(:, :), risen(:, :), missed(:, :, :), change(:, :, :)
+    !> Krylov basis.
+    real(pp), allocatable :: basis(:, :)
   contains
     procedure :: multiply
     procedure :: precondition
@@ -39,8 +44,8 @@ module wall_balance
 
 contains
 
-  !> Walls at the bulk temperatures [K] of `first` and `second`, which move into the pair; `most` Krylov iterations at
-  !> most in one balance.
+  !> Walls at the bulk temperatures [K] of `first` and `second`, which move into the pair; `most` Krylov
+  !> iterations at most in one balance.
   subroutine new_wall_pair(self, first, first_bulk, second, second_bulk, most, stat)
     type(wall_pair), intent(inout) :: self
     class(heated_body), allocatable, intent(inout) :: first, second
@@ -61,7 +66,7 @@ contains
     self%body(1)%bulk = first_bulk
     self%body(2)%bulk = second_bulk
     allocate (self%wall(nx, ny, 2), self%flux(nx, ny, 2), self%admittance(nx, ny, 2, 2), self%q(nx, ny), &
-      self%risen(nx, ny), self%missed(nx, ny, 2), self%change(nx, ny, 2), self%basis(2*nx*ny, most + 1), stat=err)
+      self%risen(nx, ny), self%missed(nx, ny, 2), self%change(nx, ny, 2), self%basis(2*nx*ny, most), stat=err)
     stat = status_no_memory
     if (err /= 0) return
     self%wall(:, :, 1) = first_bulk
@@ -71,11 +76,11 @@ contains
     stat = status_ok
   end subroutine new_wall_pair
 
-  !> Moves the walls from their present temperature, at which flux and admittance are given, into balance, and takes
-  !> the flux along.
+  !> Moves the walls from their present temperature, at which flux and admittance are given, into balance, and
+  !> takes the flux along.
   !>
-  !> `missed` [K] is by how much the bodies' temperature differed most from the walls' before; the balance ends at
-  !> `tolerance` times that, in the mean square, or after all iterations: `reduction` tells.
+  !> `missed` [K] is by how much the bodies' temperature differed most from the walls' before; the balance
+  !> ends at `tolerance` times that, in the mean square, or after all iterations: `reduction` tells.
   subroutine balance_walls(self, tolerance, missed, iterations, reduction)
     type(wall_pair), target, intent(inout) :: self
     real(wp), intent(in) :: tolerance
@@ -93,7 +98,7 @@ contains
     missed = maxval(abs(self%missed))
     right(1:size(self%missed)) => self%missed
     solution(1:size(self%change)) => self%change
-    call gmres(self, right, tolerance, size(self%basis, 2) - 1, self%basis, solution, iterations, reduction)
+    call gmres(self, right, tolerance, size(self%basis, 2), self%basis, solution, iterations, reduction)
     do wall = 1, 2
       call change_flux(self, wall, self%change, self%q)
       self%flux(:, :, wall) = self%flux(:, :, wall) + self%q

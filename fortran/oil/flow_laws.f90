@@ -1,9 +1,10 @@
 !> How an oil flows under shear: rate = F(tau) = g tau / eta, with g >= 1 the thinning of its law.
 !>
-!> Thinning is written as a function of the square of the stress, by which films shear in two directions (Sharif,
-!> Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. Within half a per cent of
-!> it they are continued exponentially: there a body slips over its film, and the slip follows the shear stress at its
-!> wall. The stress then stays below the limit at any speed, and thinning keeps a derivative.
+!> Thinning is written as a function of the square of the stress, by which films shear in two directions
+!> (Sharif, Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. Within
+!> half a per cent of it they are continued exponentially: there a body slips over its film, and the slip
+!> follows the shear stress at its wall. The stress then stays below the limit at any speed, and thinning
+!> keeps a derivative.
 module flow_laws
   use kinds, only: wp
   implicit none(type, external)
@@ -15,24 +16,26 @@ module flow_laws
   integer, parameter, public :: law_newton = 0
   !> F = tau0/eta sinh(tau/tau0) (Eyring 1936)
   integer, parameter, public :: law_eyring = 1
-  !> F = -tauL/eta ln(1 - tau/tauL) (Bair and Winer 1979; Sharif et al., eq. 5)
+  !> F = -tauL/eta ln(1 - tau/tauL) (Bair and Winer; Sharif et al., eq. 5)
   integer, parameter, public :: law_bair_winer = 2
   !> F = tau0/eta sinh(tau/tau0) tauL^(2 lambda) / (tauL^(2 lambda) - tau^(2 lambda)) (Sharif et al., eq. 6)
   integer, parameter, public :: law_eyring_limited = 3
-  !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Bair 2004; Habchi, Vergne, Bair et al. 2010)
+  !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Carreau's law by stress, as Bair and Habchi use it)
   integer, parameter, public :: law_carreau = 4
 
   !> Share of the limit at which a wall slips (Sharif et al., text to fig. 4).
   real(wp), parameter :: slip_share = 0.995_wp
-  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than any
-  !> ratio of slip to shear, still end below the limit.
+  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than
+  !> any ratio of slip to shear, still end below the limit.
   real(wp), parameter :: slip_step = 1e-4_wp
   !> Least limiting stress [Pa]: one proportional to pressure would else forbid the oil to flow at ambient pressure.
   real(wp), parameter :: least_limit = 1e5_wp
   !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.
   real(wp), parameter :: largest_eyring = 150.0_wp, largest_slip = 50.0_wp, largest_carreau = 1e30_wp
   !> Square of tau/tau0 below which Eyring's thinning is summed as a series.
-  real(wp), parameter :: series_below = 0.25_wp
+  real(wp), parameter :: series_below = 1.0_wp
+  !> Points summed or computed alike.
+  integer, parameter :: block_points = 32
   !> Least square of tau/tauL where the slope by the square grows without bound toward rest.
   real(wp), parameter :: least_ratio = 1e-12_wp
 
@@ -64,8 +67,8 @@ contains
     slip_stress = slip_share*limit
   end function slip_stress
 
-  !> Reference and limiting stress [Pa] at pressure `p` [Pa] and mean temperature `rise` [K] of the film above the
-  !> reference temperature, with their derivatives by pressure [-].
+  !> Reference and limiting stress [Pa] at pressure `p` [Pa] and mean temperature `rise` [K] of the film above
+  !> the reference temperature, with their derivatives by pressure [-].
   elemental subroutine stress_scales(law, p, rise, reference, reference_slope, limit, limit_slope)
     type(flow_law), intent(in) :: law
     real(wp), intent(in) :: p, rise
@@ -77,103 +80,189 @@ contains
     limit_slope = merge(law%limit_growth, 0.0_wp, limit > least_limit)
   end subroutine stress_scales
 
-  !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at `square`
-  !> [Pa2], `reference` and `limit` [Pa].
-  pure subroutine thinning(law, count, square, reference, limit, g, slope)
+  !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at
+  !> `square` [Pa2]; `per_reference` and `per_limit` are 1/reference^2 and 1/limit^2 [1/Pa2], which levels of
+  !> a film share.
+  pure subroutine thinning(law, count, square, per_reference, per_limit, g, slope)
     type(flow_law), intent(in) :: law
     integer, intent(in) :: count
-    real(wp), intent(in) :: square(count), reference(count), limit(count)
+    real(wp), intent(in) :: square(count), per_reference(count), per_limit(count)
     real(wp), intent(out) :: g(count), slope(count)
     integer :: i
 
+    call thinning_below_slip(law, count, square, per_reference, per_limit, g, slope)
+    if (.not. has_limit(law)) return
+    do i = 1, count
+      if (square(i)*per_limit(i) > slip_share**2) then
+        call continue_slip(law, square(i), per_reference(i), per_limit(i), g(i), slope(i))
+      end if
+    end do
+  end subroutine thinning
+
+  !> Thinning of stresses below those at slip; beyond them it is finite and of no use.
+  pure subroutine thinning_below_slip(law, count, square, per_reference, per_limit, g, slope)
+    type(flow_law), intent(in) :: law
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), per_reference(count), per_limit(count)
+    real(wp), intent(out) :: g(count), slope(count)
+
     select case (law%law)
     case (law_eyring)
-      call eyring(count, square, reference, reference, largest_eyring, g, slope)
+      call eyring(count, square, per_reference, g, slope)
     case (law_bair_winer)
-      call bair_winer(count, square, limit, g, slope)
+      call bair_winer(count, square, per_limit, g, slope)
     case (law_eyring_limited)
-      call eyring(count, square, reference, limit, slip_share, g, slope)
+      call eyring(count, square, per_reference, g, slope)
       if (abs(law%exponent - 1) <= 0) then
-        call limit_thinning(count, square, limit, g, slope)
+        call limit_thinning(count, square, per_limit, g, slope)
       else
-        call limit_thinning_by_power(law%exponent, count, square, limit, g, slope)
+        call limit_thinning_by_power(law%exponent, count, square, per_limit, g, slope)
       end if
     case (law_carreau)
-      call carreau((1/law%exponent - 1)/2, count, square, reference, g, slope)
+      call carreau((1/law%exponent - 1)/2, count, square, per_reference, g, slope)
     case default
       g = 1
       slope = 0
     end select
-    if (.not. has_limit(law)) return
-    do i = 1, count
-      if (square(i) > slip_stress(limit(i))**2) call continue_slip(square(i), limit(i), g(i), slope(i))
-    end do
-  end subroutine thinning
+  end subroutine thinning_below_slip
 
-  !> g = sinh(x)/x at x^2 = square/reference^2, for stresses up to a `share` of `bound`.
-  pure subroutine eyring(count, square, reference, bound, share, g, slope)
+  !> g = sinh(x)/x at x^2 = square/reference^2.
+  !>
+  !> Neighbours in a film mostly lie on the same side of where the series ends, which is far cheaper.
+  pure subroutine eyring(count, square, per_reference, g, slope)
     integer, intent(in) :: count
-    real(wp), intent(in) :: square(count), reference(count), bound(count), share
+    real(wp), intent(in) :: square(count), per_reference(count)
     real(wp), intent(out) :: g(count), slope(count)
-    real(wp) :: s, x, growth, decay, closed, closed_slope, series, series_slope, small, varies
-    integer :: i
+    integer :: first, last, near
 
-    do i = 1, count
-      s = min(min(square(i), (share*bound(i))**2)/reference(i)**2, largest_eyring**2)
-      x = sqrt(max(s, series_below))
-      growth = exp(x)
-      decay = 1/growth
-      closed = (growth - decay)/(2*x)
-      closed_slope = ((growth + decay)/2 - closed)/(2*x**2)
-      ! weights instead of branches let the loop be vectorised
-      small = merge(1.0_wp, 0.0_wp, s < series_below)
-      varies = merge(1.0_wp, 0.0_wp, s < largest_eyring**2)
-      s = min(s, series_below)
-      series = 1 + s*(1/6.0_wp + s*(1/120.0_wp + s*(1/5040.0_wp + s*(1/362880.0_wp + s*(1/39916800.0_wp &
-        + s/6227020800.0_wp)))))
-      series_slope = 1/6.0_wp + s*(2/120.0_wp + s*(3/5040.0_wp + s*(4/362880.0_wp + s*(5/39916800.0_wp &
-        + s*(6/6227020800.0_wp + s*7/1307674368000.0_wp)))))
-      g(i) = small*series + (1 - small)*closed
-      slope(i) = (small*series_slope + (1 - small)*closed_slope)*varies/reference(i)**2
+    do first = 1, count, block_points
+      last = min(first + block_points - 1, count)
+      slope(first:last) = square(first:last)*per_reference(first:last)
+      near = number_near_rest(last - first + 1, slope(first:last))
+      if (near == last - first + 1) then
+        call eyring_series(last - first + 1, per_reference(first:last), g(first:last), slope(first:last))
+      else if (near == 0) then
+        call eyring_closed(last - first + 1, per_reference(first:last), g(first:last), slope(first:last))
+      else
+        call eyring_mixed(last - first + 1, per_reference(first:last), g(first:last), slope(first:last))
+      end if
     end do
   end subroutine eyring
 
-  !> Divides thinning by 1 - square/limit^2.
-  pure subroutine limit_thinning(count, square, limit, g, slope)
+  !> Points where the series is taken.
+  pure integer function number_near_rest(points, s)
+    integer, intent(in) :: points
+    real(wp), intent(in) :: s(points)
+
+    number_near_rest = count(s < series_below)
+  end function number_near_rest
+
+  !> Near rest; `slope` enters as square/reference^2.
+  pure subroutine eyring_series(count, per_reference, g, slope)
     integer, intent(in) :: count
-    real(wp), intent(in) :: square(count), limit(count)
+    real(wp), intent(in) :: per_reference(count)
+    real(wp), intent(out) :: g(count)
+    real(wp), intent(inout) :: slope(count)
+    !> 1/(2 k + 1)!
+    integer, parameter :: terms = 10
+    integer :: i, k
+    real(wp), parameter :: coefficient(0:terms) = [(1/gamma(2*k + 2.0_wp), k=0, terms)]
+    real(wp) :: s, value, derivative
+
+    do i = 1, count
+      s = slope(i)
+      value = coefficient(terms)
+      derivative = 0
+      do k = terms - 1, 0, -1
+        derivative = value + s*derivative
+        value = coefficient(k) + s*value
+      end do
+      g(i) = value
+      slope(i) = derivative*per_reference(i)
+    end do
+  end subroutine eyring_series
+
+  !> Away from rest; `slope` enters as square/reference^2.
+  pure subroutine eyring_closed(count, per_reference, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: per_reference(count)
+    real(wp), intent(out) :: g(count)
+    real(wp), intent(inout) :: slope(count)
+    real(wp) :: s, x, growth, decay, per_x
+    integer :: i
+
+    do i = 1, count
+      s = min(slope(i), largest_eyring**2)
+      x = sqrt(s)
+      growth = exp(x)
+      ! one division for both reciprocals
+      per_x = 1/(growth*x)
+      decay = per_x*x
+      per_x = per_x*growth
+      g(i) = (growth - decay)*per_x/2
+      ! a weight instead of a branch lets the loop be vectorised
+      slope(i) = ((growth + decay)/2 - g(i))*per_x**2/2*per_reference(i)*merge(1.0_wp, 0.0_wp, slope(i) < largest_eyring**2)
+    end do
+  end subroutine eyring_closed
+
+  !> On both sides of where the series ends; `slope` enters as square/reference^2.
+  pure subroutine eyring_mixed(count, per_reference, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: per_reference(count)
+    real(wp), intent(out) :: g(count)
+    real(wp), intent(inout) :: slope(count)
+    real(wp), dimension(block_points) :: small, g_near, slope_near
+    integer :: i
+
+    do i = 1, count
+      small(i) = merge(1.0_wp, 0.0_wp, slope(i) < series_below)
+      slope_near(i) = min(slope(i), series_below)
+      slope(i) = max(slope(i), series_below)
+    end do
+    call eyring_series(count, per_reference, g_near, slope_near)
+    call eyring_closed(count, per_reference, g, slope)
+    do i = 1, count
+      g(i) = small(i)*g_near(i) + (1 - small(i))*g(i)
+      slope(i) = small(i)*slope_near(i) + (1 - small(i))*slope(i)
+    end do
+  end subroutine eyring_mixed
+
+  !> Divides thinning by 1 - square/limit^2.
+  pure subroutine limit_thinning(count, square, per_limit, g, slope)
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), per_limit(count)
     real(wp), intent(inout) :: g(count), slope(count)
     real(wp) :: excess
     integer :: i
 
     do i = 1, count
-      excess = 1/(1 - min(square(i)/limit(i)**2, slip_share**2))
+      excess = 1/(1 - min(square(i)*per_limit(i), slip_share**2))
       g(i) = g(i)*excess
-      slope(i) = (slope(i) + g(i)/limit(i)**2)*excess
+      slope(i) = (slope(i) + g(i)*per_limit(i))*excess
     end do
   end subroutine limit_thinning
 
   !> Divides thinning by 1 - (square/limit^2)^power.
-  pure subroutine limit_thinning_by_power(power, count, square, limit, g, slope)
+  pure subroutine limit_thinning_by_power(power, count, square, per_limit, g, slope)
     integer, intent(in) :: count
-    real(wp), intent(in) :: power, square(count), limit(count)
+    real(wp), intent(in) :: power, square(count), per_limit(count)
     real(wp), intent(inout) :: g(count), slope(count)
     real(wp) :: ratio, lower_power, excess
     integer :: i
 
     do i = 1, count
-      ratio = max(min(square(i)/limit(i)**2, slip_share**2), least_ratio)
+      ratio = max(min(square(i)*per_limit(i), slip_share**2), least_ratio)
       lower_power = exp((power - 1)*log(ratio))
       excess = 1/(1 - lower_power*ratio)
       g(i) = g(i)*excess
-      slope(i) = (slope(i) + g(i)*power*lower_power/limit(i)**2)*excess
+      slope(i) = (slope(i) + g(i)*power*lower_power*per_limit(i))*excess
     end do
   end subroutine limit_thinning_by_power
 
   !> g = -ln(1 - x)/x at x^2 = square/limit^2.
-  pure subroutine bair_winer(count, square, limit, g, slope)
+  pure subroutine bair_winer(count, square, per_limit, g, slope)
     integer, intent(in) :: count
-    real(wp), intent(in) :: square(count), limit(count)
+    real(wp), intent(in) :: square(count), per_limit(count)
     real(wp), intent(out) :: g(count), slope(count)
     !> Below it the slope is summed as a series.
     real(wp), parameter :: small = 1e-3_wp
@@ -181,56 +270,61 @@ contains
     integer :: i
 
     do i = 1, count
-      x = min(max(sqrt(square(i))/limit(i), sqrt(least_ratio)), slip_share)
+      x = sqrt(min(max(square(i)*per_limit(i), least_ratio), slip_share**2))
       ! the rounding of 1 - x cancels between logarithm and divisor
       rest = 1 - x
       g(i) = log(rest)/(rest - 1)
       closed = (1/rest - g(i))/x
       series = 1/2.0_wp + x*(2/3.0_wp + x*(3/4.0_wp + x*(4/5.0_wp + x*5/6)))
       near_rest = merge(1.0_wp, 0.0_wp, x < small)
-      slope(i) = (near_rest*series + (1 - near_rest)*closed)/(2*x*limit(i)**2)
+      slope(i) = (near_rest*series + (1 - near_rest)*closed)/(2*x)*per_limit(i)
     end do
   end subroutine bair_winer
 
   !> g = (1 + square/reference^2)^power.
-  pure subroutine carreau(power, count, square, reference, g, slope)
+  pure subroutine carreau(power, count, square, per_reference, g, slope)
     integer, intent(in) :: count
-    real(wp), intent(in) :: power, square(count), reference(count)
+    real(wp), intent(in) :: power, square(count), per_reference(count)
     real(wp), intent(out) :: g(count), slope(count)
     real(wp) :: s
     integer :: i
 
     do i = 1, count
-      s = min(square(i)/reference(i)**2, largest_carreau)
+      s = min(square(i)*per_reference(i), largest_carreau)
       g(i) = exp(power*log(1 + s))
-      slope(i) = power*g(i)/((1 + s)*reference(i)**2)*merge(1.0_wp, 0.0_wp, s < largest_carreau)
+      slope(i) = power*g(i)/(1 + s)*per_reference(i)*merge(1.0_wp, 0.0_wp, s < largest_carreau)
     end do
   end subroutine carreau
 
-  !> Beyond the stress c at slip, from thinning and slope at c: F = F(c) + F'(c) l [exp((tau - c)/l) - 1].
-  elemental subroutine continue_slip(square, limit, g, slope)
-    real(wp), intent(in) :: square, limit
-    real(wp), intent(inout) :: g, slope
-    real(wp) :: c, step, stress, stiffness, growth
+  !> Beyond the stress c at slip: F = F(c) + F'(c) l [exp((tau - c)/l) - 1].
+  pure subroutine continue_slip(law, square, per_reference, per_limit, g, slope)
+    type(flow_law), intent(in) :: law
+    real(wp), intent(in) :: square, per_reference, per_limit
+    real(wp), intent(out) :: g, slope
+    real(wp) :: c, step, stress, stiffness, growth, g_c(1), slope_c(1)
 
-    c = slip_stress(limit)
+    c = slip_share/sqrt(per_limit)
+    call thinning_below_slip(law, 1, [c**2], [per_reference], [per_limit], g_c, slope_c)
     step = slip_step*c
     stress = min(sqrt(square), c + largest_slip*step)
-    stiffness = g + 2*c**2*slope
+    stiffness = g_c(1) + 2*c**2*slope_c(1)
     growth = exp((stress - c)/step)
-    g = (g*c + stiffness*step*(growth - 1))/stress
-    slope = (stiffness*growth - g)/(2*stress**2)
-    if (square > stress**2) slope = 0
+    g = (g_c(1)*c + stiffness*step*(growth - 1))/stress
+    slope = 0
+    if (stress < c + largest_slip*step) slope = (stiffness*growth - g)/(2*stress**2)
   end subroutine continue_slip
 
-  !> Derivatives [1/Pa] of thinning by the reference and the limiting stress, from `g` and `slope` of `thinning` there.
+  !> Derivatives [1/Pa] of thinning by the reference and the limiting stress, from `g` and `slope` of
+  !> `thinning` there.
   !>
   !> Thinning depends on the ratios of the three stresses only, so that its derivatives obey Euler's relation.
-  elemental subroutine thinning_by_stresses(law, square, reference, limit, g, slope, by_reference, by_limit)
+  pure subroutine thinning_by_stresses(law, count, square, reference, limit, g, slope, by_reference, by_limit)
     type(flow_law), intent(in) :: law
-    real(wp), intent(in) :: square, reference, limit, g, slope
-    real(wp), intent(out) :: by_reference, by_limit
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), reference(count), limit(count), g(count), slope(count)
+    real(wp), intent(out) :: by_reference(count), by_limit(count)
     real(wp) :: ratio
+    integer :: i
 
     by_reference = 0
     by_limit = 0
@@ -240,12 +334,16 @@ contains
     case (law_bair_winer)
       by_limit = -2*square*slope/limit
     case (law_eyring_limited)
-      if (square > slip_stress(limit)**2) then
-        by_reference = slip_by_reference(law%exponent, square, reference, limit)
-      else
-        ratio = max(square/limit**2, least_ratio)**law%exponent
-        by_reference = -2*(square*slope - g*law%exponent*ratio/(1 - ratio))/reference
-      end if
+      do i = 1, count
+        ratio = max(min(square(i)/limit(i)**2, slip_share**2), least_ratio)
+        ratio = exp(law%exponent*log(ratio))
+        by_reference(i) = -2*(square(i)*slope(i) - g(i)*law%exponent*ratio/(1 - ratio))/reference(i)
+      end do
+      do i = 1, count
+        if (square(i) > slip_stress(limit(i))**2) then
+          by_reference(i) = slip_by_reference(law%exponent, square(i), reference(i), limit(i))
+        end if
+      end do
       by_limit = -(2*square*slope + reference*by_reference)/limit
     case default
     end select
@@ -269,7 +367,8 @@ contains
     slip_by_reference = ((sinh(x) - x*cosh(x))*(excess + excess_slope*growth) - x*sinh(x)*excess*growth/reference)/stress
   end function slip_by_reference
 
-  !> Stress [Pa], about right for a first guess, at which the law shears as a Newtonian oil does at `newtonian` [Pa].
+  !> Stress [Pa], about right for a first guess, at which the law shears as a Newtonian oil does at
+  !> `newtonian` [Pa].
   elemental real(wp) function stress_guess(law, newtonian, reference, limit)
     type(flow_law), intent(in) :: law
     real(wp), intent(in) :: newtonian, reference, limit

@@ -1,5 +1,5 @@
-!> How an oil conducts and holds heat, against pressure and temperature (Larsson, Larsson, Eriksson, Sjoberg and Hoglund
-!> 2000, as in the appendix of Sharif, Kong, Evans and Snidle 2001).
+!> How an oil conducts and holds heat, against pressure and temperature (Sharif, Kong, Evans and Snidle 2001,
+!> appendix).
 module oil_heat
   use kinds, only: wp
   implicit none(type, external)
@@ -11,8 +11,8 @@ module oil_heat
   type :: oil_heat_law
     !> Conductivity [W/(m K)] at ambient pressure, and c1, c2 [1/Pa] of k/k0 = 1 + c1 p/(1 + c2 p).
     real(wp) :: conductivity = 0, c1 = 0, c2 = 0
-    !> Volumetric heat capacity [J/(m3 K)] at ambient pressure and reference temperature, and k1, k2 [1/Pa] of its growth
-    !> 1 + k1 p/(1 + k2 p).
+    !> Volumetric heat capacity [J/(m3 K)] at ambient pressure and reference temperature, and k1, k2 [1/Pa] of
+    !> its growth 1 + k1 p/(1 + k2 p).
     real(wp) :: capacity = 0, k1 = 0, k2 = 0
     !> Growth of the capacity with temperature, b0 (1 + b1 p + b2 p^2) [1/K], with b1 [1/Pa] and b2 [1/Pa2].
     real(wp) :: b0 = 0, b1 = 0, b2 = 0

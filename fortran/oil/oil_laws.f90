@@ -4,7 +4,7 @@ module oil_laws
   implicit none(type, external)
   private
 
-  public :: oil_law, viscosity, density, hot_fluidity, hot_density, expansivity
+  public :: oil_law, viscosity, viscosities, density, densities, hot_fluidity, hot_density, expansivity
 
   !> eta = eta0 exp(alpha p) (Barus 1893)
   integer, parameter, public :: law_barus = 1
@@ -58,11 +58,12 @@ contains
     if (rise > largest_exponent) slope = 0
   end subroutine viscosity
 
-  !> Fluidity 1/eta [1/(Pa s)] of points at pressure `p` [Pa] and, at several levels (second index), `rise` [K] above the
-  !> oil's temperature, with its logarithmic derivatives by pressure [1/Pa] and by temperature [1/K].
+  !> Fluidity 1/eta [1/(Pa s)] of points at pressure `p` [Pa] and, at several levels (second index), `rise`
+  !> [K] above the oil's temperature, with its logarithmic derivatives by pressure [1/Pa] and by temperature
+  !> [1/K].
   !>
-  !> Roelands: eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138)/(T0 - 138))^(-s0) - 1]} (Sharif, Kong, Evans and
-  !> Snidle 2001, eq. 20).
+  !> Roelands: eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138)/(T0 - 138))^(-s0) - 1]} (Sharif, Kong,
+  !> Evans and Snidle 2001, eq. 20).
   pure subroutine hot_fluidity(oil, p, rise, fluidity, by_pressure, by_temperature)
     type(oil_law), intent(in) :: oil
     real(wp), contiguous, intent(in) :: p(:), rise(:, :)
@@ -103,6 +104,18 @@ contains
     end do
   end subroutine hot_fluidity
 
+  !> The same over a row of pressures; here, where it is inlined, the loop is turned into vector instructions.
+  pure subroutine viscosities(oil, p, eta, slope)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:)
+    real(wp), intent(out) :: eta(size(p)), slope(size(p))
+    integer :: i
+
+    do i = 1, size(p)
+      call viscosity(oil, p(i), eta(i), slope(i))
+    end do
+  end subroutine viscosities
+
   !> Density over that at ambient pressure, `rho` [-], at `p` [Pa] and its derivative `slope` [1/Pa].
   elemental subroutine density(oil, p, rho, slope)
     type(oil_law), intent(in) :: oil
@@ -121,8 +134,8 @@ contains
     expansivity = oil%expansivity*exp(-oil%expansivity_decay*p)
   end function expansivity
 
-  !> Density over that at ambient pressure and the oil's temperature, `rho` [-], at `p` [Pa] and `rise` [K] above that
-  !> temperature, and its derivative `slope` [1/Pa] by pressure (Sharif et al. 2001, appendix).
+  !> Density over that at ambient pressure and the oil's temperature, `rho` [-], at `p` [Pa] and `rise` [K]
+  !> above that temperature, and its derivative `slope` [1/Pa] by pressure (Sharif et al. 2001, appendix).
   elemental subroutine hot_density(oil, p, rise, rho, slope)
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: p, rise
@@ -134,5 +147,17 @@ contains
     rho = cold*(1 - expansion)
     slope = cold_slope*(1 - expansion) + cold*expansion*oil%expansivity_decay
   end subroutine hot_density
+
+  !> The same over a row of pressures.
+  pure subroutine densities(oil, p, rho, slope)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:)
+    real(wp), intent(out) :: rho(size(p)), slope(size(p))
+    integer :: i
+
+    do i = 1, size(p)
+      call density(oil, p(i), rho(i), slope(i))
+    end do
+  end subroutine densities
 
 end module oil_laws

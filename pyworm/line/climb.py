@@ -6,9 +6,10 @@ from typing import ClassVar
 import numpy as np
 
 from pyworm.accuracy import Reading
+from pyworm.climb import CONTACT_PRESSURE
 from pyworm.effects import Model
 from pyworm.kernels import LineFilm
-from pyworm.line.far_field import LineFarField, line_far_field
+from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
@@ -44,8 +45,6 @@ class LineRung:
         Velocity of body 1 relative to body 2 [m/s].
     load : float
         Load for each length, what pressure beyond the grid carries included [N/m].
-    beyond : LineFarField
-        What lies before its inlet.
     film : kernels.LineFilm
         The kernel's film, in its present state.
     """
@@ -57,7 +56,6 @@ class LineRung:
     covered: Array
     sliding: float
     load: float
-    beyond: LineFarField
     film: LineFilm
 
     def read(self) -> Reading:
@@ -77,13 +75,12 @@ class LineRung:
         if not self.film.levels:
             return {}
         shear = self.film.shear_fields()
-        within = self.covered & (self.film.pressure > 0)
-        force = float(shear.stress[within].sum()) * self.grid.dx + self.beyond.friction
-        power = float(shear.friction[within].sum()) * self.grid.dx + self.beyond.power
+        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+        # against the sliding; without any, friction has no direction, and no size
+        force = -np.sign(self.sliding) * float(shear.stress[within].sum()) * self.grid.dx
         return {
-            # without sliding there is no friction, and no digit of it
-            "friction_coefficient": abs(force) / self.load if self.sliding else 0.0,
-            "power_loss": power,
+            "friction_coefficient": force / self.load if self.sliding else 0.0,
+            "power_loss": float(shear.friction[within].sum()) * self.grid.dx,
             "shear_rate_max": float(shear.rate[within].max()),
         }
 
@@ -101,7 +98,7 @@ class LineRung:
 
 def first_rung(scene: LineScene, size: LineScales, grid: LineGrid, lift: float) -> LineRung:
     """The coarsest grid, entered from the dry contact lifted by a film [m]; no oil lies before its inlet."""
-    rung = _rung(scene, size, grid, LineFarField(0.0, 0.0))
+    rung = _rung(scene, size, grid, scene.load)
     dry = size.hertz.pressure(grid.x)
     for _ in range(SMOOTHINGS):
         dry[1:-1] = (dry[:-2] + 2 * dry[1:-1] + dry[2:]) / 4
@@ -151,14 +148,15 @@ def _entered(
     """A grid entered from a pressure on it; oil comes to its inlet as the rung before lets it."""
     film, _, _ = before.film.fields()
     beyond = line_far_field(scene, before.grid, before.film.pressure, film)
-    rung = _rung(scene, size, grid, beyond)
+    # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
+    rung = _rung(scene, size, grid, scene.load - beyond.load + beyond.pressure * grid.dx / 2)
     started = np.where(rung.covered, pressure, 0.0)
     started[[0, -1]] = (beyond.pressure, 0.0) if scene.entrainment > 0 else (0.0, beyond.pressure)
     rung.film.start(started, before.film.rigid_film)
     return rung
 
 
-def _rung(scene: LineScene, size: LineScales, grid: LineGrid, beyond: LineFarField) -> LineRung:
+def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> LineRung:
     gap, covered = scene.gap(grid.x)
     film = LineFilm(
         gap,
@@ -167,12 +165,11 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, beyond: LineFarFie
         np.zeros(grid.nodes),
         grid.dx,
         scene.reduced_modulus,
-        # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
-        scene.load - beyond.load + beyond.pressure * grid.dx / 2,
+        load,
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return LineRung(grid, gap, covered, scene.sliding, scene.load, beyond, film)
+    return LineRung(grid, gap, covered, scene.sliding, scene.load, film)
 
 
 def _prolonged(field: Array) -> Array:

@@ -35,14 +35,10 @@ class LineFarField:
         Pressure at the inlet node [Pa].
     load : float
         Load for each length that the pressure beyond it carries [N/m].
-    friction, power : float
-        Friction on body 2 for each length by the sliding [N/m], and heat of shearing [W/m], beyond it.
     """
 
     pressure: float
     load: float
-    friction: float = 0.0
-    power: float = 0.0
 
 
 def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Array) -> LineFarField:
@@ -76,17 +72,12 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
     reduced = max(float(slope @ steps), 0.0)
     # by parts: the integral of pressure is that of its slope times the distance from the inlet
     load = float((slope * abs(far - x[inlet])) @ steps)
-    friction = -viscosity.eta0 * scene.sliding * float((1 / thickness) @ steps)
-    # of the parabola of velocity and of sliding; neither does work on the other
-    power = float((slope**2 * thickness**3) @ steps) / (12 * viscosity.eta0)
-    power -= friction * scene.sliding
     if not viscosity.alpha > 0:
-        return LineFarField(reduced, max(load, 0.0), friction, power)
+        return LineFarField(reduced, max(load, 0.0))
     believed = min(viscosity.alpha * reduced, LARGEST_REDUCED)
     # alpha/2 times the squared integral, which falls with the sixth power of the distance
     stiffening = viscosity.alpha * reduced**2 * abs(x[inlet]) / 10
-    pressure_there = -log1p(-believed) / viscosity.alpha
-    return LineFarField(pressure_there, max(load, 0.0) + stiffening, friction, power)
+    return LineFarField(-log1p(-believed) / viscosity.alpha, max(load, 0.0) + stiffening)
 
 
 def _deflection(scene: LineScene, at: Array, grid: LineGrid, pressure: Array) -> Array:

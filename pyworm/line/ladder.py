@@ -10,7 +10,7 @@ import xarray as xr
 from pyworm import kernels
 from pyworm.accuracy import HEAT_FIGURES, Convergence
 from pyworm.effects import Plan
-from pyworm.ladder import Outcome, Stride, settle
+from pyworm.ladder import Outcome, Stride, lead
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied, with_heat, with_shear
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import line_scales
@@ -94,7 +94,7 @@ class LineLadder:
             strides += further
             for scene in faster:
                 rung = self._like(rung, supplied(scene, line_scales(scene), rung))
-                strides += settle(rung, FIRST_TOLERANCE).strides
+                strides += lead(rung, FIRST_TOLERANCE)
         return self._like(rung, supplied(self._scene, self._size, rung)), strides
 
     def _warmed(self, scene: LineScene, grid: LineGrid) -> tuple[LineRung, list[Stride]]:
@@ -106,18 +106,18 @@ class LineLadder:
         size = line_scales(scene)
         for lift in LIFTS:
             rung = first_rung(scene, size, grid, lift * size.film)
-            strides = list(settle(rung, FIRST_TOLERANCE).strides)
+            strides = lead(rung, FIRST_TOLERANCE)
             if rung.film.balance.worst <= FIRST_TOLERANCE:
                 break
         for _ in range(SUPPLIES - 1):
             rung = supplied(scene, size, rung)
-            strides += settle(rung, FIRST_TOLERANCE).strides
+            strides += lead(rung, FIRST_TOLERANCE)
         if self._model.levels:
             with_shear(scene, self._model, rung)
-            strides += settle(rung, FIRST_TOLERANCE).strides
+            strides += lead(rung, FIRST_TOLERANCE)
         if self._model.heated:
             with_heat(scene, rung)
-            strides += settle(rung, FIRST_TOLERANCE).strides
+            strides += lead(rung, FIRST_TOLERANCE)
         return rung, strides
 
     def higher(self, rung: LineRung) -> LineRung:

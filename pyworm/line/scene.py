@@ -57,6 +57,8 @@ class LineScene:
         The oil at its inlet temperature.
     phase : float or None
         Place in the mesh cycle, 0 to 1; None outside a drive.
+    slide_roll_ratio : float or None
+        Place on a traction curve: sliding over entrainment [-]; None outside one.
     """
 
     name: str
@@ -67,6 +69,7 @@ class LineScene:
     bodies: tuple[Body, Body]
     oil: Oil
     phase: float | None = None
+    slide_roll_ratio: float | None = None
 
     @property
     def reduced_modulus(self) -> float:

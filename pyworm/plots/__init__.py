@@ -17,6 +17,7 @@ from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
 from pyworm.plots.temperature import draw_temperature
+from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result import Result, open_result
 
 DOTS_PER_INCH = 150
@@ -64,7 +65,7 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
     Returns
     -------
     list of Path
-        The files, scene by scene, the mesh cycle last.
+        The files, scene by scene, the mesh cycle or the traction curve last.
     """
     if not isinstance(result, Result):
         result = open_result(result)
@@ -79,6 +80,8 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
             written.append(_write(picture(result.case_name, solution), path))
     if result.mesh_cycle is not None:
         written.append(_write(draw_cycle(result), directory / "mesh_cycle.png"))
+    if traction_curve(result):
+        written.append(_write(draw_traction(result), directory / "traction.png"))
     return written
 
 

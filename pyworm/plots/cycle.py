@@ -6,9 +6,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
-from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure
+from pyworm.plots.style import MEGA, MICRO, MILLI, draw_largest_temperatures, new_figure
 from pyworm.result import Result
-from pyworm.solution import ZERO_CELSIUS, Solution
+from pyworm.solution import Solution
 
 
 def draw_cycle(result: Result) -> Figure:
@@ -31,7 +31,7 @@ def draw_cycle(result: Result) -> Figure:
     if sheared:
         _draw_friction(axes[4], sheared)
     if heated:
-        _draw_temperatures(axes[-1], heated)
+        draw_largest_temperatures(axes[-1], [one.phase for one in heated], heated)
     for panel in axes:
         panel.grid(True, color="0.9")
     axes[-1].set_xlabel("phase of the mesh cycle")
@@ -108,25 +108,3 @@ def _draw_friction(axes: Axes, sheared: list[Solution]) -> None:
     power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
     power_axes.set_ylim(0, 1.08 * max(power))
     power_axes.set_ylabel("power loss\n/ W", color="tab:red")
-
-
-def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
-    """Largest temperatures with their error bars, and the inlet's."""
-    phase = np.array([solution.phase for solution in heated])
-    inlet = np.array([solution.inlet_temperature for solution in heated])
-    for name, label, colour in (
-        ("temperature_max_body_1", "body 1", "tab:blue"),
-        ("temperature_max_body_2", "body 2", "tab:orange"),
-        ("temperature_max_film", "film", "tab:red"),
-    ):
-        estimates = [getattr(solution.figures, name) for solution in heated]
-        hottest = np.array([estimate.value for estimate in estimates])
-        error = abs(hottest - inlet) * [estimate.error for estimate in estimates]
-        axes.errorbar(
-            phase, hottest - ZERO_CELSIUS, error, fmt="o-", color=colour, capsize=3, label=label
-        )
-    axes.plot(phase, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
-    axes.set_ylabel("largest\ntemperature / °C")
-    axes.legend(frameon=False, ncols=4, loc="upper left")

@@ -1,5 +1,6 @@
 """What all pictures share: the window they show, their panels, headings and overlays."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
 from textwrap import fill
@@ -12,7 +13,7 @@ from matplotlib.colorbar import Colorbar
 from matplotlib.figure import Figure
 
 from pyworm.plots.outline import signed_square
-from pyworm.solution import Solution
+from pyworm.solution import ZERO_CELSIUS, Solution
 
 MILLI, MICRO, MEGA = 1e3, 1e6, 1e-6
 """From SI to what the axes show: mm, um and MPa."""
@@ -302,3 +303,36 @@ def draw_contact_point(axes: Axes) -> None:
     """A cross at the contact point, the origin of the tangent plane."""
     axes.plot(0, 0, "+", color="black", markersize=9, markeredgewidth=2.6)
     axes.plot(0, 0, "+", color="white", markersize=8, markeredgewidth=1.2)
+
+
+def draw_largest_temperatures(
+    axes: Axes, places: Sequence[float], solutions: Sequence[Solution]
+) -> None:
+    """Largest temperatures of a sweep with their error bars, and the inlet's.
+
+    Parameters
+    ----------
+    axes : Axes
+        Any.
+    places : sequence of float
+        Where in the sweep each solution is.
+    solutions : sequence of Solution
+        Solutions with heat.
+    """
+    inlet = np.array([solution.inlet_temperature for solution in solutions])
+    for name, label, colour in (
+        ("temperature_max_body_1", "body 1", "tab:blue"),
+        ("temperature_max_body_2", "body 2", "tab:orange"),
+        ("temperature_max_film", "film", "tab:red"),
+    ):
+        estimates = [getattr(solution.figures, name) for solution in solutions]
+        hottest = np.array([estimate.value for estimate in estimates])
+        error = abs(hottest - inlet) * [estimate.error for estimate in estimates]
+        axes.errorbar(
+            places, hottest - ZERO_CELSIUS, error, fmt="o-", color=colour, capsize=3, label=label
+        )
+    axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
+    axes.set_ylabel("largest\ntemperature / °C")
+    axes.legend(frameon=False, ncols=4, loc="upper left")

@@ -1,4 +1,5 @@
-!> Energy across the film: exact thermal Couette flow, polynomials, convection, the heat balance and the derivatives.
+!> Energy across the film: exact thermal Couette flow, polynomials, convection, the heat balance and the
+!> derivatives.
 program test_film_column
   use film_column, only: film_strip, new_film_strip, solve_columns, warm_walls
   use film_levels, only: new_levels
@@ -47,9 +48,9 @@ contains
     end do
   end subroutine sheared_films
 
-  !> Film of n levels sheared between walls at one temperature, viscosity falling exponentially with temperature, by
-  !> Newton's method from cold: errors of beta times the middle's rise, ln(1 + Na/8), and of the stress over that without
-  !> heating, asinh(x)/(x sqrt(1 + x2)) with x2 = Na/8 (Gavis and Laurence 1968).
+  !> Film of n levels sheared between walls at one temperature, viscosity falling exponentially with
+  !> temperature, by Newton's method from cold: errors of beta times the middle's rise, ln(1 + Na/8), and of
+  !> the stress over that without heating, asinh(x)/(x sqrt(1 + x2)) with x2 = Na/8 (Gavis and Laurence 1968).
   subroutine couette(n, na, rise_error, stress_error)
     integer, intent(in) :: n
     real(wp), intent(in) :: na
@@ -130,8 +131,8 @@ contains
       1e-10_wp*k_oil/h, "a film without more conducts")
   end subroutine polynomial_source
 
-  !> Everything at once: what is dissipated is convected away or enters the walls, and derivatives are those of a second
-  !> solution with other walls, since all is linear.
+  !> Everything at once: what is dissipated is convected away or enters the walls, and derivatives are those
+  !> of a second solution with other walls, since all is linear.
   subroutine balance_and_derivatives(n)
     integer, intent(in) :: n
     integer, parameter :: columns = 5
@@ -200,7 +201,8 @@ contains
     call close_to(strip%flux(1, 2), k_oil/h*m*(rest - wall)*tanh(m/2), 1e-9_wp*k_oil/h*rest, "and draws on the walls")
   end subroutine absorbing_film
 
-  !> Heat that grows without relief faster than conduction carries it off has no steady state; the step stays sane.
+  !> Heat that grows without relief faster than conduction carries it off has no steady state; the step stays
+  !> sane.
   subroutine runaway_without_relief()
     integer, parameter :: n = 7
     type(film_strip) :: strip

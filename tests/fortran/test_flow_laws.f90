@@ -56,7 +56,7 @@ contains
     real(wp), intent(in) :: stress
     real(wp) :: of(1), slope(1)
 
-    call thinning(law, 1, [stress**2], [tau0], [limit], of, slope)
+    call thinning(law, 1, [stress**2], [1/tau0**2], [1/limit**2], of, slope)
     g = of(1)
   end function g
 
@@ -72,18 +72,18 @@ contains
     square = (stress*tau0)**2
     ref = tau0
     bound = limit
-    call thinning(law, 8, square, ref, bound, of, slope)
-    call thinning(law, 8, square*(1 + relative), ref, bound, above, unused)
-    call thinning(law, 8, square*(1 - relative), ref, bound, below, unused)
+    call thinning(law, 8, square, 1/ref**2, 1/bound**2, of, slope)
+    call thinning(law, 8, square*(1 + relative), 1/ref**2, 1/bound**2, above, unused)
+    call thinning(law, 8, square*(1 - relative), 1/ref**2, 1/bound**2, below, unused)
     call check(all(abs(slope*square - (above - below)/(2*relative)) < 1e-5_wp*(abs(slope*square) + 1e-3_wp*of)), &
       name//": slope by the square of stress")
-    call thinning_by_stresses(law, square, ref, bound, of, slope, by_reference, by_limit)
-    call thinning(law, 8, square, ref*(1 + relative), bound, above, unused)
-    call thinning(law, 8, square, ref*(1 - relative), bound, below, unused)
+    call thinning_by_stresses(law, 8, square, ref, bound, of, slope, by_reference, by_limit)
+    call thinning(law, 8, square, 1/(ref*(1 + relative))**2, 1/bound**2, above, unused)
+    call thinning(law, 8, square, 1/(ref*(1 - relative))**2, 1/bound**2, below, unused)
     call check(all(abs(by_reference*ref - (above - below)/(2*relative)) < 1e-5_wp*(abs(by_reference*ref) + 1e-3_wp*of)), &
       name//": slope by the reference stress")
-    call thinning(law, 8, square, ref, bound*(1 + relative), above, unused)
-    call thinning(law, 8, square, ref, bound*(1 - relative), below, unused)
+    call thinning(law, 8, square, 1/ref**2, 1/(bound*(1 + relative))**2, above, unused)
+    call thinning(law, 8, square, 1/ref**2, 1/(bound*(1 - relative))**2, below, unused)
     call check(all(abs(by_limit*bound - (above - below)/(2*relative)) < 1e-5_wp*(abs(by_limit*bound) + 1e-3_wp*of)), &
       name//": slope by the limiting stress")
   end subroutine derivatives
@@ -94,7 +94,7 @@ contains
     character(len=*), intent(in) :: name
     real(wp) :: of(3), slope(3)
 
-    call thinning(law, 3, [0.0_wp, 1e20_wp, 1e60_wp], [tau0, tau0, tau0], [limit, limit, limit], of, slope)
+    call thinning(law, 3, [0.0_wp, 1e20_wp, 1e60_wp], spread(1/tau0**2, 1, 3), spread(1/limit**2, 1, 3), of, slope)
     call check(all(of >= 1 .and. of < 1e100_wp .and. slope >= 0 .and. slope < huge(1.0_wp)), name//": no overflow")
     call close_to(of(1), 1.0_wp, 1e-5_wp, name//": Newtonian at rest")
   end subroutine solid
@@ -106,7 +106,7 @@ contains
     real(wp) :: of(2), slope(2), c
 
     c = slip_stress(limit)
-    call thinning(law, 2, [c*(1 - 1e-9_wp), c*(1 + 1e-9_wp)]**2, [tau0, tau0], [limit, limit], of, slope)
+    call thinning(law, 2, [c*(1 - 1e-9_wp), c*(1 + 1e-9_wp)]**2, spread(1/tau0**2, 1, 2), spread(1/limit**2, 1, 2), of, slope)
     call close_to(of(1), of(2), 1e-6_wp*of(1), name//": slip joins thinning")
     call close_to(slope(1), slope(2), 1e-4_wp*slope(1), name//": slip joins its slope")
     call check(g(law, 0.9999_wp*limit) > 1e15_wp*g(law, c), name//": slip before the limit")

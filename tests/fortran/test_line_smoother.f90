@@ -1,6 +1,6 @@
 program test_line_smoother
   use kinds, only: pp, wp
-  use line_smoother, only: five_points, line_factors, new_line_factors, factor_lines, sweep_lines
+  use line_smoother, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
   use tap, only: close_to, done
   implicit none(type, external)
 
@@ -11,41 +11,59 @@ program test_line_smoother
 
 contains
 
-  !> Without coupling between lines one sweep is an exact solve, in either order and for any length.
+  !> A line solved meets its equations with the neighbours that it has to see, for any length.
   subroutine solves_lines(n)
     integer, intent(in) :: n
-    type(five_points) :: a
-    type(line_factors) :: factors
-    real(pp) :: f(n, 4), x(n, 4), again(n, 4)
-    real(wp) :: worst
+    type(line_systems) :: lines
+    real(pp), dimension(n, 4) :: centre, left, right, f, x
+    real(pp) :: free(n)
     integer :: i, j, stat
 
-    allocate (a%centre(n, 4), a%left(n, 4), a%right(n, 4), a%before(n, 4), a%after(n, 4))
     do j = 1, 4
       do i = 1, n
-        a%left(i, j) = -1 - i/10.0_pp
-        a%right(i, j) = 0.5_pp - j/7.0_pp
-        a%centre(i, j) = 4 + i*j/10.0_pp
+        left(i, j) = -1 - i/10.0_pp
+        right(i, j) = 0.5_pp - j/7.0_pp
+        centre(i, j) = 4 + i*j/10.0_pp
         f(i, j) = i - 3*j
       end do
     end do
-    a%before = 0
-    a%after = 0
     x = 0
-    call new_line_factors(n, 4, factors, stat)
-    call factor_lines(a, factors)
-    call sweep_lines(a, factors, f, .true., x)
-    worst = 0
+    x(2:n - 1, :) = 0.5_pp
+    free = 1
+    call new_line_systems(n, 4, lines, stat)
+    lines%before = 0.3_pp
+    lines%after = -0.7_pp
     do j = 2, 3
-      do i = 2, n - 1
-        worst = max(worst, real(abs(a%left(i, j)*x(i - 1, j) + a%centre(i, j)*x(i, j) &
-          + a%right(i, j)*x(i + 1, j) - f(i, j)), wp))
-      end do
+      call factor_line(lines, j, centre(:, j), left(:, j), right(:, j), free)
     end do
-    call close_to(worst, 0.0_wp, 1e-5_wp, "a line is solved to rounding")
-    again = x
-    call sweep_lines(a, factors, f, .false., again)
-    call close_to(real(maxval(abs(again - x)), wp), 0.0_wp, 0.0_wp, "and stays solved")
+    call relax_line(lines, 2, f, x)
+    call close_to(imbalance(2, centre, left, right, 0.3_pp, -0.7_pp, f, x), 0.0_wp, 1e-5_wp, &
+      "a line is solved against both its neighbours")
+    call relax_first(lines, 3, .true., f, x)
+    call close_to(imbalance(3, centre, left, right, 0.3_pp, 0.0_pp, f, x), 0.0_wp, 1e-5_wp, &
+      "against the line before, in rising order")
+    call relax_first(lines, 2, .false., f, x)
+    call close_to(imbalance(2, centre, left, right, 0.0_pp, -0.7_pp, f, x), 0.0_wp, 1e-5_wp, &
+      "against the line after, in falling order")
+
+    free(3) = 0
+    left(4, 2) = 0
+    right(2, 2) = 0
+    call factor_line(lines, 2, centre(:, 2), left(:, 2), right(:, 2), free)
+    call relax_line(lines, 2, f, x)
+    call close_to(real(x(3, 2), wp), 0.0_wp, 0.0_wp, "where it is not free it is zero")
   end subroutine solves_lines
+
+  !> Largest imbalance of line j with its neighbours by the couplings given.
+  real(wp) function imbalance(j, centre, left, right, before, after, f, x)
+    integer, intent(in) :: j
+    real(pp), dimension(:, :), intent(in) :: centre, left, right, f, x
+    real(pp), intent(in) :: before, after
+    integer :: n
+
+    n = size(x, 1)
+    imbalance = maxval(abs(left(2:n - 1, j)*x(:n - 2, j) + centre(2:n - 1, j)*x(2:n - 1, j) &
+      + right(2:n - 1, j)*x(3:, j) + before*x(2:n - 1, j - 1) + after*x(2:n - 1, j + 1) - f(2:n - 1, j)))
+  end function imbalance
 
 end program test_line_smoother

@@ -31,8 +31,8 @@ program test_moving_source
 
 contains
 
-  !> Square cells under uniform flux, moving in the direction (cosine, sine) with Peclet number U a/(2 kappa), a the half
-  !> length along x: exact in the plane and so on the grid.
+  !> Square cells under uniform flux, moving in the direction (cosine, sine) with Peclet number U a/(2 kappa),
+  !> a the half length along x: exact in the plane and so on the grid.
   subroutine uniform_rectangle(peclet, cosine, sine)
     real(wp), intent(in) :: peclet, cosine, sine
     integer, parameter :: nx = 40, ny = 51, half_x = 12, half_y = 9, mid_x = 20, mid_y = 26
@@ -62,8 +62,9 @@ contains
 
   end subroutine uniform_rectangle
 
-  !> Integral of exp(-p (r + s))/r, s the way of the source ahead of (x, y) in the direction of motion, over sources in a
-  !> rectangle of half sides a, b (Rosenthal 1946): in closed form along rays from (x, y), by Gauss's rule between them.
+  !> Integral of exp(-p (r + s))/r, s the way of the source ahead of (x, y) in the direction of motion, over
+  !> sources in a rectangle of half sides a, b (Rosenthal 1946): in closed form along rays from (x, y), by
+  !> Gauss's rule between them.
   real(wp) function ray_integral(x, y, a, b, p, direction)
     real(wp), intent(in) :: x, y, a, b, p, direction
     integer, parameter :: panels = 300
@@ -72,7 +73,8 @@ contains
     real(wp) :: bend(6), low, high, angle, ray, decay
     integer :: sector, side, panel, g
 
-    ! the ray's length bends at the corners; the integrand is peaked at sources straight behind, where panels shrink
+    ! the ray's length bends at the corners; the integrand is peaked at sources straight behind, where panels
+    ! shrink
     bend(1:4) = [atan2(b - y, a - x), atan2(b - y, -a - x), atan2(-b - y, -a - x), atan2(-b - y, a - x)]
     bend(1:4) = modulo(bend(1:4) - direction - pi, 2*pi)
     bend(5:6) = [0.0_wp, 2*pi]
@@ -125,8 +127,9 @@ contains
     end do
   end subroutine sort
 
-  !> Jaeger's band, long across its motion: T = q/(pi k) int exp(p s) K0(p |s|) ds with p = U/(2 kappa), over the sources a
-  !> way s behind; K0 as an integral over hyperbolic angles, so that s is integrated in closed form.
+  !> Jaeger's band, long across its motion: T = q/(pi k) int exp(p s) K0(p |s|) ds with p = U/(2 kappa), over
+  !> the sources a way s behind; K0 as an integral over hyperbolic angles, so that s is integrated in closed
+  !> form.
   subroutine band(peclet)
     real(wp), intent(in) :: peclet
     integer, parameter :: nx = 60, ny = 201, first = 15, last = 40

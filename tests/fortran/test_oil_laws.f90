@@ -37,7 +37,8 @@ program test_oil_laws
 
 contains
 
-  !> Oils with temperature: the polyglycol of Sharif, Kong, Evans and Snidle (2001), table 2 and appendix, and Barus.
+  !> Oils with temperature: the polyglycol of Sharif, Kong, Evans and Snidle (2001), table 2 and appendix, and
+  !> Barus.
   subroutine hot_oils()
     type(oil_law), parameter :: polyglycol = oil_law(law_roelands, 0.227_wp, 0.227_wp, 1/5.1e-9_wp, 0.67e-9_wp, 2.68e-9_wp, &
       333.15_wp, 0.782_wp, 7.1e-4_wp, 1.5e-9_wp)

@@ -33,6 +33,7 @@ program test_shear_flow
   call across_the_film(newton, "Newton")
   call across_the_film(limited, "limited Eyring")
   call factors()
+  call part_of_a_strip()
   call hard_points(eyring, "Eyring")
   call hard_points(bair_winer, "Bair and Winer")
   call hard_points(limited, "limited Eyring")
@@ -162,6 +163,18 @@ contains
     if (law%law == law_bair_winer) strip%limit = 10*tau0
   end subroutine skew_point
 
+  !> A solution to rounding, from which differences can be taken.
+  subroutine solve_twice(law, strip, failures)
+    type(flow_law), intent(in) :: law
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(out) :: failures
+    integer :: again
+
+    call solve_shear(law, seven, strip, failures)
+    call solve_shear(law, seven, strip, again)
+    failures = failures + again
+  end subroutine solve_twice
+
   !> Deficit of a point solved anew.
   function deficit_of(law, strip) result(deficit)
     type(flow_law), intent(in) :: law
@@ -174,7 +187,7 @@ contains
     again = strip
     again%tau_x = 0
     again%tau_y = 0
-    call solve_shear(law, seven, again, failures)
+    call solve_twice(law, again, failures)
     call flow_deficit(seven, again, x, y)
     deficit = [x(1), y(1)]
   end function deficit_of
@@ -191,8 +204,12 @@ contains
 
     call skew_point(law, strip)
     call solve_shear(law, seven, strip, failures)
+    got = change_of(law, strip)
+    wanted = got%deficit
+    call solve_twice(law, strip, failures)
     call check(failures == 0, name//": converges")
     got = change_of(law, strip)
+    call check(norm2(wanted - got%deficit) < 2e-10_wp*norm2(wanted), name//": one solution is accurate")
     scale = norm2(got%deficit)
 
     step = relative*strip%px(1)
@@ -299,14 +316,47 @@ contains
     call one_point(seven, 0.1_wp*limit/h, 0.05_wp*limit/h, 0.6_wp*us, 0.8_wp*us, strip)
     strip%fluidity(1, :) = exp(-4*seven%z)/eta
     call solve_shear(bair_winer, seven, strip, failures)
+    call flow_deficit(seven, strip, x, v(:, 1))
+    call solve_twice(bair_winer, strip, failures)
+    call flow_deficit(seven, strip, y, v(:, 1))
     call check(failures == 0 .and. strip%slip(1) == slip_at_body_2, "a skew film slips")
+    call close_to(x(1), y(1), 2e-10_wp*abs(y(1)), "its solution is accurate")
+    call slipping_derivative(strip)
     call wall_slip(bair_winer, seven, strip, 1, 7, second(1), second(2))
     x = strip%tau_x + h*strip%px/2
     y = strip%tau_y + h*strip%py/2
     call close_to((second(1)*y(1) - second(2)*x(1))/(norm2(second)*hypot(x(1), y(1))), 0.0_wp, 1e-10_wp, &
       "slip follows the stress at its wall")
     call check(hypot(x(1), y(1)) > bound .and. hypot(x(1), y(1)) < 1.002_wp*bound, "the wall is at the stress of slip")
+
+    ! a pressure that falls by more than both walls together can bear
+    call one_point(seven, 3*limit/h, 0.0_wp, us, 0.1_wp*us, strip)
+    call solve_shear(bair_winer, seven, strip, failures)
+    call flow_deficit(seven, strip, x, y)
+    call check(abs(x(1)) < huge(us) .and. abs(y(1)) < huge(us) .and. strip%slip(1) == slip_at_body_1 + slip_at_body_2, &
+      "a gradient beyond bearing lets both walls slip")
+    call one_point(seven, 1e5_wp*tau0/h, 0.0_wp, us, 0.1_wp*us, strip)
+    call solve_shear(eyring, seven, strip, failures)
+    call flow_deficit(seven, strip, x, y)
+    call check(x(1) > 0 .and. x(1) < huge(us), "a gradient beyond reason does not overflow")
   end subroutine slipping
+
+  !> The mobility of a film that slips, against differences well within the stresses over which slip sets in.
+  subroutine slipping_derivative(strip)
+    type(shear_strip), intent(inout) :: strip
+    type(shear_strip) :: above, below
+    type(change) :: got
+    real(wp) :: step, wanted(2)
+
+    got = change_of(bair_winer, strip)
+    step = 1e-5_wp*strip%px(1)
+    above = strip
+    below = strip
+    above%px = strip%px + step
+    below%px = strip%px - step
+    wanted = (deficit_of(bair_winer, above) - deficit_of(bair_winer, below))/(2*step)
+    call check(norm2(got%mobility(1:2) - wanted) < 1e-4_wp*norm2(wanted), "derivative by the gradient of a film that slips")
+  end subroutine slipping_derivative
 
   !> Mean of -ln(1 - x) over x within 0.05 of a centre.
   real(wp) function shear(centre)
@@ -350,8 +400,8 @@ contains
       below = strip
       above%fluidity(1, l) = strip%fluidity(1, l)*(1 + relative)
       below%fluidity(1, l) = strip%fluidity(1, l)*(1 - relative)
-      call solve_shear(law, seven, above, failures)
-      call solve_shear(law, seven, below, failures)
+      call solve_twice(law, above, failures)
+      call solve_twice(law, below, failures)
       call film_heat(seven, above, high, own, response_x, response_y, stress_x, stress_y)
       call film_heat(seven, below, low, own, response_x, response_y, stress_x, stress_y)
       call film_heat(seven, strip, heat, own, response_x, response_y, stress_x, stress_y)
@@ -397,6 +447,33 @@ contains
     call close_to(factor_s(1), h**3/(12*eta)*sqrt(1 + along**2), 1e-6_wp*factor_s(1), "Eyring factor along, no gradient")
     call close_to(factor_r(1), h**3/(12*eta)*along/asinh(along), 1e-6_wp*factor_r(1), "Eyring factor across, no gradient")
   end subroutine factors
+
+  !> A strip that is not full, started from the solution: nothing changes but rounding.
+  subroutine part_of_a_strip()
+    type(shear_strip) :: strip, one
+    real(wp) :: x(3), y(3), wanted(1), unused(1)
+    integer :: failures, stat
+
+    call skew_point(limited, one)
+    call solve_shear(limited, seven, one, failures)
+    call flow_deficit(seven, one, wanted, unused)
+    call new_shear_strip(3, 7, strip, stat)
+    strip%points = 2
+    strip%film(:2) = one%film(1)
+    strip%px(:2) = one%px(1)
+    strip%py(:2) = one%py(1)
+    strip%us(:2) = one%us(1)
+    strip%vs(:2) = one%vs(1)
+    strip%reference(:2) = one%reference(1)
+    strip%limit(:2) = one%limit(1)
+    strip%fluidity(:2, :) = spread(one%fluidity(1, :), 1, 2)
+    strip%tau_x(:2) = one%tau_x(1)
+    strip%tau_y(:2) = [one%tau_y(1), 0.0_wp]
+    call solve_shear(limited, seven, strip, failures)
+    call flow_deficit(seven, strip, x, y)
+    call check(failures == 0 .and. all(abs(x(:2) - wanted(1)) < 1e-9_wp*abs(wanted(1))), &
+      "guesses decide only how soon a film is solved")
+  end subroutine part_of_a_strip
 
   !> Random points, many of them harder than a contact's: all are solved.
   subroutine hard_points(law, name)

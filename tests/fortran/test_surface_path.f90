@@ -8,7 +8,8 @@ program test_surface_path
   implicit none(type, external)
 
   real(wp), parameter :: pi = acos(-1.0_wp)
-  !> Conductivity [W/(m K)] and rho c [J/(m3 K)] of steel, flux [W/m2] and what makes a rise of int q dt/sqrt(t).
+  !> Conductivity [W/(m K)] and rho c [J/(m3 K)] of steel, flux [W/m2] and what makes a rise of int q
+  !> dt/sqrt(t).
   real(wp), parameter :: k = 47, rho_c = 7900*477.0_wp, flux = 1e8_wp, effusion = 1/sqrt(pi*k*rho_c)
   !> Half the window [m], the semi-axes of the source [m] and where the surface turns about.
   real(wp), parameter :: half = 1e-3_wp, axis_x = 0.6e-3_wp, axis_y = 0.4e-3_wp, pole = 1.5e-3_wp
@@ -33,8 +34,8 @@ program test_surface_path
 
 contains
 
-  !> Uniform flux from the inflow on: 2 q sqrt(t/(pi k rho c)), the time being that of a motion whose speed falls as
-  !> 1/(1 + slowing x).
+  !> Uniform flux from the inflow on: 2 q sqrt(t/(pi k rho c)), the time being that of a motion whose speed
+  !> falls as 1/(1 + slowing x).
   subroutine uniform_flux(slowing, speed)
     real(wp), intent(in) :: slowing, speed
     integer, parameter :: n = 101, m = 6
@@ -104,8 +105,9 @@ contains
     call check(error(2) < 1e-3_wp .and. error(1)/error(2) > 3, "lines far apart")
   end subroutine far_between
 
-  !> Root mean square error of the rise, over the largest rise, under a source in the middle of the window; the surface moves
-  !> uniformly at 40 degrees to the x axis (turning = 0), or turns about a pole beside the window (turning = 1).
+  !> Root mean square error of the rise, over the largest rise, under a source in the middle of the window;
+  !> the surface moves uniformly at 40 degrees to the x axis (turning = 0), or turns about a pole beside the
+  !> window (turning = 1).
   real(wp) function source_error(nx, ny, turning, smooth)
     integer, intent(in) :: nx, ny, turning
     logical, intent(in) :: smooth
@@ -172,7 +174,8 @@ contains
     along_path = effusion*along_path*2*longest/steps/sqrt(fast)
   end function along_path
 
-  !> Flux q cos(m y), whose heat spreads to the sides: q cos(m y)/sqrt(k rho c) erf(sqrt(kappa m2 t))/sqrt(kappa m2).
+  !> Flux q cos(m y), whose heat spreads to the sides: q cos(m y)/sqrt(k rho c) erf(sqrt(kappa m2
+  !> t))/sqrt(kappa m2).
   subroutine stripes()
     integer, parameter :: nx = 401, ny = 65
     real(wp), parameter :: dx = 5e-6_wp, dy = 1e-5_wp, speed = 0.5_wp, m = 2*pi/((ny - 1)*dy)
@@ -195,8 +198,8 @@ contains
     call close_to(maxval(abs(t - exact)), 0.0_wp, 4e-3_wp*maxval(exact), "stripes fade")
   end subroutine stripes
 
-  !> A slender source crossed the long way, at some angle: conduction to all sides, which counts 9 % for the hottest
-  !> point, against conduction into depth and to the sides.
+  !> A slender source crossed the long way, at some angle: conduction to all sides, which counts 9 % for the
+  !> hottest point, against conduction into depth and to the sides.
   subroutine against_conduction_all_round(angle)
     real(wp), intent(in) :: angle
     integer, parameter :: n = 129

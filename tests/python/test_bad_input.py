@@ -13,6 +13,7 @@ CASES = Path(__file__).parents[2] / "cases"
 DRIVE = (CASES / "zi_sharif_2001.toml").read_text()
 CONTACT = (CASES / "point_m20_l10.toml").read_text()
 LINE = (CASES / "line_m20_l10.toml").read_text()
+TRACTION = (CASES / "traction_steel.toml").read_text()
 GAP = (CASES / "gap_example.toml").read_text()
 
 
@@ -133,6 +134,34 @@ def test_wrong_values_in_a_contact(refuse, old, new, sentence):
 )
 def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
     assert sentence in refuse(changed(LINE, (old, new)))
+
+
+MEAN = 'mean_velocity = ["2 m/s", "0 m/s"]'
+RATIOS = next(line for line in TRACTION.splitlines() if line.startswith("slide_roll_ratios"))
+FORMS = "motion: give either velocity_1 and velocity_2, or mean_velocity and slide_roll_ratios"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        (RATIOS, "slide_roll_ratios = []", "motion.slide_roll_ratios = []: has too few entries"),
+        (RATIOS, "slide_roll_ratios = 0.5", "motion.slide_roll_ratios = 0.5: must be a list"),
+        (RATIOS, 'slide_roll_ratios = ["5 %"]', 'motion.slide_roll_ratios[0] = "5 %": must be a n'),
+        (RATIOS, "slide_roll_ratios = [0, nan]", "motion.slide_roll_ratios[1] = nan: must be fin"),
+        (RATIOS, "slide_roll_ratios = [0.5, 1, 0.5]", "[0.5, 1, 0.5]: must not name a ratio twice"),
+        (RATIOS, "slide_roll_ratio = [0]", "motion.slide_roll_ratio: no such key; did you mean sl"),
+        (RATIOS, "", FORMS),
+        (MEAN, "", FORMS),
+        (MEAN, f'{MEAN}\nvelocity_1 = ["2 m/s", "0 m/s"]', FORMS),
+        (f"{MEAN}\n{RATIOS}", "", FORMS),
+        (f"{MEAN}\n{RATIOS}", 'velocity_2 = ["2 m/s", "0 m/s"]', FORMS),
+        (MEAN, 'mean_velocity = ["0 m/s", "0 m/s"]', "must not be zero; give velocity_1 and veloc"),
+        (MEAN, 'mean_velocity = "2 m/s"', 'motion.mean_velocity = "2 m/s": must be a list'),
+        (MEAN, 'mean_velocity = ["2 m", "0 m/s"]', 'motion.mean_velocity[0] = "2 m": must be a ve'),
+    ],
+)
+def test_wrong_values_in_a_traction_curve(refuse, old, new, sentence):
+    assert sentence in refuse(changed(TRACTION, (old, new)))
 
 
 SHEAR = 'law = "eyring-limited" # equation 6'
@@ -330,6 +359,11 @@ def test_a_gap_file_that_is_not_there(refuse):
         (["run", "CASE", "--effects", "all"], "effects = all: choose one of isothermal"),
         (["run", "CASE", "--accuracy", "much"], "--accuracy much: must be a share"),
         (["run", "CASE", "--phase", "0.5"], "it is one contact"),
+        (["run", "CASE", "--slide-roll-ratio", "-0.5"], "gives no motion.mean_velocity"),
+        (["run", "DRIVE", "--slide-roll-ratio", "1"], "slide-roll ratio 1: zi_sharif_2001 gives"),
+        (["run", "TRACTION", "--slide-roll-ratio", "much"], "invalid float value: 'much'"),
+        (["run", "TRACTION", "--slide-roll-ratio", "nan"], "slide-roll ratio nan: must be finite"),
+        (["run", "TRACTION", "--phase", "0.5"], "has no mesh cycle"),
         (["run", "DRIVE", "--phase", "1.5"], "phase 1.5: must lie between 0 and 1"),
         (["run", "CASE", "--out", "a_file"], "a_file: is a file, results need a directory"),
         (["run", "CASE", "--out", "a_file/b"], "a_file: is a file, results need a directory"),
@@ -343,6 +377,7 @@ def test_wrong_commands(tmp_path, monkeypatch, capsys, arguments, sentence):
     places = {
         "CASE": str(CASES / "point_m20_l10.toml"),
         "DRIVE": str(CASES / "zi_sharif_2001.toml"),
+        "TRACTION": str(CASES / "traction_steel.toml"),
     }
     arguments = [places.get(word, word) for word in arguments]
     assert sentence in refusal(arguments, tmp_path, capsys)

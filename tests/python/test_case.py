@@ -22,7 +22,6 @@ SHIPPED = sorted(CASES.glob("*.toml"))
 CONTACTS = [path for path in SHIPPED if path.stem != "zi_sharif_2001"]
 LINES = [path for path in CONTACTS if path.stem.startswith("line")]
 POINTS = [path for path in CONTACTS if path not in LINES]
-PLANNED = [path for path in CONTACTS if path.stem != "opposite_sliding"]  # it entrains no oil
 
 
 def moes(scene):
@@ -45,14 +44,17 @@ def test_every_shipped_case_is_right(path):
     assert json.loads(json.dumps(case.resolved)) == case.resolved
 
 
-@pytest.mark.parametrize("path", CONTACTS, ids=lambda path: path.stem)
+SINGLE = [path for path in CONTACTS if path.stem != "traction_steel"]
+
+
+@pytest.mark.parametrize("path", SINGLE, ids=lambda path: path.stem)
 def test_every_shipped_contact_makes_one_scene(path):
     (scene,) = load(path).scenes()
-    assert scene.phase is None
+    assert scene.phase is None and scene.slide_roll_ratio is None
     assert scene.name == path.stem
 
 
-@pytest.mark.parametrize("path", PLANNED, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", CONTACTS, ids=lambda path: path.stem)
 def test_every_shipped_contact_can_be_planned(path):
     assert plan(load(path).scene()).grids
 
@@ -139,12 +141,38 @@ def test_the_polyalphaolefin_has_its_published_viscosity(name, celsius):
     assert oil.flow.stress == pytest.approx(2 * 0.035 / oil.viscosity.alpha, rel=0.01)
 
 
-def test_traction_is_asked_at_one_gigapascal_and_a_slide_roll_ratio_of_a_half():
-    scene = load(CASES / "traction_steel.toml").scene()
-    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
-    assert contact.pressure_max == pytest.approx(1e9, rel=1e-3)
-    (entrainment, _), (sliding, _) = scene.entrainment(0.0, 0.0), scene.sliding(0.0, 0.0)
-    assert sliding / entrainment == 0.5
+def test_traction_is_asked_at_one_gigapascal_from_rolling_to_beyond_a_disc_at_rest():
+    case = load(CASES / "traction_steel.toml")
+    scenes = list(case.scenes())
+    assert len(scenes) == len(case.slide_roll_ratios) >= 10
+    assert min(case.slide_roll_ratios) == 0 and max(case.slide_roll_ratios) > 2
+    for scene, ratio in zip(scenes, case.slide_roll_ratios, strict=True):
+        contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
+        assert contact.pressure_max == pytest.approx(1e9, rel=1e-3)
+        (entrainment, _), (sliding, _) = scene.entrainment(0.0, 0.0), scene.sliding(0.0, 0.0)
+        assert entrainment == 2.0
+        assert sliding == pytest.approx(2 * ratio, abs=1e-15)
+        assert scene.slide_roll_ratio == ratio
+        assert scene.name == f"slide-roll ratio {ratio:g}"
+        assert scene.phase is None
+
+
+def test_a_traction_curve_may_be_looked_at_elsewhere():
+    case = load(CASES / "traction_steel.toml")
+    assert case.scene().slide_roll_ratio == case.slide_roll_ratios[0]
+    backwards, far = case.scenes(slide_roll_ratios=(-1.0, 6.0))
+    assert [motion.u for motion in backwards.motions] == [1, 3]
+    assert [motion.u for motion in far.motions] == [8, -4]
+
+
+def test_sliding_is_along_the_mean_velocity_and_spins_stay(tmp_path):
+    text = (CASES / "traction_steel.toml").read_text()
+    old = 'mean_velocity = ["2 m/s", "0 m/s"]'
+    assert old in text
+    path = tmp_path / "oblique.toml"
+    path.write_text(text.replace(old, 'mean_velocity = ["3 m/s", "-4 m/s"]\nspin_2 = "5 rad/s"'))
+    scene = load(path).scene(slide_roll_ratio=0.5)
+    assert [(of.u, of.v, of.spin) for of in scene.motions] == [(3.75, -5, 0), (2.25, -3, 5)]
 
 
 def test_opposite_sliding_entrains_nothing():

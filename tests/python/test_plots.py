@@ -39,6 +39,7 @@ from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
 from pyworm.plots.style import Window, contact_window, heading
 from pyworm.plots.temperature import draw_temperature
+from pyworm.plots.traction import draw_traction
 from pyworm.result import Result
 from pyworm.solution import Estimate
 from pyworm.variables import describe
@@ -379,3 +380,46 @@ def test_the_cycle_shows_friction_and_temperatures_where_solved():
     sheared = tuple(without_heat(solution) for solution in hot)
     said = texts(draw_cycle(Result("cycle", {}, sheared, make_mesh_cycle(), {})))
     assert "power loss" in said and "temperature" not in said
+
+
+def make_curve(ratios):
+    """Friction that saturates, at these slide-roll ratios."""
+    ball = make_solution(points=(33, 33))
+    return tuple(
+        replace(
+            with_heat(
+                ball, (2 + ratio, 0.0), (2 - ratio, 0.0), 0.0, 0.02 * np.tanh(abs(ratio) / 0.1)
+            ),
+            slide_roll_ratio=ratio,
+        )
+        for ratio in ratios
+    )
+
+
+def test_a_traction_curve_has_the_sign_of_its_sliding_and_is_drawn_in_order():
+    ratios = (0.5, -1.0, 0.1, -0.5)
+    curve = make_curve(ratios)
+    figure = draw_traction(Result("ball", {}, curve, None, {}))
+    line = figure.axes[0].lines[0]
+    assert list(line.get_xdata()) == sorted(ratios)
+    size = [curve[ratios.index(of)].figures.friction_coefficient.value for of in sorted(ratios)]
+    assert list(line.get_ydata()) == pytest.approx(np.sign(sorted(ratios)) * size)
+    said = texts(figure)
+    for label in ("slide-roll ratio", "friction coefficient", "largest\ntemperature / °C"):
+        assert label in said
+    cold = tuple(without_heat(solution) for solution in curve)
+    assert len(draw_traction(Result("ball", {}, cold, None, {})).axes) == 1
+    assert "not converged" not in said
+    failed = (replace(curve[0], converged=False), *curve[1:])
+    assert "not converged" in texts(draw_traction(Result("ball", {}, failed, None, {})))
+
+
+def test_only_a_sweep_whose_shear_was_simulated_is_a_traction_curve(tmp_path, monkeypatch):
+    monkeypatch.setattr("pyworm.plots._write", lambda figure, path: path)
+    monkeypatch.setattr("pyworm.plots.SCENE_PICTURES", {"point": {}})
+    curve = make_curve((0.1, 0.5))
+    plain = tuple(replace(make_solution(points=(9, 9)), slide_roll_ratio=of) for of in (0.1, 0.5))
+    single = tuple(replace(of, slide_roll_ratio=None) for of in curve)
+    for solutions, names in ((curve, ["traction.png"]), (plain, []), (single, [])):
+        written = draw(Result("ball", {}, solutions, None, {}), tmp_path)
+        assert [path.name for path in written] == names

@@ -65,12 +65,14 @@ def test_round_trip_without_a_drive(result, tmp_path):
 
 
 def test_round_trip_with_heat(result, tmp_path):
-    solutions = (make_hot_worm(), line_with_heat(make_line_solution()), make_solution())
+    ball = replace(make_solution(), slide_roll_ratio=-0.5)
+    solutions = (make_hot_worm(), line_with_heat(make_line_solution()), ball)
     path = replace(result, mesh_cycle=None, solutions=solutions).save(tmp_path / "hot.nc")
     read = open_result(path)
     assert_same(replace(result, solutions=solutions), read)
     assert read.solutions[0].figures.temperature_max_film.grid == 0.01
     assert read.solutions[2].figures.friction_coefficient is None
+    assert [solution.slide_roll_ratio for solution in read.solutions] == [None, None, -0.5]
     with h5py.File(path) as file:
         scene = file["scene_000"]
         hottest = scene.attrs["temperature_max_C_film"] + 273.15

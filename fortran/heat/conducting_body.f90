@@ -1,0 +1,45 @@
+!> A body under a contact, with the model of conduction that suits its motion.
+module conducting_body
+  use conduction_model, only: conduction_errors
+  use heated_surface, only: heated_body
+  use kinds, only: wp
+  use moving_source, only: moving_body, new_moving_body
+  use status, only: status_ok
+  use surface_path, only: fast_body, new_fast_body
+  implicit none(type, external)
+  private
+
+  public :: new_conducting_body
+
+contains
+
+  !> The model that errs less; where paths turn back within the window, that of one velocity.
+  !>
+  !> The surface moves with (u, v) [m/s] at the nodes; heat enters where `heat` (of any unit) says, over a contact of
+  !> the semi-axes `semi` [m]. `error` is the model's, in shares of the greatest rise (`conduction_model`).
+  subroutine new_conducting_body(u, v, heat, semi, dx, dy, conductivity, capacity, body, error, stat)
+    real(wp), contiguous, intent(in) :: u(:, :), v(:, :), heat(:, :)
+    real(wp), intent(in) :: semi(2), dx, dy, conductivity, capacity
+    class(heated_body), allocatable, intent(out) :: body
+    real(wp), intent(out) :: error
+    integer, intent(out) :: stat
+    type(moving_body), allocatable :: uniform
+    type(fast_body), allocatable :: fast
+    real(wp) :: mean_u, mean_v, along_paths
+
+    call conduction_errors(u, v, heat, semi(1), semi(2), conductivity/capacity, mean_u, mean_v, error, along_paths)
+    if (along_paths < error) then
+      allocate (fast)
+      call new_fast_body(fast, dx, dy, u, v, conductivity, capacity, stat)
+      if (stat == status_ok) then
+        error = along_paths
+        call move_alloc(fast, body)
+        return
+      end if
+    end if
+    allocate (uniform)
+    call new_moving_body(uniform, size(u, 1), size(u, 2), dx, dy, mean_u, mean_v, conductivity, capacity, stat)
+    call move_alloc(uniform, body)
+  end subroutine new_conducting_body
+
+end module conducting_body

@@ -1,0 +1,52 @@
+"""A traction curve: friction and largest temperatures over slide-roll ratio."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.plots.style import draw_largest_temperatures, new_figure
+from pyworm.result import Result
+from pyworm.solution import Solution
+
+
+def draw_traction(result: Result) -> Figure:
+    """Friction coefficient, and largest temperatures where heat was simulated, with their error bars."""
+    swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio)
+    heated = [one for one in swept if one.figures.temperature_max_film is not None]
+    rows = 2 if heated else 1
+    figure = new_figure(8, 3.2 * rows + 0.6, f"{result.case_name}  ·  traction curve")
+    axes = figure.subplots(rows, sharex=True, squeeze=False)[:, 0]
+    _draw_friction(axes[0], swept)
+    if heated:
+        ratios = [solution.slide_roll_ratio for solution in heated]
+        draw_largest_temperatures(axes[1], ratios, heated)
+    for panel in axes:
+        panel.grid(True, color="0.9")
+    axes[-1].set_xlabel("slide-roll ratio")
+    return figure
+
+
+def traction_curve(result: Result) -> list[Solution]:
+    """The solutions of a result that make a traction curve; none if it is no sweep of slide-roll ratios."""
+    return [
+        solution
+        for solution in result.solutions
+        if solution.slide_roll_ratio is not None
+        and solution.figures.friction_coefficient is not None
+    ]
+
+
+def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
+    """The friction coefficient takes the sign of the sliding."""
+    ratios = np.array([solution.slide_roll_ratio for solution in swept])
+    estimates = [solution.figures.friction_coefficient for solution in swept]
+    friction = np.array([estimate.value for estimate in estimates])
+    error = abs(friction) * [estimate.error for estimate in estimates]
+    signed = np.sign(ratios) * friction
+    axes.errorbar(ratios, signed, error, fmt="o-", color="tab:purple", capsize=3)
+    failed = np.array([not solution.converged for solution in swept])
+    if failed.any():
+        cross = {"color": "black", "markersize": 11, "label": "not converged"}
+        axes.plot(ratios[failed], signed[failed], "x", **cross)
+        axes.legend(frameon=False)
+    axes.set_ylabel("friction coefficient")
