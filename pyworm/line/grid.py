@@ -14,7 +14,7 @@ INLET_FILMS = 12.0
 INLET_ACCURACY = 1e-3
 """Accuracy for which that is enough. The error falls with the square of the films (`LineLadder`)."""
 
-HEATED_INLET_FILMS = 24.0
+HEATED_INLET_FILMS = 48.0
 """The same of a film that warms: oil and bodies are heated far before the contact."""
 
 HEATED_INLET_ACCURACY = 1e-2
