@@ -448,11 +448,15 @@ class PointFilm(_Film):
         step = super().step(forcing)
         if not self.heated:
             return step
-        change = self._binding("warm")(self._handle)
+        change = self.warm()
         balance = self.start(self.pressure, self.rigid_film)
         warming = change / max(LEAST_RISE, float(self.rise().max()))
         self.balance = Balance(balance.residual, balance.load_error, warming)
         return Step(self.balance, step.krylov, step.share)
+
+    def warm(self) -> float:
+        """One sweep of heat at the present pressure; the change of temperature [K] that it is judged by."""
+        return self._binding("warm")(self._handle)
 
     def rise(self) -> np.ndarray:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2, shape (nx, ny, levels)."""
