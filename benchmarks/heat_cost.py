@@ -54,16 +54,21 @@ SCENES: dict[str, Callable[[], Scene]] = {
 
 
 def remembering(scene: Scene) -> Scene:
-    """The scene, its gap sampled once on each grid."""
-    known = {}
+    """The scene, its gap and motions sampled once on each grid."""
 
-    def gap(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        places = x.tobytes(), y.tobytes()
-        if places not in known:
-            known[places] = scene.gap(x, y)
-        return known[places]
+    def once(sample: Callable) -> Callable:
+        known = {}
 
-    return replace(scene, gap=gap)
+        def recall(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            places = np.asarray(x).tobytes(), np.asarray(y).tobytes()
+            if places not in known:
+                known[places] = sample(x, y)
+            return known[places]
+
+        return recall
+
+    first, second = scene.motions
+    return replace(scene, gap=once(scene.gap), motions=(once(first), once(second)))
 
 
 def cost(solution: Solution) -> tuple[float, list[float]]:
