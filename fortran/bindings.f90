@@ -9,8 +9,9 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve, point_film_work, point_film_thickness, point_film_shear, point_film_heat, point_film_warm, &
-    point_film_rise, point_film_set_rise, point_film_shear_fields, point_film_heat_fields, point_film_profile
+    point_film_convolve, point_film_work, point_film_thickness, point_film_entrain, point_film_shear, &
+    point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, &
+    point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
     line_film_convolve
   public :: prolong_cubic, level_positions
@@ -101,6 +102,20 @@ contains
     contact => contact_of(handle)
     deallocate (contact)
   end subroutine point_film_free
+
+  !> Changes the nodal entrainment of a contact to (u, v) [m/s].
+  subroutine point_film_entrain(handle, u, v, nx, ny)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use point_film, only: entrain
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: u(nx, ny), v(nx, ny)
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call entrain(contact%point_contact, u, v)
+  end subroutine point_film_entrain
 
   !> Gives a contact's oil a flow law; see `flow_laws` and `point_film` for the arguments.
   subroutine point_film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &

@@ -157,13 +157,16 @@ def dry_contact(scene: Scene, grid: Grid, gap, covered, guess) -> kernels.DryCon
     )
 
 
-def first_rung(scene: Scene, size: Scales, grid: Grid) -> Rung:
-    """The outermost grid, entered from the dry contact lifted by the expected film."""
+def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
+    """The outermost grid, entered from the dry contact lifted by the expected film.
+
+    `far` is the scene that the oil beyond the grid belongs to.
+    """
     x, y = grid.mesh()
     gap, covered = scene.gap(x, y)
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
     rigid_film = size.film - dry.approach
-    beyond = far_field(scene, grid, gap + rigid_film, covered)
+    beyond = far_field(far, grid, gap + rigid_film, covered)
     rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load)
     # Some pressure everywhere: a rupture line that starts too far out is found in a few Newton steps, one
     # that starts too near moves by a cell a step.

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 from pyworm.grid import Grid, nest
+from pyworm.lent import lent
 from pyworm.line.grid import LineGrid, first_grids
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
@@ -182,13 +183,16 @@ def _levels(accuracy: float) -> int:
 
 
 def _plan_point(scene: Scene, accuracy: float, model: Model) -> Plan:
-    size = scales(scene)
+    drawn = lent(scene) if model.heated else scene
+    size = scales(drawn)
+    # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
+    nested = slice(None) if drawn is scene else slice(-1, None)
     return Plan(
         accuracy=accuracy,
         model=model,
         effects=_effects(scene.oil, model, across=True),
-        grids=_grids(scene, size, near_reach(size), FAR),
-        wider_grids=_grids(scene, size, near_reach(size).doubled(), FAR.doubled()),
+        grids=_grids(scene, size, near_reach(size), FAR)[nested],
+        wider_grids=_grids(scene, size, near_reach(size).doubled(), FAR.doubled())[nested],
         largest_grid=LARGEST_GRID,
         tolerance=RESIDUAL_SHARE * accuracy,
         expected_convolutions=CONVOLUTIONS,

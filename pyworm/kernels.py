@@ -372,6 +372,10 @@ class PointFilm(_Film):
             "vector_seconds": whole - convolution - flow - building - cycle,
         }
 
+    def entrain(self, entrainment) -> None:
+        """Changes the nodal entrainment velocity (u, v) [m/s]; the film is to be started before it steps."""
+        self._binding("entrain")(self._handle, *(_field(component) for component in entrainment))
+
     def shear(self, law: FlowLaw, levels: int, sliding) -> None:
         """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
 

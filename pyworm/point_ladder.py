@@ -13,10 +13,14 @@ from pyworm.effects import Plan
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
 from pyworm.ladder import Outcome, Stride, lead
+from pyworm.lent import TAKEN_BACK, lent
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import DryFigures
 from pyworm.variables import describe
+
+LENT_TOLERANCE = 1e-2
+"""Residual at which some more of lent entrainment is taken back."""
 
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid that only leads to a finer window is left."""
@@ -45,7 +49,8 @@ class PointLadder:
     def __init__(self, scene: Scene, plan: Plan):
         self._scene = scene
         self._model = plan.model
-        self._size = scales(scene)
+        self._lent = lent(scene) if plan.model.heated else scene
+        self._size = scales(self._lent)
         self.origins = (
             dict.fromkeys(HEAT_FIGURES, scene.oil.heat.inlet_temperature)
             if self._model.heated
@@ -55,18 +60,32 @@ class PointLadder:
     def enter(self, grids: Sequence[Grid]) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
         strides: list[Stride] = []
-        rung = first_rung(self._scene, self._size, grids[0])
+        rung = first_rung(self._lent, self._scene, self._size, grids[0])
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
             rung = next_rung(self._scene, self._size, rung, grid)
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
             with_shear(self._scene, self._size, self._model, rung)
+            strides += self._taken_back(rung)
         return rung, strides
+
+    def _taken_back(self, rung: Rung) -> list[Stride]:
+        """Steps of a film from the entrainment that was lent to it to its own."""
+        strides: list[Stride] = []
+        if self._lent is self._scene:
+            return strides
+        for share in TAKEN_BACK:
+            strides += lead(rung, LENT_TOLERANCE)
+            rung.film.entrain(lent(self._scene, share).entrainment(*rung.grid.mesh()))
+            rung.film.start(rung.film.pressure, rung.film.rigid_film)
+        return strides
 
     def higher(self, rung: Rung) -> Rung:
         """Half the spacing over the same window."""
-        finer = next_rung(self._scene, self._size, rung, rung.grid.finer())
+        finer = next_rung(self._lent, self._size, rung, rung.grid.finer())
+        if self._lent is not self._scene:
+            finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
         if self._model.levels:
             rise = kernels.prolong_levels(rung.film.rise()) if self._model.heated else None
             with_shear(self._scene, self._size, self._model, finer, rise)
@@ -84,7 +103,7 @@ class PointLadder:
 
     def _figures(self, rung: Rung, dry: DryContact) -> dict[str, Any]:
         film, density, imbalance = rung.film.fields()
-        u, v = self._scene.entrainment(*rung.grid.mesh())
+        u, v = self._lent.entrainment(*rung.grid.mesh())
         exit_min, exit_min_at = reading.exit_minimum(rung.grid, film, self._size.angle)
         extents = reading.contact_extent(rung.grid, dry.pressure)
         return {

@@ -21,7 +21,7 @@ module multigrid
   implicit none(type, external)
   private
 
-  public :: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  public :: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
 
   !> The kernel's stand-in, in units of its centre value: its nearest neighbours count too.
   real(pp), parameter :: kernel_share = 4.0_pp
@@ -85,22 +85,30 @@ contains
         level%compliance = kernel_share*real(centre*2**(l - 1), pp)
         call allocate_level(level, stat)
         if (stat /= status_ok) return
-        if (l == 1) then
-          call orient(self%transposed, merge(grid%v, grid%u, self%transposed), level%along)
-          call orient(self%transposed, merge(grid%u, grid%v, self%transposed), level%across)
-        else
-          call coarsen_entrainment(self%level(l - 1), level)
-        end if
       end associate
       length = (length + 1)/2
       count = (count + 1)/2
     end do
+    call set_entrainment(self, grid)
     associate (coarsest => self%level(levels))
       allocate (self%band(3*coarsest%length + 1, coarsest%length*coarsest%count), &
         self%pivots(coarsest%length*coarsest%count), stat=err)
     end associate
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_multigrid
+
+  !> Takes up the grid's entrainment. Lines stay as they were laid.
+  subroutine set_entrainment(self, grid)
+    type(film_multigrid), intent(inout) :: self
+    type(film_grid), intent(in) :: grid
+    integer :: l
+
+    call orient(self%transposed, merge(grid%v, grid%u, self%transposed), self%level(1)%along)
+    call orient(self%transposed, merge(grid%u, grid%v, self%transposed), self%level(1)%across)
+    do l = 2, size(self%level)
+      call coarsen_entrainment(self%level(l - 1), self%level(l))
+    end do
+  end subroutine set_entrainment
 
   !> How often both directions can be halved.
   pure integer function coarsenings(length, count)

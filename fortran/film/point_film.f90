@@ -8,7 +8,7 @@ module point_film
   use half_space, only: elastic_half_space, new_half_space
   use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
-  use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  use multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
   use flow_laws, only: flow_law
   use oil_laws, only: oil_law
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
@@ -21,7 +21,7 @@ module point_film
   implicit none(type, external)
   private
 
-  public :: point_contact, new_point_contact, shear_point_contact, film_residual, film_step
+  public :: point_contact, new_point_contact, shear_point_contact, entrain, film_residual, film_step
 
   !> Most Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 16
@@ -110,6 +110,16 @@ contains
       self%basis(nx*ny + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_point_contact
+
+  !> Changes the nodal entrainment to (u, v) [m/s]. Residuals stay measured by the wedge flow of the first one.
+  subroutine entrain(self, u, v)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: u(:, :), v(:, :)
+
+    self%grid%u = face_mean_x(u)
+    self%grid%v = face_mean_y(v)
+    call set_entrainment(self%cycles, self%grid)
+  end subroutine entrain
 
   !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
   !>

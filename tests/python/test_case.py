@@ -22,7 +22,6 @@ SHIPPED = sorted(CASES.glob("*.toml"))
 CONTACTS = [path for path in SHIPPED if path.stem != "zi_sharif_2001"]
 LINES = [path for path in CONTACTS if path.stem.startswith("line")]
 POINTS = [path for path in CONTACTS if path not in LINES]
-PLANNED = [path for path in CONTACTS if path.stem != "opposite_sliding"]  # it entrains no oil
 
 
 def moes(scene):
@@ -55,7 +54,7 @@ def test_every_shipped_contact_makes_one_scene(path):
     assert scene.name == path.stem
 
 
-@pytest.mark.parametrize("path", PLANNED, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", CONTACTS, ids=lambda path: path.stem)
 def test_every_shipped_contact_can_be_planned(path):
     assert plan(load(path).scene()).grids
 

@@ -1,0 +1,173 @@
+"""Sheared and heated point contacts: limits, balances and symmetries."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pyworm
+from pyworm.ladder import lead
+from pyworm.oils import NEWTONIAN, FlowLaw
+from pyworm.point_ladder import PointLadder
+from pyworm.scene import RigidMotion
+
+CASES = Path(__file__).parents[2] / "cases"
+COARSE = 0.05
+
+
+def ball(slide_roll_ratio=1.0, turn=0.0, **changes):
+    """The traction case at one slide-roll ratio, its motion turned by an angle [rad]."""
+    scene = pyworm.load(CASES / "traction_steel.toml").scene()
+    along = np.array([np.cos(turn), np.sin(turn)])
+    motions = tuple(
+        RigidMotion(*(float(speed) for speed in 2.0 * (1 + sign * slide_roll_ratio / 2) * along))
+        for sign in (1, -1)
+    )
+    oil = replace(scene.oil, **changes) if changes else scene.oil
+    return replace(scene, motions=motions, oil=oil)
+
+
+def solved(scene, accuracy=COARSE, effects=None):
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
+    assert solution.converged, solution.stop_reason
+    return solution
+
+
+@pytest.fixture(scope="module")
+def hot():
+    return solved(ball())
+
+
+def settled(scene, effects):
+    """The film on the first grid of the figures, to a residual far below any wanted."""
+    plan = pyworm.plan(scene, COARSE, effects)
+    rung, _ = PointLadder(scene, plan).enter(plan.grids)
+    lead(rung, 1e-9)
+    return rung.film
+
+
+def test_a_newtonian_oil_of_one_temperature_has_the_isothermal_film():
+    """The sheared film's scheme in Newton's limit is that of the plain one, to the iteration's tolerance."""
+    scene = ball(flow=NEWTONIAN)
+    plain, sheared = settled(scene, "isothermal"), settled(scene, "sheared")
+    scale = plain.pressure.max()
+    assert np.abs(sheared.pressure - plain.pressure).max() < 1e-6 * scale
+    assert np.allclose(sheared.thickness(), plain.thickness(), rtol=1e-6)
+
+
+def test_an_oil_whose_viscosity_stays_has_the_sheared_film():
+    """Heat that changes neither viscosity nor density changes no film."""
+    scene = ball()
+    heat = replace(scene.oil.heat, viscosity_exponent=0.0, expansivity=0.0)
+    scene = replace(scene, oil=replace(scene.oil, heat=heat))
+    sheared = solved(scene, effects="sheared").figures
+    heated = solved(scene, effects="thermal").figures
+    assert heated.film_central.value == pytest.approx(sheared.film_central.value, rel=2e-3)
+    assert heated.film_min.value == pytest.approx(sheared.film_min.value, rel=2e-3)
+    assert heated.temperature_max_film.value > scene.oil.heat.inlet_temperature + 5
+
+
+def test_friction_heat_goes_where_it_must(hot):
+    """Into both bodies and away with the oil; its work is sliding against stress."""
+    assert abs(hot.figures.heat_balance) < 1e-3
+    fields = hot.fields
+    cell = float(fields.x[1] - fields.x[0]) * float(fields.y[1] - fields.y[0])
+    sliding = -(fields.sliding_x * fields.shear_stress_x + fields.sliding_y * fields.shear_stress_y)
+    contact = fields.pressure > 0.1 * fields.pressure.max()
+    # the work of the pressure on the flow adds little where the film is thin
+    work = float((sliding.where(contact)).sum()) * cell
+    heat = float(fields.friction_power.where(contact).sum()) * cell
+    assert work < heat < 1.04 * work
+
+
+def test_friction_against_load_is_what_the_stress_adds_up_to(hot):
+    figures = hot.figures
+    work = figures.friction_coefficient.value * hot.load * 2.0  # m/s of sliding, at a ratio of 1
+    assert work < figures.power_loss.value < 1.08 * work
+
+
+def test_the_contact_does_not_know_north(hot):
+    """Turned by 30 degrees it has the same film, friction and temperatures within its error bars."""
+    turned = solved(ball(turn=np.pi / 6)).figures
+    inlet = 273.15 + 60
+    for name in ("film_central", "film_min", "friction_coefficient", "temperature_max_film"):
+        one, other = (getattr(figures, name) for figures in (hot.figures, turned))
+        zero = inlet if name.startswith("temperature") else 0.0
+        assert abs(one.value - other.value) < one.error * (one.value - zero) + other.error * (
+            other.value - zero
+        )
+
+
+def test_bodies_exchanged_give_the_film_mirrored_across(hot):
+    other = solved(ball(slide_roll_ratio=-1.0)).figures
+    figures = hot.figures
+    assert other.film_central.value == pytest.approx(figures.film_central.value, rel=1e-3)
+    assert other.temperature_max_body_1.value == pytest.approx(
+        figures.temperature_max_body_2.value, abs=0.1
+    )
+    assert other.friction_coefficient.value == pytest.approx(
+        figures.friction_coefficient.value, rel=2e-3
+    )
+
+
+def test_the_cheap_rung_is_near_the_full_model(hot):
+    cheap = solved(ball(), effects="mean-film").figures
+    assert cheap.film_central.value == pytest.approx(hot.figures.film_central.value, rel=0.05)
+    assert cheap.friction_coefficient.value == pytest.approx(
+        hot.figures.friction_coefficient.value, rel=0.1
+    )
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        FlowLaw("eyring", stress=4e6),
+        FlowLaw("bair-winer", limit=1e8),
+        FlowLaw("carreau", stress=6e6, exponent=0.42),
+    ],
+    ids=lambda law: law.law,
+)
+def test_every_flow_law_runs(law):
+    figures = solved(ball(slide_roll_ratio=0.3, flow=law)).figures
+    assert 0 < figures.friction_coefficient.value < 0.1
+
+
+def test_bulk_temperatures_apart(hot):
+    """A body 40 K hotter warms the film and thins it; the other stays colder at its surface."""
+    scene = ball()
+    warm = replace(scene.bodies[0], bulk_temperature=273.15 + 100)
+    figures = solved(replace(scene, bodies=(warm, scene.bodies[1]))).figures
+    assert figures.temperature_max_body_1.value > 273.15 + 100
+    assert figures.film_central.value < hot.figures.film_central.value
+
+
+def test_opposite_sliding_holds_a_film_by_heat_alone():
+    """Mirrored bodies, no entrainment: two side lobes, both surfaces equally hot (Guo, Yang and Qu 2001)."""
+    solution = solved(pyworm.load(CASES / "opposite_sliding.toml").scene(), accuracy=0.1)
+    figures, film = solution.figures, solution.fields.film
+    assert figures.film_min.value > 20e-9
+    assert figures.temperature_max_body_1.value == pytest.approx(
+        figures.temperature_max_body_2.value, abs=0.05
+    )
+    mirrored = film.values[:, ::-1]
+    inside = solution.fields.dry_pressure.values > 0
+    assert np.abs(film.values - mirrored)[inside].max() < 0.01 * figures.film_central.value
+
+
+def test_opposite_sliding_without_heat_is_refused():
+    scene = pyworm.load(CASES / "opposite_sliding.toml").scene()
+    with pytest.raises(ValueError, match="entrain no oil"):
+        pyworm.plan(scene, effects="isothermal")
+
+
+@pytest.mark.parametrize(
+    ("oil", "effects", "said"),
+    [
+        ({"flow": None, "heat": None}, "sheared", r"give \[oil.shear\]"),
+        ({"heat": None}, "thermal", r"give \[oil.heat\]"),
+    ],
+)
+def test_models_that_an_oil_is_not_known_well_enough_for(oil, effects, said):
+    with pytest.raises(ValueError, match=said):
+        pyworm.plan(ball(**oil), effects=effects)
