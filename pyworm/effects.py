@@ -40,8 +40,10 @@ surface temperatures and a parabola of temperature across the film; with tempera
 PARABOLA = 3
 """Levels across a film whose temperature is a parabola."""
 
-LEVEL_ERRORS = ((5, 5e-3), (7, 1e-3), (9, 1e-4), (11, 0.0))
-"""Levels across the film, and what error they leave in its figures (`benchmarks/levels.py`)."""
+LEVEL_ERRORS = ((7, 2e-4), (9, 2e-5), (11, 0.0))
+"""Levels across the film, and what error they leave in its figures: the worst of films, friction and largest
+temperatures of six contacts against 13 levels (`benchmarks/levels.py`, `docs/validation.md`). 5 leave 7e-4,
+but where the surfaces move against each other their sweeps of heat diverge."""
 
 LEVEL_SHARE = 0.1
 """Error by the levels allowed, as a share of the accuracy asked for."""

@@ -323,10 +323,14 @@ class _Film:
         self.rigid_film = rigid_film
         self.balance = Balance(residual, load_error, self._warming)
         if self.heated:
-            change = self._binding("warm")(self._handle)
+            change = self.warm()
             self._warming = change / max(LEAST_RISE, float(self.rise().max()))
             self.start(self.pressure, self.rigid_film)
         return Step(self.balance, krylov, share)
+
+    def warm(self) -> float:
+        """One sweep of heat at the present pressure; the change of temperature [K] that it is judged by."""
+        return self._binding("warm")(self._handle)
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
