@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pyworm
 from pyworm.effects import Model
+from pyworm.kernels import KernelError
 from pyworm.scene import RigidMotion, Scene
 from pyworm.solution import Solution
 
@@ -32,7 +33,7 @@ UNFINISHED = 1e-5
 
 
 def scenes() -> Iterator[tuple[str, Scene]]:
-    """The worm at mid-mesh, and steel on steel at 1 and 1.5 GPa, rolling with sliding and at high speed."""
+    """The worm at mid-mesh, and steel on steel at 1 and 1.5 GPa, sliding on rolling and on a disc at rest."""
     yield "worm, phase 0.5", pyworm.load(Path("cases/zi_sharif_2001.toml")).scene(phase=0.5)
     steel = pyworm.load(Path("cases/traction_steel.toml"))
     for pressure, load in ((1, 41.33), (1.5, 139.5)):
@@ -41,8 +42,8 @@ def scenes() -> Iterator[tuple[str, Scene]]:
                 f"steel, {pressure} GPa, {ratio}",
                 replace(steel.scene(slide_roll_ratio=ratio), load=load),
             )
-    fast = RigidMotion(20.0, 0.0), RigidMotion(0.0, 0.0)
-    yield "the same, 10 m/s, 1 GPa, 2", replace(steel.scene(slide_roll_ratio=2), motions=fast)
+    fast = RigidMotion(10.0, 0.0), RigidMotion(0.0, 0.0)
+    yield "steel, 1 GPa, 2, 5 m/s", replace(steel.scene(slide_roll_ratio=2), motions=fast)
 
 
 def solve(scene: Scene, levels: int) -> Solution:
@@ -77,7 +78,11 @@ def main() -> None:
     for name, scene in scenes():
         best = values(solve(scene, REFERENCE))
         for levels in LEVELS:
-            solution = solve(scene, levels)
+            try:
+                solution = solve(scene, levels)
+            except KernelError as error:
+                print(f"{name:28} {levels:6} {error}", flush=True)
+                continue
             errors = [value / best[of] - 1 for of, value in values(solution).items()]
             worst[levels] = max(worst[levels], *map(abs, errors))
             print(

@@ -15,6 +15,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import pyworm
+from pyworm.kernels import KernelError
 from pyworm.solution import ZERO_CELSIUS, Solution
 
 LOADS = {0.7: 14.18, 1.0: 41.33, 1.5: 139.5}
@@ -27,11 +28,15 @@ MIRRORED = (0.02, 0.5, 3)
 ACCURACY = 0.03
 
 
-def solve(load: float, ratio: float) -> Solution:
-    """The contact under a load [N] at a slide-roll ratio."""
+def solve(load: float, ratio: float) -> Solution | None:
+    """The contact under a load [N] at a slide-roll ratio; None, and told so, if the kernel gives up."""
     case = pyworm.load(Path("cases/traction_steel.toml"))
     scene = replace(case.scene(slide_roll_ratio=ratio), load=load)
-    return pyworm.solve(scene, pyworm.plan(scene, ACCURACY))
+    try:
+        return pyworm.solve(scene, pyworm.plan(scene, ACCURACY))
+    except KernelError as error:
+        print(f"{load:g} N, {scene.name}: {error}")
+        return None
 
 
 def traction(solution: Solution) -> float:
@@ -48,7 +53,7 @@ def rise(solution: Solution, place: str) -> tuple[float, float]:
     return estimate.value - ZERO_CELSIUS, abs(above) * estimate.error
 
 
-def row(pressure: float, ratio: float, solution: Solution) -> str:
+def row(pressure: float, solution: Solution) -> str:
     """A line of the table."""
     figures = solution.figures
     friction = figures.friction_coefficient
@@ -57,7 +62,8 @@ def row(pressure: float, ratio: float, solution: Solution) -> str:
         for value, error in (rise(solution, place) for place in ("body_1", "body_2", "film"))
     )
     return (
-        f"{pressure:4.1f} {ratio:6.3f} {friction.value:9.5f} ± {friction.error * 100:4.2f} %"
+        f"{pressure:4.1f} {solution.slide_roll_ratio:6.3f}"
+        f" {friction.value:9.5f} ± {friction.error * 100:4.2f} %"
         f" {figures.film_central.value * 1e9:8.1f} {figures.film_min.value * 1e9:7.1f}  {heat}"
         f" {figures.heat_balance * 100:7.3f} {'' if solution.converged else solution.stop_reason}"
     )
@@ -65,21 +71,23 @@ def row(pressure: float, ratio: float, solution: Solution) -> str:
 
 def checks(curve: Sequence[Solution], mirrored: Sequence[Solution]) -> str:
     """What a traction curve must show."""
-    friction = np.array([solution.figures.friction_coefficient.value for solution in curve])
-    at_rest = RATIOS.index(2)
-    peak = int(np.argmax(friction[: at_rest + 1]))
+    to_rest = [solution for solution in curve if solution.slide_roll_ratio <= 2]
+    friction = np.array([solution.figures.friction_coefficient.value for solution in to_rest])
+    peak = int(np.argmax(friction))
     rising = bool(np.all(np.diff(friction[: peak + 1]) > 0))
-    falling = bool(np.all(np.diff(friction[peak : at_rest + 1]) < 0))
+    falling = bool(np.all(np.diff(friction[peak:]) < 0))
+    forces = {solution.slide_roll_ratio: traction(solution) for solution in curve}
     asymmetry = max(
-        abs(1 + traction(back) / traction(curve[RATIOS.index(ratio)]))
-        for ratio, back in zip(MIRRORED, mirrored, strict=True)
+        abs(1 + traction(back) / forces[-back.slide_roll_ratio])
+        for back in mirrored
+        if -back.slide_roll_ratio in forces
     )
-    fall = 1 - friction[at_rest] / friction[peak]
     return (
-        f"rolling {abs(traction(curve[0])):.1e}; peak {friction[peak]:.4f} at {RATIOS[peak]:g}, "
+        f"rolling {abs(forces[0]):.1e}; "
+        f"peak {friction[peak]:.4f} at {to_rest[peak].slide_roll_ratio:g}, "
         f"{'rising' if rising else 'NOT RISING'} before it, "
-        f"{'falling' if falling else 'NOT FALLING'} from it to 2 by {fall:.1%}; "
-        f"asymmetry {asymmetry:.1e}"
+        f"{'falling' if falling else 'NOT FALLING'} from there to {to_rest[-1].slide_roll_ratio:g} "
+        f"by {1 - friction[-1] / friction[peak]:.1%}; asymmetry {asymmetry:.1e}"
     )
 
 
@@ -91,12 +99,13 @@ def draw(curves: dict[float, Sequence[Solution]]) -> Figure:
         curves.items(), ("tab:blue", "tab:green", "tab:red"), strict=True
     ):
         style = {"fmt": "o-", "color": colour, "capsize": 3, "markersize": 4}
+        ratios = [solution.slide_roll_ratio for solution in curve]
         friction = [solution.figures.friction_coefficient for solution in curve]
         error = [estimate.value * estimate.error for estimate in friction]
         values = [estimate.value for estimate in friction]
-        upper.errorbar(RATIOS, values, error, label=f"{pressure:g} GPa", **style)
+        upper.errorbar(ratios, values, error, label=f"{pressure:g} GPa", **style)
         values, error = zip(*(rise(solution, "film") for solution in curve), strict=True)
-        lower.errorbar(RATIOS, values, error, **style)
+        lower.errorbar(ratios, values, error, **style)
     for axes in (upper, lower):
         axes.grid(True, color="0.9")
     upper.set_ylabel("friction coefficient")
@@ -117,9 +126,11 @@ def main() -> None:
     for pressure, load in LOADS.items():
         curves[pressure] = []
         for ratio in RATIOS:
-            curves[pressure].append(solve(load, ratio))
-            print(row(pressure, ratio, curves[pressure][-1]), flush=True)
-        mirrored = [solve(load, -ratio) for ratio in MIRRORED]
+            solution = solve(load, ratio)
+            if solution is not None:
+                curves[pressure].append(solution)
+                print(row(pressure, solution), flush=True)
+        mirrored = [back for back in (solve(load, -ratio) for ratio in MIRRORED) if back]
         verdicts.append(f"{pressure:g} GPa: {checks(curves[pressure], mirrored)}")
     print("\n".join(verdicts))
     draw(curves).savefig(picture, dpi=120)

@@ -13,7 +13,8 @@ module bindings
     point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, &
     point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
-    line_film_convolve
+    line_film_convolve, line_film_shear, line_film_heat, line_film_warm, line_film_rise, &
+    line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
   public :: prolong_cubic, level_positions
 
 contains
@@ -389,8 +390,9 @@ contains
   subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
       d1, d2, load, floor, handle, stat)
     use oil_laws, only: oil_law
-    use line_film, only: line_contact, new_line_contact
-    use line_film_handle, only: handle_of
+    use line_film, only: new_line_contact
+    use line_handle, only: handle_of
+    use line_temperature, only: heated_line
     use status, only: status_ok, status_no_memory
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: gap(n), u(n), squeeze(n)
@@ -400,7 +402,7 @@ contains
     real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2, load, floor
     integer(c_int64_t), intent(out) :: handle
     integer(c_int), intent(out) :: stat
-    type(line_contact), pointer :: contact
+    type(heated_line), pointer :: contact
     integer :: err
     !f2py threadsafe
 
@@ -408,7 +410,7 @@ contains
     stat = status_no_memory
     allocate (contact, stat=err)
     if (err /= 0) return
-    call new_line_contact(contact, gap, covered /= 0, u, squeeze, dx, reduced_modulus, &
+    call new_line_contact(contact%line_contact, gap, covered /= 0, u, squeeze, dx, reduced_modulus, &
       oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
     if (stat == status_ok) then
       handle = handle_of(contact)
@@ -419,10 +421,10 @@ contains
 
   !> Gives back the memory of a line contact.
   subroutine line_film_free(handle)
-    use line_film, only: line_contact
-    use line_film_handle, only: contact_of
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
     integer(c_int64_t), intent(in) :: handle
-    type(line_contact), pointer :: contact
+    type(heated_line), pointer :: contact
 
     contact => contact_of(handle)
     deallocate (contact)
@@ -430,25 +432,27 @@ contains
 
   !> Residual and load error of a line contact at pressure p [Pa] and rigid film h0 [m].
   subroutine line_film_evaluate(handle, p, n, h0, residual, load_error)
-    use line_film, only: line_contact, line_residual
-    use line_film_handle, only: contact_of
+    use line_film, only: line_residual
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: p(n)
     real(c_double), intent(in) :: h0
     real(c_double), intent(out) :: residual, load_error
-    type(line_contact), pointer :: contact
+    type(heated_line), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call line_residual(contact, p, h0, residual, load_error)
+    call line_residual(contact%line_contact, p, h0, residual, load_error)
   end subroutine line_film_evaluate
 
   !> One Newton step of a line contact from the state last evaluated; p and h0 are replaced.
   subroutine line_film_step(handle, forcing, p, n, h0, last_residual, last_load_error, new_h0, residual, &
       load_error, krylov, step, stat)
-    use line_film, only: line_contact, line_step
-    use line_film_handle, only: contact_of
+    use line_film, only: line_step
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: forcing
@@ -456,24 +460,24 @@ contains
     real(c_double), intent(in) :: h0, last_residual, last_load_error
     real(c_double), intent(out) :: new_h0, residual, load_error, step
     integer(c_int), intent(out) :: krylov, stat
-    type(line_contact), pointer :: contact
+    type(heated_line), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    call line_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    call line_step(contact%line_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
   end subroutine line_film_step
 
   !> Film [m], relative density and net outflow per length [m/s] of a line contact as last evaluated.
   subroutine line_film_fields(handle, n, film, density, imbalance)
-    use line_film, only: line_contact
-    use line_film_handle, only: contact_of
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(out) :: film(n), density(n), imbalance(n)
-    type(line_contact), pointer :: contact
+    type(heated_line), pointer :: contact
 
     contact => contact_of(handle)
     film = contact%fields%h(:, 1)
@@ -483,18 +487,178 @@ contains
 
   !> Deflection w [m] under pressure p [Pa] on a line contact's own grid: the unit of cost.
   subroutine line_film_convolve(handle, p, n, w)
-    use line_film, only: line_contact
-    use line_film_handle, only: contact_of
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: p(n)
     real(c_double), intent(out) :: w(n)
-    type(line_contact), pointer :: contact
+    type(heated_line), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
     call contact%plane%deflection(p, w)
   end subroutine line_film_convolve
+
+  !> Gives a line contact's oil a flow law; see `flow_laws` and `line_film` for the arguments.
+  subroutine line_film_shear(handle, sliding, n, law, reference, reference_growth, reference_decay, limit, limit_growth, &
+      exponent, levels, stat)
+    use flow_laws, only: flow_law
+    use line_film, only: shear_line_contact
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: sliding(n)
+    integer(c_int), intent(in) :: law
+    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent
+    integer(c_int), intent(in) :: levels
+    integer(c_int), intent(out) :: stat
+    type(heated_line), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call shear_line_contact(contact%line_contact, flow_law(law, reference, reference_growth, reference_decay, limit, &
+      limit_growth, exponent), levels, sliding, stat)
+  end subroutine line_film_shear
+
+  !> Heat of a line contact whose oil has a flow law; see `line_temperature` for the arguments.
+  !>
+  !> `oil` and `bodies` as in `point_film_heat`; `velocities` [m/s] are those of both surfaces, neither of them zero.
+  subroutine line_film_heat(handle, u1, n, oil, bodies, velocities, stat)
+    use heated_surface, only: heated_body
+    use line_handle, only: contact_of
+    use line_source, only: line_body, new_line_body
+    use line_temperature, only: heated_line, heat_line
+    use oil_heat, only: oil_heat_law
+    use status, only: status_ok
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: u1(n)
+    real(c_double), intent(in) :: oil(13), bodies(3, 2), velocities(2)
+    integer(c_int), intent(out) :: stat
+    type(heated_line), pointer :: contact
+    class(heated_body), allocatable :: body_1, body_2
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call new_body(1, body_1)
+    if (stat == status_ok) call new_body(2, body_2)
+    if (stat /= status_ok) return
+    contact%oil%temperature = oil(1)
+    contact%oil%thermal_exponent = oil(2)
+    contact%oil%expansivity = oil(3)
+    contact%oil%expansivity_decay = oil(4)
+    call heat_line(contact, oil_heat_law(oil(5), oil(6), oil(7), oil(8), oil(9), oil(10), oil(11), oil(12), oil(13)), &
+      u1, body_1, body_2, bodies(3, :), stat)
+
+  contains
+
+    !> A body on the contact's grid.
+    subroutine new_body(body, surface)
+      integer, intent(in) :: body
+      class(heated_body), allocatable, intent(out) :: surface
+      type(line_body), allocatable :: moving
+
+      allocate (moving)
+      call new_line_body(moving, n, contact%grid%dx, velocities(body), bodies(1, body), bodies(2, body), stat)
+      call move_alloc(moving, surface)
+    end subroutine new_body
+
+  end subroutine line_film_heat
+
+  !> One sweep of heat through a line contact (`line_temperature`); `change` is the largest of its temperature [K].
+  subroutine line_film_warm(handle, change)
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line, line_heat_sweep
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(out) :: change
+    type(heated_line), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call line_heat_sweep(contact, change)
+  end subroutine line_film_warm
+
+  !> Temperature of a line contact above its inlet's [K], at the levels from body 1 to body 2.
+  subroutine line_film_rise(handle, n, levels, rise)
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n, levels
+    real(c_double), intent(out) :: rise(n, levels)
+    type(heated_line), pointer :: contact
+
+    contact => contact_of(handle)
+    rise = contact%shear%nodes%rise(:, 1, :)
+  end subroutine line_film_rise
+
+  !> Takes up a temperature above the inlet's [K].
+  subroutine line_film_set_rise(handle, rise, n, levels)
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line, set_line_temperature
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n, levels
+    real(c_double), intent(in) :: rise(n, levels)
+    type(heated_line), pointer :: contact
+
+    contact => contact_of(handle)
+    call set_line_temperature(contact, rise)
+  end subroutine line_film_set_rise
+
+  !> Fields of a line contact's shear; see `line_nodal_shear`.
+  subroutine line_film_shear_fields(handle, n, stress, friction, rate, factor, slip, stat)
+    use line_handle, only: contact_of
+    use line_nodal_shear, only: line_shear_field, line_shear_fields
+    use line_temperature, only: heated_line
+    use status, only: status_ok
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(out) :: stress(n), friction(n), rate(n), factor(n)
+    integer(c_int), intent(out) :: slip(n), stat
+    type(heated_line), pointer :: contact
+    type(line_shear_field) :: field
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call line_shear_fields(contact, field, stat)
+    if (stat /= status_ok) return
+    stress = field%stress
+    friction = field%friction
+    rate = field%rate
+    factor = field%factor
+    slip = field%slip
+  end subroutine line_film_shear_fields
+
+  !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2].
+  subroutine line_film_heat_fields(handle, n, flux, carried)
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(out) :: flux(n, 2), carried(n)
+    type(heated_line), pointer :: contact
+
+    contact => contact_of(handle)
+    flux = contact%heat%walls%flux(:, 1, :)
+    carried = contact%heat%carried
+  end subroutine line_film_heat_fields
+
+  !> Velocity [m/s] across the film of a line contact at node i, counted from 1, body 1 moving with u1.
+  subroutine line_film_profile(handle, i, u1, levels, u, stat)
+    use line_handle, only: contact_of
+    use line_nodal_shear, only: profile => line_film_profile
+    use line_temperature, only: heated_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: i, levels
+    real(c_double), intent(in) :: u1
+    real(c_double), intent(out) :: u(levels)
+    integer(c_int), intent(out) :: stat
+    type(heated_line), pointer :: contact
+
+    contact => contact_of(handle)
+    call profile(contact, i, u1, u, stat)
+  end subroutine line_film_profile
 
   !> Where `count` levels across a film are, from -1/2 at body 1 to 1/2 at body 2.
   subroutine level_positions(count, z)

@@ -137,7 +137,9 @@ class Rung:
         return {
             "temperature_max_body_1": reading.maximum(rise[:, :, 0]),
             "temperature_max_body_2": reading.maximum(rise[:, :, -1]),
-            "temperature_max_film": reading.maximum(rise.max(axis=2)),
+            "temperature_max_film": reading.maximum_across(
+                rise, kernels.level_positions(self.film.levels)
+            ),
         }
 
 

@@ -40,8 +40,10 @@ surface temperatures and a parabola of temperature across the film; with tempera
 PARABOLA = 3
 """Levels across a film whose temperature is a parabola."""
 
-LEVEL_ERRORS = ((5, 5e-3), (7, 1e-3), (9, 1e-4), (11, 0.0))
-"""Levels across the film, and what error they leave in its figures (`benchmarks/levels.py`)."""
+LEVEL_ERRORS = ((7, 2e-4), (9, 2e-5), (11, 0.0))
+"""Levels across the film, and what error they leave in its figures: the worst of films, friction and largest
+temperatures of six contacts against 13 levels (`benchmarks/levels.py`, `docs/validation.md`). 5 leave 7e-4,
+but where the surfaces move against each other their sweeps of heat diverge."""
 
 LEVEL_SHARE = 0.1
 """Error by the levels allowed, as a share of the accuracy asked for."""
@@ -61,7 +63,11 @@ LARGEST_LINE = 33_000
 """The same for a line contact. A step costs some milliseconds at 2000 and grows nearly as their number."""
 
 LINE_TOLERANCE = 1e-6
-"""Residual allowed in a line contact: Newton's last step falls far below it at no cost."""
+"""Residual allowed in a line contact that does not warm: Newton's last step falls far below it at no cost."""
+
+HEATED_LINE_SHARE = 0.01
+"""Residual allowed in one that warms, as a share of the accuracy asked for. Film and temperature take turns
+there; ten times as much left temperatures beyond their error bars in half of 40 random scenes."""
 
 RESIDUAL_SHARE = 0.1
 """Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
@@ -155,8 +161,6 @@ def plan(scene: Scene | LineScene, accuracy: float = 0.01, effects: str | None =
 
 def _most(scene: Scene | LineScene) -> str:
     """The most complete model that a scene's oil is known well enough for."""
-    if isinstance(scene, LineScene):
-        return "isothermal"
     if scene.oil.heat is not None:
         return "thermal"
     return "isothermal" if scene.oil.flow is None else "sheared"
@@ -165,8 +169,6 @@ def _most(scene: Scene | LineScene) -> str:
 def _model(scene: Scene | LineScene, accuracy: float, name: str) -> Model:
     if name == "isothermal":
         return Model(name)
-    if isinstance(scene, LineScene):
-        raise ValueError(f"effects = {name}: of a line contact only isothermal is simulated")
     if name == "sheared":
         if scene.oil.flow is None:
             raise ValueError("effects = sheared: the oil has no flow law, give [oil.shear]")
@@ -199,7 +201,14 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> Plan:
 
 
 def _plan_line(scene: LineScene, accuracy: float, model: Model) -> Plan:
-    grid, wider = first_grids(scene, line_scales(scene), accuracy)
+    size = line_scales(scene)
+    if model.heated and 0 in scene.velocities:
+        at_rest = scene.velocities.index(0) + 1
+        raise ValueError(
+            f"effects = {model.name}: body {at_rest} is at rest (0 m/s), and a body at rest under a line "
+            "contact warms without end; give it a velocity, or choose sheared or isothermal"
+        )
+    grid, wider = first_grids(scene, size, accuracy, model.heated)
     return Plan(
         accuracy=accuracy,
         model=model,
@@ -207,7 +216,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> Plan:
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
-        tolerance=LINE_TOLERANCE,
+        tolerance=HEATED_LINE_SHARE * accuracy if model.heated else LINE_TOLERANCE,
         expected_convolutions=LINE_CONVOLUTIONS,
     )
 

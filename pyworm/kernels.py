@@ -140,7 +140,8 @@ class Balance:
     load_error : float
         Missing load over the load.
     warming : float
-        Last change of the film's temperature over its largest rise; zero where heat is not simulated.
+        Last change of the film's temperature over its largest rise; zero where heat is not simulated,
+        infinite before the first.
     """
 
     residual: float
@@ -196,6 +197,31 @@ class ShearFields:
     rate: np.ndarray
     along: np.ndarray
     across: np.ndarray
+    slip: np.ndarray
+
+
+@dataclass(frozen=True)
+class LineShearFields:
+    """Fields of a sheared line contact, each of shape (n,).
+
+    Attributes
+    ----------
+    stress : numpy.ndarray
+        Shear stress at the middle of the film, along the velocity of body 2 relative to body 1 [Pa].
+    friction : numpy.ndarray
+        Heat of shearing [W/m2].
+    rate : numpy.ndarray
+        Largest shear rate across the film [1/s].
+    factor : numpy.ndarray
+        Flow factor D of Sharif et al. (2001), equation 13a [m3/(Pa s)].
+    slip : numpy.ndarray
+        Where the film slips: 1 at body 1, 2 at body 2, 3 at both.
+    """
+
+    stress: np.ndarray
+    friction: np.ndarray
+    rate: np.ndarray
+    factor: np.ndarray
     slip: np.ndarray
 
 
@@ -258,6 +284,9 @@ class _Film:
         self._handle, status = made
         _check(status)
         self._shape = shape
+        self.levels = 0
+        self.heated = False
+        self._warming = 0.0
         weakref.finalize(self, self._binding("free"), self._handle)
 
     @classmethod
@@ -268,11 +297,14 @@ class _Film:
         """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
         self.pressure = _field(pressure).copy(order="F")
         self.rigid_film = rigid_film
-        self.balance = Balance(*self._binding("evaluate")(self._handle, self.pressure, rigid_film))
+        residual, load_error = self._binding("evaluate")(self._handle, self.pressure, rigid_film)
+        self.balance = Balance(residual, load_error, self._warming)
         return self.balance
 
     def step(self, forcing: float) -> Step:
-        """One Newton step, its linear system solved to `forcing` times the right-hand side.
+        """One Newton step, and where heat is simulated one sweep of it at the new pressure.
+
+        The linear system is solved to `forcing` times the right-hand side.
 
         Raises
         ------
@@ -289,8 +321,16 @@ class _Film:
         )
         _check(status)
         self.rigid_film = rigid_film
-        self.balance = Balance(residual, load_error)
+        self.balance = Balance(residual, load_error, self._warming)
+        if self.heated:
+            change = self.warm()
+            self._warming = change / max(LEAST_RISE, float(self.rise().max()))
+            self.start(self.pressure, self.rigid_film)
         return Step(self.balance, krylov, share)
+
+    def warm(self) -> float:
+        """One sweep of heat at the present pressure; the change of temperature [K] that it is judged by."""
+        return self._binding("warm")(self._handle)
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
@@ -303,6 +343,48 @@ class _Film:
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return self._binding("convolve")(self._handle, self.pressure)
+
+    def rise(self) -> np.ndarray:
+        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
+        return self._binding("rise")(self._handle, *self._shape, self.levels)
+
+    def _shear(self, law: FlowLaw, levels: int, *sliding) -> None:
+        """Lets the oil flow by a law, body 1 moving over body 2 with the nodal `sliding` [m/s]."""
+        _check(
+            self._binding("shear")(
+                self._handle,
+                *(-_field(component) for component in sliding),
+                _FLOW_LAWS[law.law],
+                law.stress or 1.0,
+                law.stress_pressure,
+                law.stress_temperature,
+                law.limit,
+                law.limit_pressure,
+                law.exponent,
+                levels,
+            )
+        )
+        self.levels = levels
+
+    def _take_heat(self, oil: Oil, bodies, velocities, of_bodies):
+        """What the kernel returns when film and bodies are to warm.
+
+        `of_bodies` is what the kind of contact's model of conduction asks for besides.
+        """
+        return self._binding("heat")(
+            self._handle,
+            *(_field(component) for component in velocities),
+            _heat_numbers(oil),
+            np.column_stack([_body_numbers(body, oil.heat) for body in bodies]),
+            np.array(of_bodies),
+        )
+
+    def _warm_from(self, rise) -> None:
+        """Begins with a rise above the inlet's temperature at the levels [K], or with none."""
+        if rise is not None:
+            self._binding("set_rise")(self._handle, _field(rise))
+        self.heated = True
+        self._warming = np.inf
 
 
 class PointFilm(_Film):
@@ -345,8 +427,6 @@ class PointFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
-        self.levels = 0
-        self.heated = False
         self._told = self._tallies()
 
     def thickness(self) -> np.ndarray:
@@ -393,22 +473,7 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice or a velocity is not finite.
         """
-        _check(
-            self._binding("shear")(
-                self._handle,
-                -_field(sliding[0]),
-                -_field(sliding[1]),
-                _FLOW_LAWS[law.law],
-                law.stress or 1.0,
-                law.stress_pressure,
-                law.stress_temperature,
-                law.limit,
-                law.limit_pressure,
-                law.exponent,
-                levels,
-            )
-        )
-        self.levels = levels
+        self._shear(law, levels, *sliding)
 
     def heat(self, oil: Oil, bodies, motions, semi_axes, rise=None) -> None:
         """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
@@ -431,36 +496,10 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        (u1, v1), (u2, v2) = motions
-        self.conduction_errors, status = self._binding("heat")(
-            self._handle,
-            _field(u1),
-            _field(v1),
-            _field(u2),
-            _field(v2),
-            _heat_numbers(oil),
-            np.column_stack([_body_numbers(body, oil.heat) for body in bodies]),
-            np.array(semi_axes),
-        )
+        velocities = [component for motion in motions for component in motion]
+        self.conduction_errors, status = self._take_heat(oil, bodies, velocities, semi_axes)
         _check(status)
-        if rise is not None:
-            self._binding("set_rise")(self._handle, _field(rise))
-        self.heated = True
-
-    def step(self, forcing: float) -> Step:
-        """One Newton step, and where heat is simulated one sweep of it at the new pressure."""
-        step = super().step(forcing)
-        if not self.heated:
-            return step
-        change = self._binding("warm")(self._handle)
-        balance = self.start(self.pressure, self.rigid_film)
-        warming = change / max(LEAST_RISE, float(self.rise().max()))
-        self.balance = Balance(balance.residual, balance.load_error, warming)
-        return Step(self.balance, step.krylov, step.share)
-
-    def rise(self) -> np.ndarray:
-        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, shape (nx, ny, levels)."""
-        return self._binding("rise")(self._handle, *self._shape, self.levels)
+        self._warm_from(rise)
 
     def shear_fields(self) -> ShearFields:
         """Fields of a sheared film.
@@ -562,6 +601,76 @@ class LineFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+
+    def shear(self, law: FlowLaw, levels: int, sliding) -> None:
+        """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
+
+        Parameters
+        ----------
+        law : FlowLaw
+            The oil's law.
+        levels : int
+            Levels across the film, walls included.
+        sliding : array_like
+            Velocity of body 1 relative to body 2 at the nodes [m/s].
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a velocity is not finite.
+        """
+        self._shear(law, levels, sliding)
+
+    def heat(self, oil: Oil, bodies, velocities, rise=None) -> None:
+        """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
+
+        Parameters
+        ----------
+        oil : Oil
+            Oil that is known to take heat.
+        bodies : tuple of Body
+            Both bodies, with thermal constants.
+        velocities : tuple of float
+            Velocity of each body's surface [m/s], neither of them zero.
+        rise : array_like, optional
+            Temperature above the inlet's to begin with [K], shape (n, levels).
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a body is at rest.
+        """
+        of_body_1 = np.full(self._shape, velocities[0])
+        _check(self._take_heat(oil, bodies, [of_body_1], velocities))
+        self._warm_from(rise)
+
+    def shear_fields(self) -> LineShearFields:
+        """Fields of a sheared film.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
+        _check(status)
+        return LineShearFields(*fields)
+
+    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
+        """Heat flux into the bodies, shape (n, 2), and what oil carries away of the friction [W/m2]."""
+        return self._binding("heat_fields")(self._handle, *self._shape)
+
+    def profile(self, node: int, velocity: float) -> np.ndarray:
+        """Velocity [m/s] at the levels above an inner node, where body 1's surface has this `velocity`.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        u, status = self._binding("profile")(self._handle, node + 1, velocity, self.levels)
+        _check(status)
+        return u
 
 
 def level_positions(levels: int) -> np.ndarray:

@@ -170,7 +170,7 @@ class Ladder(Protocol):
     """
 
     kind: ClassVar[str]
-    convergence: ClassVar[Convergence]
+    convergence: Convergence
     origins: dict[str, float]
 
     def enter(self, grids: Sequence[Any]) -> tuple[Rung, list[Stride]]:

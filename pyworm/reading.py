@@ -1,7 +1,7 @@
 """Figures read off fields between the nodes of a grid."""
 
 import numpy as np
-from scipy.interpolate import RectBivariateSpline
+from scipy.interpolate import BarycentricInterpolator, RectBivariateSpline
 
 from pyworm.grid import Grid
 
@@ -34,6 +34,28 @@ def maximum(field: Array) -> float:
     around = np.s_[max(i - 1, 0) : i + 2, max(j - 1, 0) : j + 2]
     peak = -field[around]
     return -_vertex(peak, min(i, 1), min(j, 1), np.ones(peak.shape, dtype=bool))[0]
+
+
+FINE_LEVELS = 201
+"""Places across the film at which a column is searched; a peak between two of them is at most 1e-4 higher."""
+
+
+def maximum_across(field: Array, positions: Array) -> float:
+    """Largest value of a field at levels across the film, between nodes and between levels.
+
+    Across the film it is the polynomial through the levels that the kernel works with.
+
+    Parameters
+    ----------
+    field : numpy.ndarray
+        Values, shape (nx, ny, levels).
+    positions : numpy.ndarray
+        Where the levels are, from -1/2 to 1/2.
+    """
+    i, j = _place(field.max(axis=2).T.argmax(), field)
+    columns = field[max(i - 2, 0) : i + 3, max(j - 2, 0) : j + 3]
+    between = BarycentricInterpolator(positions, columns, axis=2)
+    return maximum(between(np.linspace(-0.5, 0.5, FINE_LEVELS)).max(axis=2))
 
 
 def _place(number: np.intp, field: Array) -> tuple[int, int]:

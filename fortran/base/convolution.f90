@@ -42,7 +42,8 @@ module convolution
 
 contains
 
-  !> Convolution with `kernel`, response at offset (i, j) from a unit at a node, (1-nx:nx-1, 1-ny:ny-1).
+  !> Convolution with `kernel`, response at offset (i, j) from a unit at a node, (1-nx:nx-1, 1-ny:ny-1). A grid of one
+  !> row is one too.
   subroutine new_grid_convolution(self, nx, ny, kernel, stat)
     type(grid_convolution), intent(inout) :: self
     integer, intent(in) :: nx, ny
@@ -51,7 +52,7 @@ contains
     integer :: err, threads
 
     stat = status_bad_argument
-    if (nx < 2 .or. ny < 2) return
+    if (nx < 2 .or. ny < 1) return
     self%nx = nx
     self%ny = ny
     self%mx = padded_size(nx + 1)

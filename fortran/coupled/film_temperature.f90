@@ -8,15 +8,15 @@
 !>
 !> Conduction along the film is left out: against that across it, it is as the square of film over contact length.
 module film_temperature
+  use column_heat, only: set_heat, carried_away
   use film_column, only: film_strip, new_film_strip, solve_columns
   use heated_surface, only: heated_body
   use kinds, only: wp
-  use oil_heat, only: oil_heat_law, conductivity, heat_capacity
+  use oil_heat, only: oil_heat_law
   use nodal_shear, only: line_cut, take, put, shear_cut
-  use oil_laws, only: expansivity
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use point_film, only: point_contact
-  use shear_flow, only: shear_strip, new_shear_strip, film_velocity, film_shear_rate, shear_heat => film_heat
+  use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
   use status, only: status_ok, status_no_memory
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
@@ -211,8 +211,8 @@ contains
     type(film_strip), intent(inout) :: columns
     type(shear_strip), intent(inout) :: shear
     real(wp), intent(inout) :: change
-    real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, warmth, friction, carried
-    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, rate, dissipation, own, inflow
+    real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, friction, carried
+    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, rate, compression, inflow
     integer :: m, k, n, c, failures
 
     m = cut%last - cut%first + 1
@@ -224,40 +224,22 @@ contains
       call take(heat%u1, cut, u1)
       call take(heat%v1, cut, v1)
       call shear_cut(contact%point_contact, cut, shear, p, mean, columns%known, softening, failures)
-      call film_velocity(nodes%law, nodes%levels, shear, u1, v1, u, v)
+      call set_heat(heat%law, contact%oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
       call film_shear_rate(nodes%levels, shear, rate)
-      call shear_heat(nodes%levels, shear, dissipation, own, columns%loading(:, :, 1), columns%loading(:, :, 2), &
-        columns%relief(:, :, 1), columns%relief(:, :, 2))
-
-      columns%thickness(:m) = shear%film(:m)
-      columns%conductivity(:m) = conductivity(heat%law, p(:m))
-      capacity(:m) = heat_capacity(heat%law, p(:m), mean(:m))
-      warmth(:m) = expansivity(contact%oil, p(:m))
+      friction(:m) = shear%film(:m)*matmul(columns%source(:m, :), nodes%levels%weight)
       call carry(contact, cut, m, downstream, heat%lines, capacity, u, v, columns%absorption, inflow)
-      do k = 1, n
-        do c = 1, m
-          columns%growth(c, k) = own(c, k)*softening(c, k)
-          columns%relief(c, k, :) = columns%relief(c, k, :)*softening(c, k)
-          inflow(c, k) = inflow(c, k) + warmth(c)*(contact%oil%temperature + columns%known(c, k)) &
-            *(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
-          columns%source(c, k) = dissipation(c, k) + inflow(c, k)
-        end do
-      end do
-      columns%wall(:m, 1) = columns%known(:m, 1)
-      columns%wall(:m, 2) = columns%known(:m, n)
+      inflow(:m, :) = inflow(:m, :) + compression(:m, :)
+      columns%source(:m, :) = columns%source(:m, :) + inflow(:m, :)
       call solve_columns(columns)
-
-      friction = 0
-      carried = 0
       do k = 1, n
         do c = 1, m
-          friction(c) = friction(c) + nodes%levels%weight(k)*shear%film(c)*dissipation(c, k)
-          carried(c) = carried(c) + nodes%levels%weight(k)*shear%film(c) &
-            *(columns%absorption(c, k)*columns%temperature(c, k) - inflow(c, k))
           if (p(c) > least) change = max(change, abs(columns%temperature(c, k) - columns%known(c, k)))
         end do
         heat%renewed(cut%first:cut%last, k) = columns%temperature(:m, k)
         call put(columns%temperature(:, k), cut, nodes%rise(:, :, k))
+      end do
+      do c = 1, m
+        carried(c) = carried_away(columns, c, inflow(c, :))
       end do
     end associate
     call put(shear%tau_x, cut, heat%stress_x)

@@ -1,4 +1,4 @@
-!> The isothermal Newtonian film of a line contact: one Newton step at a time.
+!> The film of a line contact at a given temperature: one Newton step at a time.
 !>
 !> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
 !> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
@@ -7,18 +7,22 @@
 !>
 !> Each step solves the exact Jacobian by GMRES, with `line_preconditioner` before it.
 module line_film
+  use flow_laws, only: flow_law
   use half_plane, only: elastic_half_plane, new_half_plane
   use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use line_preconditioner, only: band_model, set_band_model
-  use line_reynolds, only: line_grid, line_imbalance, line_bands, band_product
+  use line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
+    band_product
+  use line_shear, only: sheared_flow
   use oil_laws, only: oil_law
   use reynolds, only: film_fields, new_film_fields, set_film_fields
+  use sheared_reynolds, only: sheared_film, new_sheared_film
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
   implicit none(type, external)
   private
 
-  public :: line_contact, new_line_contact, line_residual, set_line_system, line_step
+  public :: line_contact, new_line_contact, shear_line_contact, line_residual, set_line_system, line_step
 
   !> Most Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 60
@@ -32,6 +36,9 @@ module line_film
     type(oil_law) :: oil
     type(elastic_half_plane) :: plane
     type(film_fields) :: fields
+    type(line_flow) :: flow
+    !> The flow across the film where the oil is not Newtonian or not of one temperature.
+    type(sheared_film), allocatable :: shear
     type(band_model) :: model
     !> Undeformed gap [m]; true where both surfaces exist.
     real(wp), allocatable :: gap(:)
@@ -80,11 +87,31 @@ contains
     self%load = load
     self%floor = floor
     call new_film_fields(n, 1, self%fields, stat)
+    if (stat == status_ok) call new_line_flow(n, self%flow, stat)
     if (stat /= status_ok) return
     allocate (self%free(n), self%imbalance(n), self%by_pressure(n, -2:2), self%by_film(n, -2:2), self%softness(n), &
       self%basis(n + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_line_contact
+
+  !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
+  !>
+  !> `sliding` is the nodal velocity of body 2 relative to body 1 [m/s].
+  subroutine shear_line_contact(self, law, levels, sliding, stat)
+    type(line_contact), intent(inout) :: self
+    type(flow_law), intent(in) :: law
+    integer, intent(in) :: levels
+    real(wp), intent(in) :: sliding(:)
+    integer, intent(out) :: stat
+    real(wp) :: along(size(sliding), 1), across(size(sliding), 1)
+
+    stat = status_not_finite
+    if (.not. all(abs(sliding) <= huge(1.0_wp))) return
+    along(:, 1) = sliding
+    across = 0
+    allocate (self%shear)
+    call new_sheared_film(law, levels, along, across, self%shear, stat)
+  end subroutine shear_line_contact
 
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
   !>
@@ -99,8 +126,13 @@ contains
     self%fields%p(:, 1) = p
     call self%plane%deflection(p, self%fields%h(:, 1))
     self%fields%h(:, 1) = self%fields%h(:, 1) + self%gap + h0
-    call set_film_fields(self%oil, self%floor, self%fields)
-    call line_imbalance(self%grid, self%fields, self%imbalance)
+    if (allocated(self%shear)) then
+      call sheared_flow(self%grid, self%oil, self%floor, self%shear, self%fields, self%flow)
+    else
+      call set_film_fields(self%oil, self%floor, self%fields)
+      call newtonian_flow(self%grid, self%fields, self%flow)
+    end if
+    call line_imbalance(self%grid, self%fields, self%flow, self%imbalance)
     self%free = self%covered .and. (p > 0 .or. self%imbalance < 0)
     residual = sum(abs(self%imbalance), mask=self%free)/wedge_scale(self)
     load_error = 1 - sum(p)*self%grid%dx/self%load
@@ -167,7 +199,7 @@ contains
     type(line_contact), intent(inout) :: self
     integer, intent(out) :: stat
 
-    call line_bands(self%grid, self%fields, self%by_pressure, self%by_film)
+    call line_bands(self%grid, self%fields, self%flow, self%by_pressure, self%by_film)
     call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free, stat)
     if (stat /= status_ok) return
     self%softness = merge(sum(self%by_film, 2), 0.0_wp, self%free)

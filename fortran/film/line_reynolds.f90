@@ -2,14 +2,16 @@
 !>
 !> The scheme is that of `reynolds` in one dimension: node-centred finite volumes, diffusive fluxes with the mean
 !> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. The Jacobian is
-!> written out as two bands, one to multiply the change of pressure and one to multiply that of the film.
+!> written out as two bands, one to multiply the change of pressure and one to multiply that of the film. The flow by
+!> pressure may be another oil's (`line_shear`).
 module line_reynolds
   use kinds, only: wp
   use reynolds, only: film_fields
+  use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
-  public :: line_grid, line_imbalance, line_bands, band_product
+  public :: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, band_product
 
   !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
   type :: line_grid
@@ -21,12 +23,50 @@ module line_reynolds
     real(wp), allocatable :: squeeze(:)
   end type line_grid
 
+  !> Flow by pressure through the face after each node, against its gradient [m2/s], and its derivatives by the pressure
+  !> of the node before and after [m2/(Pa s)] and by the film there [m/s].
+  type :: line_flow
+    real(wp), allocatable :: flow(:), before(:), after(:), film_before(:), film_after(:)
+  end type line_flow
+
 contains
 
-  !> Net volume outflow per length [m/s] of each inner node's cell; zero at both ends.
-  pure subroutine line_imbalance(grid, fields, imbalance)
+  !> Space for the flow between n nodes.
+  subroutine new_line_flow(n, faces, stat)
+    integer, intent(in) :: n
+    type(line_flow), intent(out) :: faces
+    integer, intent(out) :: stat
+    integer :: err
+
+    allocate (faces%flow(n - 1), faces%before(n - 1), faces%after(n - 1), faces%film_before(n - 1), &
+      faces%film_after(n - 1), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+  end subroutine new_line_flow
+
+  !> Flow of a Newtonian oil of one temperature, of which `fields` holds the mobility.
+  pure subroutine newtonian_flow(grid, fields, faces)
     type(line_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
+    type(line_flow), intent(inout) :: faces
+    real(wp) :: mobility, gradient
+    integer :: i
+
+    do i = 1, grid%n - 1
+      mobility = (fields%mobility(i, 1) + fields%mobility(i + 1, 1))/(2*grid%dx)
+      gradient = (fields%p(i + 1, 1) - fields%p(i, 1))/(2*grid%dx)
+      faces%flow(i) = mobility*(fields%p(i + 1, 1) - fields%p(i, 1))
+      faces%before(i) = fields%mobility_p(i, 1)*gradient - mobility
+      faces%after(i) = fields%mobility_p(i + 1, 1)*gradient + mobility
+      faces%film_before(i) = fields%mobility_h(i, 1)*gradient
+      faces%film_after(i) = fields%mobility_h(i + 1, 1)*gradient
+    end do
+  end subroutine newtonian_flow
+
+  !> Net volume outflow per length [m/s] of each inner node's cell; zero at both ends.
+  pure subroutine line_imbalance(grid, fields, faces, imbalance)
+    type(line_grid), intent(in) :: grid
+    type(film_fields), intent(in) :: fields
+    type(line_flow), intent(in) :: faces
     real(wp), contiguous, intent(out) :: imbalance(:)
     real(wp) :: flux(grid%n - 1)
     integer :: i, first, last
@@ -37,7 +77,7 @@ contains
       associate (weights => wedge_weights(grid, i), rho => fields%rho(first:last, 1), h => fields%h(first:last, 1))
         flux(i) = sum(weights(first - i + 2:last - i + 2)*rho*h)
       end associate
-      flux(i) = flux(i) + mean_mobility(grid, fields, i)*(fields%p(i, 1) - fields%p(i + 1, 1))
+      flux(i) = flux(i) - faces%flow(i)
     end do
     imbalance(1) = 0
     imbalance(grid%n) = 0
@@ -49,11 +89,12 @@ contains
   !> Derivatives of the imbalance at node i by the pressure and by the film at node i + k, k from -2 to 2.
   !>
   !> Entries that would belong to a node beyond an end are zero, and so are the rows of both ends.
-  pure subroutine line_bands(grid, fields, by_pressure, by_film)
+  pure subroutine line_bands(grid, fields, faces, by_pressure, by_film)
     type(line_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
+    type(line_flow), intent(in) :: faces
     real(wp), intent(out) :: by_pressure(:, -2:), by_film(:, -2:)
-    real(wp) :: weight(-1:2), p(-1:2), h(-1:2), drop
+    real(wp) :: weight(-1:2), p(-1:2), h(-1:2)
     integer :: i, k, node
 
     by_pressure = 0
@@ -67,9 +108,8 @@ contains
         p(k) = weight(k)*fields%rho_p(node, 1)*fields%h(node, 1)
         h(k) = weight(k)*fields%rho(node, 1)
       end do
-      drop = (fields%p(i, 1) - fields%p(i + 1, 1))/(2*grid%dx)
-      p(0:1) = p(0:1) + fields%mobility_p(i:i + 1, 1)*drop + mean_mobility(grid, fields, i)*[1, -1]
-      h(0:1) = h(0:1) + fields%mobility_h(i:i + 1, 1)*drop
+      p(0:1) = p(0:1) - [faces%before(i), faces%after(i)]
+      h(0:1) = h(0:1) - [faces%film_before(i), faces%film_after(i)]
       by_pressure(i, -1:2) = by_pressure(i, -1:2) + p/grid%dx
       by_film(i, -1:2) = by_film(i, -1:2) + h/grid%dx
       by_pressure(i + 1, -2:1) = by_pressure(i + 1, -2:1) - p/grid%dx
@@ -112,14 +152,5 @@ contains
       weights = grid%u(i)*[0.0_wp, 0.0_wp, 1.5_wp, -0.5_wp]
     end if
   end function wedge_weights
-
-  !> Mobility at the face after node i, over the spacing.
-  pure real(wp) function mean_mobility(grid, fields, i)
-    type(line_grid), intent(in) :: grid
-    type(film_fields), intent(in) :: fields
-    integer, intent(in) :: i
-
-    mean_mobility = (fields%mobility(i, 1) + fields%mobility(i + 1, 1))/(2*grid%dx)
-  end function mean_mobility
 
 end module line_reynolds

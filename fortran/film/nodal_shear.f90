@@ -3,14 +3,15 @@
 module nodal_shear
   use flow_laws, only: stress_scales
   use kinds, only: wp
-  use oil_laws, only: hot_fluidity
+  use oil_laws, only: oil_law, hot_fluidity
   use point_film, only: point_contact
   use shear_flow, only: shear_strip, new_shear_strip, solve_shear, film_velocity, film_shear_rate, film_heat, flow_factors
+  use sheared_reynolds, only: sheared_oil
   use status, only: status_ok
   implicit none(type, external)
   private
 
-  public :: line_cut, take, put, shear_cut, shear_fields, film_profile
+  public :: line_cut, take, put, shear_cut, shear_columns, shear_fields, film_profile
 
   !> Nodes treated together.
   integer, parameter :: most_nodes = 64
@@ -45,7 +46,6 @@ contains
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(out) :: p(:), mean(:), rise(:, :), softening(:, :)
     integer, intent(out) :: failures
-    real(wp) :: by_pressure(size(rise, 1), size(rise, 2)), onset_p(size(p)), limit_p(size(p))
     integer :: m, k
 
     m = cut%last - cut%first + 1
@@ -57,17 +57,37 @@ contains
       shear%film(:m) = max(shear%film(:m), contact%floor)
       call take(nodes%sliding_x, cut, shear%us)
       call take(nodes%sliding_y, cut, shear%vs)
-      mean(:m) = 0
       do k = 1, nodes%levels%count
         call take(nodes%rise(:, :, k), cut, rise(:, k))
-        mean(:m) = mean(:m) + nodes%levels%weight(k)*rise(:m, k)
       end do
-      call hot_fluidity(contact%oil, p(:m), rise(:m, :), shear%fluidity(:m, :), by_pressure(:m, :), softening(:m, :))
-      softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
-      call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), onset_p(:m), shear%limit(:m), limit_p(:m))
-      call solve_shear(nodes%law, nodes%levels, shear, failures)
+      call shear_columns(contact%oil, nodes, p, rise, shear, mean, softening, failures)
     end associate
   end subroutine shear_cut
+
+  !> Shear of the columns of a strip that holds their film, gradient, sliding and the stress to start from.
+  !>
+  !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
+  !> derivative of the fluidity by temperature [1/(Pa s K)].
+  subroutine shear_columns(oil, nodes, p, rise, shear, mean, softening, failures)
+    type(oil_law), intent(in) :: oil
+    type(sheared_oil), intent(in) :: nodes
+    real(wp), contiguous, intent(in) :: p(:), rise(:, :)
+    type(shear_strip), intent(inout) :: shear
+    real(wp), contiguous, intent(inout) :: mean(:), softening(:, :)
+    integer, intent(out) :: failures
+    real(wp) :: by_pressure(size(rise, 1), size(rise, 2)), onset_p(size(p)), limit_p(size(p))
+    integer :: m, k
+
+    m = shear%points
+    mean(:m) = 0
+    do k = 1, nodes%levels%count
+      mean(:m) = mean(:m) + nodes%levels%weight(k)*rise(:m, k)
+    end do
+    call hot_fluidity(oil, p(:m), rise(:m, :), shear%fluidity(:m, :), by_pressure(:m, :), softening(:m, :))
+    softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
+    call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), onset_p(:m), shear%limit(:m), limit_p(:m))
+    call solve_shear(nodes%law, nodes%levels, shear, failures)
+  end subroutine shear_columns
 
   !> Fields of a contact's shear.
   subroutine shear_fields(contact, field, stat)

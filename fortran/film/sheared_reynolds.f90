@@ -19,9 +19,10 @@ module sheared_reynolds
   private
 
   public :: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change
+  public :: sheared_oil, set_oil, flow_through
 
   !> Faces treated together: enough for vectors, few enough to stay in the first cache.
-  integer, parameter :: strip = 64
+  integer, parameter, public :: strip = 64
 
   !> Flow rho S through the faces after the nodes in one direction, along their normal [m2/s], linearised.
   type :: face_flow
@@ -113,7 +114,7 @@ contains
 
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      call set_row(oil, j, film%nodes, fields)
+      call set_oil(oil, 1, grid%nx, j, film%nodes, fields)
     end do
     !$omp parallel do schedule(dynamic, 4)
     do j = 1, grid%ny
@@ -126,28 +127,30 @@ contains
     end do
   end subroutine set_sheared_fields
 
-  !> Oil at the nodes of row j.
-  subroutine set_row(oil, j, nodes, fields)
+  !> Oil at the nodes first..last of row j.
+  subroutine set_oil(oil, first, last, j, nodes, fields)
     type(oil_law), intent(in) :: oil
-    integer, intent(in) :: j
+    integer, intent(in) :: first, last, j
     type(sheared_oil), intent(inout) :: nodes
     type(film_fields), intent(inout) :: fields
-    real(wp) :: mean(size(fields%p, 1))
-    real(wp), dimension(size(fields%p, 1), nodes%levels%count) :: rise, fluidity, by_pressure, by_temperature
+    real(wp) :: mean(first:last)
+    real(wp), dimension(first:last, nodes%levels%count) :: rise, fluidity, by_pressure, by_temperature
     integer :: k
 
-    rise = nodes%rise(:, j, :)
-    call hot_fluidity(oil, fields%p(:, j), rise, fluidity, by_pressure, by_temperature)
-    mean = 0
-    do k = 1, nodes%levels%count
-      mean = mean + nodes%levels%weight(k)*rise(:, k)
-      nodes%fluidity(:, j, k) = fluidity(:, k)
-      nodes%fluidity_p(:, j, k) = fluidity(:, k)*by_pressure(:, k)
-    end do
-    call hot_density(oil, fields%p(:, j), mean, fields%rho(:, j), fields%rho_p(:, j))
-    call stress_scales(nodes%law, fields%p(:, j), mean, nodes%onset(:, j), nodes%onset_p(:, j), nodes%limit(:, j), &
-      nodes%limit_p(:, j))
-  end subroutine set_row
+    rise = nodes%rise(first:last, j, :)
+    associate (p => fields%p(first:last, j))
+      call hot_fluidity(oil, p, rise, fluidity, by_pressure, by_temperature)
+      mean = 0
+      do k = 1, nodes%levels%count
+        mean = mean + nodes%levels%weight(k)*rise(:, k)
+        nodes%fluidity(first:last, j, k) = fluidity(:, k)
+        nodes%fluidity_p(first:last, j, k) = fluidity(:, k)*by_pressure(:, k)
+      end do
+      call hot_density(oil, p, mean, fields%rho(first:last, j), fields%rho_p(first:last, j))
+      call stress_scales(nodes%law, p, mean, nodes%onset(first:last, j), nodes%onset_p(first:last, j), &
+        nodes%limit(first:last, j), nodes%limit_p(first:last, j))
+    end associate
+  end subroutine set_oil
 
   !> Faces of row j, from each node to the next.
   subroutine flow_within_row(grid, floor, j, fields, film)

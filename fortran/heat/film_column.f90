@@ -17,15 +17,16 @@ module film_column
   implicit none(type, external)
   private
 
-  public :: film_strip, new_film_strip, solve_columns, warm_walls
+  public :: film_strip, new_film_strip, solve_columns, solve_column, warm_walls
 
   !> Columns solved together: some vector registers, and matrices that stay in the first cache.
   integer, parameter :: lanes = 16
-  !> Most growth of heat with temperature, beyond absorption, that enters, in conductivity/h2. Conduction
-  !> between the walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4
-  !> pi2 in the second. Stress is relieved where the film warms as a whole: hence a bound on the second mode,
-  !> and a tighter one on what relief leaves of the first. A linearisation that grows faster sends Newton's
-  !> method astray; what is left out alters how fast the source converges, not to what.
+  !> Most growth of heat with temperature that enters, in conductivity/h2, whatever oil carries away: where it carries all,
+  !> a column must not be warmer by more than those are from which oil comes. Conduction between the
+  !> walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4 pi2 in the second.
+  !> Stress is relieved where the film warms as a whole: hence a bound on the second mode, and a tighter one on what
+  !> relief leaves of the first. A linearisation that grows faster sends Newton's method astray; what is left out alters
+  !> how fast the source converges, not to what.
   real(wp), parameter :: most_growth = 30.0_wp, most_growth_of_all = 6.0_wp
   !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
   real(wp), parameter :: least_share = 0.1_wp
@@ -35,6 +36,8 @@ module film_column
   type :: film_strip
     integer :: columns = 0
     type(levels_across) :: levels
+    !> Least pivots of the inner levels, in conductivity/h.
+    real(wp), allocatable :: least_pivot(:)
     !> Film thickness [m] and conductivity of the oil [W/(m K)], (m).
     real(wp), allocatable :: thickness(:), conductivity(:)
     !> Temperature of the two walls [K], (m, 2).
@@ -70,6 +73,7 @@ contains
     if (m < 1 .or. n < 3) return
     strip%columns = m
     strip%levels = levels
+    strip%least_pivot = least_share*conduction_pivots(levels)
     allocate (strip%thickness(m), strip%conductivity(m), strip%wall(m, 2), strip%absorption(m, n), strip%source(m, n), &
       strip%known(m, n), strip%growth(m, n), strip%loading(m, n, 2), strip%relief(m, n, 2), strip%temperature(m, n), &
       strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), stat=err)
@@ -79,25 +83,38 @@ contains
   !> Temperature, fluxes and their derivatives with respect to the walls.
   pure subroutine solve_columns(strip)
     type(film_strip), intent(inout) :: strip
-    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
-    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
-    !> Change of the inner levels' temperature, with walls as known, and its derivatives with respect to the
-    !> walls.
-    real(wp) :: change(lanes, strip%levels%count, 3)
-    real(wp) :: least_pivot(strip%levels%count), rise(strip%columns, 2)
-    integer :: first, count
+    real(wp) :: rise(strip%columns, 2)
+    integer :: first
 
-    least_pivot = least_share*conduction_pivots(strip%levels)
     do first = 1, strip%columns, lanes
-      count = min(lanes, strip%columns - first + 1)
-      call set_balances(strip, first, count, matrix, excess)
-      call solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
-      call set_walls(strip, first, count, matrix, excess, change)
+      call solve_together(strip, first, min(lanes, strip%columns - first + 1))
     end do
     rise(:, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
     rise(:, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
     call warm_walls(strip, rise)
   end subroutine solve_columns
+
+  !> The same for one column alone, whose walls stay as known.
+  pure subroutine solve_column(strip, column)
+    type(film_strip), intent(inout) :: strip
+    integer, intent(in) :: column
+
+    call solve_together(strip, column, 1)
+  end subroutine solve_column
+
+  !> The same for `count` columns from `first` on, whose walls stay as known.
+  pure subroutine solve_together(strip, first, count)
+    type(film_strip), intent(inout) :: strip
+    integer, intent(in) :: first, count
+    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
+    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
+    !> Change of the inner levels' temperature, and its derivatives with respect to the walls.
+    real(wp) :: change(lanes, strip%levels%count, 3)
+
+    call set_balances(strip, first, count, matrix, excess)
+    call solve_inner_levels(strip, first, count, strip%least_pivot, matrix, excess, change)
+    call set_walls(strip, first, count, matrix, excess, change)
+  end subroutine solve_together
 
   !> Pivots of the inner levels in the elimination of conduction alone, in conductivity/h.
   pure function conduction_pivots(levels) result(pivot)
@@ -146,10 +163,9 @@ contains
       end do
       do c = 1, count
         i = first + c - 1
-        growth(c) = strip%growth(i, k) - strip%absorption(i, k)
-        growth(c) = min(growth(c), most_growth*conductance(c)/strip%thickness(i), &
+        growth(c) = min(strip%growth(i, k), most_growth*conductance(c)/strip%thickness(i), &
           strip%loading(i, k, 1)*relief(c, 1) + strip%loading(i, k, 2)*relief(c, 2) &
-          + most_growth_of_all*conductance(c)/strip%thickness(i))
+          + most_growth_of_all*conductance(c)/strip%thickness(i)) - strip%absorption(i, k)
         matrix(c, k, k) = matrix(c, k, k) - volume(c)*growth(c)
       end do
     end do

@@ -6,11 +6,14 @@ from typing import ClassVar
 import numpy as np
 
 from pyworm.accuracy import Reading
+from pyworm.climb import CONTACT_PRESSURE
+from pyworm.effects import Model
 from pyworm.kernels import LineFilm
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
+from pyworm.oils import NEWTONIAN
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -38,6 +41,10 @@ class LineRung:
         Undeformed gap [m].
     covered : numpy.ndarray
         Where both surfaces exist.
+    sliding : float
+        Velocity of body 1 relative to body 2 [m/s].
+    load : float
+        Load for each length, what pressure beyond the grid carries included [N/m].
     film : kernels.LineFilm
         The kernel's film, in its present state.
     """
@@ -47,6 +54,8 @@ class LineRung:
     grid: LineGrid
     gap: Array
     covered: Array
+    sliding: float
+    load: float
     film: LineFilm
 
     def read(self) -> Reading:
@@ -54,7 +63,37 @@ class LineRung:
         film, _, _ = self.film.fields()
         film_min, at = _vertex(self.grid.x, film)
         pressure_max, _ = _vertex(self.grid.x, -self.film.pressure)
-        return Reading(film_min, float(film[-self.grid.first]), -pressure_max, (at,))
+        return Reading(
+            film_min,
+            float(film[-self.grid.first]),
+            -pressure_max,
+            (at,),
+            self._shear_figures() | self._heat_figures(),
+        )
+
+    def _shear_figures(self) -> dict[str, float]:
+        if not self.film.levels:
+            return {}
+        shear = self.film.shear_fields()
+        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+        # against the sliding; without any, friction has no direction, and no size
+        force = -np.sign(self.sliding) * float(shear.stress[within].sum()) * self.grid.dx
+        return {
+            "friction_coefficient": force / self.load if self.sliding else 0.0,
+            "power_loss": float(shear.friction[within].sum()) * self.grid.dx,
+            "shear_rate_max": float(shear.rate[within].max()),
+        }
+
+    def _heat_figures(self) -> dict[str, float]:
+        if not self.film.heated:
+            return {}
+        rise = self.film.rise()
+        places = {
+            "temperature_max_body_1": rise[:, 0],
+            "temperature_max_body_2": rise[:, -1],
+            "temperature_max_film": rise.max(axis=1),
+        }
+        return {name: -_vertex(self.grid.x, -values)[0] for name, values in places.items()}
 
 
 def first_rung(scene: LineScene, size: LineScales, grid: LineGrid, lift: float) -> LineRung:
@@ -78,7 +117,29 @@ def supplied(scene: LineScene, size: LineScales, rung: LineRung) -> LineRung:
 
 def next_rung(scene: LineScene, size: LineScales, rung: LineRung) -> LineRung:
     """The grid of half the spacing, entered from the present film."""
-    return _entered(scene, size, rung.grid.finer(), _prolonged(rung.film.pressure), rung)
+    return _entered(
+        scene, size, rung.grid.finer(), np.maximum(_prolonged(rung.film.pressure), 0.0), rung
+    )
+
+
+def with_shear(scene: LineScene, model: Model, rung: LineRung) -> None:
+    """Lets the film of a rung flow by the oil's law, from its present pressure."""
+    film = rung.film
+    film.shear(scene.oil.flow or NEWTONIAN, model.levels, np.full(rung.grid.nodes, scene.sliding))
+    film.start(film.pressure, film.rigid_film)
+
+
+def with_heat(scene: LineScene, rung: LineRung, before: LineRung | None = None) -> None:
+    """Lets the sheared film of a rung warm, from its present pressure.
+
+    It starts at the temperature of the rung before, on the same grid or on that of twice the spacing.
+    """
+    film = rung.film
+    rise = None if before is None else before.film.rise()
+    if rise is not None and before.grid != rung.grid:
+        rise = np.stack([_prolonged(level) for level in rise.T], axis=1)
+    film.heat(scene.oil, scene.bodies, scene.velocities, rise)
+    film.start(film.pressure, film.rigid_film)
 
 
 def _entered(
@@ -108,18 +169,18 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return LineRung(grid, gap, covered, film)
+    return LineRung(grid, gap, covered, scene.sliding, scene.load, film)
 
 
-def _prolonged(pressure: Array) -> Array:
-    """Pressure on the grid of half the spacing, by cubic interpolation and never below zero."""
-    p = pressure
+def _prolonged(field: Array) -> Array:
+    """A field on the grid of half the spacing, by cubic interpolation."""
+    p = field
     fine = np.empty(2 * p.size - 1)
     fine[::2] = p
     fine[3:-3:2] = (9 * (p[1:-2] + p[2:-1]) - p[:-3] - p[3:]) / 16
     for side, (a, b, c, d) in ((1, p[:4]), (-2, p[:-5:-1])):
         fine[side] = (5 * a + 15 * b - 5 * c + d) / 16
-    return np.maximum(fine, 0.0)
+    return fine
 
 
 def _vertex(x: Array, values: Array) -> tuple[float, float]:

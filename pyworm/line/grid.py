@@ -14,6 +14,12 @@ INLET_FILMS = 12.0
 INLET_ACCURACY = 1e-3
 """Accuracy for which that is enough. The error falls with the square of the films (`LineLadder`)."""
 
+HEATED_INLET_FILMS = 48.0
+"""The same of a film that warms: oil and bodies are heated far before the contact."""
+
+HEATED_INLET_ACCURACY = 1e-2
+"""Accuracy for which that is enough. The error falls with the films (`LineLadder`)."""
+
 EXIT_FILMS = 1.0
 """The same at the exit end. A rigid film ruptures where the gap has risen by a quarter of the film."""
 
@@ -65,9 +71,14 @@ class LineGrid:
         return LineGrid(self.dx / 2, 2 * self.first, 2 * self.nodes - 1)
 
 
-def first_grids(scene: LineScene, size: LineScales, accuracy: float) -> tuple[LineGrid, LineGrid]:
+def first_grids(
+    scene: LineScene, size: LineScales, accuracy: float, heated: bool
+) -> tuple[LineGrid, LineGrid]:
     """The coarsest grid for an accuracy, and the one of the same spacing whose inlet reaches twice as far."""
-    films = INLET_FILMS * max(1.0, sqrt(INLET_ACCURACY / accuracy))
+    if heated:
+        films = HEATED_INLET_FILMS * max(1.0, HEATED_INLET_ACCURACY / accuracy)
+    else:
+        films = INLET_FILMS * max(1.0, sqrt(INLET_ACCURACY / accuracy))
     inlet, wider, exit_ = (
         _distance(scene, size, reach) for reach in (films, 2 * films, EXIT_FILMS)
     )

@@ -56,10 +56,10 @@ def draw_temperature(case_name: str, solution: Solution) -> Figure:
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "tab:cyan")
         colour_bar(panel, scale, "temperature / °C").set_ticks(bounds)
-    solid = fields.where(fields["covered"] > 0.5)
+    covered = fields["covered"] > 0.5
     for panel, sign in zip(axes, (1, -1), strict=False):
-        motion = [solid[f"entrainment_{k}"] + sign / 2 * solid[f"sliding_{k}"] for k in "xy"]
-        draw_arrows(panel, *motion)
+        motion = [fields[f"entrainment_{k}"] + sign / 2 * fields[f"sliding_{k}"] for k in "xy"]
+        draw_arrows(panel, *(component.where(covered) for component in motion))
     _mark_hottest(axes[2], solution)
     return figure
 

@@ -11,6 +11,7 @@ program test_convolution
   call against_direct_sum(23, 18)
   call against_direct_sum(16, 33)
   call against_direct_sum(2, 2)
+  call against_direct_sum(37, 1)
   call refusal()
   call done()
 
@@ -54,7 +55,7 @@ contains
 
     kernel = 1
     call new_grid_convolution(space, 1, 2, kernel, stat)
-    call check(stat == status_bad_argument, "a single row is refused")
+    call check(stat == status_bad_argument, "a single column is refused")
   end subroutine refusal
 
 end program test_convolution

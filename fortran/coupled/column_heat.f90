@@ -1,0 +1,65 @@
+!> Heat of the columns of a film: shearing, compression and conduction (Sharif et al. 2001, eq. 18 and appendix), from the
+!> shear that `shear_flow` has found. What oil brings along from other columns is the caller's to add.
+module column_heat
+  use film_column, only: film_strip
+  use kinds, only: wp
+  use oil_heat, only: oil_heat_law, conductivity, heat_capacity
+  use oil_laws, only: oil_law, expansivity
+  use shear_flow, only: shear_strip, film_velocity, film_heat
+  use sheared_reynolds, only: sheared_oil
+  implicit none(type, external)
+  private
+
+  public :: set_heat, carried_away
+
+contains
+
+  !> Film, conduction, dissipation as source, and its derivatives, of columns whose temperature is `known` and whose walls
+  !> stay as they are.
+  !>
+  !> p [Pa]; `mean` temperature across the film above the inlet's [K]; (u1, v1) velocity of body 1 [m/s]; `softening`
+  !> derivative of the fluidity by temperature [1/(Pa s K)]. Out come the heat capacity [J/(m3 K)] of the columns, and of
+  !> their levels the velocity (u, v) [m/s] and the heat of compression [W/m3].
+  subroutine set_heat(law, oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
+    type(oil_heat_law), intent(in) :: law
+    type(oil_law), intent(in) :: oil
+    type(sheared_oil), intent(in) :: nodes
+    type(shear_strip), intent(inout) :: shear
+    real(wp), contiguous, intent(in) :: p(:), mean(:), u1(:), v1(:), softening(:, :)
+    type(film_strip), intent(inout) :: columns
+    real(wp), contiguous, intent(out) :: capacity(:), u(:, :), v(:, :), compression(:, :)
+    real(wp) :: own(size(u, 1), size(u, 2)), warmth(size(p))
+    integer :: m, n, k, c
+
+    m = shear%points
+    n = nodes%levels%count
+    columns%columns = m
+    call film_velocity(nodes%law, nodes%levels, shear, u1, v1, u, v)
+    call film_heat(nodes%levels, shear, columns%source, own, columns%loading(:, :, 1), columns%loading(:, :, 2), &
+      columns%relief(:, :, 1), columns%relief(:, :, 2))
+    columns%thickness(:m) = shear%film(:m)
+    columns%conductivity(:m) = conductivity(law, p(:m))
+    capacity(:m) = heat_capacity(law, p(:m), mean(:m))
+    warmth(:m) = expansivity(oil, p(:m))
+    do k = 1, n
+      do c = 1, m
+        columns%growth(c, k) = own(c, k)*softening(c, k)
+        columns%relief(c, k, :) = columns%relief(c, k, :)*softening(c, k)
+        compression(c, k) = warmth(c)*(oil%temperature + columns%known(c, k))*(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
+      end do
+    end do
+    columns%wall(:m, 1) = columns%known(:m, 1)
+    columns%wall(:m, 2) = columns%known(:m, n)
+  end subroutine set_heat
+
+  !> Heat [W/m2] that oil carries away from a solved column, less what it brought and compression gave, `inflow` [W/m3].
+  pure real(wp) function carried_away(columns, column, inflow)
+    type(film_strip), intent(in) :: columns
+    integer, intent(in) :: column
+    real(wp), intent(in) :: inflow(:)
+
+    carried_away = columns%thickness(column)*sum(columns%levels%weight &
+      *(columns%absorption(column, :)*columns%temperature(column, :) - inflow))
+  end function carried_away
+
+end module column_heat

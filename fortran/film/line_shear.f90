@@ -1,0 +1,64 @@
+!> Flow of a line contact's film under any flow law, and with a viscosity that varies across the film.
+!>
+!> The flow through a face is that of `sheared_reynolds`, taken on a grid of one row without gradient or sliding along
+!> it: the same oil at the nodes, the same means at the faces, the same exact derivatives. For a Newtonian oil of one
+!> temperature it is that of `line_reynolds` to rounding.
+module line_shear
+  use kinds, only: wp
+  use line_reynolds, only: line_grid, line_flow
+  use oil_laws, only: oil_law
+  use omp_lib, only: omp_get_thread_num
+  use reynolds, only: film_fields
+  use sheared_reynolds, only: sheared_film, set_oil, flow_through, strip
+  implicit none(type, external)
+  private
+
+  public :: sheared_flow
+
+contains
+
+  !> Density at the nodes and flow through the faces at the pressure and film that `fields` already holds.
+  !>
+  !> `film` is of one row. A film below `floor` [m] flows as one of the floor.
+  subroutine sheared_flow(grid, oil, floor, film, fields, faces)
+    type(line_grid), intent(in) :: grid
+    type(oil_law), intent(in) :: oil
+    real(wp), intent(in) :: floor
+    type(sheared_film), intent(inout) :: film
+    type(film_fields), intent(inout) :: fields
+    type(line_flow), intent(inout) :: faces
+    integer :: first
+
+    !$omp parallel do schedule(static)
+    do first = 1, grid%n, strip
+      call set_oil(oil, first, min(first + strip - 1, grid%n), 1, film%nodes, fields)
+    end do
+    !$omp parallel do schedule(dynamic)
+    do first = 1, grid%n - 1, strip
+      call flow_through_strip(grid, floor, first, min(first + strip, grid%n) - 1, fields, film)
+    end do
+    associate (last => grid%n - 1)
+      faces%flow(:) = film%along_x%flow(:last, 1)
+      faces%before(:) = film%along_x%before(:last, 1)
+      faces%after(:) = film%along_x%after(:last, 1)
+      faces%film_before(:) = film%along_x%film_before(:last, 1)
+      faces%film_after(:) = film%along_x%film_after(:last, 1)
+    end associate
+  end subroutine sheared_flow
+
+  !> Flow through the faces after the nodes first..last.
+  subroutine flow_through_strip(grid, floor, first, last, fields, film)
+    type(line_grid), intent(in) :: grid
+    real(wp), intent(in) :: floor
+    integer, intent(in) :: first, last
+    type(film_fields), intent(in) :: fields
+    type(sheared_film), intent(inout) :: film
+    real(wp) :: gradient(strip), aside(strip)
+
+    gradient(:last - first + 1) = (fields%p(first + 1:last + 1, 1) - fields%p(first:last, 1))/grid%dx
+    aside = 0
+    call flow_through(film%nodes, fields, floor, first, last, 1, 1, 0, 1/grid%dx, gradient, aside, &
+      film%strips(omp_get_thread_num()), film%along_x)
+  end subroutine flow_through_strip
+
+end module line_shear

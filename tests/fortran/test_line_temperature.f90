@@ -1,0 +1,153 @@
+!> Temperature of a line contact's film: thermal Couette flow, heat carried by a film of one velocity, opposite flow,
+!> partition of heat between fast bodies, its balance and its mirror image.
+program test_line_temperature
+  use flow_laws, only: flow_law, law_newton
+  use heated_surface, only: heated_body
+  use kinds, only: wp
+  use line_film, only: new_line_contact, shear_line_contact, line_residual
+  use line_nodal_shear, only: line_shear_field, line_shear_fields
+  use line_source, only: line_body, new_line_body
+  use line_temperature, only: heated_line, heat_line, line_heat_sweep
+  use oil_heat, only: oil_heat_law
+  use oil_laws, only: oil_law, law_barus
+  use status, only: status_ok
+  use tap, only: check, close_to, done
+  implicit none(type, external)
+
+  integer, parameter :: n = 121, levels = 9
+  real(wp), parameter :: pi = acos(-1.0_wp)
+  !> Film between parallel walls [m], spacing [m], viscosity [Pa s], its exponent [1/K], conductivity [W/(m K)].
+  real(wp), parameter :: h = 1e-6_wp, dx = 2e-6_wp, eta = 0.05_wp, beta = 0.04_wp, k = 0.14_wp
+  !> Walls that no heat warms, and steel: conductivity and rho c.
+  real(wp), parameter :: mirror(2) = [1e9_wp, 1e12_wp], steel(2) = [47.0_wp, 3.7e6_wp]
+  integer :: stat
+
+  call couette(8.0_wp)
+  call couette(50.0_wp)
+  call convection(1.0_wp)
+  call convection(-1.0_wp)
+  call partition()
+  call reversed()
+  call done()
+
+contains
+
+  !> A film of constant thickness h between bodies of the velocities u1 and u2 [m/s], without pressure; `capacity` rho c
+  !> of the oil [J/(m3 K)].
+  subroutine new_film(contact, u1, u2, thermal_exponent, capacity, body, bulk)
+    type(heated_line), intent(inout) :: contact
+    real(wp), intent(in) :: u1, u2, thermal_exponent, capacity, body(2), bulk(2)
+    class(heated_body), allocatable :: body_1, body_2
+    type(line_body), allocatable :: moving
+    real(wp) :: field(n), residual, load_error
+    logical :: covered(n)
+
+    covered = .true.
+    field = 1
+    call new_line_contact(contact%line_contact, 0*field, covered, (u1 + u2)/2*field, 1e-6_wp*field, dx, 2e11_wp, &
+      oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp, 300.0_wp, thermal_exponent), 1e5_wp, 1e-9_wp, stat)
+    call check(stat == status_ok, "a contact is made")
+    call shear_line_contact(contact%line_contact, flow_law(law_newton), levels, (u2 - u1)*field, stat)
+    allocate (moving)
+    call new_line_body(moving, n, dx, u1, body(1), body(2), stat)
+    call move_alloc(moving, body_1)
+    allocate (moving)
+    call new_line_body(moving, n, dx, u2, body(1), body(2), stat)
+    call move_alloc(moving, body_2)
+    call heat_line(contact, oil_heat_law(conductivity=k, capacity=capacity), u1*field, body_1, body_2, bulk, stat)
+    call check(stat == status_ok, "and heated")
+    field = 0
+    call line_residual(contact%line_contact, field, h, residual, load_error)
+  end subroutine new_film
+
+  !> Sweeps until the temperature stands still.
+  subroutine settle(contact, most)
+    type(heated_line), intent(inout) :: contact
+    integer, intent(in) :: most
+    real(wp) :: before(n, levels), change
+    integer :: sweep
+
+    do sweep = 1, most
+      before = contact%shear%nodes%rise(:, 1, :)
+      call line_heat_sweep(contact, change)
+      change = maxval(abs(contact%shear%nodes%rise(:, 1, :) - before))
+      if (change < 1e-9_wp) exit
+    end do
+    call check(change < 1e-9_wp, "the temperature settles")
+  end subroutine settle
+
+  !> Walls that stay cold: T = ln(1 + Na/8)/beta halfway, tau = eta us/h asinh(x)/(x sqrt(1 + x2)), x = sqrt(Na/8).
+  subroutine couette(nahme)
+    real(wp), intent(in) :: nahme
+    type(heated_line) :: contact
+    type(line_shear_field) :: field
+    real(wp) :: us, x, tau
+
+    us = sqrt(nahme*k/(beta*eta))
+    x = sqrt(nahme/8)
+    call new_film(contact, 10 - us/2, 10 + us/2, beta, 0.0_wp, mirror, [0.0_wp, 0.0_wp])
+    call settle(contact, 40)
+    call line_shear_fields(contact, field, stat)
+    tau = eta*us/h*asinh(x)/(x*sqrt(1 + x**2))
+    call close_to(contact%shear%nodes%rise(n/2, 1, levels/2 + 1), log(1 + nahme/8)/beta, &
+      4e-4_wp*log(1 + nahme/8)/beta, "temperature of thermal Couette flow")
+    call close_to(field%stress(n/2), tau, 4e-4_wp*tau, "and its stress")
+  end subroutine couette
+
+  !> Oil of one velocity between walls of 1 K: the mean difference to the walls' temperature falls along the film as
+  !> 8/pi2 exp(-pi2 k x/(rho c u h2)), once higher modes are gone (a plug flow's Graetz number).
+  subroutine convection(velocity)
+    real(wp), intent(in) :: velocity
+    real(wp), parameter :: capacity = 1e8_wp
+    type(heated_line) :: contact
+    real(wp) :: wanted, got, mean(2)
+    integer :: node(2)
+
+    call new_film(contact, velocity, velocity, 0.0_wp, capacity, mirror, [1.0_wp, 1.0_wp])
+    call settle(contact, 5)
+    node = [61, 101]
+    if (velocity < 0) node = n + 1 - node
+    associate (levels_here => contact%shear%nodes%levels, rise => contact%shear%nodes%rise)
+      mean(1) = sum(levels_here%weight*rise(node(1), 1, :))
+      mean(2) = sum(levels_here%weight*rise(node(2), 1, :))
+    end associate
+    wanted = -pi**2*k*40*dx/(capacity*abs(velocity)*h**2)
+    got = log((1 - mean(2))/(1 - mean(1)))
+    call close_to(got, wanted, 1e-3_wp*abs(wanted), "heat is carried along the film")
+  end subroutine convection
+
+  !> Fast bodies under the heat of constant viscosity: alike in both, q = eta us2/(2 h), they are as warm as
+  !> 2 q sqrt(x/(pi k rho c u)), the slower one more; and all heat is accounted for.
+  subroutine partition()
+    type(heated_line) :: contact
+    type(line_shear_field) :: field
+    real(wp), parameter :: u1 = 39, u2 = 41
+    real(wp) :: q, x
+
+    call new_film(contact, u1, u2, 0.0_wp, 0.0_wp, steel, [0.0_wp, 0.0_wp])
+    call settle(contact, 40)
+    call line_shear_fields(contact, field, stat)
+    q = eta*(u2 - u1)**2/(2*h)
+    x = 99*dx
+    associate (wall => contact%heat%walls%wall(:, 1, :), flux => contact%heat%walls%flux(:, 1, :))
+      call close_to((wall(101, 1) + wall(101, 2))/2, 2*q*sqrt(x/(pi*steel(1)*steel(2)*(u1 + u2)/2)), &
+        1e-2_wp*wall(101, 1), "fast bodies are as warm as heat that flows into depth makes them")
+      call check(wall(101, 1) > wall(101, 2), "the slower one more")
+      call close_to((sum(flux) + sum(contact%heat%carried))/sum(field%friction), 1.0_wp, 1e-8_wp, "no heat is lost")
+    end associate
+  end subroutine partition
+
+  !> The opposite velocities make the mirror image, also of a film that flows both ways.
+  subroutine reversed()
+    type(heated_line) :: forth, back
+    real(wp) :: rise(n, levels)
+
+    call new_film(forth, 4.0_wp, -1.0_wp, beta, 1.7e6_wp, steel, [5.0_wp, 0.0_wp])
+    call settle(forth, 200)
+    call new_film(back, -4.0_wp, 1.0_wp, beta, 1.7e6_wp, steel, [5.0_wp, 0.0_wp])
+    call settle(back, 200)
+    rise = back%shear%nodes%rise(n:1:-1, 1, :)
+    call close_to(maxval(abs(rise - forth%shear%nodes%rise(:, 1, :))), 0.0_wp, 1e-6_wp*maxval(rise), "the mirror image")
+  end subroutine reversed
+
+end program test_line_temperature
