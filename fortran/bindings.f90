@@ -253,16 +253,17 @@ contains
   end subroutine point_film_heat
 
   !> One sweep of heat through a contact (`film_temperature`); `change` is the largest of its temperature [K].
-  subroutine point_film_warm(handle, change)
+  subroutine point_film_warm(handle, change, stat)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact, heat_sweep
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(out) :: change
+    integer(c_int), intent(out) :: stat
     type(heated_contact), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call heat_sweep(contact, change)
+    call heat_sweep(contact, change, stat)
   end subroutine point_film_warm
 
   !> Temperature of a contact above its inlet's [K], at the levels from body 1 to body 2.
@@ -568,16 +569,17 @@ contains
   end subroutine line_film_heat
 
   !> One sweep of heat through a line contact (`line_temperature`); `change` is the largest of its temperature [K].
-  subroutine line_film_warm(handle, change)
+  subroutine line_film_warm(handle, change, stat)
     use line_handle, only: contact_of
     use line_temperature, only: heated_line, line_heat_sweep
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(out) :: change
+    integer(c_int), intent(out) :: stat
     type(heated_line), pointer :: contact
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call line_heat_sweep(contact, change)
+    call line_heat_sweep(contact, change, stat)
   end subroutine line_film_warm
 
   !> Temperature of a line contact above its inlet's [K], at the levels from body 1 to body 2.

@@ -69,9 +69,15 @@ def change(before: Reading, after: Reading) -> dict[str, float]:
     """Relative change of each figure from one reading to another."""
     last = before.figures
     return {
-        name: abs(value - last[name]) / abs(value) if value != last[name] else 0.0
-        for name, value in after.figures.items()
+        name: _share(abs(value - last[name]), abs(value)) for name, value in after.figures.items()
     }
+
+
+def _share(change: float, of: float) -> float:
+    """A change over a figure, which may be nought, as friction without sliding."""
+    if change == 0:
+        return 0.0
+    return change / of if of > 0 else np.inf
 
 
 def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:

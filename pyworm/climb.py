@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from pyworm import kernels, reading
-from pyworm.accuracy import Reading
+from pyworm.accuracy import HEAT_FIGURES, Reading
 from pyworm.effects import Model
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
@@ -112,6 +112,13 @@ class Rung:
             self._shear_figures() | self._heat_figures(),
         )
 
+    def model_errors(self) -> dict[str, float]:
+        """Error of the temperatures by the bodies' models of conduction."""
+        if not self.film.heated:
+            return {}
+        body_1, body_2 = (float(error) for error in self.film.conduction_errors)
+        return dict(zip(HEAT_FIGURES, (body_1, body_2, max(body_1, body_2)), strict=True))
+
     def _shear_figures(self) -> dict[str, float]:
         if not self.film.levels:
             return {}
@@ -202,26 +209,27 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
     return finer
 
 
-def with_shear(
-    scene: Scene, size: Scales, model: Model, rung: Rung, rise: np.ndarray | None = None
-) -> None:
-    """Lets the film of a rung flow by the oil's law, and warm, from its present pressure.
+def with_shear(scene: Scene, model: Model, rung: Rung) -> None:
+    """Lets the film of a rung flow by the oil's law, from its present pressure."""
+    body_1, body_2 = (motion(*rung.grid.mesh()) for motion in scene.motions)
+    sliding = tuple(one - other for one, other in zip(body_1, body_2, strict=True))
+    rung.film.shear(scene.oil.flow or NEWTONIAN, model.levels, sliding)
+    rung.film.start(rung.film.pressure, rung.film.rigid_film)
+
+
+def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = None) -> None:
+    """Lets the sheared film of a rung, and the bodies, warm from its present pressure.
 
     `rise` is the temperature above the inlet's to begin with [K], on the rung's grid.
     """
-    film = rung.film
-    mesh = rung.grid.mesh()
-    (u1, v1), (u2, v2) = (motion(*mesh) for motion in scene.motions)
-    film.shear(scene.oil.flow or NEWTONIAN, model.levels, (u1 - u2, v1 - v2))
-    if model.heated:
-        film.heat(
-            scene.oil,
-            scene.bodies,
-            ((u1, v1), (u2, v2)),
-            (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
-            rise,
-        )
-    film.start(film.pressure, film.rigid_film)
+    rung.film.heat(
+        scene.oil,
+        scene.bodies,
+        tuple(motion(*rung.grid.mesh()) for motion in scene.motions),
+        (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
+        rise,
+    )
+    rung.film.start(rung.film.pressure, rung.film.rigid_film)
 
 
 def _rung(

@@ -150,8 +150,9 @@ class Balance:
 
     @property
     def worst(self) -> float:
-        """The largest of them."""
-        return max(self.residual, abs(self.load_error), self.warming)
+        """The largest of them; without bound if one is no number."""
+        parts = (self.residual, abs(self.load_error), self.warming)
+        return max(parts) if all(np.isfinite(part) for part in parts) else np.inf
 
 
 @dataclass(frozen=True)
@@ -329,8 +330,18 @@ class _Film:
         return Step(self.balance, krylov, share)
 
     def warm(self) -> float:
-        """One sweep of heat at the present pressure; the change of temperature [K] that it is judged by."""
-        return self._binding("warm")(self._handle)
+        """One sweep of heat at the present pressure; the change of temperature [K] that it is judged by.
+
+        Raises
+        ------
+        KernelError
+            If the temperature left all sense; the film counts as far from its equations then.
+        """
+        change, status = self._binding("warm")(self._handle)
+        if status:
+            self.balance = Balance(np.inf, np.inf, np.inf)
+        _check(status)
+        return change
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import JUDGED, Convergence, Reading, algebra_errors, change
-from pyworm.kernels import NO_DESCENT, NOT_FINITE, KernelError, LineFilm, PointFilm
+from pyworm.kernels import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError, LineFilm, PointFilm
 
 MOST_STEPS = 30
 """Newton steps on one grid before it is given up."""
@@ -33,6 +33,9 @@ class Rung(Protocol):
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
+
+    def model_errors(self) -> dict[str, float]:
+        """Relative error of figures by the models that they come from, as far as it is known."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +86,7 @@ def stride(rung: Rung) -> Stride | None:
     try:
         step = rung.film.step(rung.forcing)
     except KernelError as error:
-        if error.status not in (NO_DESCENT, NOT_FINITE):
+        if error.status not in (NO_DESCENT, NOT_FINITE, NOT_CONVERGED):
             raise
         return None
     balance = step.balance

@@ -8,7 +8,7 @@ import xarray as xr
 
 from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
-from pyworm.climb import Rung, dry_contact, first_rung, next_rung, with_shear
+from pyworm.climb import Rung, dry_contact, first_rung, next_rung, with_heat, with_shear
 from pyworm.effects import Plan
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
@@ -18,6 +18,9 @@ from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import DryFigures
 from pyworm.variables import describe
+
+SHEAR_TOLERANCE = 1e-2
+"""Residual of the sheared film from which it is heated."""
 
 LENT_TOLERANCE = 1e-2
 """Residual at which some more of lent entrainment is taken back."""
@@ -66,7 +69,11 @@ class PointLadder:
             rung = next_rung(self._scene, self._size, rung, grid)
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
-            with_shear(self._scene, self._size, self._model, rung)
+            with_shear(self._scene, self._model, rung)
+        if self._model.heated:
+            # the Newtonian film's pressure could make heat without bound by a law that limits the stress
+            strides += lead(rung, SHEAR_TOLERANCE)
+            with_heat(self._scene, self._size, rung)
             strides += self._taken_back(rung)
         return rung, strides
 
@@ -87,8 +94,9 @@ class PointLadder:
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
         if self._model.levels:
-            rise = kernels.prolong_levels(rung.film.rise()) if self._model.heated else None
-            with_shear(self._scene, self._size, self._model, finer, rise)
+            with_shear(self._scene, self._model, finer)
+        if self._model.heated:
+            with_heat(self._scene, self._size, finer, kernels.prolong_levels(rung.film.rise()))
         return finer
 
     def outcome(self, rung: Rung) -> Outcome:

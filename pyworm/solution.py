@@ -23,17 +23,21 @@ class Estimate:
         Error by the end of the window, from one of twice the reach [-].
     algebra : float
         Error by stopping the Newton iteration [-].
+    model : float
+        Error of a temperature by the model of conduction in the bodies [-]
+        (`fortran/heat/conduction_model.f90`).
     """
 
     value: float
     grid: float
     domain: float = 0.0
     algebra: float = 0.0
+    model: float = 0.0
 
     @property
     def error(self) -> float:
         """Relative error, all origins together [-]."""
-        return self.grid + self.domain + self.algebra
+        return self.grid + self.domain + self.algebra + self.model
 
 
 @dataclass(frozen=True)
@@ -281,6 +285,6 @@ def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
         f"{name}_error": estimate.error,
         **{
             f"{name}_error_{part}": getattr(estimate, part)
-            for part in ("grid", "domain", "algebra")
+            for part in ("grid", "domain", "algebra", "model")
         },
     }

@@ -158,12 +158,14 @@ def _estimates(
     grid = grid_errors(readings, ladder.convergence.orders)
     if not _film_is_sound(rung, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
+    modelled = rung.model_errors()
     return {
         name: Estimate(
             ladder.origins.get(name, 0.0) + value,
             grid[name],
             domain.get(name, np.inf),
             settled.algebra[name],
+            modelled.get(name, 0.0),
         )
         for name, value in settled.reading.figures.items()
     }

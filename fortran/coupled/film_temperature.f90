@@ -17,7 +17,7 @@ module film_temperature
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use point_film, only: point_contact
   use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
-  use status, only: status_ok, status_no_memory
+  use status, only: status_ok, status_not_finite, status_no_memory
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
   private
@@ -28,6 +28,8 @@ module film_temperature
   integer, parameter :: most_columns = 64
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
   real(wp), parameter :: judged_pressure = 0.02_wp
+  !> Rise of temperature [K] that no oil bears.
+  real(wp), parameter :: hottest = 5e3_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
@@ -96,10 +98,12 @@ contains
 
   !> One sweep over the columns, with the entrainment, then the balance of the walls.
   !>
-  !> `change` is the largest change of temperature [K] where pressure counts.
-  subroutine heat_sweep(self, change)
+  !> `change` is the largest change of temperature [K] where pressure counts. If it leaves all sense, the contact is
+  !> given back as cold as its bodies.
+  subroutine heat_sweep(self, change, stat)
     type(heated_contact), intent(inout) :: self
     real(wp), intent(out) :: change
+    integer, intent(out) :: stat
     real(wp) :: missed, reduction
     integer :: iterations
 
@@ -111,7 +115,30 @@ contains
         maxval(abs(self%heat%walls%wall(:, :, 2) - rise(:, :, size(rise, 3))), mask=self%fields%p > judged(self)))
     end associate
     call set_walls(self)
+    call judge_temperature(self, stat)
   end subroutine heat_sweep
+
+  !> Whether the film is between absolute zero and what no oil bears; if not it is cooled down.
+  subroutine judge_temperature(self, stat)
+    type(heated_contact), intent(inout) :: self
+    integer, intent(out) :: stat
+    integer :: i
+
+    stat = status_ok
+    associate (rise => self%shear%nodes%rise, walls => self%heat%walls)
+      if (all(rise > -self%oil%temperature .and. rise < hottest)) return
+      stat = status_not_finite
+      rise = 0
+      self%heat%stress_x = 0
+      self%heat%stress_y = 0
+      walls%flux = 0
+      walls%admittance = 0
+      do i = 1, 2
+        walls%wall(:, :, i) = walls%body(i)%bulk
+      end do
+    end associate
+    call set_walls(self)
+  end subroutine judge_temperature
 
   !> Takes up a temperature above the inlet's [K], at the levels.
   subroutine set_temperature(self, rise)

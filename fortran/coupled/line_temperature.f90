@@ -14,7 +14,7 @@ module line_temperature
   use oil_heat, only: oil_heat_law
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use shear_flow, only: shear_strip, new_shear_strip
-  use status, only: status_ok, status_no_memory
+  use status, only: status_ok, status_not_finite, status_no_memory
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
   private
@@ -25,6 +25,8 @@ module line_temperature
   integer, parameter :: most_columns = 64
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
   real(wp), parameter :: judged_pressure = 0.005_wp
+  !> Rise of temperature [K] that no oil bears.
+  real(wp), parameter :: hottest = 5e3_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.01_wp
   integer, parameter :: most_wall_iterations = 20
@@ -92,10 +94,11 @@ contains
 
   !> One sweep over the columns, then the balance of the walls.
   !>
-  !> `change` is the largest change of temperature [K] where pressure counts.
-  subroutine line_heat_sweep(self, change)
+  !> `change` is the largest change of temperature [K] where pressure counts; a temperature that no oil bears is told.
+  subroutine line_heat_sweep(self, change, stat)
     type(heated_line), intent(inout) :: self
     real(wp), intent(out) :: change
+    integer, intent(out) :: stat
     real(wp) :: missed, reduction
     integer :: strip, first, iterations
 
@@ -125,6 +128,10 @@ contains
       end associate
     end associate
     call set_walls(self)
+    stat = status_ok
+    associate (rise => self%shear%nodes%rise)
+      if (.not. all(rise > -self%oil%temperature .and. rise < hottest)) stat = status_not_finite
+    end associate
   end subroutine line_heat_sweep
 
   !> Takes up a temperature above the inlet's [K], at the levels.

@@ -27,7 +27,7 @@ module film_column
   !> Stress is relieved where the film warms as a whole: hence a bound on the second mode, and a tighter one on what
   !> relief leaves of the first. A linearisation that grows faster sends Newton's method astray; what is left out alters
   !> how fast the source converges, not to what.
-  real(wp), parameter :: most_growth = 30.0_wp, most_growth_of_all = 6.0_wp
+  real(wp), parameter :: most_growth = 5.0_wp, most_growth_of_all = 1.5_wp
   !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
   real(wp), parameter :: least_share = 0.1_wp
 

@@ -58,6 +58,10 @@ class LineRung:
     load: float
     film: LineFilm
 
+    def model_errors(self) -> dict[str, float]:
+        """None: Jaeger's line of heat is exact for a body of one velocity."""
+        return {}
+
     def read(self) -> Reading:
         """The film's figures in its present state."""
         film, _, _ = self.film.fields()

@@ -69,7 +69,7 @@ contains
 
     do sweep = 1, most
       before = contact%shear%nodes%rise(:, 1, :)
-      call line_heat_sweep(contact, change)
+      call line_heat_sweep(contact, change, stat)
       change = maxval(abs(contact%shear%nodes%rise(:, 1, :) - before))
       if (change < 1e-9_wp) exit
     end do

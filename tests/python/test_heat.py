@@ -81,6 +81,19 @@ def test_friction_heat_goes_where_it_must(hot):
     assert work < heat < 1.04 * work
 
 
+def test_heat_into_the_bodies_is_the_work_of_friction():
+    """Of the contact's friction all but what the oil carries out goes into the bodies: to 1 %."""
+    scene = ball()
+    plan = pyworm.plan(scene, COARSE)
+    ladder = PointLadder(scene, plan)
+    rung, _ = ladder.enter(plan.grids)
+    lead(rung, 1e-4)
+    heat = rung.film.heat_fields()
+    contact = rung.film.pressure > 0.01 * rung.film.pressure.max()
+    into_bodies = heat.flux.sum(axis=2)[contact].sum()
+    assert into_bodies == pytest.approx(heat.friction[contact].sum(), rel=0.01)
+
+
 def test_friction_against_load_is_what_the_stress_adds_up_to(hot):
     figures = hot.figures
     work = figures.friction_coefficient.value * hot.load * 2.0  # m/s of sliding, at a ratio of 1

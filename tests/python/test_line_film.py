@@ -294,7 +294,9 @@ def test_a_solution_says_what_it_is():
     assert (summary["moes_M"], summary["moes_L"]) == pytest.approx((20, 10))
     assert summary["grid"] == [solution.fields.sizes["x"]]
     assert len(summary["film_min_at_m"]) == 1
-    parts = sum(summary[f"film_min_error_{part}"] for part in ("grid", "domain", "algebra"))
+    parts = sum(
+        summary[f"film_min_error_{part}"] for part in ("grid", "domain", "algebra", "model")
+    )
     assert summary["film_min_error"] == pytest.approx(parts)
     assert not {"load_N", "film_exit_min_m", "dry_pressure_max_Pa"} & set(summary)
     assert summary["convolutions"] > 0
