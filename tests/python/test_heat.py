@@ -184,3 +184,30 @@ def test_opposite_sliding_without_heat_is_refused():
 def test_models_that_an_oil_is_not_known_well_enough_for(oil, effects, said):
     with pytest.raises(ValueError, match=said):
         pyworm.plan(ball(**oil), effects=effects)
+
+
+def hard(slide_roll_ratio, speed, load):
+    """The traction case at another mean speed [m/s] and so many times its load."""
+    scene = ball(slide_roll_ratio)
+    motions = tuple(RigidMotion(speed * (1 + of * slide_roll_ratio / 2), 0.0) for of in (1, -1))
+    return replace(scene, motions=motions, load=load * scene.load)
+
+
+@pytest.mark.parametrize(
+    ("slide_roll_ratio", "speed", "load"),
+    [(10.0, 2.0, 1.0), (0.5, 10.0, 8.0), (1.9, 2.0, 3.375), (2.1, 2.0, 3.375), (2.0, 6.0, 1.0)],
+    ids=["ratio 10", "10 m/s at 2 GPa", "disc nearly at rest", "and turning back", "at rest"],
+)
+def test_hot_contacts_converge(slide_roll_ratio, speed, load):
+    figures = solved(hard(slide_roll_ratio, speed, load)).figures
+    rise = figures.temperature_max_film.value - (273.15 + 60)
+    assert 50 < rise < 150
+    assert abs(figures.heat_balance) < 0.02
+
+
+def test_an_oil_that_hardly_bears_stress_is_marked_not_raised():
+    """An Eyring stress of 0.1 MPa: the Newtonian film to start from is none of its."""
+    scene = ball(0.5, flow=FlowLaw("eyring", stress=1e5))
+    solution = pyworm.solve(scene, pyworm.plan(scene, COARSE))
+    assert not solution.converged
+    assert np.isinf(solution.figures.film_min.error)
