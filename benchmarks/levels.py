@@ -33,7 +33,7 @@ UNFINISHED = 1e-5
 
 
 def scenes() -> Iterator[tuple[str, Scene]]:
-    """The worm at mid-mesh, and steel on steel at 1 and 1.5 GPa, sliding on rolling and on a disc at rest."""
+    """The worm at mid-mesh, and steel on steel: sliding, on a disc at rest, against it, fast."""
     yield "worm, phase 0.5", pyworm.load(Path("cases/zi_sharif_2001.toml")).scene(phase=0.5)
     steel = pyworm.load(Path("cases/traction_steel.toml"))
     for pressure, load in ((1, 41.33), (1.5, 139.5)):
@@ -42,6 +42,7 @@ def scenes() -> Iterator[tuple[str, Scene]]:
                 f"steel, {pressure} GPa, {ratio}",
                 replace(steel.scene(slide_roll_ratio=ratio), load=load),
             )
+    yield "steel, 1 GPa, 5", steel.scene(slide_roll_ratio=5)
     fast = RigidMotion(10.0, 0.0), RigidMotion(0.0, 0.0)
     yield "steel, 1 GPa, 2, 5 m/s", replace(steel.scene(slide_roll_ratio=2), motions=fast)
 

@@ -12,6 +12,9 @@ module column_heat
 
   public :: set_heat, carried_away
 
+  !> Rise of temperature [K] that no oil bears.
+  real(wp), parameter, public :: hottest = 5e3_wp
+
 contains
 
   !> Film, conduction, dissipation as source, and its derivatives, of columns whose temperature is `known` and whose walls

@@ -8,7 +8,7 @@
 !>
 !> Conduction along the film is left out: against that across it, it is as the square of film over contact length.
 module film_temperature
-  use column_heat, only: set_heat, carried_away
+  use column_heat, only: hottest, set_heat, carried_away
   use film_column, only: film_strip, new_film_strip, solve_columns
   use heated_surface, only: heated_body
   use kinds, only: wp
@@ -28,8 +28,6 @@ module film_temperature
   integer, parameter :: most_columns = 64
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
   real(wp), parameter :: judged_pressure = 0.02_wp
-  !> Rise of temperature [K] that no oil bears.
-  real(wp), parameter :: hottest = 5e3_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
@@ -107,7 +105,10 @@ contains
     real(wp) :: missed, reduction
     integer :: iterations
 
+    self%heat%shear%unsolved = 0
     call heat_columns(self, self%heat, change)
+    ! nor is heat of a stress that was not found to count as settled
+    if (sum(self%heat%shear%unsolved) > 0) change = hottest
     call balance_walls(self%heat%walls, wall_tolerance, missed, iterations, reduction)
     associate (rise => self%shear%nodes%rise)
       change = max(change, &
@@ -240,7 +241,7 @@ contains
     real(wp), intent(inout) :: change
     real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, friction, carried
     real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, rate, compression, inflow
-    integer :: m, k, n, c, failures
+    integer :: m, k, n, c
 
     m = cut%last - cut%first + 1
     n = contact%shear%nodes%levels%count
@@ -250,7 +251,7 @@ contains
       call take(heat%stress_y, cut, shear%tau_y)
       call take(heat%u1, cut, u1)
       call take(heat%v1, cut, v1)
-      call shear_cut(contact%point_contact, cut, shear, p, mean, columns%known, softening, failures)
+      call shear_cut(contact%point_contact, cut, shear, p, mean, columns%known, softening)
       call set_heat(heat%law, contact%oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
       call film_shear_rate(nodes%levels, shear, rate)
       friction(:m) = shear%film(:m)*matmul(columns%source(:m, :), nodes%levels%weight)

@@ -5,7 +5,7 @@
 !> column sees what has just reached its neighbours, whichever way its levels flow. Derivatives along the film are
 !> upwind differences of second order. The walls are balanced over the whole contact at the end.
 module line_temperature
-  use column_heat, only: set_heat, carried_away
+  use column_heat, only: hottest, set_heat, carried_away
   use film_column, only: film_strip, new_film_strip, solve_column
   use heated_surface, only: heated_body
   use kinds, only: wp
@@ -25,8 +25,6 @@ module line_temperature
   integer, parameter :: most_columns = 64
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
   real(wp), parameter :: judged_pressure = 0.005_wp
-  !> Rise of temperature [K] that no oil bears.
-  real(wp), parameter :: hottest = 5e3_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.01_wp
   integer, parameter :: most_wall_iterations = 20
@@ -103,6 +101,7 @@ contains
     integer :: strip, first, iterations
 
     associate (heat => self%heat, n => self%grid%n, judged => judged_pressure*maxval(self%fields%p))
+      heat%shear%unsolved = 0
       !$omp parallel do private(first) schedule(dynamic)
       do strip = 1, size(heat%columns)
         first = 2 + (strip - 1)*most_columns
@@ -116,7 +115,8 @@ contains
         call march(self, heat, 2, n - 1, 1)
         call march(self, heat, n - 1, 2, -1)
       end if
-      change = 0
+      ! heat of a stress that was not found is not to count as settled
+      change = merge(hottest, 0.0_wp, sum(heat%shear%unsolved) > 0)
       do strip = 1, size(heat%columns)
         call take_up(self, heat, strip, judged, change)
       end do
@@ -172,12 +172,12 @@ contains
     type(shear_strip), intent(inout) :: shear
     real(wp), dimension(most_columns) :: p, mean, u1, v1, capacity
     real(wp), dimension(most_columns, self%shear%nodes%levels%count) :: softening, u, v, compression
-    integer :: m, k, failures
+    integer :: m, k
 
     m = last - first + 1
     shear%tau_x(:m) = heat%stress(first:last)
     shear%tau_y(:m) = 0
-    call shear_line_nodes(self, first, last, shear, mean, columns%known, softening, failures)
+    call shear_line_nodes(self, first, last, shear, mean, columns%known, softening)
     heat%stress(first:last) = shear%tau_x(:m)
     p(:m) = self%fields%p(first:last, 1)
     u1(:m) = heat%u1(first:last)

@@ -29,12 +29,11 @@ contains
   !>
   !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
   !> derivative of the fluidity by temperature [1/(Pa s K)].
-  subroutine shear_line_nodes(contact, first, last, shear, mean, rise, softening, failures)
+  subroutine shear_line_nodes(contact, first, last, shear, mean, rise, softening)
     class(line_contact), intent(in) :: contact
     integer, intent(in) :: first, last
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(inout) :: mean(:), rise(:, :), softening(:, :)
-    integer, intent(out) :: failures
     integer :: m
 
     m = last - first + 1
@@ -46,7 +45,7 @@ contains
       shear%us(:m) = nodes%sliding_x(first:last, 1)
       shear%vs(:m) = 0
       rise(:m, :) = nodes%rise(first:last, 1, :)
-      call shear_columns(contact%oil, nodes, p(first:last), rise, shear, mean, softening, failures)
+      call shear_columns(contact%oil, nodes, p(first:last), rise, shear, mean, softening)
     end associate
   end subroutine shear_line_nodes
 
@@ -59,7 +58,7 @@ contains
     real(wp), dimension(most_nodes) :: mean, cosine, sine, along, across, lag_s, lag_r
     real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
       loading_y, relief_x, relief_y
-    integer :: first, last, m, failures
+    integer :: first, last, m
 
     associate (n => contact%grid%n, levels => contact%shear%nodes%levels)
       allocate (field%stress(n), field%friction(n), field%rate(n), field%factor(n), source=0.0_wp)
@@ -71,7 +70,7 @@ contains
         m = last - first + 1
         shear%tau_x = 0
         shear%tau_y = 0
-        call shear_line_nodes(contact, first, last, shear, mean, rise, softening, failures)
+        call shear_line_nodes(contact, first, last, shear, mean, rise, softening)
         call film_shear_rate(levels, shear, rate)
         call film_heat(levels, shear, heat, own, loading_x, loading_y, relief_x, relief_y)
         call flow_factors(contact%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
@@ -94,11 +93,10 @@ contains
     type(shear_strip) :: shear
     real(wp) :: mean(1)
     real(wp), dimension(1, size(u)) :: rise, softening, along, across
-    integer :: failures
 
     call new_shear_strip(1, size(u), shear, stat)
     if (stat /= status_ok) return
-    call shear_line_nodes(contact, i, i, shear, mean, rise, softening, failures)
+    call shear_line_nodes(contact, i, i, shear, mean, rise, softening)
     call film_velocity(contact%shear%nodes%law, contact%shear%nodes%levels, shear, [u1], [0.0_wp], along, across)
     u = along(1, :)
   end subroutine line_film_profile

@@ -29,6 +29,7 @@ contains
     type(line_flow), intent(inout) :: faces
     integer :: first
 
+    film%strips%unsolved = 0
     !$omp parallel do schedule(static)
     do first = 1, grid%n, strip
       call set_oil(oil, first, min(first + strip - 1, grid%n), 1, film%nodes, fields)

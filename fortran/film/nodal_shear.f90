@@ -40,12 +40,11 @@ contains
   !>
   !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
   !> derivative of the fluidity by temperature [1/(Pa s K)].
-  subroutine shear_cut(contact, cut, shear, p, mean, rise, softening, failures)
+  subroutine shear_cut(contact, cut, shear, p, mean, rise, softening)
     type(point_contact), intent(in) :: contact
     type(line_cut), intent(in) :: cut
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(out) :: p(:), mean(:), rise(:, :), softening(:, :)
-    integer, intent(out) :: failures
     integer :: m, k
 
     m = cut%last - cut%first + 1
@@ -60,7 +59,7 @@ contains
       do k = 1, nodes%levels%count
         call take(nodes%rise(:, :, k), cut, rise(:, k))
       end do
-      call shear_columns(contact%oil, nodes, p, rise, shear, mean, softening, failures)
+      call shear_columns(contact%oil, nodes, p, rise, shear, mean, softening)
     end associate
   end subroutine shear_cut
 
@@ -68,15 +67,14 @@ contains
   !>
   !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
   !> derivative of the fluidity by temperature [1/(Pa s K)].
-  subroutine shear_columns(oil, nodes, p, rise, shear, mean, softening, failures)
+  subroutine shear_columns(oil, nodes, p, rise, shear, mean, softening)
     type(oil_law), intent(in) :: oil
     type(sheared_oil), intent(in) :: nodes
     real(wp), contiguous, intent(in) :: p(:), rise(:, :)
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(inout) :: mean(:), softening(:, :)
-    integer, intent(out) :: failures
     real(wp) :: by_pressure(size(rise, 1), size(rise, 2)), onset_p(size(p)), limit_p(size(p))
-    integer :: m, k
+    integer :: m, k, failures
 
     m = shear%points
     mean(:m) = 0
@@ -87,6 +85,7 @@ contains
     softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
     call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), onset_p(:m), shear%limit(:m), limit_p(:m))
     call solve_shear(nodes%law, nodes%levels, shear, failures)
+    shear%unsolved = shear%unsolved + failures
   end subroutine shear_columns
 
   !> Fields of a contact's shear.
@@ -99,7 +98,7 @@ contains
     real(wp), dimension(most_nodes) :: p, mean, cosine, sine, along, across, lag_s, lag_r
     real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
       loading_y, relief_x, relief_y
-    integer :: j, first, m, failures
+    integer :: j, first, m
 
     associate (nx => contact%grid%nx, ny => contact%grid%ny, levels => contact%shear%nodes%levels)
       allocate (field%stress_x(nx, ny), field%stress_y(nx, ny), field%friction(nx, ny), field%rate(nx, ny), &
@@ -113,7 +112,7 @@ contains
           m = cut%last - first + 1
           shear%tau_x = 0
           shear%tau_y = 0
-          call shear_cut(contact, cut, shear, p, mean, rise, softening, failures)
+          call shear_cut(contact, cut, shear, p, mean, rise, softening)
           call film_shear_rate(levels, shear, rate)
           call film_heat(levels, shear, heat, own, loading_x, loading_y, relief_x, relief_y)
           call flow_factors(contact%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
@@ -139,12 +138,11 @@ contains
     type(shear_strip) :: shear
     real(wp) :: p(1), mean(1)
     real(wp), dimension(1, size(u)) :: rise, softening, u_levels, v_levels
-    integer :: failures
 
     call new_shear_strip(1, size(u), shear, stat)
     if (stat /= status_ok) return
     call shear_cut(contact, line_cut(.false., j, contact%grid%ny, i, i, contact%grid%nx), shear, p, mean, rise, &
-      softening, failures)
+      softening)
     call film_velocity(contact%shear%nodes%law, contact%shear%nodes%levels, shear, [u1], [v1], u_levels, v_levels)
     u = u_levels(1, :)
     v = v_levels(1, :)

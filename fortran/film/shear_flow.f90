@@ -37,6 +37,8 @@ module shear_flow
   type :: shear_strip
     !> Points in use, at most as many as there is space for.
     integer :: points = 0
+    !> Points whose stress was not found, counted by the callers, who also begin anew.
+    integer :: unsolved = 0
     !> To be set: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and
     !> limiting stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
     real(wp), allocatable :: film(:), px(:), py(:), us(:), vs(:), reference(:), limit(:), fluidity(:, :)

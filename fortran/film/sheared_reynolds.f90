@@ -112,6 +112,7 @@ contains
     type(film_fields), intent(inout) :: fields
     integer :: j
 
+    film%strips%unsolved = 0
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
       call set_oil(oil, 1, grid%nx, j, film%nodes, fields)
@@ -244,6 +245,7 @@ contains
       work%tau_x(:m) = faces%stress_x(first:last, j)
       work%tau_y(:m) = faces%stress_y(first:last, j)
       call solve_shear(nodes%law, nodes%levels, work, failures)
+      work%unsolved = work%unsolved + failures
       faces%stress_x(first:last, j) = work%tau_x(:m)
       faces%stress_y(first:last, j) = work%tau_y(:m)
       call flow_change(nodes%levels, work, s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, f_x, f_y)
