@@ -12,17 +12,12 @@ from pydantic import BaseModel, ValidationError
 
 from pyworm.case_error import CaseError, sentence
 from pyworm.contact_scene import contact_scene
+from pyworm.drives.drive import Drive
 from pyworm.line.scene import LineScene
 from pyworm.scene import Scene
-from pyworm.schema import (
-    CONTACT_CASES,
-    AnyContactCase,
-    ContactCase,
-    DriveCase,
-    GapCase,
-    PointCase,
-    PublishedValue,
-)
+from pyworm.schema import CASES, kind_model
+from pyworm.schema.case import CaseTable, PublishedValue
+from pyworm.schema.contact import GapCase, PointCase
 
 
 @dataclass(frozen=True)
@@ -35,13 +30,13 @@ class Case:
         File name without its ending.
     directory : Path
         Where the case file lies; files that it names are relative to it.
-    tables : DriveCase or ContactCase
+    tables : CaseTable
         The file, in SI.
     """
 
     name: str
     directory: Path
-    tables: DriveCase | ContactCase
+    tables: CaseTable
 
     @property
     def title(self) -> str:
@@ -66,7 +61,7 @@ class Case:
     @property
     def phases(self) -> tuple[float, ...]:
         """Phases of the mesh cycle to solve; empty for a contact written directly."""
-        return self.tables.operation.phases if isinstance(self.tables, DriveCase) else ()
+        return () if self.drive is None else self.tables.operation.phases
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
@@ -82,33 +77,19 @@ class Case:
         return {"name": self.name, **self.tables.model_dump(mode="json")}
 
     @cached_property
-    def drive(self):
-        """The machine that makes the contacts (`ZiWormDrive`); None for a contact written directly.
+    def drive(self) -> Drive | None:
+        """The machine that makes the contacts; None for a contact written directly.
 
         Raises
         ------
         CaseError
             The parts do not make a drive.
         """
-        if not isinstance(self.tables, DriveCase):
+        if not hasattr(self.tables, "drive"):
             return None
-        from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
+        from pyworm.case_drive import case_drive
 
-        tables = self.tables
-        oil = tables.oil.oil()
-        try:
-            return ZiWormDrive(
-                worm=Worm(**dict(tables.drive.worm)),
-                wheel=Wheel(**dict(tables.drive.wheel)),
-                hob=Hob(**dict(tables.drive.hob)),
-                centre_distance=tables.drive.centre_distance,
-                speed=tables.operation.worm_speed,
-                load=tables.operation.load,
-                bodies=tables.bodies.pair(oil),
-                oil=oil,
-            )
-        except ValueError as error:
-            raise CaseError(f"drive.{error}") from error
+        return case_drive(self.tables)
 
     def scene(
         self, phase: float | None = None, slide_roll_ratio: float | None = None
@@ -194,13 +175,13 @@ def load(path: str | Path) -> Case:
     return case
 
 
-def _tables(data: dict[str, Any]) -> DriveCase | ContactCase:
+def _tables(data: dict[str, Any]) -> CaseTable:
     """A case file in SI, read as what it says it is."""
     if ("drive" in data) == ("contact" in data):
         raise CaseError("give either a [drive] or a [contact], one of the two")
-    if "drive" in data:
-        return _checked(DriveCase, data)
-    return _checked(CONTACT_CASES[_checked(AnyContactCase, data).contact.kind], data)
+    about = "drive" if "drive" in data else "contact"
+    kind = getattr(_checked(kind_model(about), data), about).kind
+    return _checked(CASES[about][kind], data)
 
 
 def _checked(model: type[BaseModel], data: dict[str, Any]) -> Any:

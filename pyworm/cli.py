@@ -26,7 +26,7 @@ BAD_INPUT = 2
 NOT_CONVERGED = 3
 
 RESULT_NAME = "result.nc"
-PICTURES = ("scene_*.png", "mesh_cycle.png", "traction.png")
+PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
 
 
 class _Parser(argparse.ArgumentParser):

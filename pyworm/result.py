@@ -14,16 +14,14 @@ Attributes that are not numbers or plain text (case, provenance, solution) are J
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
-import numpy as np
 import xarray as xr
 
 from pyworm.solution import Solution
-from pyworm.variables import describe
 
 FORMAT = "pyworm result"
 FORMAT_VERSION = 3
@@ -42,7 +40,7 @@ class Result:
     solutions : tuple of Solution
         One for each scene, in the order of the mesh cycle or the sweep.
     mesh_cycle : xarray.Dataset or None
-        The unloaded mesh cycle of a drive, as `mesh_cycle_dataset` makes it.
+        The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it.
     provenance : dict
         Version of pyworm, effects, tolerances and whatever else is needed to repeat the run.
     """
@@ -108,38 +106,6 @@ def open_result(path: str | os.PathLike) -> Result:
         solutions=tuple(_read_solution(scene) for scene in scenes),
         mesh_cycle=tree["mesh_cycle"].to_dataset() if "mesh_cycle" in tree.children else None,
         provenance=json.loads(tree.attrs["provenance"]),
-    )
-
-
-def mesh_cycle_dataset(contacts: Iterable[Any]) -> xr.Dataset:
-    """The contacts of a mesh cycle as one dataset over phase.
-
-    Parameters
-    ----------
-    contacts : iterable
-        Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
-        [m] and normal as three components in the axes of the drive, and radii [m] along x and y of
-        the tangent plane.
-    """
-    contacts = tuple(contacts)
-
-    def column(name: str) -> np.ndarray:
-        return np.array([getattr(contact, name) for contact in contacts], dtype=float)
-
-    radii = column("radii")
-    return describe(
-        xr.Dataset(
-            {
-                "worm_angle": ("phase", column("worm_angle")),
-                "wheel_angle": ("phase", column("wheel_angle")),
-                "transmission_error": ("phase", column("transmission_error")),
-                "point": (("phase", "axis"), column("point")),
-                "normal": (("phase", "axis"), column("normal")),
-                "radius_x": ("phase", radii[:, 0]),
-                "radius_y": ("phase", radii[:, 1]),
-            },
-            coords={"phase": column("phase"), "axis": ["x", "y", "z"]},
-        )
     )
 
 

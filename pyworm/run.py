@@ -7,24 +7,14 @@ from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 import pyworm
 from pyworm.case import Case
-from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.effects import Plan
 from pyworm.kernels import KernelError
-from pyworm.result import Result, mesh_cycle_dataset
+from pyworm.result import Result
 from pyworm.scene import Scene
-from pyworm.solution import Solution
 from pyworm.solver import solve
-from pyworm.variables import describe
-
-TOOTH_SAMPLES = 129
-"""Points along each direction at which the gap is sampled over the whole tooth, for its picture."""
-
-MESH_PHASES = 21
-"""Phases at which the unloaded mesh cycle is followed for the result."""
 
 
 def run(
@@ -62,11 +52,10 @@ def run(
                 raise
             continue
         if case.drive is not None:
-            solution = _with_tooth(solution, scene, case.drive)
+            beside = case.drive.scene_data(scene)
+            solution = replace(solution, fields=solution.fields.merge(beside))
         solutions.append(solution)
-    cycle = None
-    if case.drive is not None:
-        cycle = mesh_cycle_dataset(case.drive.mesh_cycle(MESH_PHASES))
+    cycle = None if case.drive is None else case.drive.cycle_data()
     return Result(
         case.name, case.resolved, tuple(solutions), cycle, provenance(work) | {"failed": failed}
     )
@@ -82,25 +71,6 @@ def provenance(work: Sequence[tuple[Scene, Plan]]) -> dict[str, Any]:
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
         "plans": [asdict(scene_plan) for _, scene_plan in work],
     }
-
-
-def _with_tooth(solution: Solution, scene: Scene, drive: ZiWormDrive) -> Solution:
-    """Put the tooth, its whole gap and its path of contact among the fields; the solver knows of no teeth."""
-    outline = drive.tooth_outline(drive.contact(solution.phase))
-    x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
-    y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
-    gap, covered = scene.gap(*np.meshgrid(x, y))
-    tooth = xr.Dataset(
-        {
-            "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, gap, np.nan)),
-            "tooth_outline_x": ("outline", outline.x),
-            "tooth_outline_y": ("outline", outline.y),
-            "contact_path_x": ("path", outline.path_x),
-            "contact_path_y": ("path", outline.path_y),
-        },
-        coords={"tooth_x": x, "tooth_y": y},
-    )
-    return replace(solution, fields=solution.fields.merge(describe(tooth)))
 
 
 def _share(progress, position: int, count: int):

@@ -9,7 +9,7 @@ from pyworm.effects import Plan
 from pyworm.line.scene import LineScene
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
-from pyworm.schema import PublishedValue
+from pyworm.schema.case import PublishedValue
 
 # Label, key in a scene's summary, factor from SI to the unit shown, unit. Rows without key are left out.
 _SCENE = (

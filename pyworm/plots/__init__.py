@@ -44,6 +44,9 @@ SCENE_PICTURES = {
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
+CYCLE_PICTURES = {"zi-worm": {"mesh_cycle": draw_cycle}}
+"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result."""
+
 SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
     "temperature": lambda solution: solution.figures.temperature_max_film,
@@ -79,7 +82,8 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
             path = directory / f"scene_{number:03d}_{name}.png"
             written.append(_write(picture(result.case_name, solution), path))
     if result.mesh_cycle is not None:
-        written.append(_write(draw_cycle(result), directory / "mesh_cycle.png"))
+        for name, picture in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
+            written.append(_write(picture(result), directory / f"{name}.png"))
     if traction_curve(result):
         written.append(_write(draw_traction(result), directory / "traction.png"))
     return written
