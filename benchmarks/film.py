@@ -17,7 +17,7 @@ from pathlib import Path
 from statistics import median
 
 import pyworm
-from pyworm.effects import Plan
+from pyworm.planning import Plan
 from pyworm.grid import nest
 from pyworm.scales import scales
 from pyworm.scene import Scene

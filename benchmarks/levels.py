@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyworm
-from pyworm.effects import Model
+from pyworm.planning import Model
 from pyworm.kernels import KernelError
 from pyworm.scene import RigidMotion, Scene
 from pyworm.solution import Solution

@@ -35,11 +35,9 @@ class Reading:
         return {name: getattr(self, name) for name in FIGURES} | self.further
 
 
-JUDGED = ("film_min", "film_central")
-"""Figures that the accuracy is asked of. The largest pressure has its error bar, but is not among them: under
-light loads it is the tip of a spike at the exit, which no practicable grid resolves."""
+FILMS = ("film_min", "film_central")
 
-FIGURES = (*JUDGED, "pressure_max")
+FIGURES = (*FILMS, "pressure_max")
 
 SHEAR_FIGURES = ("friction_coefficient", "power_loss", "shear_rate_max")
 
@@ -91,7 +89,7 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
         return dict.fromkeys(readings[0].figures, np.inf)
     last = change(readings[-2], readings[-1])
     if len(readings) == 2:
-        films = max(last[name] for name in JUDGED)
+        films = max(last[name] for name in FILMS)
         return {name: max(films, of) for name, of in last.items()}
     before = change(readings[-3], readings[-2])
     errors = {}

@@ -230,7 +230,7 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
         except ValueError as error:
             raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
 
-    from pyworm.effects import plan
+    from pyworm.planning import plan
 
     scenes = list(case.scenes(options.phase, options.slide_roll_ratio))
     try:

@@ -13,10 +13,10 @@ import numpy as np
 
 from pyworm import kernels, reading
 from pyworm.accuracy import HEAT_FIGURES, Reading
-from pyworm.effects import Model
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
 from pyworm.oils import NEWTONIAN
+from pyworm.planning import Model
 from pyworm.scales import Scales
 from pyworm.scene import Scene
 
@@ -193,7 +193,7 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
     outside[window] = 0.0
     if outside.any():
         far = far + kernels.elastic_deflection(
-            outside, rung.grid.dx, rung.grid.dy, scene.reduced_modulus
+            outside, rung.grid.dx, rung.grid.dy, scene.bending_modulus
         )
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
@@ -207,6 +207,13 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
     finer = _rung(scene, size, grid, far, load, here if same else None)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
+
+
+def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
+    """A scene on the grid of a rung, entered from its film."""
+    again = _rung(scene, size, rung.grid, rung.far, rung.load)
+    again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
+    return again
 
 
 def with_shear(scene: Scene, model: Model, rung: Rung) -> None:
@@ -243,7 +250,7 @@ def _rung(
         np.zeros_like(gap),
         grid.dx,
         grid.dy,
-        scene.reduced_modulus,
+        scene.bending_modulus,
         load,
         scene.oil,
         FLOOR_SHARE * size.film,

@@ -10,8 +10,8 @@ import numpy as np
 
 import pyworm
 from pyworm.case import Case
-from pyworm.effects import Plan
 from pyworm.kernels import KernelError
+from pyworm.planning import Plan
 from pyworm.result import Result
 from pyworm.scene import Scene
 from pyworm.solver import solve

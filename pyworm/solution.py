@@ -5,6 +5,8 @@ from typing import Literal
 
 import xarray as xr
 
+from pyworm.effects.judgement import Judgement
+
 ZERO_CELSIUS = 273.15
 """Temperature [K] of 0 degC."""
 
@@ -133,6 +135,15 @@ class Cost:
     convolutions: float
     unit_seconds: float = 0.0
 
+    def after(self, other: "Cost") -> "Cost":
+        """The cost of this solve and of one that led to it, in convolutions of this one's."""
+        share = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
+        return Cost(
+            self.seconds + other.seconds,
+            self.convolutions + share * other.convolutions,
+            self.unit_seconds,
+        )
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -173,6 +184,8 @@ class Solution:
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
         None where heat was not simulated.
+    effects : tuple of Judgement
+        Every effect, judged by what the solution says.
     """
 
     name: str
@@ -188,6 +201,7 @@ class Solution:
     inlet_temperature: float | None = None
     slide_roll_ratio: float | None = None
     profile: xr.Dataset | None = None
+    effects: tuple[Judgement, ...] = ()
 
     def summary(self) -> dict:
         """The scalars of this solution as one object, units in the keys.
@@ -219,6 +233,7 @@ class Solution:
             "residual": figures.residual,
             "load_error": figures.load_error,
             "mass_error": figures.mass_error,
+            "effects": [effect.name for effect in self.effects if effect.on],
             "seconds": self.cost.seconds,
             "convolutions": self.cost.convolutions,
         }

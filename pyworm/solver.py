@@ -1,18 +1,19 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from statistics import median
 from time import perf_counter, process_time
 
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import JUDGED, Reading, domain_errors, grid_errors
-from pyworm.effects import Plan
+from pyworm.accuracy import Reading, domain_errors, grid_errors
 from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
+from pyworm.planning import Plan, reviewed
 from pyworm.point_ladder import PointLadder
 from pyworm.scene import Scene
 from pyworm.solution import Cost, Estimate, Figures, Solution
@@ -55,7 +56,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     -------
     Solution
         Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
-        asked for.
+        asked for. Effects that the plan left out and the solution calls for have been added, unless the
+        effects were asked for.
 
     Raises
     ------
@@ -63,6 +65,25 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         If the scene makes no sense to the kernel (values that are not finite) or memory runs out.
     """
     tell = progress or (lambda message, share: None)
+    foot, spent = None, Cost(0.0, 0.0)
+    while True:
+        solution, foot = _climb(plan.simplified(scene), plan, tell, foot)
+        spent = solution.cost.after(spent)
+        seen = reviewed(scene, plan, solution)
+        if plan.asked is not None or not solution.converged or seen.on <= plan.on:
+            return replace(solution, effects=seen.effects, cost=spent)
+        missed = ", ".join(sorted(seen.on - plan.on))
+        tell(f"{scene.name}: calls for {missed} too", 0.0)
+        plan = seen
+
+
+def _climb(
+    scene: Scene | LineScene, plan: Plan, tell: Progress, foot: Rung | None
+) -> tuple[Solution, Rung]:
+    """Solve a scene as it is; from a rung, if there is one, on which it was solved with fewer effects.
+
+    Returns the first rung of the figures too.
+    """
     ladder = LADDERS[type(scene)](scene, plan)
     domain: dict[str, float] = {}
     readings: list[Reading] = []
@@ -70,7 +91,12 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
 
     started, started_work = perf_counter(), process_time()
     tell(f"{scene.name}: first grids", 0.0)
-    rung, strides = ladder.enter(plan.grids)
+    rung, strides = (
+        ladder.resume(foot)
+        if foot is not None and isinstance(foot, ladder.rungs)
+        else ladder.enter(plan.grids)
+    )
+    foot = rung
     while True:
         settled = _settle_figures(rung, plan)
         strides += settled.strides
@@ -84,7 +110,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
                 domain = domain_errors(
                     settled.reading, settled_wider.reading, ladder.convergence.window_limit
                 )
-                if max(domain[name] for name in JUDGED) > DOMAIN_SHARE * plan.accuracy:
+                if max(domain[name] for name in plan.judged) > DOMAIN_SHARE * plan.accuracy:
                     left = ladder.convergence.wider_share
                     domain = {name: left * error for name, error in domain.items()}
                     rung, settled, readings = wider, settled_wider, [settled_wider.reading]
@@ -106,7 +132,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     unit = _convolution_work(rung)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
-    return Solution(
+    solution = Solution(
         name=scene.name,
         kind=ladder.kind,
         phase=scene.phase,
@@ -127,6 +153,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
         profile=outcome.profile,
     )
+    return solution, foot
 
 
 def _in_wider_window(
@@ -172,19 +199,19 @@ def _estimates(
 
 
 def _settle_figures(rung: Rung, plan: Plan) -> Settled:
-    return settle(rung, plan.tolerance, ALGEBRA_SHARE * plan.accuracy)
+    return settle(rung, plan.tolerance, plan.judged, ALGEBRA_SHARE * plan.accuracy)
 
 
 def _stop_reason(
     rung: Rung, estimates: Mapping[str, Estimate], unsettled: int, plan: Plan
 ) -> str | None:
     """Why the climb ends here, or None if it goes on."""
-    error = max(estimates[name].error for name in JUDGED)
+    error = max(estimates[name].error for name in plan.judged)
     settled = rung.film.balance.worst <= plan.tolerance
     resolved = estimates["film_min"].value > 0
     if settled and resolved and error <= plan.accuracy:
         return ACCURATE
-    domain = max(estimates[name].domain for name in JUDGED)
+    domain = max(estimates[name].domain for name in plan.judged)
     if np.isfinite(domain) and domain > plan.accuracy:
         return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
     last = rung.grid.finer().nodes > plan.largest_grid

@@ -5,8 +5,8 @@ from typing import Any
 
 from rich.table import Table
 
-from pyworm.effects import Plan
 from pyworm.line.scene import LineScene
+from pyworm.planning import Plan
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
 from pyworm.schema.case import PublishedValue

@@ -7,13 +7,13 @@ import numpy as np
 
 from pyworm.accuracy import Reading
 from pyworm.climb import CONTACT_PRESSURE
-from pyworm.effects import Model
 from pyworm.kernels import LineFilm
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
 from pyworm.oils import NEWTONIAN
+from pyworm.planning import Model
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -168,7 +168,7 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         np.full(grid.nodes, scene.entrainment),
         np.zeros(grid.nodes),
         grid.dx,
-        scene.reduced_modulus,
+        scene.bending_modulus,
         load,
         scene.oil,
         FLOOR_SHARE * size.film,

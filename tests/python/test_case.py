@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 
 from pyworm.case import load
-from pyworm.effects import plan
+from pyworm.planning import plan
 from pyworm.formulas.hertz import hertz
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
