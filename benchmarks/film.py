@@ -17,8 +17,8 @@ from pathlib import Path
 from statistics import median
 
 import pyworm
-from pyworm.planning import Plan
 from pyworm.grid import nest
+from pyworm.planning import Plan
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution

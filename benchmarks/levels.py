@@ -13,8 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyworm
-from pyworm.planning import Model
 from pyworm.kernels import KernelError
+from pyworm.planning import Model
 from pyworm.scene import RigidMotion, Scene
 from pyworm.solution import Solution
 

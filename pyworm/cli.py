@@ -75,7 +75,15 @@ def _parser() -> argparse.ArgumentParser:
     case = argparse.ArgumentParser(add_help=False)
     case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
-    case.add_argument("--effects", help="model (default: the most that the oil is known for)")
+    case.add_argument(
+        "--effects",
+        default="auto",
+        help="auto (default), all, isothermal, or names of effects with commas between",
+    )
+    case.add_argument(
+        "--quantities",
+        help="film, friction, temperature, with commas (default: all that the oil is known for)",
+    )
     case.add_argument(
         "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
     )
@@ -128,7 +136,7 @@ def _run(options: argparse.Namespace) -> int:
     from pyworm.kernels import KernelError
     from pyworm.plots import draw
     from pyworm.run import run
-    from pyworm.tables import figures_table, heat_table, published_for, scenes_table
+    from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
 
     try:
         with _progress() as progress:
@@ -157,10 +165,13 @@ def _run(options: argparse.Namespace) -> int:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         scenes = [scene for scene, _ in work if scene.name not in failed]
+        effects_of = {solution.name: solution.effects for solution in result.solutions}
         for scene, summary in zip(scenes, summaries, strict=True):
             published = published_for(summary, case.published)
             if published or len(scenes) == 1:
                 console.print(figures_table(scene, summary, published))
+                effects = effects_of[scene.name]
+                console.print(effects_table(effects, "Effects, judged by the solution"))
         if len(scenes) > 1:
             console.print(scenes_table(scenes, summaries))
             if all("friction_coefficient" in summary for summary in summaries):
@@ -185,16 +196,21 @@ def _check(options: argparse.Namespace) -> int:
     from rich.console import Console
 
     from pyworm.scene_summary import scene_summary
-    from pyworm.tables import plan_table
+    from pyworm.tables import effects_table, plan_table
 
     if options.json:
-        scenes = [scene_summary(scene) | {"plan": asdict(plan)} for scene, plan in work]
+        scenes = [
+            scene_summary(scene)
+            | {"plan": asdict(plan), "effects": [asdict(effect) for effect in plan.effects]}
+            for scene, plan in work
+        ]
         _print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         for scene, plan in work:
             console.print(plan_table(scene, plan))
+            console.print(effects_table(plan.effects, "Effects"))
     return CONVERGED
 
 
@@ -232,9 +248,10 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
 
     from pyworm.planning import plan
 
+    asked = None if options.quantities is None else options.quantities.split(",")
     scenes = list(case.scenes(options.phase, options.slide_roll_ratio))
     try:
-        return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
+        return [(scene, plan(scene, accuracy, options.effects, asked)) for scene in scenes]
     except ValueError as error:
         raise CaseError(str(error)) from error
 

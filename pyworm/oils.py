@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from math import asinh, exp, expm1, log, sinh
 from typing import Literal
 
+import numpy as np
 from scipy.optimize import brentq
 
 ROELANDS_PRESSURE = 1.96e8
@@ -38,9 +39,9 @@ class Barus:
     eta0: float
     alpha: float
 
-    def __call__(self, pressure: float) -> float:
-        """Viscosity [Pa s] at a pressure [Pa]."""
-        return self.eta0 * exp(self.alpha * pressure)
+    def __call__(self, pressure):
+        """Viscosity [Pa s] at a pressure or pressures [Pa]."""
+        return self.eta0 * np.exp(self.alpha * pressure)
 
 
 @dataclass(frozen=True)
@@ -77,10 +78,10 @@ class Roelands:
             beta * (temperature - ROELANDS_POLE_TEMPERATURE) / (log(self.eta0) + ROELANDS_POLE_LOG)
         )
 
-    def __call__(self, pressure: float) -> float:
-        """Viscosity [Pa s] at a pressure [Pa]."""
+    def __call__(self, pressure):
+        """Viscosity [Pa s] at a pressure or pressures [Pa]."""
         rise = (log(self.eta0) + ROELANDS_POLE_LOG) * ((1 + pressure / self.p0) ** self.z - 1)
-        return self.eta0 * exp(rise)
+        return self.eta0 * np.exp(rise)
 
 
 @dataclass(frozen=True)

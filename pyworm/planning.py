@@ -1,7 +1,7 @@
 """The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 
 from pyworm.accuracy import FILMS, HEAT_FIGURES
@@ -9,11 +9,13 @@ from pyworm.effects.choice import chosen
 from pyworm.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.effects.judgement import Judgement, judge, simplified
 from pyworm.effects.sketch import Sketch, sketch
+from pyworm.formulas.regimes import Regime, line_regime, point_regime
 from pyworm.grid import Grid, nest
 from pyworm.lent import lent
 from pyworm.line.grid import LineGrid, first_grids
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
+from pyworm.oils import NEWTONIAN
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution
@@ -30,13 +32,10 @@ class Model:
         Levels across the film, walls included; 0 for a Newtonian film of one temperature, which needs none.
     heated : bool
         Whether the film and the bodies warm.
-    friction : bool
-        Whether friction is read off a film without levels, as that of a Newtonian oil.
     """
 
     levels: int = 0
     heated: bool = False
-    friction: bool = False
 
 
 PARABOLA = 3
@@ -91,6 +90,8 @@ class Plan:
         The effects asked for in words; None where the accuracy chose them.
     effects : tuple of Judgement
         Every effect judged.
+    regime : Regime
+        The regime of lubrication by the chart.
     judged : tuple of str
         The figures whose error bars the accuracy is asked of.
     model : Model
@@ -112,6 +113,7 @@ class Plan:
     quantities: tuple[str, ...]
     asked: str | None
     effects: tuple[Judgement, ...]
+    regime: Regime
     judged: tuple[str, ...]
     model: Model
     grids: tuple[Grid | LineGrid, ...]
@@ -126,8 +128,15 @@ class Plan:
         return frozenset(judgement.name for judgement in self.effects if judgement.on)
 
     def simplified(self, scene: Scene | LineScene) -> Scene | LineScene:
-        """The scene without the effects that are left out."""
-        return simplified(scene, self.on)
+        """The scene without the effects that are left out.
+
+        Where the oil's flow law is left out whatever that changes, none is left: the friction of a Newtonian
+        oil would mean nothing.
+        """
+        simple = simplified(scene, self.on)
+        if self.asked is not None and simple.oil.flow == NEWTONIAN != scene.oil.flow:
+            return replace(simple, oil=replace(simple.oil, flow=None))
+        return simple
 
 
 @dataclass(frozen=True)
@@ -196,13 +205,16 @@ def planned(
     judgements = judge(scene, accuracy, quantities, seen, names, kept)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
-    model = _model(scene, simple, accuracy, quantities, asked, on)
+    model = _model(simple, accuracy, on)
     numerics = PLANS[type(simple)](simple, accuracy, model)
-    judged = _judged(quantities, model, sliding=seen.sliding > 0)
-    return Plan(accuracy, quantities, asked, judgements, judged, model, **vars(numerics))
+    # without sliding friction has no size, and without its flow law it means nothing
+    law = model.levels > 0 or asked is None or simple.oil.flow == scene.oil.flow
+    judged = _judged(quantities, model, rubs=law and seen.sliding > 0)
+    regime = (line_regime if isinstance(scene, LineScene) else point_regime)(seen.groups)
+    return Plan(accuracy, quantities, asked, judgements, regime, judged, model, **vars(numerics))
 
 
-def _judged(quantities: tuple[str, ...], model: Model, sliding: bool) -> tuple[str, ...]:
+def _judged(quantities: tuple[str, ...], model: Model, rubs: bool) -> tuple[str, ...]:
     """The figures that tell what is asked for, as far as the model has them.
 
     The largest pressure has its error bar, but is not among them: under light loads it is the tip of a spike
@@ -210,8 +222,7 @@ def _judged(quantities: tuple[str, ...], model: Model, sliding: bool) -> tuple[s
     """
     figures = {
         FILM: FILMS,
-        # without sliding friction has no size to be relative to
-        FRICTION: ("friction_coefficient",) * (sliding and (model.levels > 0 or model.friction)),
+        FRICTION: ("friction_coefficient",) * rubs,
         TEMPERATURE: HEAT_FIGURES * model.heated,
     }
     return tuple(name for quantity in quantities for name in figures[quantity])
@@ -230,23 +241,12 @@ def _known(scene: Scene | LineScene) -> tuple[str, ...]:
     return tuple(quantity for quantity in QUANTITIES if known[quantity])
 
 
-def _model(
-    scene: Scene | LineScene,
-    simple: Scene | LineScene,
-    accuracy: float,
-    quantities: tuple[str, ...],
-    asked: str | None,
-    on: frozenset[str],
-) -> Model:
-    heated = simple.oil.heat is not None
-    thins = simple.oil.flow is not None and simple.oil.flow.law != "newtonian"
-    levels = 0
-    if heated or thins:
-        levels = _levels(accuracy) if thins or "viscosity-across" in on else PARABOLA
-    # where a flow law is left out against all numbers, the friction without it means nothing
-    true = asked is None or scene.oil.flow == simple.oil.flow
-    friction = FRICTION in quantities and not levels and simple.oil.flow is not None and true
-    return Model(levels, heated, friction)
+def _model(simple: Scene | LineScene, accuracy: float, on: frozenset[str]) -> Model:
+    """The model of a scene that has only the effects that are on."""
+    heated, thins = simple.oil.heat is not None, simple.oil.flow not in (None, NEWTONIAN)
+    if not (heated or thins):
+        return Model()
+    return Model(_levels(accuracy) if thins or "viscosity-across" in on else PARABOLA, heated)
 
 
 def _levels(accuracy: float) -> int:

@@ -69,8 +69,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     while True:
         solution, foot = _climb(plan.simplified(scene), plan, tell, foot)
         spent = solution.cost.after(spent)
-        seen = reviewed(scene, plan, solution)
-        if plan.asked is not None or not solution.converged or seen.on <= plan.on:
+        seen = reviewed(scene, plan, solution) if solution.converged else plan
+        if plan.asked is not None or seen.on <= plan.on:
             return replace(solution, effects=seen.effects, cost=spent)
         missed = ", ".join(sorted(seen.on - plan.on))
         tell(f"{scene.name}: calls for {missed} too", 0.0)

@@ -5,6 +5,7 @@ from typing import Any
 
 from rich.table import Table
 
+from pyworm.effects.judgement import Judgement
 from pyworm.line.scene import LineScene
 from pyworm.planning import Plan
 from pyworm.scene import Scene
@@ -201,7 +202,7 @@ def published_for(
 
 
 def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
-    """A scene and what is planned for it."""
+    """A scene and how it is to be solved."""
     summary = scene_summary(scene)
     table = Table(title=_title(scene), title_justify="left")
     table.add_column("Scene")
@@ -209,15 +210,39 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     for label, key, scale, unit in _SCENE:
         if key in summary:
             table.add_row(*_quantity(label, summary[key], scale, unit))
+    table.add_row("Regime", plan.regime.name)
     table.add_section()
-    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} %")
-    for effect in plan.effects:
-        table.add_row(effect.name, f"{'on' if effect.on else 'off'}: {effect.reason}")
+    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
     table.add_row("Expected convolutions", f"{plan.expected_convolutions:.0f}")
     return table
+
+
+def effects_table(effects: Sequence[Judgement], title: str) -> Table:
+    """Every effect, whether it is simulated, and why."""
+    table = Table("Effect", "", title=title, title_justify="left")
+    table.add_column("Indicator", justify="right")
+    quantities = next((tuple(effect.influence) for effect in effects if effect.influence), ())
+    for quantity in quantities:
+        table.add_column(f"{quantity[:11].capitalize()}", justify="right")
+    table.add_column("Why")
+    for effect in effects:
+        table.add_row(
+            effect.name,
+            "on" if effect.on else "off",
+            "" if effect.indicator is None else f"{effect.indicator:.2g}",
+            *(_influence(effect.influence.get(quantity)) for quantity in quantities),
+            effect.reason,
+        )
+    return table
+
+
+def _influence(share: float | None) -> str:
+    if share is None:
+        return ""
+    return ">100 %" if share > 1 else f"{share * 100:.2g} %"
 
 
 def _title(scene: Scene | LineScene) -> str:

@@ -43,9 +43,14 @@ def chosen(scene: Contact, words: str) -> frozenset[str]:
                 f"{', '.join(simulated)}"
             )
         if word.startswith("-"):
-            on -= groups.get(name, {name})
+            on -= groups.get(name, _with_dependents(name))
             continue
         if name in simulated and name not in whole:
             raise ValueError(f"effects = {words}: {name}: {simulated[name].lacking(scene)}")
-        on |= groups.get(name, {name})
-    return frozenset(on)
+        on |= groups.get(name, {name, *simulated[name].together} if name in simulated else set())
+    return frozenset(on & whole)
+
+
+def _with_dependents(name: str) -> set[str]:
+    """An effect and those that go only with it."""
+    return {name, *(effect.name for effect in EFFECTS if name in effect.together)}

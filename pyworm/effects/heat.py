@@ -39,30 +39,18 @@ LOBE_WARMTH = 0.5
 
 
 def _surface_warmth(sketch: Sketch) -> float:
-    if sketch.rise_bodies is not None:
-        return sketch.inlet_beta * sketch.rise_bodies
-    return sketch.inlet_beta * sketch.surface_rise(sketch.heat)
+    rise = sketch.rise_bodies
+    if rise is None:
+        rise = sketch.surface_rise(sketch.heat) + sketch.bulk
+    return sketch.inlet_beta * max(rise, sketch.bulk)
 
 
-def _by_surfaces(sketch: Sketch) -> Influence:
-    if _carried_by_heat(sketch):
-        return EVERYTHING
+def _surfaces(sketch: Sketch) -> Influence:
     rise = _surface_warmth(sketch) / sketch.inlet_beta
-    film = LOBE_WARMTH * _surface_warmth(sketch)
+    # bodies of another temperature than the inlet's warm or cool the oil that they bring
+    film = max(LOBE_WARMTH * _surface_warmth(sketch), sketch.inlet_beta * sketch.bulk)
     friction = _friction(sketch, surfaces=False, film=True)
     return Influence(film, max(friction, film), _temperature(sketch, rise))
-
-
-SURFACE_HEATING = Effect(
-    name="surface-heating",
-    symbol="beta dT of the surfaces",
-    source="moving strip of heat (Jaeger 1942), the heat parting so that both are equally warm",
-    indicator=_surface_warmth,
-    influence=_by_surfaces,
-    without=_cold,
-    lacking=_unknown,
-    together=("film-heating",),
-)
 
 
 # ------------------------------------------------------------------------------------- film heating
@@ -85,21 +73,42 @@ def _film_warmth(sketch: Sketch) -> float:
     return sketch.beta * sketch.film_rise(sketch.heat)
 
 
-def _by_film(sketch: Sketch) -> Influence:
-    if _carried_by_heat(sketch):
-        return EVERYTHING
+def _film(sketch: Sketch) -> Influence:
     film = _inlet_reduction(sketch)
     friction = _friction(sketch, surfaces=True, film=False)
-    rise = sketch.film_rise(sketch.heat)
+    rise = sketch.film_rise(sketch.heat) + sketch.rolling_rise
     return Influence(film, max(friction, film), _temperature(sketch, rise))
 
+
+def _by_heat(sketch: Sketch) -> Influence:
+    """Surfaces and film warm together or not at all."""
+    if _carried_by_heat(sketch):
+        return EVERYTHING
+    surfaces, film = _surfaces(sketch), _film(sketch)
+    return Influence(
+        surfaces.film + film.film,
+        surfaces.friction + film.friction,
+        surfaces.temperature + film.temperature,
+    )
+
+
+SURFACE_HEATING = Effect(
+    name="surface-heating",
+    symbol="beta dT of the surfaces",
+    source="moving strip of heat (Jaeger 1942), the heat parting so that both are equally warm",
+    indicator=_surface_warmth,
+    influence=_by_heat,
+    without=_cold,
+    lacking=_unknown,
+    together=("film-heating",),
+)
 
 FILM_HEATING = Effect(
     name="film-heating",
     symbol="eta0 beta u^2 / k",
     source="film: Wilson and Sheu (1983); friction and temperature: q h / 8k",
     indicator=_inlet_loading,
-    influence=_by_film,
+    influence=_by_heat,
     without=_cold,
     lacking=_unknown,
     together=("surface-heating",),

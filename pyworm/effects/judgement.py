@@ -77,7 +77,7 @@ def judge(
             reason = "asked for" if on else "not asked for"
         elif effect.name in kept:
             needed = _told(worst, quantities, influence, allowed, True)
-            spared = "turned out not to matter: "
+            spared = "proved needless: "
             spared += _told(worst, quantities, influence, allowed, False)
             on, reason = True, needed if worst > allowed else spared
         else:
@@ -107,14 +107,12 @@ def simplified(scene: Contact, on: frozenset[str]) -> Contact:
 
 def _told(worst: float, quantities: Sequence[str], influence, allowed: float, on: bool) -> str:
     quantity = max(quantities, key=lambda name: getattr(influence, name))
-    change = f"{quantity} by {_percent(worst)}"
-    if on:
-        return f"changes {change}, more than {_percent(allowed)}"
-    return f"changes {change} at most"
+    change = f"{quantity} {_percent(worst)}"
+    return f"{change}, {_percent(allowed)} left" if on else f"{change} at most"
 
 
 def _percent(share: float) -> str:
-    return "100 % or more" if share >= 1 else f"{share * 100:.2g} %"
+    return "over 100 %" if share > 1 else f"{share * 100:.2g} %"
 
 
 def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:

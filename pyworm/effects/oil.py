@@ -1,10 +1,11 @@
 """Effects of the oil at one temperature: thickening and compression under pressure, flow under stress."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from pyworm.effects.effect import Contact, Effect, Influence
 from pyworm.effects.sketch import Sketch
-from pyworm.oils import Barus, Density, FlowLaw
+from pyworm.oils import NEWTONIAN, Barus, Density, FlowLaw
 
 # -------------------------------------------------------------------------------- pressure-viscosity
 
@@ -68,7 +69,7 @@ COMPRESSIBILITY = Effect(
 
 # ------------------------------------------------------------------------------- flow under stress
 
-INLET_THICKENING = 10.0
+INLET_THICKENING = 6.0
 """Stress in the inlet over eta0 (u + us)/h: the film forms where the oil is some times thicker than outside
 and the gap somewhat wider than the film."""
 
@@ -79,9 +80,9 @@ def _inlet_stress(sketch: Sketch) -> float:
     return INLET_THICKENING * sketch.oil.viscosity.eta0 * speed / sketch.film_central
 
 
-LOBE_PRESSURE, LOBE_SHARE = 1 / 3, 0.5
-"""Pressure over the mean one where the minimum film forms at the contact's sides and exit, and what of a
-change of the stress there it feels: oil leaves by the pressure's gradient where the sliding has thinned it."""
+LOBE_PRESSURE, LOBE_SHARE = 1 / 3, 0.25
+"""Pressure over the mean one where the minimum film forms, at the contact's sides and exit, and what of a
+change of the stress there it feels: oil leaves by the pressure's gradient where sliding has thinned it."""
 
 
 def _unlike(sketch: Sketch, other: FlowLaw) -> Influence:
@@ -101,49 +102,65 @@ def _unlike(sketch: Sketch, other: FlowLaw) -> Influence:
     return Influence(film, max(friction, film), friction * sketch.warmth)
 
 
-NO_THINNING = {"eyring": "newtonian", "carreau": "newtonian", "eyring-limited": "bair-winer"}
-NO_LIMIT = {"bair-winer": "newtonian", "eyring-limited": "eyring"}
-"""Flow law -> what is left of it without shear thinning, and without a limiting stress."""
+UNREACHED = 1e12
+"""Eyring stress of an oil that thins no more [Pa]."""
 
 
-def _changed(flow: FlowLaw, left: dict[str, str]) -> FlowLaw:
-    return replace(flow, law=left.get(flow.law, flow.law))
+def _unthinned(flow: FlowLaw) -> FlowLaw:
+    return replace(flow, stress=UNREACHED) if flow.law == "eyring-limited" else NEWTONIAN
 
 
-def _without(left: dict[str, str]):
+def _unlimited(flow: FlowLaw) -> FlowLaw:
+    if flow.law == "bair-winer" or flow.stress == UNREACHED:
+        return NEWTONIAN
+    return replace(flow, law="eyring", limit=0.0, limit_pressure=0.0)
+
+
+def _flowing(by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]):
+    """A contact whose oil flows by what another law leaves of its own, if it has what that takes away."""
+
     def without(scene: Contact) -> Contact:
-        if scene.oil.flow is None:
+        flow = scene.oil.flow
+        if flow is None or not has(flow):
             return scene
-        return replace(scene, oil=replace(scene.oil, flow=_changed(scene.oil.flow, left)))
+        return replace(scene, oil=replace(scene.oil, flow=by(flow)))
 
     return without
 
 
-def _lacking(left: dict[str, str], what: str):
+def _lacking(has: Callable[[FlowLaw], bool], what: str):
     def lacking(scene: Contact) -> str | None:
         if scene.oil.flow is None:
             return "no flow law is given"
-        return None if scene.oil.flow.law in left else f"the oil's flow law has no {what}"
+        return None if has(scene.oil.flow) else f"the oil's flow law has no {what}"
 
     return lacking
 
 
+def _thins(flow: FlowLaw) -> bool:
+    return flow.stress > 0
+
+
+def _limits(flow: FlowLaw) -> bool:
+    return flow.limited
+
+
 SHEAR_THINNING = Effect(
     name="shear-thinning",
-    symbol="10 eta0 (u + us) / h tau0",
-    source="the oil's own flow law in the inlet and at the mean pressure",
+    symbol="6 eta0 (u + us) / h tau0",
+    source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
     indicator=lambda sketch: _inlet_stress(sketch) / sketch.oil.flow.stress,
-    influence=lambda sketch: _unlike(sketch, _changed(sketch.oil.flow, NO_THINNING)),
-    without=_without(NO_THINNING),
-    lacking=_lacking(NO_THINNING, "thinning"),
+    influence=lambda sketch: _unlike(sketch, _unthinned(sketch.oil.flow)),
+    without=_flowing(_unthinned, _thins),
+    lacking=_lacking(_thins, "thinning"),
 )
 
 LIMITING_STRESS = Effect(
     name="limiting-stress",
     symbol="tau / tauL",
-    source="the oil's own flow law in the inlet and at the mean pressure",
+    source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
     indicator=lambda sketch: sketch.stress() / sketch.oil.flow.limit_at(sketch.pressure_mean),
-    influence=lambda sketch: _unlike(sketch, _changed(sketch.oil.flow, NO_LIMIT)),
-    without=_without(NO_LIMIT),
-    lacking=_lacking(NO_LIMIT, "limiting stress"),
+    influence=lambda sketch: _unlike(sketch, _unlimited(sketch.oil.flow)),
+    without=_flowing(_unlimited, _limits),
+    lacking=_lacking(_limits, "limiting stress"),
 )

@@ -26,6 +26,10 @@ LEAST_TO_CENTRAL = 0.6
 """Minimum over central film, as a rule, where no formula gives it."""
 
 
+INLET_HEAT = 100.0
+"""Heat of Poiseuille flow in the inlet, times h^2, over eta0 u^2."""
+
+
 @dataclass(frozen=True)
 class Sketch:
     """A contact in a few numbers.
@@ -155,11 +159,37 @@ class Sketch:
         return self.hot_stress() * self.sliding if self.work is None else self.work
 
     @property
+    def rolling_rise(self) -> float:
+        """Rise of the film by its flow into the contact and by compression, without any sliding [K].
+
+        Both are heat made across the film, q h/8k: that of Poiseuille flow in the inlet, where the oil is
+        some times thicker than outside, and eps T u p/b of compression.
+        """
+        heat = self.oil.heat
+        flow = INLET_HEAT * self.oil.viscosity.eta0 * self.speed**2
+        compression = (
+            heat.expansivity
+            * heat.inlet_temperature
+            * self.speed
+            * self.pressure_max
+            / self.half_width
+            * self.film_central**2
+        )
+        return (flow + compression) / (8 * heat.conductivity)
+
+    @property
+    def bulk(self) -> float:
+        """Largest difference between a body's bulk temperature and the inlet's [K]."""
+        inlet = self.oil.heat.inlet_temperature
+        return max(abs(body.bulk_temperature - inlet) for body in self.scene.bodies)
+
+    @property
     def warmest(self) -> float:
         """Largest temperature above the inlet's [K], as known or as estimated."""
         if self.rise_film is not None:
             return self.rise_film
-        return self.surface_rise(self.heat) + self.film_rise(self.heat)
+        sheared = self.surface_rise(self.heat) + self.film_rise(self.heat)
+        return self.bulk + self.rolling_rise + sheared
 
     @property
     def warmth(self) -> float:
@@ -177,7 +207,8 @@ class Sketch:
             "film_min": figures.film_min.value,
         }
         if figures.friction_coefficient is not None:
-            changes["work"] = figures.friction_coefficient.value * self.pressure_mean * self.sliding
+            friction = abs(figures.friction_coefficient.value)
+            changes["work"] = friction * self.pressure_mean * self.sliding
         if figures.temperature_max_film is not None:
             inlet = solution.inlet_temperature
             changes["rise_film"] = figures.temperature_max_film.value - inlet

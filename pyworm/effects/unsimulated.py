@@ -29,9 +29,7 @@ STARVATION = Effect(
     indicator=_supply,
     influence=_by_starvation,
     without=None,
-    lacking=lambda scene: (
-        "flooded, unless [oil] gives its supply" if scene.oil.supply is None else None
-    ),
+    lacking=lambda scene: "flooded: no supply is given" if scene.oil.supply is None else None,
 )
 
 
@@ -55,9 +53,7 @@ SQUEEZE = Effect(
     indicator=_change_in_passing,
     influence=_by_squeeze,
     without=None,
-    lacking=lambda scene: (
-        "the contact does not change in time" if scene.film_rate is None else None
-    ),
+    lacking=lambda scene: "steady: nothing changes in time" if scene.film_rate is None else None,
 )
 
 
@@ -88,7 +84,7 @@ ROUGHNESS = Effect(
     influence=_by_roughness,
     without=None,
     lacking=lambda scene: (
-        "smooth, unless both bodies give a roughness"
+        "smooth: no roughness is given"
         if None in [body.roughness for body in scene.bodies]
         else None
     ),
