@@ -46,9 +46,9 @@ def on_one_grid(scene, plan: Plan) -> Numbers:
     ladder = LADDERS[type(simple)](simple, plan)
     rung, _ = ladder.enter(plan.grids)
     for _ in range(FINER):
-        settle(rung, plan.tolerance, plan.judged, 0.1 * plan.accuracy)
+        settle(rung, plan.tolerance, plan.aim, 0.1 * plan.accuracy)
         rung = ladder.higher(rung)
-    settle(rung, plan.tolerance / 10, plan.judged, 0.01 * plan.accuracy)
+    settle(rung, plan.tolerance / 10, plan.aim, 0.01 * plan.accuracy)
     figures = rung.read().figures
     return Numbers(
         (figures["film_min"], figures["film_central"]),
@@ -65,7 +65,7 @@ def difference(scene, whole: Numbers, part: Numbers, quantities) -> dict[str, fl
         found["friction"] = abs(part.friction / whole.friction - 1)
     if "temperature" in quantities and whole.rises:
         rises = part.rises or (0.0, 0.0, 0.0)
-        size = max(max(whole.rises), 1 / sketch(scene).beta)
+        size = max(max(whole.rises), 1 / sketch(scene).inlet_beta)
         found["temperature"] = (
             max(abs(a - b) for a, b in zip(rises, whole.rises, strict=True)) / size
         )
@@ -160,8 +160,9 @@ def main() -> None:
             print(told(row), flush=True)
             for one in ones_here:
                 high = " ABOVE THE ESTIMATE" if one["true"] > one["estimate"] else ""
+                state = "on" if one["on"] else "off"
                 print(
-                    f"    {one['effect']:20} {'on ' if one['on'] else 'off'} {one['quantity']:12} true {one['true']:9.3%} "
+                    f"    {one['effect']:20} {state:3} {one['quantity']:12} true {one['true']:9.3%} "
                     f"estimate {one['estimate']:9.3%}{high}",
                     flush=True,
                 )

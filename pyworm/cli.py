@@ -165,13 +165,11 @@ def _run(options: argparse.Namespace) -> int:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         scenes = [scene for scene, _ in work if scene.name not in failed]
-        effects_of = {solution.name: solution.effects for solution in result.solutions}
-        for scene, summary in zip(scenes, summaries, strict=True):
+        for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
             published = published_for(summary, case.published)
             if published or len(scenes) == 1:
                 console.print(figures_table(scene, summary, published))
-                effects = effects_of[scene.name]
-                console.print(effects_table(effects, "Effects, judged by the solution"))
+                console.print(effects_table(solution.effects, "Effects, judged by the solution"))
         if len(scenes) > 1:
             console.print(scenes_table(scenes, summaries))
             if all("friction_coefficient" in summary for summary in summaries):

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import Convergence, Reading, algebra_errors, change
+from pyworm.accuracy import Aim, Convergence, Reading, algebra_errors, change
 from pyworm.kernels import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError, LineFilm, PointFilm
 
 MOST_STEPS = 30
@@ -106,7 +106,7 @@ def lead(rung: Rung, tolerance: float) -> list[Stride]:
     return strides
 
 
-def settle(rung: Rung, tolerance: float, judged: Sequence[str], algebra_wanted: float) -> Settled:
+def settle(rung: Rung, tolerance: float, aim: Aim, algebra_wanted: float) -> Settled:
     """Newton steps until the film's figures are settled, or no step helps any more.
 
     Parameters
@@ -115,7 +115,7 @@ def settle(rung: Rung, tolerance: float, judged: Sequence[str], algebra_wanted: 
         The film.
     tolerance : float
         Residual and load error wanted.
-    judged : sequence of str
+    aim : Aim
         The figures.
     algebra_wanted : float
         Relative error of them wanted; it takes at least two steps to see it.
@@ -126,7 +126,7 @@ def settle(rung: Rung, tolerance: float, judged: Sequence[str], algebra_wanted: 
     algebra = dict.fromkeys(reading.figures, np.inf)
     while len(strides) < MOST_STEPS and (
         rung.film.balance.worst > tolerance
-        or max(algebra[name] for name in judged) > algebra_wanted
+        or not aim.worst(algebra, reading.figures) <= algebra_wanted
     ):
         taken = stride(rung)
         if taken is None:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import sqrt
 
-from pyworm.accuracy import FILMS, HEAT_FIGURES
+from pyworm.accuracy import FILMS, HEAT_FIGURES, Aim
 from pyworm.effects.choice import chosen
 from pyworm.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.effects.judgement import Judgement, judge, simplified
@@ -92,7 +92,7 @@ class Plan:
         Every effect judged.
     regime : Regime
         The regime of lubrication by the chart.
-    judged : tuple of str
+    aim : Aim
         The figures whose error bars the accuracy is asked of.
     model : Model
         What the kernel simulates.
@@ -114,7 +114,7 @@ class Plan:
     asked: str | None
     effects: tuple[Judgement, ...]
     regime: Regime
-    judged: tuple[str, ...]
+    aim: Aim
     model: Model
     grids: tuple[Grid | LineGrid, ...]
     wider_grids: tuple[Grid | LineGrid, ...]
@@ -209,23 +209,20 @@ def planned(
     numerics = PLANS[type(simple)](simple, accuracy, model)
     # without sliding friction has no size, and without its flow law it means nothing
     law = model.levels > 0 or asked is None or simple.oil.flow == scene.oil.flow
-    judged = _judged(quantities, model, rubs=law and seen.sliding > 0)
+    aim = _aim(quantities, model, rubs=law and seen.sliding > 0, beta=seen.inlet_beta)
     regime = (line_regime if isinstance(scene, LineScene) else point_regime)(seen.groups)
-    return Plan(accuracy, quantities, asked, judgements, regime, judged, model, **vars(numerics))
+    return Plan(accuracy, quantities, asked, judgements, regime, aim, model, **vars(numerics))
 
 
-def _judged(quantities: tuple[str, ...], model: Model, rubs: bool) -> tuple[str, ...]:
-    """The figures that tell what is asked for, as far as the model has them.
-
-    The largest pressure has its error bar, but is not among them: under light loads it is the tip of a spike
-    at the exit, which no practicable grid resolves.
-    """
+def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
+    """The figures that tell what is asked for, as far as the model has them."""
     figures = {
         FILM: FILMS,
         FRICTION: ("friction_coefficient",) * rubs,
         TEMPERATURE: HEAT_FIGURES * model.heated,
     }
-    return tuple(name for quantity in quantities for name in figures[quantity])
+    names = tuple(name for quantity in quantities for name in figures[quantity])
+    return Aim(names, 1 / beta if beta > 0 else 0.0)
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, solution: Solution) -> Plan:
@@ -243,10 +240,9 @@ def _known(scene: Scene | LineScene) -> tuple[str, ...]:
 
 def _model(simple: Scene | LineScene, accuracy: float, on: frozenset[str]) -> Model:
     """The model of a scene that has only the effects that are on."""
-    heated, thins = simple.oil.heat is not None, simple.oil.flow not in (None, NEWTONIAN)
-    if not (heated or thins):
-        return Model()
-    return Model(_levels(accuracy) if thins or "viscosity-across" in on else PARABOLA, heated)
+    if simple.oil.heat is not None:
+        return Model(_levels(accuracy) if "viscosity-across" in on else PARABOLA, heated=True)
+    return Model() if simple.oil.flow in (None, NEWTONIAN) else Model(_levels(accuracy))
 
 
 def _levels(accuracy: float) -> int:

@@ -153,6 +153,8 @@ def _scalars(value: Any) -> Any:
         return {
             name: _scalars(part) for name, part in parts.items() if not isinstance(part, xr.Dataset)
         }
+    if isinstance(value, tuple):
+        return [_scalars(part) for part in value]
     return value
 
 

@@ -64,7 +64,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     KernelError
         If the scene makes no sense to the kernel (values that are not finite) or memory runs out.
     """
-    tell = progress or (lambda message, share: None)
+    tell = _rising(progress)
     foot, spent = None, Cost(0.0, 0.0)
     while True:
         solution, foot = _climb(plan.simplified(scene), plan, tell, foot)
@@ -75,6 +75,19 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         missed = ", ".join(sorted(seen.on - plan.on))
         tell(f"{scene.name}: calls for {missed} too", 0.0)
         plan = seen
+
+
+def _rising(progress: Progress | None) -> Progress:
+    """Progress that does not fall back where a solve begins again with more effects."""
+    reached = 0.0
+
+    def tell(message: str, share: float) -> None:
+        nonlocal reached
+        reached = max(reached, share)
+        if progress is not None:
+            progress(message, reached)
+
+    return tell
 
 
 def _climb(
@@ -110,12 +123,13 @@ def _climb(
                 domain = domain_errors(
                     settled.reading, settled_wider.reading, ladder.convergence.window_limit
                 )
-                if max(domain[name] for name in plan.judged) > DOMAIN_SHARE * plan.accuracy:
+                seen = plan.aim.worst(domain, settled.reading.figures)
+                if seen > DOMAIN_SHARE * plan.accuracy:
                     left = ladder.convergence.wider_share
                     domain = {name: left * error for name, error in domain.items()}
                     rung, settled, readings = wider, settled_wider, [settled_wider.reading]
         estimates = _estimates(ladder, rung, readings, domain, settled, plan)
-        stop_reason = _stop_reason(rung, estimates, unsettled, plan)
+        stop_reason = _stop_reason(rung, settled, estimates, unsettled, plan)
         if stop_reason is not None:
             break
         size = " x ".join(str(count) for count in rung.grid.finer().shape)
@@ -199,19 +213,20 @@ def _estimates(
 
 
 def _settle_figures(rung: Rung, plan: Plan) -> Settled:
-    return settle(rung, plan.tolerance, plan.judged, ALGEBRA_SHARE * plan.accuracy)
+    return settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
 
 
 def _stop_reason(
-    rung: Rung, estimates: Mapping[str, Estimate], unsettled: int, plan: Plan
+    rung: Rung, reached: Settled, estimates: Mapping[str, Estimate], unsettled: int, plan: Plan
 ) -> str | None:
     """Why the climb ends here, or None if it goes on."""
-    error = max(estimates[name].error for name in plan.judged)
+    figures = reached.reading.figures
+    error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
     settled = rung.film.balance.worst <= plan.tolerance
     resolved = estimates["film_min"].value > 0
     if settled and resolved and error <= plan.accuracy:
         return ACCURATE
-    domain = max(estimates[name].domain for name in plan.judged)
+    domain = plan.aim.worst({name: of.domain for name, of in estimates.items()}, figures)
     if np.isfinite(domain) and domain > plan.accuracy:
         return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
     last = rung.grid.finer().nodes > plan.largest_grid

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.effects.judgement import Judgement
@@ -161,7 +162,7 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
 
     The error bar of the temperatures is the largest of the three.
     """
-    heated = all("temperature_max_C" in values for values in summaries)
+    heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
     table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
     headings = ["Friction", "± %", "Loss\nW"]
@@ -175,7 +176,7 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
             f"{values['friction_coefficient_error'] * 100:.2g}",
             f"{values['power_loss_W']:.4g}",
         ]
-        if heated:
+        if "temperature_max_C" in values:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(label, *cells)
@@ -221,12 +222,14 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
 
 
 def effects_table(effects: Sequence[Judgement], title: str) -> Table:
-    """Every effect, whether it is simulated, and why."""
-    table = Table("Effect", "", title=title, title_justify="left")
-    table.add_column("Indicator", justify="right")
+    """Every effect, whether it is simulated, what leaving it out changes, and why it is on or off."""
+    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    table.add_column("Effect", no_wrap=True)
+    table.add_column("")
+    table.add_column("Indicator", justify="right", no_wrap=True)
     quantities = next((tuple(effect.influence) for effect in effects if effect.influence), ())
     for quantity in quantities:
-        table.add_column(f"{quantity[:11].capitalize()}", justify="right")
+        table.add_column(QUANTITY_HEADINGS[quantity], justify="right", no_wrap=True)
     table.add_column("Why")
     for effect in effects:
         table.add_row(
@@ -237,6 +240,9 @@ def effects_table(effects: Sequence[Judgement], title: str) -> Table:
             effect.reason,
         )
     return table
+
+
+QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Temp."}
 
 
 def _influence(share: float | None) -> str:

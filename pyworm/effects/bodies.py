@@ -38,13 +38,14 @@ def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
 
 
 def _deflection(sketch: Sketch) -> float:
-    """Deflection over the film, by the pressure that the load has where the film spreads it."""
-    width = hypot(sketch.half_width, sqrt(2 * sketch.groups.radius * sketch.film_central))
-    return 2 * width * sketch.pressure_mean / sketch.scene.reduced_modulus / sketch.film_min
+    """Deflection over the film, by the mean pressure over all the film that carries load."""
+    spread = hypot(sketch.half_width, sqrt(2 * sketch.groups.radius * sketch.film_central))
+    pressure = sketch.pressure_mean * sketch.half_width / spread
+    return 2 * spread * pressure / sketch.scene.reduced_modulus / sketch.film_min
 
 
 def _by_deflection(sketch: Sketch) -> Influence:
-    if sketch.speed == 0:
+    if sketch.carried_by_heat:
         return EVERYTHING
     change = DEFLECTION_SHARE * _deflection(sketch)
     return Influence(change, change, change)
@@ -86,7 +87,7 @@ def _side_flow(sketch: Sketch) -> Influence:
     if isinstance(sketch.scene, LineScene):
         return Influence()
     at_rest = sketch.oil.heat is not None and 0 in sketch.velocities
-    crossed = sketch.speed > 0 and sketch.half_width < sketch.half_length
+    crossed = not sketch.carried_by_heat and sketch.half_width < sketch.half_length
     if _axis(sketch.scene) is None or at_rest or not crossed:
         return EVERYTHING
     share = _slenderness(sketch)
@@ -136,23 +137,41 @@ def _own_curves(scene: Contact) -> str | None:
     return "the gap is given by its radii alone" if isinstance(scene.gap, kind) else None
 
 
+RINGS = (1.0, 2.0, 4.0)
+"""Outlines about a contact, in its own size, at which the gap is looked at: what lies farther out weighs
+less, by the gap there."""
+
+
 def _departure(sketch: Sketch) -> float:
     scene = sketch.scene
     if isinstance(scene, LineScene):
-        places = (np.array([-1.0, 1.0]) * sketch.half_width,)
+        outline = (np.array([-1.0, 1.0]) * sketch.half_width,)
         plain = Parabola(scene.radius)
     else:
-        places, plain = _on_the_rim(scene), Paraboloid(*scene.radii)
-    gap, covered = scene.gap(*places)
-    if not covered.all():
-        return inf
-    opening = plain(*places)[0]
-    return float(np.max(np.abs(gap - opening)) / np.max(opening))
+        outline, plain = _on_the_rim(scene), Paraboloid(*scene.radii)
+    worst = 0.0
+    for ring in RINGS:
+        places = [ring * place for place in outline]
+        gap, covered = scene.gap(*places)
+        if ring == 1 and not covered.all():
+            return inf
+        opening = plain(*places)[0]
+        worst = max(worst, float(np.max(np.abs(gap - opening) / opening)) / ring**2)
+    return worst
 
 
 def _by_departure(sketch: Sketch) -> Influence:
+    if _spins_only(sketch.scene):
+        return EVERYTHING  # the load of its film comes from all around, far out too
     change = _departure(sketch)
     return Influence(change, change, change)
+
+
+def _spins_only(scene: Contact) -> bool:
+    if isinstance(scene, LineScene):
+        return False
+    origin = np.zeros(())
+    return all(float(part) == 0 for part in scene.entrainment(origin, origin))
 
 
 def _plain_gap(scene: Contact) -> Contact:

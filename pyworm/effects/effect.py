@@ -26,7 +26,7 @@ class Influence:
         Relative change of the films and of the friction [-].
     temperature : float
         Change of the largest temperatures, over their rise or, where that is smaller, over the temperature
-        difference by which viscosity falls e-fold [-].
+        difference by which the inlet's viscosity falls e-fold [-].
     """
 
     film: float = 0.0

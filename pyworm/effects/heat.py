@@ -17,13 +17,11 @@ def _cold(scene: Contact) -> Contact:
     return replace(scene, oil=replace(scene.oil, heat=None))
 
 
-def _carried_by_heat(sketch: Sketch) -> bool:
-    return sketch.speed == 0
-
-
 def _temperature(sketch: Sketch, rise: float) -> float:
-    """A rise in the units of influences."""
-    return rise / max(sketch.warmest, 1 / sketch.beta) if rise > 0 else 0.0
+    """A rise in the measure of influences."""
+    if rise == 0:
+        return 0.0
+    return rise / max(sketch.warmest, 1 / sketch.inlet_beta if sketch.inlet_beta > 0 else 0.0)
 
 
 def _friction(sketch: Sketch, surfaces: bool, film: bool) -> float:
@@ -38,15 +36,19 @@ LOBE_WARMTH = 0.5
 """Change of the minimum film over that of the viscosity where it forms, inside the warm contact."""
 
 
-def _surface_warmth(sketch: Sketch) -> float:
+def _surface_rise(sketch: Sketch) -> float:
     rise = sketch.rise_bodies
     if rise is None:
         rise = sketch.surface_rise(sketch.heat) + sketch.bulk
-    return sketch.inlet_beta * max(rise, sketch.bulk)
+    return max(rise, sketch.bulk)
+
+
+def _surface_warmth(sketch: Sketch) -> float:
+    return sketch.inlet_beta * _surface_rise(sketch)
 
 
 def _surfaces(sketch: Sketch) -> Influence:
-    rise = _surface_warmth(sketch) / sketch.inlet_beta
+    rise = _surface_rise(sketch)
     # bodies of another temperature than the inlet's warm or cool the oil that they bring
     film = max(LOBE_WARMTH * _surface_warmth(sketch), sketch.inlet_beta * sketch.bulk)
     friction = _friction(sketch, surfaces=False, film=True)
@@ -82,7 +84,7 @@ def _film(sketch: Sketch) -> Influence:
 
 def _by_heat(sketch: Sketch) -> Influence:
     """Surfaces and film warm together or not at all."""
-    if _carried_by_heat(sketch):
+    if sketch.carried_by_heat:
         return EVERYTHING
     surfaces, film = _surfaces(sketch), _film(sketch)
     return Influence(
@@ -137,7 +139,7 @@ def _parabola_error(warmth: float) -> float:
 
 
 def _across(sketch: Sketch) -> Influence:
-    if _carried_by_heat(sketch):
+    if sketch.carried_by_heat:
         return EVERYTHING
     warmth = _film_warmth(sketch)
     friction = _parabola_error(warmth)

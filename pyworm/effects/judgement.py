@@ -76,13 +76,10 @@ def judge(
             on = effect.name in asked
             reason = "asked for" if on else "not asked for"
         elif effect.name in kept:
-            needed = _told(worst, quantities, influence, allowed, True)
-            spared = "proved needless: "
-            spared += _told(worst, quantities, influence, allowed, False)
-            on, reason = True, needed if worst > allowed else spared
+            on, reason = True, _needed(allowed) if worst > allowed else "proved needless"
         else:
             on = not worst <= allowed
-            reason = _told(worst, quantities, influence, allowed, on)
+            reason = _needed(allowed) if on else f"within {_percent(allowed)}"
             allowed -= 0.0 if on else worst
         judgements[effect.name] = Judgement(
             effect.name,
@@ -105,14 +102,12 @@ def simplified(scene: Contact, on: frozenset[str]) -> Contact:
     return scene
 
 
-def _told(worst: float, quantities: Sequence[str], influence, allowed: float, on: bool) -> str:
-    quantity = max(quantities, key=lambda name: getattr(influence, name))
-    change = f"{quantity} {_percent(worst)}"
-    return f"{change}, {_percent(allowed)} left" if on else f"{change} at most"
+def _needed(allowed: float) -> str:
+    return f"more than {_percent(allowed)}"
 
 
 def _percent(share: float) -> str:
-    return "over 100 %" if share > 1 else f"{share * 100:.2g} %"
+    return f"{share * 100:.2g} %"
 
 
 def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:

@@ -43,15 +43,17 @@ class Sketch:
     mean_share : float
         Mean over largest pressure [-].
     pressure_max : float
-        Largest pressure [Pa]: Hertz's, or less where a thick film spreads the load.
+        Largest pressure [Pa]; before it is known Hertz's, too high where a thick film spreads the load.
     film_central, film_min : float
         Films [m].
     speed, sliding : float
-        Entrainment and sliding at the contact point [m/s]; the speed is nought where heat alone carries.
+        Entrainment and sliding at the contact point [m/s]; of pure spin a mean of the entrainment about it.
     velocities : tuple of float
         Speeds of the surfaces at the contact point [m/s].
     groups : PointGroups or LineGroups
         Dimensionless groups along the entrainment.
+    carried_by_heat : bool
+        Whether no film forms without heat.
     work : float or None
         Heat of shearing for each area, as the solution tells [W/m2]; None before it is known.
     rise_film, rise_bodies : float or None
@@ -69,6 +71,7 @@ class Sketch:
     sliding: float
     velocities: tuple[float, float]
     groups: PointGroups | LineGroups
+    carried_by_heat: bool = False
     work: float | None = None
     rise_film: float | None = None
     rise_bodies: float | None = None
@@ -196,7 +199,7 @@ class Sketch:
         """The same in units of what influences on temperature are told in (`Influence`) [-]."""
         if self.oil.heat is None:
             return 0.0
-        return min(1.0, self.warmest * self.beta)
+        return min(1.0, self.warmest * self.inlet_beta)
 
     def seen(self, solution) -> "Sketch":
         """The same with what a solution of the contact says in place of closed forms."""
@@ -239,11 +242,6 @@ def _resistance(body: Body, speed: float, half_width: float) -> float:
     return min(still, 2 * sqrt(2 * half_width / (pi * effusivity * speed)))
 
 
-def _spread(half_width: float, radius: float, film: float) -> float:
-    """Half-width over which a film spreads the load [m]: Hertz's, or where the gap is twice the film."""
-    return hypot(half_width, sqrt(2 * radius * film))
-
-
 def _point(scene: Scene) -> Sketch:
     fed = lent(scene)
     size = scales(fed)
@@ -252,23 +250,24 @@ def _point(scene: Scene) -> Sketch:
     along, across = (
         1 / hypot(cos(angle) / ax, sin(angle) / ay) for angle in (size.angle, size.angle + pi / 2)
     )
-    u, v = (float(component) for component in scene.entrainment(origin, origin))
     return Sketch(
         scene=scene,
         half_width=along,
         half_length=across,
         mean_share=POINT_MEAN,
-        pressure_max=1.5
-        * scene.load
-        / (pi * _spread(ax, scene.radii[0], size.film) * _spread(ay, scene.radii[1], size.film)),
+        pressure_max=size.hertz.pressure_max,
         film_central=size.film,
         film_min=LEAST_TO_CENTRAL * size.film,
-        speed=hypot(u, v) if fed is scene else 0.0,
+        speed=size.groups.speed
+        * scene.reduced_modulus
+        * size.groups.radius
+        / scene.oil.viscosity.eta0,
         sliding=hypot(*(float(part) for part in scene.sliding(origin, origin))),
         velocities=tuple(
             hypot(*(float(part) for part in motion(origin, origin))) for motion in scene.motions
         ),
         groups=size.groups,
+        carried_by_heat=fed is not scene,
     )
 
 
@@ -279,9 +278,7 @@ def _line(scene: LineScene) -> Sketch:
         half_width=size.hertz.half_width,
         half_length=inf,
         mean_share=LINE_MEAN,
-        pressure_max=2
-        * scene.load
-        / (pi * _spread(size.hertz.half_width, scene.radius, size.film)),
+        pressure_max=size.hertz.pressure_max,
         film_central=size.film,
         film_min=0.8 * size.film,
         speed=abs(scene.entrainment),

@@ -29,7 +29,7 @@ STARVATION = Effect(
     indicator=_supply,
     influence=_by_starvation,
     without=None,
-    lacking=lambda scene: "flooded: no supply is given" if scene.oil.supply is None else None,
+    lacking=lambda scene: "flooded" if scene.oil.supply is None else None,
 )
 
 
@@ -53,7 +53,7 @@ SQUEEZE = Effect(
     indicator=_change_in_passing,
     influence=_by_squeeze,
     without=None,
-    lacking=lambda scene: "steady: nothing changes in time" if scene.film_rate is None else None,
+    lacking=lambda scene: "steady" if scene.film_rate is None else None,
 )
 
 
@@ -84,8 +84,6 @@ ROUGHNESS = Effect(
     influence=_by_roughness,
     without=None,
     lacking=lambda scene: (
-        "smooth: no roughness is given"
-        if None in [body.roughness for body in scene.bodies]
-        else None
+        "roughness not given" if None in [body.roughness for body in scene.bodies] else None
     ),
 )

@@ -9,11 +9,11 @@ import pytest
 import xarray as xr
 
 from pyworm.case import load
-from pyworm.planning import plan
 from pyworm.formulas.hertz import hertz
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
 from pyworm.oils import FlowLaw, OilHeat, Roelands
+from pyworm.planning import plan
 from pyworm.sampled_gap import SampledGap, read_gap
 
 ROOT = Path(__file__).parents[2]
