@@ -153,7 +153,7 @@ def _departure(sketch: Sketch) -> float:
     for ring in RINGS:
         places = [ring * place for place in outline]
         gap, covered = scene.gap(*places)
-        if ring == 1 and not covered.all():
+        if not (np.isfinite(gap).all() and (ring > 1 or covered.all())):
             return inf
         opening = plain(*places)[0]
         worst = max(worst, float(np.max(np.abs(gap - opening) / opening)) / ring**2)
