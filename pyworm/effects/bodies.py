@@ -84,6 +84,11 @@ def _slenderness(sketch: Sketch) -> float:
 
 
 def _side_flow(sketch: Sketch) -> Influence:
+    """What a line contact of the same largest pressure is off by.
+
+    Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction 5
+    to 11 % higher, since most slices of an ellipse bear less pressure than the middle one (`benchmarks/line_for_point.py`).
+    """
     if isinstance(sketch.scene, LineScene):
         return Influence()
     at_rest = sketch.oil.heat is not None and 0 in sketch.velocities
@@ -91,7 +96,9 @@ def _side_flow(sketch: Sketch) -> Influence:
     if _axis(sketch.scene) is None or at_rest or not crossed:
         return EVERYTHING
     share = _slenderness(sketch)
-    return Influence(END_FILM * share, END_FRICTION * share, END_TEMPERATURE * share)
+    return Influence(
+        film=0.5 * share**2 + 6 * share**4, friction=0.12, temperature=0.01 + 0.13 * share
+    )
 
 
 def as_line(scene: Contact) -> Contact:
@@ -115,13 +122,10 @@ def as_line(scene: Contact) -> Contact:
     )
 
 
-END_FILM, END_FRICTION, END_TEMPERATURE = 1.0, 1.0, 1.0
-"""Change of film, friction and temperature over the contact's width by its length."""
-
 SECOND_DIMENSION = Effect(
     name="second-dimension",
     symbol="b / a",
-    source="ellipses against line contacts (`benchmarks/plan.py`)",
+    source="ellipses against line contacts (`benchmarks/line_for_point.py`)",
     indicator=_slenderness,
     influence=_side_flow,
     without=as_line,

@@ -138,15 +138,21 @@ def _parabola_error(warmth: float) -> float:
     return abs(exp(-float(lambertw(2 * x**2 / 3).real)) / exact - 1)
 
 
+PARABOLA_FILM, SHIFT_SHARE = 1e-3, 4.0
+"""Error of a film by what three levels resolve of its flow, and change of the minimum film over that of the
+mean velocity (`benchmarks/plan.py`)."""
+
+
 def _across(sketch: Sketch) -> Influence:
     if sketch.carried_by_heat:
         return EVERYTHING
     warmth = _film_warmth(sketch)
     friction = _parabola_error(warmth)
     slip = sketch.sliding / sketch.speed
-    # unequal viscosities at the walls shift the mean velocity of the oil by (u1 - u2)/12 a unit of ln eta
-    film = slip * sketch.wall_warmth / 12
-    return Influence(film, max(friction, film), friction * sketch.warmth)
+    # unequal viscosities at the walls shift the mean velocity of the oil by (u1 - u2)/12 a unit of ln eta; at
+    # the contact's sides the film feels more of it
+    film = PARABOLA_FILM + SHIFT_SHARE * slip * sketch.wall_warmth / 12
+    return Influence(film, max(friction, film), 2 * max(friction, film) * sketch.warmth)
 
 
 VISCOSITY_ACROSS = Effect(
