@@ -1,7 +1,7 @@
 """Line contacts in place of ellipses of the same largest pressure, entrained across their long axis.
 
-What `pyworm.effects.bodies` knows of the influence of the second dimension. Films on one grid of each, so that
-a few tenths of a percent are the grids'. Run from the repository's root:
+What `pyworm.effects.bodies` knows of the influence of the second dimension. Films on one grid of each, so
+that a few tenths of a percent are the grids'. Run from the repository's root:
 
     python benchmarks/line_for_point.py
 """

@@ -157,8 +157,8 @@ TRIALS: dict[str, Trial] = {
     "long roller": Trial(
         lambda: point(
             "long roller",
-            (0.01, 100.0),
-            2000.0,
+            (0.01, 3.0),
+            1000.0,
             ((1.05, 0.0), (0.95, 0.0)),
             (STEEL, STEEL),
             mineral(0.03, 1.8e-8),

@@ -86,8 +86,9 @@ def _slenderness(sketch: Sketch) -> float:
 def _side_flow(sketch: Sketch) -> Influence:
     """What a line contact of the same largest pressure is off by.
 
-    Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction 5
-    to 11 % higher, since most slices of an ellipse bear less pressure than the middle one (`benchmarks/line_for_point.py`).
+    Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction
+    5 to 11 % higher, since most slices of an ellipse bear less pressure than the middle one
+    (`benchmarks/line_for_point.py`).
     """
     if isinstance(sketch.scene, LineScene):
         return Influence()
@@ -102,10 +103,21 @@ def _side_flow(sketch: Sketch) -> Influence:
 
 
 def as_line(scene: Contact) -> Contact:
-    """The line contact of a long one's middle: the same largest dry pressure and curvature."""
+    """The line contact of a long one's middle: the same largest dry pressure and curvature.
+
+    Raises
+    ------
+    ValueError
+        The contact has no such middle.
+    """
     if isinstance(scene, LineScene):
         return scene
     axis = _axis(scene)
+    if axis is None:
+        raise ValueError(
+            f"{scene.name}: entrainment and sliding do not lie along one axis of the contact; "
+            "second-dimension cannot be left out"
+        )
     radius = scene.radii[axis]
     pressure = hertz(*scene.radii, scene.load, scene.reduced_modulus).pressure_max
     origin = np.zeros(())
