@@ -18,6 +18,7 @@ from typing import Any, NoReturn
 from pyworm.case import Case, load
 from pyworm.case_error import CaseError
 from pyworm.output import check_writable, whole
+from pyworm.place import PLACE_NAMES
 from pyworm.units import SHARE, parse
 
 CONVERGED = 0
@@ -232,7 +233,7 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
 
     from pyworm.effects import plan
 
-    scenes = list(case.scenes(options.phase, options.slide_roll_ratio))
+    scenes = list(case.scenes(**{name: getattr(options, name) for name in PLACE_NAMES}))
     try:
         return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
     except ValueError as error:

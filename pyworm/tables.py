@@ -7,6 +7,7 @@ from rich.table import Table
 
 from pyworm.effects import Plan
 from pyworm.line.scene import LineScene
+from pyworm.place import PLACE_NAMES
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
 from pyworm.schema.case import PublishedValue
@@ -194,7 +195,7 @@ def published_for(
     summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Mapping[str, PublishedValue]:
     """What a case's source prints for a scene: all of it, unless it names another place in the sweep."""
-    for place in ("phase", "slide_roll_ratio"):
+    for place in PLACE_NAMES:
         if place in published and published[place].value != summary[place]:
             return {}
     return published

@@ -160,7 +160,7 @@ def test_traction_is_asked_at_one_gigapascal_from_rolling_to_beyond_a_disc_at_re
 def test_a_traction_curve_may_be_looked_at_elsewhere():
     case = load(CASES / "traction_steel.toml")
     assert case.scene().slide_roll_ratio == case.slide_roll_ratios[0]
-    backwards, far = case.scenes(slide_roll_ratios=(-1.0, 6.0))
+    backwards, far = case.scenes(slide_roll_ratio=(-1.0, 6.0))
     assert [motion.u for motion in backwards.motions] == [1, 3]
     assert [motion.u for motion in far.motions] == [8, -4]
 
