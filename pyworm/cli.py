@@ -10,7 +10,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NoReturn
@@ -26,7 +26,6 @@ FAILED = 1
 BAD_INPUT = 2
 NOT_CONVERGED = 3
 
-RESULT_NAME = "result.nc"
 PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
 
 
@@ -60,12 +59,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         return _end(f"{error}", FAILED)
     except KeyboardInterrupt:
-        return _end("stopped, nothing written", FAILED)
+        return _end(_stopped(options), FAILED)
+
+
+def _stopped(options: argparse.Namespace) -> str:
+    if "jobs" in options:
+        return "stopped; scenes already solved are kept, the same command goes on from there"
+    return "stopped, nothing written"
 
 
 def _end(message: str, code: int) -> int:
-    print(f"pyworm: {message}", file=sys.stderr)
+    _say(message)
     return code
+
+
+def _say(message: str) -> None:
+    print(f"pyworm: {message}", file=sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -90,6 +99,9 @@ def _parser() -> argparse.ArgumentParser:
 
     run = commands.add_parser("run", parents=[case], help="solve a case; table, file and pictures")
     run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
+    run.add_argument(
+        "-j", dest="jobs", type=_count, default=1, metavar="N", help="processes (default: 1)"
+    )
     run.set_defaults(command=_run)
 
     check = commands.add_parser("check", parents=[case], help="check a case and show the plan")
@@ -122,22 +134,19 @@ def _run(options: argparse.Namespace) -> int:
     case = load(options.case)
     directory = options.out or Path("results") / case.name
     check_writable(directory)
-    work = _planned(case, options)
+    tasks = _tasks(case, options)
 
     from rich.console import Console
 
-    from pyworm.kernels import KernelError
     from pyworm.plots import draw
-    from pyworm.run import run
+    from pyworm.run import RESULT_NAME, NothingSolvedError, run
     from pyworm.tables import figures_table, heat_table, published_for, scenes_table
 
     try:
-        with _progress() as progress:
-            result = run(case, work, progress)
-    except KernelError as error:
+        with _progress() as progress, _executor(options) as executor:
+            result = run(case, tasks, directory, executor, progress, _say)
+    except NothingSolvedError as error:
         return _end(f"{case.name}: {error}", FAILED)
-    with whole(directory) as aside:
-        result.save(aside / RESULT_NAME)
     # Apart, so that a picture that cannot be drawn does not cost the solve.
     with whole(directory, instead_of=PICTURES) as aside:
         pictures = [path.name for path in draw(result, aside)]
@@ -157,7 +166,7 @@ def _run(options: argparse.Namespace) -> int:
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        scenes = [scene for scene, _ in work if scene.name not in failed]
+        scenes = [task.scene for task in tasks if task.scene.name not in failed]
         for scene, summary in zip(scenes, summaries, strict=True):
             published = published_for(summary, case.published)
             if published or len(scenes) == 1:
@@ -181,7 +190,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace) -> int:
     case = load(options.case)
-    work = _planned(case, options)
+    tasks = _tasks(case, options)
 
     from rich.console import Console
 
@@ -189,13 +198,13 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.tables import plan_table
 
     if options.json:
-        scenes = [scene_summary(scene) | {"plan": asdict(plan)} for scene, plan in work]
+        scenes = [scene_summary(task.scene) | {"plan": asdict(task.plan)} for task in tasks]
         _print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        for scene, plan in work:
-            console.print(plan_table(scene, plan))
+        for task in tasks:
+            console.print(plan_table(task.scene, task.plan))
     return CONVERGED
 
 
@@ -222,8 +231,8 @@ def _doctor(options: argparse.Namespace) -> int:
     return examine()
 
 
-def _planned(case: Case, options: argparse.Namespace) -> list:
-    """Scenes and plans of a case, all of them before the first is solved."""
+def _tasks(case: Case, options: argparse.Namespace) -> list:
+    """What is to be solved of a case, all of it planned before the first is solved."""
     accuracy = case.accuracy
     if options.accuracy is not None:
         try:
@@ -231,13 +240,32 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
         except ValueError as error:
             raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
 
-    from pyworm.effects import plan
+    from pyworm.task import Task
 
-    scenes = list(case.scenes(**{name: getattr(options, name) for name in PLACE_NAMES}))
+    places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+    tasks = [Task(case, place, accuracy, options.effects) for place in places]
     try:
-        return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
+        for task in tasks:
+            _ = task.plan
     except ValueError as error:
         raise CaseError(str(error)) from error
+    return tasks
+
+
+def _executor(options: argparse.Namespace) -> AbstractContextManager:
+    """What the batch is solved by, to be entered; None where this process does it all."""
+    if options.jobs == 1:
+        return nullcontext()
+    from pyworm.workers import WorkerPool
+
+    return WorkerPool(options.jobs)
+
+
+def _count(text: str) -> int:
+    """A number of processes."""
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
+    return int(text)
 
 
 @contextmanager
@@ -249,7 +277,9 @@ def _progress() -> Iterator[Callable[[str, float], None] | None]:
     from rich.console import Console
     from rich.progress import Progress
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
+    # Scenes may take minutes: the time that remains is told from the last ten.
+    console = Console(stderr=True)
+    with Progress(console=console, transient=True, speed_estimate_period=600) as bar:
         task = bar.add_task("", total=1.0)
         yield lambda message, share: bar.update(task, description=message, completed=share)
 
