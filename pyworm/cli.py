@@ -26,6 +26,7 @@ FAILED = 1
 BAD_INPUT = 2
 NOT_CONVERGED = 3
 
+SWEEP_NAME, TABLE_NAME, SWEEP_PICTURE = "sweep.nc", "sweep.csv", "sweep.png"
 PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
 
 
@@ -99,13 +100,27 @@ def _parser() -> argparse.ArgumentParser:
 
     run = commands.add_parser("run", parents=[case], help="solve a case; table, file and pictures")
     run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
-    run.add_argument(
-        "-j", dest="jobs", type=_count, default=1, metavar="N", help="processes (default: 1)"
-    )
     run.set_defaults(command=_run)
 
     check = commands.add_parser("check", parents=[case], help="check a case and show the plan")
     check.set_defaults(command=_check)
+
+    sweep = commands.add_parser(
+        "sweep", help="solve a case over ranges of its values; table, file and picture"
+    )
+    sweep.add_argument("sweep", type=Path, metavar="SWEEP.toml")
+    sweep.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    sweep.add_argument("--fields", action="store_true", help="keep every scene's result in full")
+    sweep.add_argument(
+        "--share", type=_share, metavar="I/N", help="keep the I-th of N shares; no table yet"
+    )
+    sweep.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    sweep.set_defaults(command=_sweep)
+
+    for batch in (run, sweep):
+        batch.add_argument(
+            "-j", dest="jobs", type=_count, default=1, metavar="N", help="processes (default: 1)"
+        )
 
     plot = commands.add_parser("plot", help="draw the pictures of a results file again")
     plot.add_argument("result", type=Path, metavar="RESULT")
@@ -208,18 +223,68 @@ def _check(options: argparse.Namespace) -> int:
     return CONVERGED
 
 
+def _sweep(options: argparse.Namespace) -> int:
+    from pyworm.sweep import load_sweep
+
+    directory = options.out or Path("results") / options.sweep.stem
+    check_writable(directory)
+    sweep = load_sweep(options.sweep)
+
+    from pyworm.plots.sweep import draw_sweep
+    from pyworm.sweep_run import run_sweep, solve_share
+
+    with _progress() as progress, _executor(options) as executor:
+        how = (directory, options.fields, executor, progress, _say)
+        if options.share is not None:
+            first, count = options.share
+            tasks = sweep.tasks[first - 1 :: count]
+            reasons, _ = solve_share(tasks, *how)
+            for reason in reasons.values():
+                _say(f"a scene could not be solved: {reason}")
+            return NOT_CONVERGED if reasons else CONVERGED
+        result = run_sweep(sweep, *how)
+    with whole(directory) as aside:
+        result.save(aside / SWEEP_NAME)
+        result.save_csv(aside / TABLE_NAME)
+    with whole(directory) as aside:
+        draw_sweep(result, aside / SWEEP_PICTURE)
+
+    from pyworm.sweep_report import rows, show
+
+    if options.json:
+        _print_json(
+            {
+                "sweep": result.name,
+                "scenes": rows(result),
+                "results": str(directory / SWEEP_NAME),
+                "table": str(directory / TABLE_NAME),
+                "pictures": [str(directory / SWEEP_PICTURE)],
+            }
+        )
+    else:
+        show(result, directory)
+    return CONVERGED if result.converged.all() else NOT_CONVERGED
+
+
 def _plot(options: argparse.Namespace) -> int:
     from pyworm.plots import draw
+    from pyworm.plots.sweep import draw_sweep
     from pyworm.result import open_result
+    from pyworm.sweep_table import open_sweep
 
     directory = options.out or options.result.parent
     check_writable(directory)
     try:
-        result = open_result(options.result)
+        sweep = open_sweep(options.result)
+        result = None if sweep else open_result(options.result)
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
-    with whole(directory, instead_of=PICTURES) as aside:
-        pictures = [path.name for path in draw(result, aside)]
+    if sweep is not None:
+        with whole(directory) as aside:
+            pictures = [draw_sweep(sweep, aside / SWEEP_PICTURE).name]
+    else:
+        with whole(directory, instead_of=PICTURES) as aside:
+            pictures = [path.name for path in draw(result, aside)]
     for name in pictures:
         print(directory / name)
     return CONVERGED
@@ -266,6 +331,14 @@ def _count(text: str) -> int:
     if not text.isdecimal() or int(text) == 0:
         raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
     return int(text)
+
+
+def _share(text: str) -> tuple[int, int]:
+    """Which of how many shares of a sweep."""
+    first, _, count = text.partition("/")
+    if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
+        raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")
+    return int(first), int(count)
 
 
 @contextmanager

@@ -32,7 +32,7 @@ PARTIAL = re.compile(r"\.(.+)\.\d+\.part")
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
-    """Write a file aside and move it into its place; what is interrupted leaves neither new file nor torn one.
+    """Write a file aside and move it into its place, whole or not at all.
 
     Yields
     ------

@@ -122,7 +122,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
         scene = f"/scene_{number:03d}"
-        attributes = _plain_attributes(solution.summary())
+        attributes = plain_attributes(solution.summary())
         attributes["solution"] = _to_json(_scalars(solution))
         groups[scene] = xr.Dataset(attrs=attributes)
         groups[f"{scene}/fields"] = solution.fields
@@ -132,7 +132,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
     return groups
 
 
-def _plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
+def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
     """Scalars as NetCDF takes them: no None, truth as 0 or 1, an object's entries one by one."""
     plain = {}
     for name, value in summary.items():

@@ -98,15 +98,21 @@ class Task:
 
 
 def provenance(tasks: list[Task]) -> dict[str, Any]:
-    """What made the solutions of some tasks: versions, time, machine, plans and keys; JSON-able."""
+    """What made the solutions of some tasks, plans and keys included; JSON-able."""
+    return where_and_when() | {
+        "plans": [asdict(task.plan) for task in tasks],
+        "keys": [task.key for task in tasks],
+    }
+
+
+def where_and_when() -> dict[str, str]:
+    """Versions, time and machine."""
     return {
         "pyworm": pyworm.__version__,
         "python": platform.python_version(),
         "numpy": np.__version__,
         "machine": platform.machine(),
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
-        "plans": [asdict(task.plan) for task in tasks],
-        "keys": [task.key for task in tasks],
     }
 
 

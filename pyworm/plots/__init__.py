@@ -3,8 +3,6 @@
 import os
 from pathlib import Path
 
-from matplotlib.figure import Figure
-
 from pyworm.plots.across_film import draw_across_film
 from pyworm.plots.cycle import draw_cycle
 from pyworm.plots.entrainment import draw_entrainment
@@ -16,11 +14,10 @@ from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.style import write
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result import Result, open_result
-
-DOTS_PER_INCH = 150
 
 SCENE_PICTURES = {
     "point": {
@@ -80,15 +77,10 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
             if name in SHOWS and SHOWS[name](solution) is None:
                 continue
             path = directory / f"scene_{number:03d}_{name}.png"
-            written.append(_write(picture(result.case_name, solution), path))
+            written.append(write(picture(result.case_name, solution), path))
     if result.mesh_cycle is not None:
         for name, picture in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            written.append(_write(picture(result), directory / f"{name}.png"))
+            written.append(write(picture(result), directory / f"{name}.png"))
     if traction_curve(result):
-        written.append(_write(draw_traction(result), directory / "traction.png"))
+        written.append(write(draw_traction(result), directory / "traction.png"))
     return written
-
-
-def _write(figure: Figure, path: Path) -> Path:
-    figure.savefig(path, dpi=DOTS_PER_INCH)
-    return path
