@@ -15,6 +15,7 @@ _WANTED = {
     "string_type": "must be a text in quotes",
     "string_too_short": "must not be empty",
     "tuple_type": "must be a list",
+    "list_type": "must be a list",
     "dict_type": "must be a table",
     "model_type": "must be a table",
     "model_attributes_type": "must be a table",

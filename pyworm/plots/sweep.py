@@ -36,8 +36,8 @@ COLOURS = colormaps["viridis"]
 MOST_LINES = 6
 """Values of a second axis that are still told apart as lines of one picture."""
 
-DECADES = 20.0
-"""Ratio of largest to smallest value from which on an axis is logarithmic."""
+WIDE = 4.0
+"""Ratio of largest to smallest value beyond which a scale is logarithmic."""
 
 MOST_DECADES = 4
 """Decades that are still written as plain numbers."""
@@ -71,17 +71,18 @@ class _Axis:
 
     @property
     def logarithmic(self) -> bool:
-        """Whether it spans decades."""
-        return spans_decades(self.values)
+        """Whether its values span so much that their logarithms are shown."""
+        return _is_wide(self.values)
 
 
 @dataclass(frozen=True)
 class _Shown:
-    """A figure of all scenes, in the unit shown."""
+    """A figure of all scenes, in the unit shown, its errors, and whether zero means none of it."""
 
     label: str
     values: np.ndarray
     errors: np.ndarray
+    has_zero: bool
 
 
 def draw_sweep(result: SweepResult, path: Path) -> Path:
@@ -124,8 +125,8 @@ def _axes(result: SweepResult) -> list[_Axis]:
 def _axis(label: str, values: np.ndarray) -> _Axis:
     if values.dtype.kind == "f":
         return _Axis(label, values)
-    names, places = np.unique(values.astype(str), return_inverse=True)
-    return _Axis(label, places.astype(float), tuple(names))
+    names = list(dict.fromkeys(values.tolist()))
+    return _Axis(label, np.array([float(names.index(name)) for name in values]), tuple(names))
 
 
 def _shown(result: SweepResult) -> list[_Shown]:
@@ -135,7 +136,7 @@ def _shown(result: SweepResult) -> list[_Shown]:
         if name in table and np.isfinite(table[name]).any():
             values = table[name].values * scale
             errors = table[error].values * (abs(values) if relative else 1.0)
-            shown.append(_Shown(label, values, errors))
+            shown.append(_Shown(label, values, errors, relative))
     return shown
 
 
@@ -169,7 +170,7 @@ def _draw_lines(
                 along.values[chosen],
                 figure.values[chosen],
                 finite_error[chosen],
-                fmt="o-",
+                fmt="o" if along.names else "o-",
                 color=colour,
                 capsize=3,
                 markersize=4,
@@ -196,7 +197,8 @@ def _draw_maps(
 ) -> Figure:
     """A panel a figure: a cell a scene."""
     rows = -(-len(figures) // 2)
-    picture = new_figure(10.5, 3.6 * rows + 0.8, _heading(result))
+    note = "" if converged.all() else "  ·  crosses: not converged"
+    picture = new_figure(10.5, 3.6 * rows + 0.8, _heading(result) + note)
     panels = picture.subplots(rows, 2, squeeze=False)
     columns_, lines = along.distinct, across.distinct
     place = np.searchsorted(lines, across.values), np.searchsorted(columns_, along.values)
@@ -208,9 +210,11 @@ def _draw_maps(
             _edges(lines, across.logarithmic),
             cells,
             cmap=COLOURS,
-            norm="log" if spans_decades(figure.values) else "linear",
+            norm="log" if _is_wide(figure.values) else "linear",
         )
-        picture.colorbar(mesh, ax=panel, label=figure.label)
+        bar = picture.colorbar(mesh, ax=panel, label=figure.label)
+        if _is_wide(figure.values):
+            _plain_decades(bar.ax.yaxis, figure.values)
         failed = ~converged
         panel.plot(along.values[failed], across.values[failed], "x", color="red", markersize=7)
         for axis, side in ((along, panel.xaxis), (across, panel.yaxis)):
@@ -255,11 +259,12 @@ def _cross_out(panel: Axes, x: np.ndarray, y: np.ndarray, converged: np.ndarray)
 def _scale(panel: Axes, axis: _Axis, figure: _Shown) -> None:
     if axis.logarithmic:
         panel.set_xscale("log")
-    if spans_decades(figure.values):
+    if _is_wide(figure.values):
         panel.set_yscale("log")
         _plain_decades(panel.yaxis, figure.values)
-    elif np.nanmin(figure.values) >= 0:
-        panel.set_ylim(bottom=0)
+    elif figure.has_zero:
+        errors = np.where(np.isfinite(figure.errors), figure.errors, 0.0)
+        panel.set_ylim(0, 1.05 * np.nanmax(figure.values + errors))
     _ticks(panel.xaxis, axis)
     panel.grid(True, color="0.9")
 
@@ -289,10 +294,10 @@ def _edges(centres: np.ndarray, logarithmic: bool) -> np.ndarray:
     return np.exp(edges) if logarithmic else edges
 
 
-def spans_decades(values: np.ndarray) -> bool:
+def _is_wide(values: np.ndarray) -> bool:
     """Whether values are better seen on a logarithmic scale."""
     finite = values[np.isfinite(values)]
-    return bool(finite.min() > 0 and finite.max() > DECADES * finite.min())
+    return bool(finite.min() > 0 and finite.max() > WIDE * finite.min())
 
 
 def _name(axis: _Axis, value: float) -> str:
