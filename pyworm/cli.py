@@ -118,8 +118,12 @@ def _parser() -> argparse.ArgumentParser:
     sweep.set_defaults(command=_sweep)
 
     for batch in (run, sweep):
-        batch.add_argument(
+        who = batch.add_mutually_exclusive_group()
+        who.add_argument(
             "-j", dest="jobs", type=_count, default=1, metavar="N", help="processes (default: 1)"
+        )
+        who.add_argument(
+            "--scheduler", metavar="ADDRESS", help="solve on the workers of dask.distributed there"
         )
 
     plot = commands.add_parser("plot", help="draw the pictures of a results file again")
@@ -319,6 +323,10 @@ def _tasks(case: Case, options: argparse.Namespace) -> list:
 
 def _executor(options: argparse.Namespace) -> AbstractContextManager:
     """What the batch is solved by, to be entered; None where this process does it all."""
+    if options.scheduler is not None:
+        from pyworm.cluster import cluster
+
+        return cluster(options.scheduler)
     if options.jobs == 1:
         return nullcontext()
     from pyworm.workers import WorkerPool

@@ -60,7 +60,7 @@ def run(
     OSError
         The result cannot be written.
     """
-    store = Store(directory / SCENES, fields=True)
+    store = Store(directory.absolute() / SCENES, fields=True)
     earlier = _solved_before(directory / RESULT_NAME)
     missing = [task for task in store.missing(tasks) if task.key not in earlier]
     before = sum(task not in missing for task in tasks)

@@ -69,7 +69,7 @@ def solve_share(
     tuple of dict and Store
         Key and reason of each scene without solution, and where the others are.
     """
-    store = Store(directory / SCENES, fields)
+    store = Store(directory.absolute() / SCENES, fields)
     missing = store.missing(tasks)
     new = {task.key for task in missing}
     before = sum(task.key not in new for task in tasks)
