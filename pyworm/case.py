@@ -98,8 +98,8 @@ class Case:
         return tables
 
     def __reduce__(self) -> tuple:
-        # A drive is made again where the case goes, rather than sent along.
-        return Case, (self.name, self.directory, self.tables)
+        # A drive is made again where the case goes, rather than sent along; files must be found from there.
+        return Case, (self.name, self.directory.absolute(), self.tables)
 
     @cached_property
     def drive(self) -> Drive | None:

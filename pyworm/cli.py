@@ -232,29 +232,28 @@ def _sweep(options: argparse.Namespace) -> int:
 
     directory = options.out or Path("results") / options.sweep.stem
     check_writable(directory)
-    sweep = load_sweep(options.sweep)
-
-    from pyworm.plots.sweep import draw_sweep
-    from pyworm.sweep_run import run_sweep, solve_share
-
     with _progress() as progress, _executor(options) as executor:
+        share = options.share or (1, 1)
+        sweep = load_sweep(options.sweep, share, executor, progress)
+
+        from pyworm.sweep_run import run_sweep, solve_share
+
         how = (directory, options.fields, executor, progress, _say)
         if options.share is not None:
-            first, count = options.share
-            tasks = sweep.tasks[first - 1 :: count]
-            reasons, _ = solve_share(tasks, *how)
+            reasons, _ = solve_share(sweep.tasks, *how)
             for reason in reasons.values():
                 _say(f"a scene could not be solved: {reason}")
             return NOT_CONVERGED if reasons else CONVERGED
         result = run_sweep(sweep, *how)
+
+    from pyworm.plots.sweep import draw_sweep
+    from pyworm.sweep_report import rows, show
+
     with whole(directory) as aside:
         result.save(aside / SWEEP_NAME)
         result.save_csv(aside / TABLE_NAME)
     with whole(directory) as aside:
         draw_sweep(result, aside / SWEEP_PICTURE)
-
-    from pyworm.sweep_report import rows, show
-
     if options.json:
         _print_json(
             {

@@ -1,9 +1,11 @@
 """From a sweep file to the tasks of all its scenes, each checked before the first is solved."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Executor
 from copy import deepcopy
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
@@ -43,8 +45,24 @@ class Sweep:
     tasks: tuple[Task, ...]
 
 
-def load_sweep(path: str | Path) -> Sweep:
+def load_sweep(
+    path: str | Path,
+    share: tuple[int, int] = (1, 1),
+    executor: Executor | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> Sweep:
     """Read a sweep file and check every scene of it in full.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file as in `cases/sweeps/`.
+    share : tuple of int
+        (i, n) for the i-th of n shares of its cases.
+    executor : Executor, optional
+        Whose processes check; by default this one does.
+    progress : callable, optional
+        Told what is being done and which share of all is done, 0 to 1.
 
     Raises
     ------
@@ -58,13 +76,21 @@ def load_sweep(path: str | Path) -> Sweep:
         base = path.parent / tables.case
         # One that cannot be read says its own name.
         content = _with(read_toml(base), tables.fixed)
-        pairs = [
-            (values, task)
-            for values in _combinations(tables)
-            for task in _tasks(values, content, path.stem, base.parent, tables.effects)
-        ]
+        first, count = share
+        combinations = list(_combinations(tables))[first - 1 :: count]
+        make = partial(_tasks, content, path.stem, base.parent, tables.effects)
+        pairs = []
+        made = (executor.map if executor else map)(make, combinations)
+        for number, (values, tasks) in enumerate(zip(combinations, made, strict=True), 1):
+            pairs += [(values, task) for task in tasks]
+            if progress is not None:
+                progress(
+                    f"{number} of {len(combinations)} cases checked", number / len(combinations)
+                )
     except CaseError as error:
         raise CaseError(f"{path}: {error}") from error
+    if not pairs:
+        raise CaseError(f"{path}: has no share {first}/{count}, there are fewer cases")
     values, tasks = zip(*pairs, strict=True)
     axes = [list(table) for table in tables.vary]
     return Sweep(path.stem, tables.title, data, axes, values, tasks)
@@ -86,11 +112,11 @@ def _combinations(tables: SweepTable) -> Iterator[dict[str, Value]]:
 
 
 def _tasks(
-    values: dict[str, Value],
     content: dict[str, Any],
     name: str,
     directory: Path,
     effects: str | None,
+    values: dict[str, Value],
 ) -> list[Task]:
     """The scenes of one case of a sweep, checked and planned; nothing of that is kept."""
     try:

@@ -26,8 +26,7 @@ class WorkerPool(Executor):
     A process pool of the standard library breaks as a whole when one of its processes dies. Here each process
     has a thread of this one that waits for it, and is made anew at the next call. Leaving the pool by an
     exception, such as a keyboard interrupt, ends the processes at once; if this process is killed they end
-    with the call at hand. Functions and arguments are pickled, and functions return rather than raise: an
-    exception ends the process.
+    with the call at hand. Functions, arguments, answers and exceptions are pickled.
     """
 
     def __init__(self, count: int) -> None:
@@ -78,13 +77,16 @@ class _Worker:
             self._start()
         try:
             self._connection.send((function, arguments))
-            return self._connection.recv()
+            answer, error = self._connection.recv()
         except (EOFError, OSError):  # the process is gone, and its end of the pipe with it
             self._process.join()
             how = _ending(self._process.exitcode)
             self._process = None
             self._connection.close()
             raise WorkerDiedError(how) from None
+        if error is not None:
+            raise error
+        return answer
 
     def stop(self) -> None:
         if self._process is not None:
@@ -121,9 +123,12 @@ def _serve(connection: Connection) -> None:
             function, arguments = connection.recv()
         except (EOFError, OSError):
             return
-        answer = function(*arguments)
         try:
-            connection.send(answer)
+            outcome = function(*arguments), None
+        except Exception as error:
+            outcome = None, error
+        try:
+            connection.send(outcome)
         except OSError:
             return
 

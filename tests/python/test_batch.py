@@ -100,6 +100,14 @@ def test_a_process_that_died_is_made_anew():
         assert pool.submit(os.getpid).result() not in (first, os.getpid())
 
 
+def test_an_exception_of_a_call_is_the_callers():
+    with WorkerPool(1) as pool:
+        process = pool.submit(os.getpid).result()
+        with pytest.raises(FileNotFoundError):
+            pool.submit(os.stat, "/no/such/file").result()
+        assert pool.submit(os.getpid).result() == process
+
+
 def test_workers_have_one_thread_each(monkeypatch):
     monkeypatch.setenv("OMP_NUM_THREADS", "2")
     monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)

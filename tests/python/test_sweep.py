@@ -204,6 +204,16 @@ def test_a_bad_share_is_refused(tmp_path, capsys, share):
     assert f"{share}: must be a share such as 1/40" in capsys.readouterr().err
 
 
+def test_a_share_is_checked_by_itself_and_the_whole_by_many(tmp_path, capsys):
+    path = written(tmp_path, LINE, ('"200 kN/m"]', '"-2 kN/m"]'))
+    assert [task.scene.load for task in load_sweep(path, (2, 6)).tasks] == [pytest.approx(100e3)]
+    for arguments in (["-j", "2"], ["--share", "4/6"]):
+        assert main(["sweep", str(path), "--out", str(tmp_path / "out"), *arguments]) == BAD_INPUT
+        assert 'with contact.load = "-2 kN/m", motion.velocity_1 = "0.5' in capsys.readouterr().err
+    assert main(["sweep", str(path), "--share", "7/7"]) == BAD_INPUT
+    assert "has no share 7/7, there are fewer cases" in capsys.readouterr().err
+
+
 @pytest.fixture(scope="module")
 def solved(tmp_path_factory):
     """A solved sweep: its file and its directory."""
