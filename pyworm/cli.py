@@ -20,6 +20,7 @@ from pyworm.case_error import CaseError
 from pyworm.output import check_writable, whole
 from pyworm.place import PLACE_NAMES
 from pyworm.units import SHARE, parse
+from pyworm.workers import WorkerDiedError
 
 CONVERGED = 0
 FAILED = 1
@@ -57,7 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _end(f"{error}", BAD_INPUT)
     except ImportError as error:
         return _end(f"{error}; pyworm doctor tells what is missing", FAILED)
-    except OSError as error:
+    except (OSError, WorkerDiedError) as error:
         return _end(f"{error}", FAILED)
     except KeyboardInterrupt:
         return _end(_stopped(options), FAILED)
@@ -164,11 +165,13 @@ def _run(options: argparse.Namespace) -> int:
     try:
         with _progress() as progress, _executor(options) as executor:
             result = run(case, tasks, directory, executor, progress, _say)
+            # Apart, so that a picture that cannot be drawn does not cost the solve; and drawn here, since
+            # other machines need not reach this place.
+            with whole(directory, instead_of=PICTURES) as aside:
+                drawn = draw(result, aside, None if options.scheduler else executor)
     except NothingSolvedError as error:
         return _end(f"{case.name}: {error}", FAILED)
-    # Apart, so that a picture that cannot be drawn does not cost the solve.
-    with whole(directory, instead_of=PICTURES) as aside:
-        pictures = [path.name for path in draw(result, aside)]
+    pictures = [path.name for path in drawn]
 
     summaries = [solution.summary() for solution in result.solutions]
     failed = result.provenance["failed"]
@@ -361,7 +364,13 @@ def _progress() -> Iterator[Callable[[str, float], None] | None]:
     console = Console(stderr=True)
     with Progress(console=console, transient=True, speed_estimate_period=600) as bar:
         task = bar.add_task("", total=1.0)
-        yield lambda message, share: bar.update(task, description=message, completed=share)
+
+        def show(message: str, share: float) -> None:
+            if share == 0:  # another kind of work, at a pace of its own
+                bar.reset(task)
+            bar.update(task, description=message, completed=share)
+
+        yield show
 
 
 def _print_json(content: dict[str, Any]) -> None:

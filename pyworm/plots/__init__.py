@@ -1,6 +1,8 @@
 """Pictures of a result; they read results and nothing else."""
 
 import os
+from concurrent.futures import Executor
+from functools import partial
 from pathlib import Path
 
 from pyworm.plots.across_film import draw_across_film
@@ -18,6 +20,7 @@ from pyworm.plots.style import write
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result import Result, open_result
+from pyworm.solution import Solution
 
 SCENE_PICTURES = {
     "point": {
@@ -52,7 +55,11 @@ SHOWS = {
 """Name of a picture that not every solution has -> what it shows, None where it was not simulated."""
 
 
-def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> list[Path]:
+def draw(
+    result: Result | str | os.PathLike,
+    directory: str | os.PathLike,
+    executor: Executor | None = None,
+) -> list[Path]:
     """Draw every picture of a result as PNG.
 
     Parameters
@@ -61,6 +68,8 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
         The result or the file that holds it.
     directory : path
         Where the pictures go; made if missing.
+    executor : Executor, optional
+        Whose processes draw those of the scenes; by default this one does.
 
     Returns
     -------
@@ -71,16 +80,22 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
         result = open_result(result)
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
-    written = []
-    for number, solution in enumerate(result.solutions):
-        for name, picture in SCENE_PICTURES[solution.kind].items():
-            if name in SHOWS and SHOWS[name](solution) is None:
-                continue
-            path = directory / f"scene_{number:03d}_{name}.png"
-            written.append(write(picture(result.case_name, solution), path))
+    picture = partial(_draw_scene, result.case_name, directory)
+    numbers = range(len(result.solutions))
+    drawn = (executor.map if executor else map)(picture, numbers, result.solutions)
+    written = [path for paths in drawn for path in paths]
     if result.mesh_cycle is not None:
-        for name, picture in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            written.append(write(picture(result), directory / f"{name}.png"))
+        for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
+            written.append(write(cycle(result), directory / f"{name}.png"))
     if traction_curve(result):
         written.append(write(draw_traction(result), directory / "traction.png"))
     return written
+
+
+def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution) -> list[Path]:
+    """The pictures of one scene."""
+    return [
+        write(picture(case_name, solution), directory / f"scene_{number:03d}_{name}.png")
+        for name, picture in SCENE_PICTURES[solution.kind].items()
+        if name not in SHOWS or SHOWS[name](solution) is not None
+    ]

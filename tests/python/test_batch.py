@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from pyworm.batch import solve_all
 from pyworm.case import load
 from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
 from pyworm.place import Place
+from pyworm.plots import draw
 from pyworm.result import open_result
 from pyworm.store import Store
 from pyworm.task import Task
@@ -28,7 +30,7 @@ RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--
 WITHOUT_PICTURES = """
 import sys, pyworm.plots
 from pyworm.cli import main
-pyworm.plots.draw = lambda result, directory: []
+pyworm.plots.draw = lambda result, directory, executor: []
 sys.exit(main())
 """
 
@@ -187,6 +189,16 @@ def test_a_key_tells_what_a_gap_file_holds(tmp_path):
     assert Task(load(path), Place(), 0.01).key != before
 
 
+def test_processes_draw_the_same_pictures(whole_run, tmp_path):
+    result = replace(whole_run, solutions=whole_run.solutions[:2])
+    with WorkerPool(2) as pool:
+        many = draw(result, tmp_path / "many", pool)
+    alone = draw(result, tmp_path / "alone")
+    assert [path.name for path in many] == [path.name for path in alone]
+    for one, other in zip(many, alone, strict=True):
+        assert one.read_bytes() == other.read_bytes()
+
+
 def children(pid):
     """Worker processes of a process, those that clean up after it left out."""
     threads = Path(f"/proc/{pid}/task").glob("*/children")
@@ -212,7 +224,7 @@ def started(out):
 @pytest.fixture(autouse=True, scope="module")
 def without_pictures():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw", lambda result, directory: [])
+        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
         yield
 
 

@@ -47,7 +47,7 @@ def solved(tmp_path_factory):
 def solve_at_once(monkeypatch, solved):
     """Make `run` take the solution at hand and draw one mark; returns how to change the solution."""
 
-    def mark(result, directory):
+    def mark(result, directory, executor=None):
         path = directory / "mark.png"
         path.write_bytes(b"")
         return [path]
@@ -220,7 +220,7 @@ def test_a_result_that_could_not_be_written_leaves_what_was_solved(
 def test_pictures_that_could_not_be_drawn_do_not_cost_the_result(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
-    def full(result, directory):
+    def full(result, directory, executor):
         (directory / "half.png").write_text("half")
         raise OSError("No space left on device")
 
