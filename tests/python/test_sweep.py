@@ -2,6 +2,8 @@
 
 import csv
 import json
+import re
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -50,6 +52,12 @@ def written(directory, text, *changes):
 @pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
 def test_every_shipped_sweep_is_right(path):
     assert load_sweep(path).tasks
+
+
+def test_the_manual_shows_a_shipped_sweep():
+    manual = (CASES.parent / "docs" / "batch.md").read_text()
+    shown = re.search(r"```toml\n(.*?)```", manual, re.DOTALL)[1]
+    assert tomllib.loads(shown) == tomllib.loads(SHIPPED[0].read_text())
 
 
 def test_tables_are_crossed_and_keys_of_one_go_together(tmp_path):
