@@ -69,6 +69,7 @@ VARIABLES = {
     "pinion_velocity": ("m/s", "velocity of the pinion's surface across the contact line"),
     "gear_velocity": ("m/s", "velocity of the gear's surface across the contact line"),
     "unit_load": ("N/m", "normal load for each length of the contact line"),
+    "friction_load_factor": ("1", "normal load with friction over that without"),
     "load_share": ("1", "share of the normal force that the contact line carries"),
     "pinion_specific_sliding": ("1", "sliding over the velocity of the pinion's surface"),
     "gear_specific_sliding": ("1", "sliding of the gear's surface over its velocity"),

@@ -37,7 +37,6 @@ def line_of_action_data(
     rating: Any,
     marks: Mapping[str, float],
     driver: str,
-    friction_coefficient: float | None,
 ) -> xr.Dataset:
     """The contacts along a line of action as one dataset over phase.
 
@@ -51,18 +50,12 @@ def line_of_action_data(
         Name of a point of the line of action -> its phase.
     driver : str
         "pinion" or "gear".
-    friction_coefficient : float or None
-        That of the flash temperature.
     """
     columns = {name: getattr(contacts, name) for name in _CONTACTS}
     columns |= {f"closed_form_{name}": getattr(rating, name) for name in _RATING}
     attributes = {"drive": KIND, "driver": driver, "marks": json.dumps(dict(marks))}
-    for name, value in (
-        ("friction_coefficient", friction_coefficient),
-        ("scuffing_temperature_K", rating.scuffing_temperature),
-    ):
-        if value is not None:
-            attributes[name] = value
+    if rating.scuffing_temperature is not None:
+        attributes["scuffing_temperature_K"] = rating.scuffing_temperature
     return describe(
         xr.Dataset(
             {
@@ -74,3 +67,19 @@ def line_of_action_data(
             attrs=attributes,
         )
     )
+
+
+def with_friction(data: xr.Dataset, friction: float, load_factor: np.ndarray) -> xr.Dataset:
+    """The same with the coefficient of friction of its closed forms.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        As `line_of_action_data` makes it.
+    friction : float
+        Coefficient of friction [-].
+    load_factor : ndarray
+        Normal load with that friction over the one without [-].
+    """
+    data = data.assign(friction_load_factor=("phase", load_factor))
+    return describe(data.assign_attrs(friction_coefficient=friction))

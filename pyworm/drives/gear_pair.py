@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.bodies import Body, reduced_modulus
-from pyworm.drives.gear_data import line_of_action_data
+from pyworm.drives.gear_data import line_of_action_data, with_friction
 from pyworm.drives.gear_gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_rating import GearRating, Surfaces, rate
 from pyworm.drives.involute import InvolutePair
@@ -306,6 +306,32 @@ class GearPairDrive:
         sides = [end + side for end in ends for side in (-1e-9, 1e-9) if 0 < end < 1]
         return np.sort(np.concatenate([np.linspace(0, 1, CYCLE_POINTS), sides]))
 
+    @property
+    def loss_factor(self) -> float:
+        """H_V [-]: power loss of the mesh over power and a constant coefficient of friction.
+
+        The mean over the mesh cycle of load times sliding, the load on every slice of the face being what it
+        is in the middle: exact for spur gears. Ohlendorf's closed form is that of uniform sharing.
+        """
+        contacts = self.contacts(self.cycle_phases())
+        system = self.teeth.system
+        slice_of_line = self.teeth.face_width / cos(system.base_helix_angle)
+        rubbed = contacts.unit_load * np.abs(contacts.sliding) / (self.load_factor * self.power)
+        return float(
+            np.trapezoid(rubbed, contacts.pinion_length) * slice_of_line / system.base_pitch
+        )
+
+    def friction_load_factor(self, contacts: ToothContacts, friction: float) -> Array:
+        """Normal load with friction over that without, at the same torque of the driver [-].
+
+        1 / (1 -+ mu rho / (r_b cos beta_b)) of the driver. In approach its root is dragged along by the
+        faster tip of the driven one (-), and the teeth press harder; in recess its tip is held back (+).
+        """
+        base = self.teeth.cylinders[0 if self.driver == "pinion" else 1].base
+        length = contacts.pinion_length if self.driver == "pinion" else contacts.gear_length
+        arm = length / (base * cos(self.teeth.system.base_helix_angle))
+        return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
+
     def rating(self, contacts: ToothContacts) -> GearRating:
         """Film, specific film and contact temperature by closed forms at these contacts."""
         return rate(contacts, self.bodies, self.oil, self.surfaces)
@@ -321,8 +347,12 @@ class GearPairDrive:
             "HPSTC": self.phase_of(teeth.highest_single),
             "EAP": 1.0,
         }
-        friction = self.surfaces and self.surfaces.friction_coefficient
-        return line_of_action_data(contacts, self.rating(contacts), marks, self.driver, friction)
+        data = line_of_action_data(contacts, self.rating(contacts), marks, self.driver)
+        data = data.assign_attrs(loss_factor=self.loss_factor)
+        if self.surfaces is None:
+            return data
+        friction = self.surfaces.friction_coefficient
+        return with_friction(data, friction, self.friction_load_factor(contacts, friction))
 
     def scene_data(self, scene: LineScene | Scene) -> xr.Dataset:
         """Nothing: the fields of a gear contact need no more."""

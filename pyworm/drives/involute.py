@@ -178,9 +178,12 @@ class InvolutePair:
 
     @property
     def tip_shortening(self) -> float:
-        """k [-]: by how much both addenda are cut so that tips keep their clearance of the roots."""
+        """k [-]: by how much both addenda are cut so that tips keep their clearance of the roots.
+
+        Where the centre distance leaves them more clearance they stay as the rack makes them.
+        """
         pulled = (self.centre_distance - self.reference_centre_distance) / self.system.module
-        return self.pinion.profile_shift + self.gear.profile_shift - pulled
+        return max(self.pinion.profile_shift + self.gear.profile_shift - pulled, 0.0)
 
     @property
     def backlash(self) -> float:

@@ -74,8 +74,8 @@ class LoadSharing:
         s = np.asarray(s, float)
         if self.rule == "ramp":
             return self._ramp(s) / self.pair.shortest_line
-        stiffness, _ = self._stiffness
-        return stiffness(s) / self._together(s)
+        touching = (s >= self.pair.start) & (s <= self.pair.end)
+        return np.where(touching, self._stiffness[0](s) / self._together(s), 0.0)
 
     def of_line(self, s: Array) -> Array:
         """Share of the normal force that the whole line through mid-face place s carries [-].
@@ -85,16 +85,11 @@ class LoadSharing:
         s = np.asarray(s, float)
         if self.rule == "ramp":
             return self._ramp(s) * self.line_length(s) / self.pair.shortest_line
-        return self._over_line(s, self._stiffness[1]) / self._together(s)
+        return self._over_line(s, *self._stiffness) / self._together(s)
 
     def line_length(self, s: Array) -> Array:
         """Length of the contact line through mid-face place s [m]."""
-        return self._over_line(np.asarray(s, float), lambda place: place)
-
-    def neighbours(self) -> range:
-        """Numbers of teeth, counted from one in contact, that may be in contact together with it."""
-        reach = ceil(self.pair.transverse_contact_ratio + self.pair.overlap_ratio)
-        return range(-reach, reach + 1)
+        return self._over_line(np.asarray(s, float), np.ones_like, lambda place: place)
 
     def _ramp(self, s: Array) -> Array:
         pair = self.pair
@@ -121,18 +116,25 @@ class LoadSharing:
 
     def _together(self, s: Array) -> Array:
         """Integral of v over all lines that are in contact when one is at s [m]."""
-        pitch, integral = self.pair.system.base_pitch, self._stiffness[1]
-        return sum(self._over_line(s + number * pitch, integral) for number in self.neighbours())
+        pair = self.pair
+        pitch = pair.system.base_pitch
+        reach = ceil(pair.transverse_contact_ratio + pair.overlap_ratio)
+        # Counted from the line itself, which so is among them to the last digit, even where it ends.
+        before = np.floor((s - pair.start) / pitch)
+        return sum(
+            self._over_line(s + (number - before) * pitch, *self._stiffness)
+            for number in range(-reach, reach + 1)
+        )
 
-    def _over_line(self, s: Array, integral: Callable[[Array], Array]) -> Array:
-        """Integral [m] along one contact line of a function whose integral over s is given."""
+    def _over_line(
+        self, s: Array, function: Callable[[Array], Array], integral: Callable[[Array], Array]
+    ) -> Array:
+        """Integral [m] along one contact line of a function of s, given with its own integral over s."""
         pair = self.pair
         tilt, slant = cos(pair.system.base_helix_angle), tan(pair.system.base_helix_angle)
         if slant < STRAIGHT:
             touching = (s >= pair.start) & (s <= pair.end)
-            nearby = 1e-6 * pair.path_length
-            value = (integral(s + nearby) - integral(s - nearby)) / (2 * nearby)
-            return np.where(touching, value * pair.face_width, 0.0)
+            return np.where(touching, function(s) * pair.face_width, 0.0)
         half = pair.face_width / 2 * slant
         low, high = (np.clip(place, pair.start, pair.end) for place in (s - half, s + half))
         return (integral(high) - integral(low)) / (slant * tilt)

@@ -47,9 +47,17 @@ def draw_line_of_action(result: Result) -> Figure:
     roll = _roll(cycle)
     figure = new_figure(8, 10.0, _heading(result))
     panels = figure.subplots(4, sharex=True)
-    panels[0].plot(roll, cycle["unit_load"] / MILLI, color="black")
+    unit_load = cycle["unit_load"] / MILLI
+    panels[0].plot(roll, unit_load, color="black", label="without friction")
+    if "friction_load_factor" in cycle:
+        friction = (
+            f"with friction {cycle.attrs['friction_coefficient']:g}, same torque of the driver"
+        )
+        rubbed = unit_load * cycle["friction_load_factor"]
+        panels[0].plot(roll, rubbed, color="tab:purple", linestyle="--", label=friction)
     panels[0].set_ylabel("load for each length\n/ (N/mm)")
     panels[0].set_ylim(bottom=0)
+    _legend(panels[0], 2)
     panels[1].plot(roll, cycle["closed_form_hertz_pressure"] * MEGA, color="tab:red")
     panels[1].set_ylabel("Hertz pressure\n/ MPa")
     panels[1].set_ylim(bottom=0)
