@@ -53,7 +53,7 @@ def loaded(tmp_path, *changes):
 
 
 def test_rigid_bodies_agree_with_the_contacts(increaser):
-    """Both gears turning in space: equal velocities along the normal, those of the contacts across the line."""
+    """Gears turning in space: equal velocities along the normal, the contacts' own across the line."""
     teeth = increaser.teeth
     pinion, gear = teeth.cylinders
     angle, helix = teeth.pressure_angle, teeth.system.base_helix_angle
