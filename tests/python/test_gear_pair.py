@@ -17,7 +17,8 @@ from pyworm.drives.gear_pair import TipRelief
 from pyworm.formulas.film import dowson_higginson, line_groups
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.line.scene import LineScene
-from pyworm.result import open_result
+from pyworm.plots.gear_pair import draw_film_and_temperature, draw_line_of_action
+from pyworm.result import Result, open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 SPUR_TEXT = (CASES / "spur_pair.toml").read_text()
@@ -428,7 +429,7 @@ def test_errichellos_speed_increaser(increaser):
 
 
 def test_errichellos_addenda_for_the_least_flash_temperature(balanced, increaser):
-    """2.7 microinch and 302 degF, which were not fitted: teeth of full depth, shifted to the least flash."""
+    """2.7 microinch and 302 degF: teeth of full depth, shifted to the least flash temperature."""
     film, _, hottest, _, _ = worst(balanced)
     assert film == pytest.approx(2.7, rel=0.03)
     assert hottest - 230 == pytest.approx(302 - 230, rel=0.08)
@@ -500,3 +501,62 @@ def test_run_solves_the_line_of_action_and_draws_it(tmp_path, capsys):
     )
     for name in ("film_and_temperature.png", "line_of_action.png"):
         assert (tmp_path / name).stat().st_size > 10_000
+
+
+# ---------------------------------------------------------------------------------- pictures
+
+
+@pytest.fixture(scope="module")
+def solved(increaser):
+    scenes = [increaser.scene(phase) for phase in (0.87, 0.13)]
+    solutions = tuple(pyworm.solve(scene, pyworm.plan(scene, 0.05)) for scene in scenes)
+    return Result("increaser", {}, solutions, increaser.cycle_data(), {})
+
+
+def curve(axes, label):
+    """The data of a line or of an error bar by the beginning of its label."""
+    handles, labels = axes.get_legend_handles_labels()
+    (handle,) = [one for one, text in zip(handles, labels, strict=True) if text.startswith(label)]
+    line = handle[0] if hasattr(handle, "lines") else handle
+    return line.get_xdata(), line.get_ydata()
+
+
+def test_simulated_points_stand_at_their_roll_angles(solved, increaser):
+    film, temperature = draw_film_and_temperature(solved).axes
+    roll, least = curve(film, "least, simulated")
+    contacts = increaser.contacts(np.array([0.13, 0.87]))  # in the order of the tooth
+    assert roll == pytest.approx(np.degrees(contacts.roll_angle), rel=1e-12)
+    values = [one.figures.film_min.value * 1e6 for one in reversed(solved.solutions)]
+    assert least == pytest.approx(values)
+    _, blok = curve(temperature, "Blok, simulated friction")
+    _, hottest = curve(temperature, "simulated surface")
+    assert blok == pytest.approx(hottest, abs=1.0)
+    _, contact = curve(temperature, "Blok, friction 0.1")
+    assert contact.max() == pytest.approx((429 - 32) / 1.8, abs=0.5)
+    _, scuffing = curve(temperature, "mean scuffing temperature")
+    assert scuffing[0] == pytest.approx((418 - 32) / 1.8, abs=0.1)
+
+
+def test_the_line_of_action_shows_loads_and_sliding(solved, increaser):
+    load, pressure, velocity, sliding = draw_line_of_action(solved).axes
+    _, unit_load = curve(load, "without friction")
+    assert unit_load.max() == pytest.approx(
+        increaser.normal_force / increaser.teeth.shortest_line / 1e3
+    )
+    _, rubbed = curve(load, "with friction 0.1")
+    assert rubbed.max() > unit_load.max()
+    assert pressure.get_ylabel().endswith("MPa")
+    roll, pinion = curve(velocity, "pinion")
+    _, gear = curve(velocity, "gear")
+    pitch = np.degrees(increaser.teeth.pitch_point / increaser.teeth.cylinders[0].base)
+    assert np.interp(pitch, roll, pinion - gear) == pytest.approx(0, abs=1e-9)
+    _, specific = curve(sliding, "gear")
+    assert specific[-1] == pytest.approx(1 - pinion[-1] / gear[-1], rel=1e-9)
+
+
+def test_a_pair_without_surfaces_has_films_alone(spur):
+    bare = replace(spur, surfaces=None)
+    result = Result("bare", {}, (), bare.cycle_data(), {})
+    (film,) = draw_film_and_temperature(result).axes
+    assert film.get_ylabel() == "film / µm"
+    assert len(draw_line_of_action(result).axes) == 4
