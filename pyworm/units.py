@@ -153,11 +153,14 @@ def quantity(noun: str, unit: str, example: str, sign: str = "positive"):
 
 
 Length = quantity("a length", "m", "305 mm")
+LengthOrZero = quantity("a length", "m", "20 um", sign="not negative")
 Offset = quantity("a length", "m", "-0.5 mm", "any")
 Angle = quantity("an angle", "rad", "27.5 deg")
+AngleOrZero = quantity("an angle", "rad", "12 deg", sign="not negative")
 Tilt = quantity("an angle", "rad", "-0.4 deg", "any")
 Force = quantity("a force", "N", "14 kN")
 ForcePerLength = quantity("a force per length", "N/m", "100 kN/m")
+Power = quantity("a power", "W", "250 kW")
 Speed = quantity("a speed of rotation", "rad/s", "1500 rpm")
 Spin = quantity("a speed of rotation", "rad/s", "-20 rad/s", "any")
 Velocity = quantity("a velocity", "m/s", "1.2 m/s", "any")

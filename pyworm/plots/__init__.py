@@ -11,6 +11,7 @@ from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
 from pyworm.plots.friction import draw_friction
 from pyworm.plots.gap import draw_gap
+from pyworm.plots.gear_pair import draw_film_and_temperature, draw_line_of_action
 from pyworm.plots.history import draw_history
 from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
@@ -44,7 +45,13 @@ SCENE_PICTURES = {
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
-CYCLE_PICTURES = {"zi-worm": {"mesh_cycle": draw_cycle}}
+CYCLE_PICTURES = {
+    "zi-worm": {"mesh_cycle": draw_cycle},
+    "gear-pair": {
+        "film_and_temperature": draw_film_and_temperature,
+        "line_of_action": draw_line_of_action,
+    },
+}
 """Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result."""
 
 SHOWS = {
