@@ -1,7 +1,7 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from statistics import median
 from time import perf_counter, process_time
 
@@ -13,6 +13,7 @@ from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
+from pyworm.place import Place
 from pyworm.planning import Plan, reviewed
 from pyworm.point_ladder import PointLadder
 from pyworm.scene import Scene
@@ -149,8 +150,7 @@ def _climb(
     solution = Solution(
         name=scene.name,
         kind=ladder.kind,
-        phase=scene.phase,
-        slide_roll_ratio=scene.slide_roll_ratio,
+        **asdict(Place.of(scene)),
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
