@@ -87,6 +87,8 @@ class Scene:
         Place in the mesh cycle, 0 to 1; None outside a drive.
     slide_roll_ratio : float or None
         Place on a traction curve: sliding over entrainment [-]; None outside one.
+    section, station : str or None, float or None
+        Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
     """
 
     name: str
@@ -98,6 +100,8 @@ class Scene:
     oil: Oil
     phase: float | None = None
     slide_roll_ratio: float | None = None
+    section: str | None = None
+    station: float | None = None
 
     @property
     def reduced_modulus(self) -> float:
