@@ -76,7 +76,16 @@ def _parser() -> argparse.ArgumentParser:
     case = argparse.ArgumentParser(add_help=False)
     case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
-    case.add_argument("--effects", help="model (default: the most that the oil is known for)")
+    case.add_argument("--effects", help="model (default: the case's, or the most that the oil is known for)")
+    case.add_argument(
+        "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
+    )
+    case.add_argument(
+        "--station",
+        type=float,
+        nargs="+",
+        help="places along contact lines, 0 to 1, to solve; else the case's",
+    )
     case.add_argument(
         "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
     )
@@ -235,7 +244,7 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
 
     scenes = list(case.scenes(**{name: getattr(options, name) for name in PLACE_NAMES}))
     try:
-        return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
+        return [(scene, plan(scene, accuracy, options.effects or case.effects)) for scene in scenes]
     except ValueError as error:
         raise CaseError(str(error)) from error
 

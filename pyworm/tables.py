@@ -7,7 +7,7 @@ from rich.table import Table
 
 from pyworm.effects import Plan
 from pyworm.line.scene import LineScene
-from pyworm.place import PLACE_NAMES
+from pyworm.place import PLACE_NAMES, Place
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
 from pyworm.schema.case import PublishedValue
@@ -136,15 +136,16 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     summaries : sequence of mapping
         `Solution.summary()` of each one's solution.
     """
-    heading, labels = _places(scenes)
-    table = Table(heading, title="All scenes", title_justify="left")
+    table = Table(title="All scenes", title_justify="left")
+    labels = _add_places(table, scenes)
     for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
     table.add_column("Converged")
-    for label, values in zip(labels, summaries, strict=True):
+    for label, scene, values in zip(labels, scenes, summaries, strict=True):
+        dry = values.get("dry_pressure_max_Pa") or scene_summary(scene)["hertz_pressure_max_Pa"]
         table.add_row(
-            label,
-            f"{values['dry_pressure_max_Pa'] / 1e6:.4g}",
+            *label,
+            f"{dry / 1e6:.4g}",
             f"{values['pressure_max_Pa'] / 1e6:.4g}",
             f"{values['film_central_m'] * 1e6:.4g}",
             f"{values['film_central_error'] * 100:.2g}",
@@ -162,9 +163,11 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     The error bar of the temperatures is the largest of the three.
     """
     heated = all("temperature_max_C" in values for values in summaries)
-    heading, labels = _places(scenes)
-    table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
-    headings = ["Friction", "± %", "Loss\nW"]
+    table = Table(title="Friction and heat of all scenes", title_justify="left")
+    labels = _add_places(table, scenes)
+    lines = all("power_loss_per_length_W_m" in values for values in summaries)
+    loss = "power_loss_per_length_W_m" if lines else "power_loss_W"
+    headings = ["Friction", "± %", "Loss\nW/m" if lines else "Loss\nW"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
@@ -173,22 +176,27 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
-            f"{values['power_loss_W']:.4g}",
+            f"{values[loss]:.4g}",
         ]
         if heated:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
-        table.add_row(label, *cells)
+        table.add_row(*label, *cells)
     return table
 
 
-def _places(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
-    """What tells scenes of one case apart: what it is, and that of each."""
-    for heading, place in (("Phase", "phase"), ("Slide-\nroll\nratio", "slide_roll_ratio")):
-        places = [getattr(scene, place) for scene in scenes]
-        if None not in places:
-            return heading, [f"{of:g}" for of in places]
-    return "Scene", [scene.name for scene in scenes]
+def _add_places(table: Table, scenes: Sequence[Scene | LineScene]) -> list[list[str]]:
+    """Add a column for each part of what tells scenes of one case apart; their cells."""
+    names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
+    for name in names:
+        table.add_column(name.capitalize().replace("_", "\n"))
+    if not names:
+        table.add_column("Scene")
+        return [[scene.name] for scene in scenes]
+    return [
+        [of if isinstance(of, str) else f"{of:g}" for of in (getattr(one, name) for name in names)]
+        for one in scenes
+    ]
 
 
 def published_for(
@@ -222,7 +230,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
 
 
 def _title(scene: Scene | LineScene) -> str:
-    return scene.name if scene.phase is None else f"Mesh phase {scene.phase:g}"
+    return scene.name if scene.phase is None else f"Mesh: {Place.of(scene)}"
 
 
 def _value(value: float, unit: str, error: float | None = None) -> str:

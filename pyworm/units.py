@@ -120,9 +120,13 @@ def quantity(noun: str, unit: str, example: str, sign: str = "positive"):
 
 
 Length = quantity("a length", "m", "305 mm")
+LengthOrZero = quantity("a length", "m", "2 mm", sign="not negative")
 Offset = quantity("a length", "m", "-0.5 mm", "any")
 Angle = quantity("an angle", "rad", "27.5 deg")
 Tilt = quantity("an angle", "rad", "-0.4 deg", "any")
+Power = quantity("a power", "W", "5 kW")
+Torque = quantity("a torque", "N m", "30 N m")
+Stiffness = quantity("a stiffness", "N/m", "200 N/um")
 Force = quantity("a force", "N", "14 kN")
 ForcePerLength = quantity("a force per length", "N/m", "100 kN/m")
 Speed = quantity("a speed of rotation", "rad/s", "1500 rpm")

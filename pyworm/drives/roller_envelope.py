@@ -45,7 +45,13 @@ def dot(a: Array, b: Array) -> Array:
 
 def cross(a: Array, b: Array) -> Array:
     """Vector product over the first axis."""
-    return np.cross(a, b, axis=0)
+    return np.stack(
+        [
+            a[1] * b[2] - a[2] * b[1],
+            a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0],
+        ]
+    )
 
 
 def about_z(vector: Array) -> Array:
@@ -166,7 +172,10 @@ class RollerEnvelope:
 
     def theta(self, place: Array, wheel_angle: Array) -> Array:
         """Where round the roller it touches [rad]; NaN where it does not."""
-        going, side, axis, middle = self.axes(wheel_angle)
+        return self._theta(place, *self.axes(wheel_angle))
+
+    def _theta(self, place: Array, going: Array, side: Array, axis: Array, middle: Array) -> Array:
+        """`theta` from what `axes` gives."""
         radius, gamma = self.profile(place)
         velocity = self.relative_velocity(middle + place * axis)
         turn = _wide(self.worm_turn + E_Z, axis)
@@ -186,7 +195,7 @@ class RollerEnvelope:
         """Points of the contact lines [m] in the drive frame, (3, ...)."""
         s, phi = np.broadcast_arrays(np.asarray(place, float), np.asarray(wheel_angle, float))
         going, side, axis, middle = self.axes(phi)
-        theta = self.theta(s, phi)
+        theta = self._theta(s, going, side, axis, middle)
         out = np.cos(theta) * going + np.sin(theta) * side
         return middle + s * axis + self.profile(s)[0] * out
 
@@ -195,7 +204,7 @@ class RollerEnvelope:
         s, phi = np.broadcast_arrays(np.asarray(place, float), np.asarray(wheel_angle, float))
         going, side, axis, middle = self.axes(phi)
         rho, gamma = self.profile(s)
-        theta = self.theta(s, phi)
+        theta = self._theta(s, going, side, axis, middle)
         out = np.cos(theta) * going + np.sin(theta) * side
         around = np.cos(theta) * side - np.sin(theta) * going
         normal = np.cos(gamma) * out - np.sin(gamma) * axis

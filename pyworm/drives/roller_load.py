@@ -138,11 +138,12 @@ class SharedLoad:
 
 
 def slices(section: WormSection, wheel_angles: Array) -> tuple[LineContact, Array]:
-    """Slices of contact lines, (SLICES, rollers), and their lengths [m]."""
+    """Slices of contact lines, (SLICES, ...) at wheel angles (...), and their lengths [m]."""
     points, weights = np.polynomial.legendre.leggauss(SLICES)
     low, high = section.span(wheel_angles)
-    contact = section.line(wheel_angles, (points[:, None] + 1) / 2)
-    return contact, weights[:, None] / 2 * (high - low) * contact.stretch
+    shape = (SLICES,) + (1,) * np.ndim(wheel_angles)
+    contact = section.line(wheel_angles, (points.reshape(shape) + 1) / 2)
+    return contact, weights.reshape(shape) / 2 * (high - low) * contact.stretch
 
 
 def lever(contact: LineContact) -> Array:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from scipy.optimize import brentq
 
 from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.roller_envelope import Array, LineContact, RollerEnvelope, about_z, cross, dot
@@ -23,7 +24,7 @@ Spinning = Literal["free", "locked", "rolling"]
 """Whether rollers turn as the moments on them say, not at all, or without sliding in the mean."""
 
 BISECTIONS = 60
-"""Halvings of a roller's speed or of a stress, to rounding."""
+"""Halvings of a stress, to rounding."""
 
 
 @dataclass(frozen=True)
@@ -143,9 +144,11 @@ class FilmTraction:
         )
         return moes_line(groups).central
 
-    def viscosity(self, pressure: Array) -> Array:
-        """Viscosity [Pa s] at pressures [Pa]."""
-        return np.vectorize(self.oil.viscosity, otypes=[float])(pressure)
+    def slices(self, load: Array, curvature: Array) -> tuple[Array, Array, Array]:
+        """Hertz's width [m] of slices, their mean pressure [Pa] and the viscosity at that [Pa s]."""
+        width = 2 * np.sqrt(8 * load / (np.pi * reduced_modulus(*self.bodies) * curvature))
+        viscosity = np.vectorize(self.oil.viscosity, otypes=[float])(load / width)
+        return width, load / width, viscosity
 
 
 def flow_stress(flow: FlowLaw, viscosity: Array, pressure: Array, rate: Array) -> Array:
@@ -196,7 +199,7 @@ FREE_OF_FRICTION = Pin(0.0, 0.0)
 """A pin that does not brake its roller."""
 
 
-def roller_speeds(
+def roller_speed(
     envelope: RollerEnvelope,
     contact: LineContact,
     lengths: Array,
@@ -205,15 +208,15 @@ def roller_speeds(
     spinning: Spinning,
     traction: FilmTraction,
     pin: Pin = FREE_OF_FRICTION,
-) -> Array:
-    """Speed of rollers about their own axes [rad/s], (rollers,).
+) -> float:
+    """Speed of a roller about its own axis [rad/s], towards growing theta.
 
     Parameters
     ----------
     envelope : RollerEnvelope
         Worm and roller.
     contact : LineContact
-        Slices of the contact lines, (slices, rollers).
+        Slices of the roller's contact line, (slices,).
     lengths, loads : ndarray
         Of the slices: length [m] and load for each length [N/m].
     wheel_speed : float
@@ -225,44 +228,34 @@ def roller_speeds(
     pin : Pin
         What brakes it.
     """
-    rollers = contact.place.shape[1]
-    still = np.zeros(rollers)
     if spinning == "locked":
-        return still
-    locked = line_motion(envelope, contact, wheel_speed, still)
-    rolling = (locked.round_worm - locked.round_roller) / contact.radius
-    forces = loads * lengths
+        return 0.0
+    at_rest = line_motion(envelope, contact, wheel_speed, 0.0)
+    rolling = (at_rest.round_worm - at_rest.round_roller) / contact.radius
+    arms = loads * lengths * contact.radius
     if spinning == "rolling":
-        return np.sum(forces * contact.radius * rolling, 0) / np.sum(forces * contact.radius, 0)
+        return float(np.sum(arms * rolling) / np.sum(arms))
 
-    half_width = np.sqrt(
-        8 * loads / (np.pi * reduced_modulus(*traction.bodies) * contact.curvature)
-    )
-    loaded = loads > 0
-    with np.errstate(divide="ignore", invalid="ignore"):
-        pressure = np.where(loaded, loads / (2 * half_width), 0.0)
+    pressed = loads > 0
+    contact = LineContact(**{name: part[..., pressed] for name, part in vars(contact).items()})
+    lengths, loads, rolling = lengths[pressed], loads[pressed], rolling[pressed]
+    width, pressure, viscosity = traction.slices(loads, contact.curvature)
+    resisting = pin.moment(np.sum(loads * lengths))
 
-    viscosity = traction.viscosity(pressure)
-
-    def moment(speed: Array) -> Array:
-        """Moment of the film on rollers [N m]."""
+    def moment(speed: float) -> float:
+        """Moment of the film on the roller [N m]."""
         motion = line_motion(envelope, contact, wheel_speed, speed)
-        slide = motion.round_worm - motion.round_roller
-        total = np.hypot(*motion.sliding)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            film = traction.film(loads, contact.curvature, motion.entrainment)
-            stress = flow_stress(traction.oil.flow, viscosity, pressure, total / film)
-            stress = stress * slide / total
-        drag = np.where(loaded & (total > 0), stress * 2 * half_width, 0.0)
-        return np.sum(drag * contact.radius * lengths, axis=0)
+        slide, total = motion.round_worm - motion.round_roller, np.hypot(*motion.sliding)
+        film = traction.film(loads, contact.curvature, motion.entrainment)
+        stress = flow_stress(traction.oil.flow, viscosity, pressure, total / film)
+        along = np.divide(slide, total, out=np.zeros_like(slide), where=total > 0)
+        return float(np.sum(stress * along * width * contact.radius * lengths))
 
-    resisting = pin.moment(forces.sum(axis=0))
-    push = moment(still)
-    held = np.abs(push) <= resisting
+    push = moment(0.0)
+    if abs(push) <= resisting:
+        return 0.0
     way = np.sign(push)
-    low, high = still, np.max(np.abs(rolling), axis=0)
-    for _ in range(BISECTIONS):
-        half = (low + high) / 2
-        slow = way * moment(way * half) > resisting
-        low, high = np.where(slow, half, low), np.where(slow, high, half)
-    return np.where(held, 0.0, way * (low + high) / 2)
+    # beyond the fastest slice's rolling the film brakes all along
+    fastest = float(np.max(way * rolling))
+    speed = brentq(lambda u: way * moment(way * u) - resisting, 0.0, fastest, rtol=1e-10)
+    return float(way * speed)

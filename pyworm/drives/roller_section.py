@@ -13,8 +13,8 @@ import numpy as np
 
 from pyworm.drives.roller_envelope import Array, LineContact, RollerEnvelope
 
-BISECTIONS = 48
-"""Halvings of a roller's length that find where a face cuts the contact line, to rounding."""
+SECANTS = 7
+"""Secants that find where a face cuts a contact line, to rounding."""
 
 _QUARTERS = ((floor, pi / 2), (ceil, -pi / 2))
 """How to count the rollers on the worm's side of the wheel."""
@@ -80,6 +80,8 @@ class WormSection:
         before, after = self.faces
         for face, wanted in ((before, 1), (after, -1)):
             outside = [wanted * (self._along(end, phi) - face) < 0 for end in (low, high)]
+            if not (outside[0] ^ outside[1]).any() and not (outside[0] & outside[1]).any():
+                continue
             cut = self._cut(face, phi, low, high)
             low, high = (
                 np.where(outside[0], cut, low),
@@ -145,10 +147,14 @@ class WormSection:
         return self.envelope.point(place, wheel_angle)[0]
 
     def _cut(self, face: float, wheel_angle: Array, low: Array, high: Array) -> Array:
-        """Where a face cuts contact lines, between two places along the roller, by bisection."""
-        rising = self._along(high, wheel_angle) > self._along(low, wheel_angle)
-        for _ in range(BISECTIONS):
-            half = (low + high) / 2
-            beyond = (self._along(half, wheel_angle) > face) == rising
-            low, high = np.where(beyond, low, half), np.where(beyond, half, high)
-        return (low + high) / 2
+        """Where a face cuts contact lines, which are nearly straight: by secants from both ends."""
+        one, other = low, high
+        off_one, off_other = (self._along(end, wheel_angle) - face for end in (low, high))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for _ in range(SECANTS):
+                new = other - off_other * (other - one) / (off_other - off_one)
+                settled = ~np.isfinite(new)
+                one, off_one = other, off_other
+                other = np.clip(np.where(settled, other, new), low, high)
+                off_other = self._along(other, wheel_angle) - face
+        return other

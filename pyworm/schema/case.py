@@ -1,12 +1,16 @@
 """What all case files say."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from pyworm import units
 from pyworm.schema.oil import OilTable
 from pyworm.schema.table import Table, Text
+
+
+ModelName = Literal["isothermal", "sheared", "mean-film", "thermal"]
+"""What of the oil is simulated (`pyworm.effects.MODELS`)."""
 
 
 class PublishedValue(Table):
@@ -34,6 +38,7 @@ class CaseTable(Table):
     title: Text
     source: Text
     accuracy: units.Share = 0.01
+    effects: ModelName | None = None
     oil: OilTable
     published: Published = Field(default_factory=dict)
 
