@@ -113,8 +113,8 @@ class Case:
         return tables
 
     def __reduce__(self) -> tuple:
-        # A drive is made again where the case goes, rather than sent along.
-        return Case, (self.name, self.directory, self.tables)
+        # A drive is made again where the case goes, rather than sent along; files must be found from there.
+        return Case, (self.name, self.directory.absolute(), self.tables)
 
     @cached_property
     def drive(self) -> Drive | None:
@@ -227,20 +227,30 @@ def load(path: str | Path) -> Case:
         Whatever is wrong first, in one sentence.
     """
     path = Path(path)
+    data = read_toml(path)
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        return case_of(data, path.stem, path.parent)
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+
+
+def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
+    """The case that a case file's content makes, checked in full; CaseError as of `load`."""
+    case = Case(name, directory, _tables(data))
+    list(case.scenes())  # the drive must mesh and the gap file must hold a gap
+    return case
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """What stands in a TOML file; CaseError if nothing can be read there."""
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise CaseError(f"{path}: no such file") from None
     except (OSError, UnicodeDecodeError) as error:
         raise CaseError(f"{path}: cannot be read ({error})") from None
     except tomllib.TOMLDecodeError as error:
         raise CaseError(f"{path}: not a TOML file: {error}") from None
-    try:
-        case = Case(path.stem, path.parent, _tables(data))
-        list(case.scenes())  # the drive must mesh and the gap file must hold a gap
-    except CaseError as error:
-        raise CaseError(f"{path}: {error}") from error
-    return case
 
 
 def _tables(data: dict[str, Any]) -> CaseTable:
@@ -248,11 +258,12 @@ def _tables(data: dict[str, Any]) -> CaseTable:
     if ("drive" in data) == ("contact" in data):
         raise CaseError("give either a [drive] or a [contact], one of the two")
     about = "drive" if "drive" in data else "contact"
-    kind = getattr(_checked(kind_model(about), data), about).kind
-    return _checked(CASES[about][kind], data)
+    kind = getattr(checked(kind_model(about), data), about).kind
+    return checked(CASES[about][kind], data)
 
 
-def _checked(model: type[BaseModel], data: dict[str, Any]) -> Any:
+def checked(model: type[BaseModel], data: dict[str, Any]) -> Any:
+    """What a file holds, read as a model; CaseError with the sentence about what is wrong first."""
     try:
         return model.model_validate(data)
     except ValidationError as error:

@@ -21,6 +21,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 
 import xarray as xr
 
+from pyworm.output import whole_file
 from pyworm.solution import Solution
 
 FORMAT = "pyworm result"
@@ -59,18 +60,14 @@ class Result:
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
         path = Path(path)
-        partial = path.with_name(f".{path.name}.{os.getpid()}.part")
         tree = xr.DataTree.from_dict(_groups(self))
         encoding = {
             f"{group.path}": {name: {"zlib": True, "complevel": 1} for name in group.data_vars}
             for group in tree.subtree
             if group.name == "fields"
         }
-        try:
+        with whole_file(path) as partial:
             tree.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
         return path
 
 
@@ -125,7 +122,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
         scene = f"/scene_{number:03d}"
-        attributes = _plain_attributes(solution.summary())
+        attributes = plain_attributes(solution.summary())
         attributes["solution"] = _to_json(_scalars(solution))
         groups[scene] = xr.Dataset(attrs=attributes)
         groups[f"{scene}/fields"] = solution.fields
@@ -135,7 +132,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
     return groups
 
 
-def _plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
+def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
     """Scalars as NetCDF takes them: no None, truth as 0 or 1, an object's entries one by one."""
     plain = {}
     for name, value in summary.items():

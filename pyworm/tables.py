@@ -141,11 +141,10 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
     table.add_column("Converged")
-    for label, scene, values in zip(labels, scenes, summaries, strict=True):
-        dry = values.get("dry_pressure_max_Pa") or scene_summary(scene)["hertz_pressure_max_Pa"]
+    for scene, label, values in zip(scenes, labels, summaries, strict=True):
         table.add_row(
             *label,
-            f"{dry / 1e6:.4g}",
+            f"{_dry_pressure(scene, values) / 1e6:.4g}",
             f"{values['pressure_max_Pa'] / 1e6:.4g}",
             f"{values['film_central_m'] * 1e6:.4g}",
             f"{values['film_central_error'] * 100:.2g}",
@@ -165,9 +164,8 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     heated = all("temperature_max_C" in values for values in summaries)
     table = Table(title="Friction and heat of all scenes", title_justify="left")
     labels = _add_places(table, scenes)
-    lines = all("power_loss_per_length_W_m" in values for values in summaries)
-    loss = "power_loss_per_length_W_m" if lines else "power_loss_W"
-    headings = ["Friction", "± %", "Loss\nW/m" if lines else "Loss\nW"]
+    loss, unit, scale = _LOSSES[summaries[0]["kind"]]
+    headings = ["Friction", "± %", f"Loss\n{unit}"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
@@ -176,13 +174,24 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
-            f"{values[loss]:.4g}",
+            f"{values[loss] * scale:.4g}",
         ]
         if heated:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(*label, *cells)
     return table
+
+
+_LOSSES = {"point": ("power_loss_W", "W", 1.0), "line": ("power_loss_per_length_W_m", "kW/m", 1e-3)}
+"""Kind of contact -> key of its power loss in summaries, the unit shown and the factor to it."""
+
+
+def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float:
+    """Largest pressure of the dry contact [Pa]: of a line contact it is Hertz's."""
+    if "dry_pressure_max_Pa" in summary:
+        return summary["dry_pressure_max_Pa"]
+    return scene_summary(scene)["hertz_pressure_max_Pa"]
 
 
 def _add_places(table: Table, scenes: Sequence[Scene | LineScene]) -> list[list[str]]:

@@ -55,8 +55,6 @@ class RollerWorm:
         Wheel angles from the throat at which either section begins and ends [rad].
     addendum, dedendum : float
         How far the thread bears from the rollers' middle towards their inner and their outer ends [m].
-    roughness : float
-        Of the thread, rms [m].
     """
 
     threads: int
@@ -66,7 +64,6 @@ class RollerWorm:
     outer_angle: float
     addendum: float
     dedendum: float
-    roughness: float
 
 
 @dataclass(frozen=True)
@@ -87,8 +84,6 @@ class Rollers:
         What they turn on.
     stiffness : float
         Of pin and thread together [N/m]; inf where they are rigid.
-    roughness : float
-        Rms [m].
     """
 
     count: int
@@ -97,7 +92,6 @@ class Rollers:
     height: float
     pin: Pin = FREE_OF_FRICTION
     stiffness: float = float("inf")
-    roughness: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -161,6 +155,8 @@ class RollerWormDrive:
         Worm and rollers.
     oil : Oil
         The oil.
+    roughness : tuple of float
+        Of worm and rollers, rms [m].
     """
 
     worm: RollerWorm
@@ -173,6 +169,7 @@ class RollerWormDrive:
     rolling: Spinning
     bodies: tuple[Body, Body]
     oil: Oil
+    roughness: tuple[float, float]
 
     def __post_init__(self) -> None:
         _check(self)
@@ -223,11 +220,6 @@ class RollerWormDrive:
     def compliance(self) -> Compliance:
         """What yields under load."""
         return Compliance(self.bodies, self.rollers.stiffness)
-
-    @property
-    def roughness(self) -> tuple[float, float]:
-        """Rms roughness of worm and rollers [m]."""
-        return self.worm.roughness, self.rollers.roughness
 
     def wheel_torque(self, section: str) -> float:
         """Torque between a section and the wheel [N m], about the wheel's axis.

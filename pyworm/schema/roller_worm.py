@@ -49,7 +49,6 @@ class RollersTable(Table):
     crown: CrownTable | None = None
     pin: PinTable | None = None
     stiffness: units.Stiffness | None = None
-    roughness: units.Length
 
     @model_validator(mode="after")
     def _shape_has_what_it_needs(self):
@@ -70,7 +69,6 @@ class RollerWormTable(Table):
     outer_angle: units.Angle
     addendum: units.Length
     dedendum: units.Length
-    roughness: units.Length
 
 
 class RollerDriveTable(Table):
@@ -111,12 +109,20 @@ class RollerOperationTable(Table):
         return self.worm_torque or self.power / self.worm_speed
 
 
+class RollerSurfacesTable(Table):
+    """`[surfaces]`: roughness as root mean square."""
+
+    worm_roughness: units.Length
+    roller_roughness: units.Length
+
+
 class RollerWormCase(CaseTable):
     """A case file about a roller enveloping worm drive."""
 
     drive: RollerDriveTable
     operation: RollerOperationTable
     bodies: RollerBodies
+    surfaces: RollerSurfacesTable
 
     @model_validator(mode="after")
     def _free_rollers_need_a_flow_law(self):

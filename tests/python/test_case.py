@@ -19,7 +19,7 @@ from pyworm.sampled_gap import SampledGap, read_gap
 ROOT = Path(__file__).parents[2]
 CASES = ROOT / "cases"
 SHIPPED = sorted(CASES.glob("*.toml"))
-CONTACTS = [path for path in SHIPPED if path.stem != "zi_sharif_2001"]
+CONTACTS = [path for path in SHIPPED if "[drive]" not in path.read_text()]
 LINES = [path for path in CONTACTS if path.stem.startswith("line")]
 POINTS = [path for path in CONTACTS if path not in LINES]
 
