@@ -89,12 +89,20 @@ def _parser() -> argparse.ArgumentParser:
     case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
     case.add_argument(
         "--effects",
-        default="auto",
-        help="auto (default), all, isothermal, or names of effects with commas between",
+        help="auto, all, isothermal, or names of effects with commas between; else the case's",
     )
     case.add_argument(
         "--quantities",
-        help="film, friction, temperature, with commas (default: all that the oil is known for)",
+        help="film, friction, temperature, with commas; else the case's, or all that can be told",
+    )
+    case.add_argument(
+        "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
+    )
+    case.add_argument(
+        "--station",
+        type=float,
+        nargs="+",
+        help="places along contact lines, 0 to 1, to solve; else the case's",
     )
     case.add_argument(
         "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
@@ -330,9 +338,11 @@ def _tasks(case: Case, options: argparse.Namespace) -> list:
 
     from pyworm.task import Task
 
-    quantities = None if options.quantities is None else tuple(options.quantities.split(","))
+    effects = options.effects or case.effects
+    words = options.quantities
+    quantities = case.quantities if words is None else tuple(words.split(","))
     places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
-    tasks = [Task(case, place, accuracy, options.effects, quantities) for place in places]
+    tasks = [Task(case, place, accuracy, effects, quantities) for place in places]
     try:
         for task in tasks:
             _ = task.plan

@@ -181,6 +181,8 @@ class Solution:
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
     slide_roll_ratio : float or None
         Place on a traction curve [-].
+    section, station : str or None, float or None
+        Section of a worm that has two, and place along the contact line, 0 to 1.
     profile : xarray.Dataset or None
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
@@ -201,6 +203,8 @@ class Solution:
     cost: Cost
     inlet_temperature: float | None = None
     slide_roll_ratio: float | None = None
+    section: str | None = None
+    station: float | None = None
     profile: xr.Dataset | None = None
     effects: tuple[Judgement, ...] = ()
 

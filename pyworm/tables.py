@@ -8,7 +8,7 @@ from rich.table import Table
 
 from pyworm.effects.judgement import Judgement
 from pyworm.line.scene import LineScene
-from pyworm.place import PLACE_NAMES
+from pyworm.place import PLACE_NAMES, Place
 from pyworm.planning import Plan
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
@@ -138,14 +138,14 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     summaries : sequence of mapping
         `Solution.summary()` of each one's solution.
     """
-    heading, labels = _places(scenes)
-    table = Table(heading, title="All scenes", title_justify="left")
+    table = Table(title="All scenes", title_justify="left")
+    labels = _add_places(table, scenes)
     for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
     table.add_column("Converged")
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
         table.add_row(
-            label,
+            *label,
             f"{_dry_pressure(scene, values) / 1e6:.4g}",
             f"{values['pressure_max_Pa'] / 1e6:.4g}",
             f"{values['film_central_m'] * 1e6:.4g}",
@@ -164,24 +164,24 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     The error bar of the temperatures is the largest of the three.
     """
     heated = any("temperature_max_C" in values for values in summaries)
-    heading, labels = _places(scenes)
-    table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
-    loss, unit, scale = _LOSSES[summaries[0]["kind"]]
-    headings = ["Friction", "± %", f"Loss\n{unit}"]
+    table = Table(title="Friction and heat of all scenes", title_justify="left")
+    labels = _add_places(table, scenes)
+    headings = ["Friction", "± %", "Loss"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
         table.add_column(heading, justify="right")
     for label, values in zip(labels, summaries, strict=True):
+        loss, unit, scale = _LOSSES[values["kind"]]
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
-            f"{values[loss] * scale:.4g}",
+            f"{values[loss] * scale:.4g} {unit}",
         ]
         if "temperature_max_C" in values:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
-        table.add_row(label, *cells)
+        table.add_row(*label, *cells)
     return table
 
 
@@ -196,13 +196,18 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
     return scene_summary(scene)["hertz_pressure_max_Pa"]
 
 
-def _places(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
-    """What tells scenes of one case apart: what it is, and that of each."""
-    for heading, place in (("Phase", "phase"), ("Slide-\nroll\nratio", "slide_roll_ratio")):
-        places = [getattr(scene, place) for scene in scenes]
-        if None not in places:
-            return heading, [f"{of:g}" for of in places]
-    return "Scene", [scene.name for scene in scenes]
+def _add_places(table: Table, scenes: Sequence[Scene | LineScene]) -> list[list[str]]:
+    """Add a column for each part of what tells scenes of one case apart; their cells."""
+    names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
+    for name in names:
+        table.add_column(name.capitalize().replace("_", "\n"))
+    if not names:
+        table.add_column("Scene")
+        return [[scene.name] for scene in scenes]
+    return [
+        [of if isinstance(of, str) else f"{of:g}" for of in (getattr(one, name) for name in names)]
+        for one in scenes
+    ]
 
 
 def published_for(
@@ -265,7 +270,7 @@ def _influence(share: float | None) -> str:
 
 
 def _title(scene: Scene | LineScene) -> str:
-    return scene.name if scene.phase is None else f"Mesh phase {scene.phase:g}"
+    return scene.name if scene.phase is None else f"Mesh: {Place.of(scene)}"
 
 
 def _value(value: float, unit: str, error: float | None = None) -> str:

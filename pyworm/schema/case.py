@@ -1,12 +1,15 @@
 """What all case files say."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from pyworm import units
 from pyworm.schema.oil import OilTable
 from pyworm.schema.table import Table, Text
+
+Quantity = Literal["film", "friction", "temperature"]
+"""What a case asks of its contacts."""
 
 
 class PublishedValue(Table):
@@ -34,6 +37,8 @@ class CaseTable(Table):
     title: Text
     source: Text
     accuracy: units.Share = 0.01
+    effects: Text = "auto"
+    quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
     published: Published = Field(default_factory=dict)
 
