@@ -6,6 +6,7 @@ from math import asinh, exp, expm1, sqrt
 from scipy.special import lambertw
 
 from pyworm.effects.effect import EVERYTHING, Contact, Effect, Influence
+from pyworm.effects.oil import unlike, unthinned
 from pyworm.effects.sketch import Sketch
 
 
@@ -138,9 +139,12 @@ def _parabola_error(warmth: float) -> float:
     return abs(exp(-float(lambertw(2 * x**2 / 3).real)) / exact - 1)
 
 
-PARABOLA_FILM, SHIFT_SHARE = 1e-3, 4.0
-"""Error of a film by what three levels resolve of its flow, and change of the minimum film over that of the
-mean velocity (`benchmarks/plan.py`)."""
+PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03
+"""Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and over
+the warmth that rolling makes (`benchmarks/plan.py`)."""
+
+SHIFT_SHARE = 4.0
+"""Change of the minimum film over that of the mean velocity inside the contact, likewise."""
 
 
 def _across(sketch: Sketch) -> Influence:
@@ -151,7 +155,15 @@ def _across(sketch: Sketch) -> Influence:
     slip = sketch.sliding / sketch.speed
     # unequal viscosities at the walls shift the mean velocity of the oil by (u1 - u2)/12 a unit of ln eta; at
     # the contact's sides the film feels more of it
-    film = PARABOLA_FILM + SHIFT_SHARE * slip * sketch.wall_warmth / 12
+    shift = SHIFT_SHARE * slip * sketch.wall_warmth / 12
+    flow = sketch.oil.flow
+    thinned = unlike(sketch, unthinned(flow)).film if flow is not None and flow.stress > 0 else 0.0
+    film = (
+        PARABOLA_FILM
+        + PARABOLA_THINNED * thinned
+        + PARABOLA_ROLLING * sketch.rolling_warmth
+        + shift
+    )
     return Influence(film, max(friction, film), 2 * max(friction, film) * sketch.warmth)
 
 

@@ -80,12 +80,22 @@ def _inlet_stress(sketch: Sketch) -> float:
     return INLET_THICKENING * sketch.oil.viscosity.eta0 * speed / sketch.film_central
 
 
+def _inlet_pressure(sketch: Sketch) -> float:
+    """Pressure at which oil of the inlet is several times thicker than outside [Pa]."""
+    alpha = sketch.oil.viscosity.alpha
+    return min(2 / alpha, sketch.pressure_mean) if alpha > 0 else 0.0
+
+
 LOBE_PRESSURE, LOBE_SHARE = 1 / 3, 0.25
 """Pressure over the mean one where the minimum film forms, at the contact's sides and exit, and what of a
 change of the stress there it feels: oil leaves by the pressure's gradient where sliding has thinned it."""
 
 
-def _unlike(sketch: Sketch, other: FlowLaw) -> Influence:
+HOT_FRICTION = 2.0
+"""Change of the largest temperatures over that of the mean stress: they are where the stress is largest."""
+
+
+def unlike(sketch: Sketch, other: FlowLaw) -> Influence:
     """Change of what is asked by another flow law than the oil's."""
     own = sketch.oil.flow
 
@@ -96,17 +106,17 @@ def _unlike(sketch: Sketch, other: FlowLaw) -> Influence:
 
     lobe = LOBE_PRESSURE * sketch.pressure_mean
     outflow = change(sketch.oil.eta(lobe) * sketch.sliding / sketch.film_min, lobe)
-    film = max(change(_inlet_stress(sketch), 0.0), LOBE_SHARE * outflow)
+    film = max(change(_inlet_stress(sketch), _inlet_pressure(sketch)), LOBE_SHARE * outflow)
     stress = sketch.hot_stress()
     friction = abs(sketch.hot_stress(flow=other) / stress - 1) if stress > 0 else 0.0
-    return Influence(film, max(friction, film), friction * sketch.warmth)
+    return Influence(film, max(friction, film), HOT_FRICTION * friction * sketch.warmth)
 
 
 UNREACHED = 1e12
 """Eyring stress of an oil that thins no more [Pa]."""
 
 
-def _unthinned(flow: FlowLaw) -> FlowLaw:
+def unthinned(flow: FlowLaw) -> FlowLaw:
     return replace(flow, stress=UNREACHED) if flow.law == "eyring-limited" else NEWTONIAN
 
 
@@ -150,8 +160,8 @@ SHEAR_THINNING = Effect(
     symbol="6 eta0 (u + us) / h tau0",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
     indicator=lambda sketch: _inlet_stress(sketch) / sketch.oil.flow.stress,
-    influence=lambda sketch: _unlike(sketch, _unthinned(sketch.oil.flow)),
-    without=_flowing(_unthinned, _thins),
+    influence=lambda sketch: unlike(sketch, unthinned(sketch.oil.flow)),
+    without=_flowing(unthinned, _thins),
     lacking=_lacking(_thins, "thinning"),
 )
 
@@ -160,7 +170,7 @@ LIMITING_STRESS = Effect(
     symbol="tau / tauL",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
     indicator=lambda sketch: sketch.stress() / sketch.oil.flow.limit_at(sketch.pressure_mean),
-    influence=lambda sketch: _unlike(sketch, _unlimited(sketch.oil.flow)),
+    influence=lambda sketch: unlike(sketch, _unlimited(sketch.oil.flow)),
     without=_flowing(_unlimited, _limits),
     lacking=_lacking(_limits, "limiting stress"),
 )

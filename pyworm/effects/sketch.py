@@ -181,6 +181,11 @@ class Sketch:
         return (flow + compression) / (8 * heat.conductivity)
 
     @property
+    def rolling_warmth(self) -> float:
+        """Fall of ln eta by that [-]."""
+        return self.beta * self.rolling_rise
+
+    @property
     def bulk(self) -> float:
         """Largest difference between a body's bulk temperature and the inlet's [K]."""
         inlet = self.oil.heat.inlet_temperature
