@@ -63,7 +63,9 @@ class Effect:
     lacking : callable
         Why a contact has none of it, or why it cannot be told; None where it has.
     together : tuple of str
-        Effects that are simulated only together with it.
+        Effects without which it is not simulated.
+    part_of : str or None
+        An effect earlier in the catalogue without which there is nothing of it.
     """
 
     name: str
@@ -74,3 +76,4 @@ class Effect:
     without: Callable[[Contact], Contact] | None
     lacking: Callable[[Contact], str | None] = lambda scene: None
     together: tuple[str, ...] = ()
+    part_of: str | None = None

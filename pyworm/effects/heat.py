@@ -104,6 +104,7 @@ SURFACE_HEATING = Effect(
     without=_cold,
     lacking=_unknown,
     together=("film-heating",),
+    part_of="film-heating",
 )
 
 FILM_HEATING = Effect(
@@ -140,8 +141,8 @@ def _parabola_error(warmth: float) -> float:
 
 
 PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03
-"""Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and over
-the warmth that rolling makes (`benchmarks/plan.py`)."""
+"""Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and
+over the warmth that rolling makes (`benchmarks/plan.py`)."""
 
 SHIFT_SHARE = 4.0
 """Change of the minimum film over that of the mean velocity inside the contact, likewise."""
@@ -176,4 +177,5 @@ VISCOSITY_ACROSS = Effect(
     without=lambda scene: scene,
     lacking=_unknown,
     together=("film-heating", "surface-heating"),
+    part_of="film-heating",
 )

@@ -75,6 +75,8 @@ def judge(
         elif asked is not None:
             on = effect.name in asked
             reason = "asked for" if on else "not asked for"
+        elif effect.part_of is not None and not judgements[effect.part_of].on:
+            on, reason = False, f"none without {effect.part_of}"
         elif effect.name in kept:
             on, reason = True, _needed(allowed) if worst > allowed else "proved needless"
         else:

@@ -69,7 +69,7 @@ COMPRESSIBILITY = Effect(
 
 # ------------------------------------------------------------------------------- flow under stress
 
-INLET_THICKENING = 6.0
+INLET_THICKENING = 4.5
 """Stress in the inlet over eta0 (u + us)/h: the film forms where the oil is some times thicker than outside
 and the gap somewhat wider than the film."""
 
@@ -86,10 +86,9 @@ def _inlet_pressure(sketch: Sketch) -> float:
     return min(2 / alpha, sketch.pressure_mean) if alpha > 0 else 0.0
 
 
-LOBE_PRESSURE, LOBE_SHARE = 1 / 3, 0.25
-"""Pressure over the mean one where the minimum film forms, at the contact's sides and exit, and what of a
-change of the stress there it feels: oil leaves by the pressure's gradient where sliding has thinned it."""
-
+LOBE_PRESSURE = 1 / 3
+"""Pressure over the mean one where the minimum film forms, at the contact's sides and exit: oil leaves there
+by the pressure's gradient, the more easily the more sliding has thinned it."""
 
 HOT_FRICTION = 2.0
 """Change of the largest temperatures over that of the mean stress: they are where the stress is largest."""
@@ -102,11 +101,12 @@ def unlike(sketch: Sketch, other: FlowLaw) -> Influence:
     def change(newtonian: float, pressure: float) -> float:
         if newtonian == 0:
             return 0.0
-        return abs(other.stress_at(newtonian, pressure) / own.stress_at(newtonian, pressure) - 1)
+        stresses = [law.stress_at(newtonian, pressure) for law in (own, other)]
+        return 1 - min(stresses) / max(stresses)
 
     lobe = LOBE_PRESSURE * sketch.pressure_mean
     outflow = change(sketch.oil.eta(lobe) * sketch.sliding / sketch.film_min, lobe)
-    film = max(change(_inlet_stress(sketch), _inlet_pressure(sketch)), LOBE_SHARE * outflow)
+    film = max(change(_inlet_stress(sketch), _inlet_pressure(sketch)), outflow)
     stress = sketch.hot_stress()
     friction = abs(sketch.hot_stress(flow=other) / stress - 1) if stress > 0 else 0.0
     return Influence(film, max(friction, film), HOT_FRICTION * friction * sketch.warmth)
@@ -117,6 +117,7 @@ UNREACHED = 1e12
 
 
 def unthinned(flow: FlowLaw) -> FlowLaw:
+    """What is left of a flow law without thinning."""
     return replace(flow, stress=UNREACHED) if flow.law == "eyring-limited" else NEWTONIAN
 
 
@@ -157,7 +158,7 @@ def _limits(flow: FlowLaw) -> bool:
 
 SHEAR_THINNING = Effect(
     name="shear-thinning",
-    symbol="6 eta0 (u + us) / h tau0",
+    symbol="4.5 eta0 (u + us) / h tau0",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
     indicator=lambda sketch: _inlet_stress(sketch) / sketch.oil.flow.stress,
     influence=lambda sketch: unlike(sketch, unthinned(sketch.oil.flow)),
