@@ -1,8 +1,8 @@
 """What plans leave out, what that changes, and what it saves: every scene of `plan_scenes`.
 
 For each scene the automatic plan against everything on: seconds of both solves at the accuracy asked for,
-and how far the asked quantities differ on one grid. Then, one after another, each effect left out is switched off from
-everything on: its true influence against the estimate. Run from the repository's root:
+and how far the asked quantities differ on one grid. Then, one after another, each effect left out is switched
+off from everything on: its true influence against the estimate. Run from the repository's root:
 
     python benchmarks/plan.py [ACCURACY ...] [--out DIR]     the whole table, by default at 1 % and 5 %
     python benchmarks/plan.py 5% "worm, phase 0.5"            only the scenes named
