@@ -128,7 +128,7 @@ def climb(name: str) -> dict[str, float | str]:
     held = np.concatenate([film.pressure.ravel(), film.rise().ravel()])
     digest = hashlib.sha256(held.tobytes()).hexdigest()
     convolution = least(film.convolve)
-    residual = least(lambda: film.start(film.pressure, film.rigid_film))
+    residual = least(film.restart)
     return {
         "whole": whole,
         "rheology": residual - convolution,

@@ -13,7 +13,7 @@ module bindings
     point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, &
     point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
-    line_film_convolve, line_film_shear, line_film_heat, line_film_warm, line_film_rise, &
+    line_film_convolve, line_film_shear, line_film_heat, line_film_rise, &
     line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
   public :: prolong_cubic, level_positions
 
@@ -159,18 +159,20 @@ contains
     call contact%work%whole%finish()
   end subroutine point_film_evaluate
 
-  !> One Newton step from the state last evaluated; p and h0 are replaced.
+  !> One Newton step from the state last evaluated, and where heat is simulated one sweep of it; p and h0 are replaced.
+  !>
+  !> `change` is the change of temperature [K] that heat is judged by, and `largest_rise` the film's [K].
   subroutine point_film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
-      load_error, krylov, step, stat)
+      load_error, krylov, step, change, largest_rise, stat)
     use point_film, only: film_step
     use contact_handle, only: contact_of
-    use film_temperature, only: heated_contact
+    use film_temperature, only: heated_contact, heated_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
     real(c_double), intent(inout) :: p(nx, ny)
     real(c_double), intent(in) :: h0, last_residual, last_load_error
-    real(c_double), intent(out) :: new_h0, residual, load_error, step
+    real(c_double), intent(out) :: new_h0, residual, load_error, step, change, largest_rise
     integer(c_int), intent(out) :: krylov, stat
     type(heated_contact), pointer :: contact
     !f2py threadsafe
@@ -179,8 +181,15 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
+    change = 0
+    largest_rise = 0
     call contact%work%whole%start()
-    call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    if (allocated(contact%heat)) then
+      call heated_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, change, stat)
+      largest_rise = maxval(contact%shear%nodes%rise)
+    else
+      call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    end if
     call contact%work%whole%finish()
   end subroutine point_film_step
 
@@ -369,21 +378,25 @@ contains
   end subroutine point_film_thickness
 
   !> How often each part of the work on a contact was done and the processor time [s] that it took:
-  !> convolutions, fields and flows, building the preconditioner, its cycles, and all of it with whole steps
-  !> and evaluations.
+  !> convolutions, fields and flows, building the preconditioner, its cycles, heat, and all of it with whole
+  !> steps and evaluations.
   subroutine point_film_work(handle, counts, seconds)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
+    use tally, only: work_tally
     integer(c_int64_t), intent(in) :: handle
-    integer(c_int), intent(out) :: counts(5)
-    real(c_double), intent(out) :: seconds(5)
+    integer(c_int), intent(out) :: counts(6)
+    real(c_double), intent(out) :: seconds(6)
     type(heated_contact), pointer :: contact
+    type(work_tally) :: heat
 
     contact => contact_of(handle)
+    if (allocated(contact%heat)) heat = contact%heat%work
     associate (work => contact%work)
-      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%whole%count]
+      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, heat%count, &
+        work%whole%count]
       seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
-        work%whole%seconds]
+        heat%seconds, work%whole%seconds]
     end associate
   end subroutine point_film_work
 
@@ -448,18 +461,19 @@ contains
     call line_residual(contact%line_contact, p, h0, residual, load_error)
   end subroutine line_film_evaluate
 
-  !> One Newton step of a line contact from the state last evaluated; p and h0 are replaced.
+  !> One Newton step of a line contact from the state last evaluated, and where heat is simulated one sweep of it; p and
+  !> h0 are replaced; `change` and `largest_rise` as in `point_film_step`.
   subroutine line_film_step(handle, forcing, p, n, h0, last_residual, last_load_error, new_h0, residual, &
-      load_error, krylov, step, stat)
+      load_error, krylov, step, change, largest_rise, stat)
     use line_film, only: line_step
     use line_handle, only: contact_of
-    use line_temperature, only: heated_line
+    use line_temperature, only: heated_line, heated_line_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: forcing
     real(c_double), intent(inout) :: p(n)
     real(c_double), intent(in) :: h0, last_residual, last_load_error
-    real(c_double), intent(out) :: new_h0, residual, load_error, step
+    real(c_double), intent(out) :: new_h0, residual, load_error, step, change, largest_rise
     integer(c_int), intent(out) :: krylov, stat
     type(heated_line), pointer :: contact
     !f2py threadsafe
@@ -468,7 +482,14 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    call line_step(contact%line_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    change = 0
+    largest_rise = 0
+    if (allocated(contact%heat)) then
+      call heated_line_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, change, stat)
+      largest_rise = maxval(contact%shear%nodes%rise)
+    else
+      call line_step(contact%line_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    end if
   end subroutine line_film_step
 
   !> Film [m], relative density and net outflow per length [m/s] of a line contact as last evaluated.
@@ -567,20 +588,6 @@ contains
     end subroutine new_body
 
   end subroutine line_film_heat
-
-  !> One sweep of heat through a line contact (`line_temperature`); `change` is the largest of its temperature [K].
-  subroutine line_film_warm(handle, change, stat)
-    use line_handle, only: contact_of
-    use line_temperature, only: heated_line, line_heat_sweep
-    integer(c_int64_t), intent(in) :: handle
-    real(c_double), intent(out) :: change
-    integer(c_int), intent(out) :: stat
-    type(heated_line), pointer :: contact
-    !f2py threadsafe
-
-    contact => contact_of(handle)
-    call line_heat_sweep(contact, change, stat)
-  end subroutine line_film_warm
 
   !> Temperature of a line contact above its inlet's [K], at the levels from body 1 to body 2.
   subroutine line_film_rise(handle, n, levels, rise)

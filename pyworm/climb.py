@@ -210,15 +210,14 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
 
 
 def with_shear(scene: Scene, model: Model, rung: Rung) -> None:
-    """Lets the film of a rung flow by the oil's law, from its present pressure."""
+    """Lets the film of a rung flow by the oil's law; it is to be restarted before it steps."""
     body_1, body_2 = (motion(*rung.grid.mesh()) for motion in scene.motions)
     sliding = tuple(one - other for one, other in zip(body_1, body_2, strict=True))
     rung.film.shear(scene.oil.flow or NEWTONIAN, model.levels, sliding)
-    rung.film.start(rung.film.pressure, rung.film.rigid_film)
 
 
 def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = None) -> None:
-    """Lets the sheared film of a rung, and the bodies, warm from its present pressure.
+    """Lets the sheared film of a rung, and the bodies, warm; it is to be restarted before it steps.
 
     `rise` is the temperature above the inlet's to begin with [K], on the rung's grid.
     """
@@ -229,7 +228,6 @@ def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = 
         (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
         rise,
     )
-    rung.film.start(rung.film.pressure, rung.film.rigid_film)
 
 
 def _rung(

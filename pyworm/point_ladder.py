@@ -70,10 +70,12 @@ class PointLadder:
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
             with_shear(self._scene, self._model, rung)
+            rung.film.restart()
         if self._model.heated:
             # the Newtonian film's pressure could make heat without bound by a law that limits the stress
             strides += lead(rung, SHEAR_TOLERANCE)
             with_heat(self._scene, self._size, rung)
+            rung.film.restart()
             strides += self._taken_back(rung)
         return rung, strides
 
@@ -85,7 +87,7 @@ class PointLadder:
         for share in TAKEN_BACK:
             strides += lead(rung, LENT_TOLERANCE)
             rung.film.entrain(lent(self._scene, share).entrainment(*rung.grid.mesh()))
-            rung.film.start(rung.film.pressure, rung.film.rigid_film)
+            rung.film.restart()
         return strides
 
     def higher(self, rung: Rung) -> Rung:
@@ -97,6 +99,8 @@ class PointLadder:
             with_shear(self._scene, self._model, finer)
         if self._model.heated:
             with_heat(self._scene, self._size, finer, kernels.prolong_levels(rung.film.rise()))
+        if self._model.levels:
+            finer.film.restart()
         return finer
 
     def outcome(self, rung: Rung) -> Outcome:

@@ -15,14 +15,15 @@ module film_temperature
   use oil_heat, only: oil_heat_law
   use nodal_shear, only: line_cut, take, put, shear_cut
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use point_film, only: point_contact
+  use point_film, only: point_contact, film_direction, move_film, film_balance, bearable, search_step
   use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
   use status, only: status_ok, status_not_finite, status_no_memory
+  use tally, only: work_tally
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
   private
 
-  public :: heated_contact, heat_contact, heat_sweep, set_temperature
+  public :: heated_contact, heat_contact, heated_step, heat_sweep, set_temperature
 
   !> Columns treated together.
   integer, parameter :: most_columns = 64
@@ -46,9 +47,12 @@ module film_temperature
     !> Temperature of the line in work and of two on either side, as they stand, line k at mod(k, 5); what the line in
     !> work becomes, which its own columns are not to see before all are done. (columns, levels).
     real(wp), allocatable :: lines(:, :, :), renewed(:, :)
+    !> Temperature before a step.
+    real(wp), allocatable :: before(:, :, :)
     !> Scratch of each thread.
     type(film_strip), allocatable :: columns(:)
     type(shear_strip), allocatable :: shear(:)
+    type(work_tally) :: work
   end type film_heat
 
   !> A point contact and its temperature, which is there where heat is simulated.
@@ -80,7 +84,7 @@ contains
       if (stat /= status_ok) return
       allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%friction(nx, ny), &
         heat%carried(nx, ny), heat%rate(nx, ny), heat%lines(merge(ny, nx, self%cycles%transposed), levels, 0:4), &
-        heat%renewed(merge(ny, nx, self%cycles%transposed), levels), source=0.0_wp, stat=err)
+        heat%renewed(merge(ny, nx, self%cycles%transposed), levels), heat%before(nx, ny, levels), source=0.0_wp, stat=err)
       if (err == 0) allocate (heat%columns(0:omp_get_max_threads() - 1), heat%shear(0:omp_get_max_threads() - 1), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
       if (stat /= status_ok) return
@@ -94,6 +98,46 @@ contains
     call set_walls(self)
   end subroutine heat_contact
 
+  !> One Newton step of the film from (p, h0), about which it was last evaluated, one sweep of heat at the new film, and
+  !> the film's balance there.
+  !>
+  !> For the arguments see `film_step`, for `change` `heat_sweep`. The whole of Newton's step is judged after the heat
+  !> that follows it, so that flows are evaluated once. Where that is too much, by the step or by the heat, the step
+  !> is sought at the temperature before. Heat is swept even if no step helps.
+  subroutine heated_step(self, forcing, p, h0, residual, load_error, krylov, step, change, stat)
+    type(heated_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0, residual, load_error
+    integer, intent(out) :: krylov, stat
+    real(wp), intent(out) :: step, change
+    real(wp) :: merit
+    integer :: heat_stat
+
+    step = 0
+    change = hottest
+    merit = residual + abs(load_error)
+    call film_direction(self%point_contact, forcing, p, h0, load_error, krylov, stat)
+    if (stat /= status_ok) return
+    self%heat%before(:, :, :) = self%shear%nodes%rise
+    step = 1
+    call move_film(self%point_contact, step, p, h0)
+    call heat_sweep(self, change, stat)
+    if (stat == status_ok) then
+      call film_balance(self%point_contact, residual, load_error)
+      if (bearable(merit, residual, load_error)) return
+    end if
+    call set_temperature(self, self%heat%before)
+    call search_step(self%point_contact, merit, p, h0, residual, load_error, step, stat)
+    call heat_sweep(self, change, heat_stat)
+    if (heat_stat == status_ok) then
+      call film_balance(self%point_contact, residual, load_error)
+    else
+      stat = heat_stat
+      change = hottest
+    end if
+  end subroutine heated_step
+
   !> One sweep over the columns, with the entrainment, then the balance of the walls.
   !>
   !> `change` is the largest change of temperature [K] where pressure counts. If it leaves all sense, the contact is
@@ -105,6 +149,7 @@ contains
     real(wp) :: missed, reduction
     integer :: iterations
 
+    call self%heat%work%start()
     self%heat%shear%unsolved = 0
     call heat_columns(self, self%heat, change)
     ! nor is heat of a stress that was not found to count as settled
@@ -117,6 +162,7 @@ contains
     end associate
     call set_walls(self)
     call judge_temperature(self, stat)
+    call self%heat%work%finish()
   end subroutine heat_sweep
 
   !> Whether the film is between absolute zero and what no oil bears; if not it is cooled down.
