@@ -8,7 +8,7 @@ import xarray as xr
 
 from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
-from pyworm.climb import Rung, dry_contact, first_rung, next_rung, with_heat, with_shear
+from pyworm.climb import Rung, dry_contact, entry, first_rung, next_rung, with_heat, with_shear
 from pyworm.effects import Plan
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
@@ -66,7 +66,7 @@ class PointLadder:
         rung = first_rung(self._lent, self._scene, self._size, grids[0])
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
-            rung = next_rung(self._scene, self._size, rung, grid)
+            rung = next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
             with_shear(self._scene, self._model, rung)
@@ -92,13 +92,15 @@ class PointLadder:
 
     def higher(self, rung: Rung) -> Rung:
         """Half the spacing over the same window."""
-        finer = next_rung(self._lent, self._size, rung, rung.grid.finer())
+        grid = rung.grid.finer()
+        start = entry(rung, grid)
+        finer = next_rung(self._lent, self._size, rung, grid, start)
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
         if self._model.levels:
             with_shear(self._scene, self._model, finer)
         if self._model.heated:
-            with_heat(self._scene, self._size, finer, kernels.prolong_levels(rung.film.rise()))
+            with_heat(self._scene, self._size, finer, start.rise)
         if self._model.levels:
             finer.film.restart()
         return finer

@@ -30,7 +30,7 @@ module surface_path
   !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of
   !> the foot, in nodes, that ends them.
   integer, parameter :: foot_iterations = 8
-  real(wp), parameter :: foot_settled = 1e-8_wp
+  real(wp), parameter :: foot_settled = 1e-10_wp
   !> Exponentials that are taken together: a vector register. Each group goes its way over all lines by
   !> itself, so that threads that take different ones need not wait for each other.
   integer, parameter :: lanes = 4
@@ -147,29 +147,32 @@ contains
   subroutine find_feet(self, ahead, aside, apart, spacing)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: ahead(:, :), aside(:, :), apart, spacing
-    real(wp) :: slope(3), slowness(3), at, halfway, last
-    integer :: line, node, iteration
+    real(wp) :: slope(3), slowness(3), share(4), at, halfway, last
+    integer :: line, node, iteration, first
 
     self%foot(:, 1) = 1
     self%share(:, :, 1) = 0
     self%duration(:, 1) = 0
-    !$omp parallel do private(node, slope, slowness, at, halfway, last, iteration) schedule(static)
+    !$omp parallel do private(node, slope, slowness, share, at, halfway, last, iteration, first) schedule(static)
     do line = 2, self%lines
       associate (ahead_here => ahead(:, line), aside_here => aside(:, line), &
           ahead_before => ahead(:, line - 1), aside_before => aside(:, line - 1))
+        ! the neighbour's path is a start
+        slope = aside_here(1)/ahead_here(1)
         do node = 1, self%nodes
           slope(1) = aside_here(node)/ahead_here(node)
           slowness(1) = 1/ahead_here(node)
-          slope(2:) = slope(1)
           at = node
           do iteration = 1, foot_iterations
             last = at
             at = node - apart/spacing*(slope(1) + 4*slope(2) + slope(3))/6
             halfway = (node + at)/2 + apart/spacing*(slope(3) - slope(1))/8
-            slowness(3) = 1/between(ahead_before, at)
-            slope(3) = between(aside_before, at)*slowness(3)
-            slowness(2) = 2/(between(ahead_before, halfway) + between(ahead_here, halfway))
-            slope(2) = (between(aside_before, halfway) + between(aside_here, halfway))/2*slowness(2)
+            call around(within(at, self%nodes), self%nodes, first, share)
+            slowness(3) = 1/dot_product(share, ahead_before(first:first + 3))
+            slope(3) = dot_product(share, aside_before(first:first + 3))*slowness(3)
+            call around(within(halfway, self%nodes), self%nodes, first, share)
+            slowness(2) = 2/dot_product(share, ahead_before(first:first + 3) + ahead_here(first:first + 3))
+            slope(2) = dot_product(share, aside_before(first:first + 3) + aside_here(first:first + 3))/2*slowness(2)
             if (abs(at - last) < foot_settled) exit
           end do
           self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
@@ -195,15 +198,13 @@ contains
     share = [-(s - 1)*(s - 2)*(s - 3)/6, s*(s - 2)*(s - 3)/2, -s*(s - 1)*(s - 3)/2, s*(s - 1)*(s - 2)/6]
   end subroutine around
 
-  !> Cubic interpolation at a place on a line; beyond its ends, the value there.
-  pure real(wp) function between(line, at)
-    real(wp), intent(in) :: line(:), at
-    real(wp) :: share(4)
-    integer :: first
+  !> A place on a line of n nodes, or the end that it is beyond.
+  pure real(wp) function within(at, n)
+    real(wp), intent(in) :: at
+    integer, intent(in) :: n
 
-    call around(min(max(at, 1.0_wp), real(size(line), wp)), size(line), first, share)
-    between = dot_product(share, line(first:first + 3))
-  end function between
+    within = min(max(at, 1.0_wp), real(n, wp))
+  end function within
 
   !> Exponentials for all ages between the shortest step and the longest stay, and their decay in every step.
   subroutine choose_rates(self, stat)
@@ -330,47 +331,44 @@ contains
     !> Integrals of the exponentials with the flux on a line, and what of those of the line before the paths
     !> bring.
     real(wp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
-    real(wp) :: share(4), here, there, pace, history, decay, whole, early
-    integer :: line, node, foot, mode
+    real(wp), dimension(lanes) :: spread, decay, whole, early, product
+    real(wp) :: share(4), here, there, pace
+    integer :: line, node, foot
 
     past = 0
     self%history(:, 1, group) = 0
     do line = 2, self%lines
+      spread = 0
       do node = 1, self%nodes
         foot = self%foot(node, line)
-        share = self%share(:, node, line)
-        do mode = 1, lanes
-          brought(mode, node) = self%decay(mode, node, line, group)*(share(1)*past(mode, foot) &
-            + share(2)*past(mode, foot + 1) + share(3)*past(mode, foot + 2) + share(4)*past(mode, foot + 3))
-        end do
+        share = self%share(:, node, line)*self%pivot(node, line)
+        spread = self%decay(:, node, line, group)*(share(1)*past(:, foot) + share(2)*past(:, foot + 1) &
+          + share(3)*past(:, foot + 2) + share(4)*past(:, foot + 3)) + self%passed(node, line)*spread
+        brought(:, node) = spread
       end do
 
-      associate (passed => self%passed(:, line), pivot => self%pivot(:, line))
-        brought(:, 1) = pivot(1)*brought(:, 1)
-        do node = 2, self%nodes
-          brought(:, node) = pivot(node)*brought(:, node) + passed(node)*brought(:, node - 1)
-        end do
-        do node = self%nodes - 1, 1, -1
-          brought(:, node) = brought(:, node) + passed(node)*brought(:, node + 1)
-        end do
-      end associate
-
-      do node = 1, self%nodes
+      spread = 0
+      do node = self%nodes, 1, -1
+        spread = brought(:, node) + self%passed(node, line)*spread
+        product = self%weight(:, group)*spread
+        self%history(node, line, group) = sum_of_lanes(product)
+        ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
         here = self%flux(node, line)
         there = self%before(node, line)
         pace = 1/self%duration(node, line)
-        history = 0
-        do mode = 1, lanes
-          history = history + self%weight(mode, group)*brought(mode, node)
-          ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
-          decay = self%decay(mode, node, line, group)
-          whole = (1 - decay)*self%persistence(mode, group)
-          early = (whole*pace - decay)*self%persistence(mode, group)
-          past(mode, node) = brought(mode, node) + here*(whole - early) + there*early
-        end do
-        self%history(node, line, group) = history
+        decay = self%decay(:, node, line, group)
+        whole = (1 - decay)*self%persistence(:, group)
+        early = (whole*pace - decay)*self%persistence(:, group)
+        past(:, node) = spread + here*(whole - early) + there*early
       end do
     end do
   end subroutine remember
+
+  !> Sum over a group, by halves.
+  pure real(wp) function sum_of_lanes(a)
+    real(wp), intent(in) :: a(lanes)
+
+    sum_of_lanes = (a(1) + a(3)) + (a(2) + a(4))
+  end function sum_of_lanes
 
 end module surface_path
