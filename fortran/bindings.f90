@@ -333,6 +333,7 @@ contains
   subroutine point_film_heat_fields(handle, nx, ny, stress_x, stress_y, friction, rate, flux, carried)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
+    use march_layout, only: from_march
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), &
@@ -340,12 +341,14 @@ contains
     type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
-    stress_x = contact%heat%stress_x
-    stress_y = contact%heat%stress_y
-    friction = contact%heat%friction
-    rate = contact%heat%rate
-    flux = contact%heat%walls%flux
-    carried = contact%heat%carried
+    associate (heat => contact%heat)
+      call from_march(heat%way, heat%stress_x, stress_x)
+      call from_march(heat%way, heat%stress_y, stress_y)
+      call from_march(heat%way, heat%friction, friction)
+      call from_march(heat%way, heat%rate, rate)
+      call from_march(heat%way, heat%carried, carried)
+      flux = heat%walls%flux
+    end associate
   end subroutine point_film_heat_fields
 
   !> Velocity [m/s] across the film at node (i, j), counted from 1, body 1 moving with (u1, v1).

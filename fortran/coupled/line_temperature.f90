@@ -291,14 +291,21 @@ contains
     integer, intent(in) :: strip
     real(wp), intent(in) :: judged
     real(wp), intent(inout) :: change
-    integer :: i, c
+    real(wp), dimension(most_columns, self%shear%nodes%levels%count) :: inflow
+    real(wp) :: carried(most_columns)
+    integer :: i, c, k, m
 
-    associate (columns => heat%columns(strip))
-      do c = 1, columns%columns
-        i = 1 + (strip - 1)*most_columns + c
+    associate (columns => heat%columns(strip), before => 1 + (strip - 1)*most_columns)
+      m = columns%columns
+      do k = 1, size(inflow, 2)
+        inflow(:m, k) = columns%source(:m, k) - heat%dissipation(before + 1:before + m, k)
+      end do
+      call carried_away(columns, inflow, carried)
+      heat%carried(before + 1:before + m) = carried(:m)
+      do c = 1, m
+        i = before + c
         heat%walls%flux(i, 1, :) = columns%flux(c, :)
         heat%walls%admittance(i, 1, :, :) = columns%admittance(c, :, :)
-        heat%carried(i) = carried_away(columns, c, columns%source(c, :) - heat%dissipation(i, :))
         if (self%fields%p(i, 1) > judged) change = max(change, maxval(abs(columns%temperature(c, :) - columns%known(c, :))))
       end do
     end associate
