@@ -401,24 +401,30 @@ contains
     logical, intent(in) :: at_first, at_last, two_back
     real(wp), intent(in) :: far(-1:m + 2), back(0:m + 1), here(0:m + 1), ahead(0:m + 1), capacity(m), along(m), across(m)
     real(wp), intent(out) :: absorption(m), inflow(m)
+    !> One or nought: oil comes from the left, from the line before, and rather from a line than along it; its second foot
+    !> is to be had.
+    real(wp) :: left, behind, crossing, reached
     real(wp) :: rate, skew, beside, foot, second, order
     integer :: c, low, high
-    logical :: from_left, from_back
 
     low = merge(1, 0, at_first)
     high = merge(m, m + 1, at_last)
+    ! weights instead of branches let the loop be vectorised
     do c = 1, m
-      from_left = along(c) > 0
-      from_back = across(c) > 0
+      left = merge(1.0_wp, 0.0_wp, along(c) > 0)
+      behind = merge(1.0_wp, 0.0_wp, across(c) > 0)
+      crossing = merge(1.0_wp, 0.0_wp, abs(across(c)) >= abs(along(c)))
       rate = max(abs(across(c)), abs(along(c)), tiny(rate))
       skew = min(abs(across(c)), abs(along(c)))/rate
-      beside = merge(merge(back(c - 1), back(c + 1), from_left), merge(ahead(c - 1), ahead(c + 1), from_left), from_back)
-      foot = skew*beside + (1 - skew)*merge(merge(here(c - 1), here(c + 1), from_left), &
-        merge(back(c), ahead(c), from_back), abs(across(c)) < abs(along(c)))
-      second = max(1 - 2*skew, 0.0_wp)*far(c) + (1 - abs(2*skew - 1))*merge(far(c - 1), far(c + 1), from_left) &
-        + max(2*skew - 1, 0.0_wp)*merge(far(c - 2), far(c + 2), from_left)
-      order = merge(0.5_wp, 0.0_wp, two_back .and. from_back .and. abs(across(c)) >= abs(along(c)) &
-        .and. (skew < 0.5_wp .or. merge(c > low, c < high, from_left)))
+      reached = left*merge(1.0_wp, 0.0_wp, c > low) + (1 - left)*merge(1.0_wp, 0.0_wp, c < high)
+      reached = max(reached, merge(1.0_wp, 0.0_wp, skew < 0.5_wp))
+      order = 0.5_wp*merge(1.0_wp, 0.0_wp, two_back)*behind*crossing*reached
+      beside = left*(behind*back(c - 1) + (1 - behind)*ahead(c - 1)) &
+        + (1 - left)*(behind*back(c + 1) + (1 - behind)*ahead(c + 1))
+      foot = skew*beside + (1 - skew)*(crossing*(behind*back(c) + (1 - behind)*ahead(c)) &
+        + (1 - crossing)*(left*here(c - 1) + (1 - left)*here(c + 1)))
+      second = max(1 - 2*skew, 0.0_wp)*far(c) + (1 - abs(2*skew - 1))*(left*far(c - 1) + (1 - left)*far(c + 1)) &
+        + max(2*skew - 1, 0.0_wp)*(left*far(c - 2) + (1 - left)*far(c + 2))
       absorption(c) = (1 + order)*capacity(c)*rate
       inflow(c) = capacity(c)*rate*((1 + 2*order)*foot - order*second)
     end do

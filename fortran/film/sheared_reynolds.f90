@@ -8,7 +8,7 @@
 !> temperature the scheme is that of `reynolds` to rounding.
 module sheared_reynolds
   use film_levels, only: levels_across, new_levels
-  use flow_laws, only: flow_law, stress_scales
+  use flow_laws, only: flow_law, hardens, stress_scales
   use kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use oil_laws, only: oil_law, hot_fluidity, hot_density
@@ -249,7 +249,14 @@ contains
       faces%stress_x(first:last, j) = work%tau_x(:m)
       faces%stress_y(first:last, j) = work%tau_y(:m)
       call flow_change(nodes%levels, work, s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, f_x, f_y)
-      call flow_change_by_stresses(nodes%law, nodes%levels, work, onset_x, onset_y, limit_x, limit_y)
+      if (hardens(nodes%law)) then
+        call flow_change_by_stresses(nodes%law, nodes%levels, work, onset_x, onset_y, limit_x, limit_y)
+      else
+        onset_x = 0
+        onset_y = 0
+        limit_x = 0
+        limit_y = 0
+      end if
       if (di == 0) then
         s_x = s_y
         m_xx = m_yy

@@ -19,8 +19,9 @@ module film_column
 
   public :: film_strip, new_film_strip, solve_columns, solve_column, warm_walls
 
-  !> Columns solved together: some vector registers, and matrices that stay in the first cache.
-  integer, parameter :: lanes = 16
+  !> Columns solved together: their matrices stay in the first cache, and loops over them are long enough for gfortran to
+  !> turn into vector instructions as they stand; those of 16 it unrolls and shuffles.
+  integer, parameter :: lanes = 32
   !> Most growth of heat with temperature that enters, in conductivity/h2, whatever oil carries away: where it carries all,
   !> a column must not be warmer by more than those are from which oil comes. Conduction between the
   !> walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4 pi2 in the second.
@@ -103,6 +104,8 @@ contains
   end subroutine solve_column
 
   !> The same for `count` columns from `first` on, whose walls stay as known.
+  !>
+  !> All lanes are computed, so that loops over them have a fixed length; those left over repeat the last column.
   pure subroutine solve_together(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
@@ -110,11 +113,43 @@ contains
     real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
     !> Change of the inner levels' temperature, and its derivatives with respect to the walls.
     real(wp) :: change(lanes, strip%levels%count, 3)
+    real(wp), dimension(lanes, strip%levels%count) :: known, source, absorption, growth
+    real(wp), dimension(lanes, strip%levels%count, 2) :: loading, relief
+    real(wp) :: conductance(lanes), thickness(lanes)
+    integer :: k, s
 
-    call set_balances(strip, first, count, matrix, excess)
-    call solve_inner_levels(strip, first, count, strip%least_pivot, matrix, excess, change)
+    call take(first, count, strip%thickness, thickness)
+    call take(first, count, strip%conductivity, conductance)
+    conductance = conductance/thickness
+    do k = 1, strip%levels%count
+      call take(first, count, strip%known(:, k), known(:, k))
+      call take(first, count, strip%source(:, k), source(:, k))
+      call take(first, count, strip%absorption(:, k), absorption(:, k))
+      call take(first, count, strip%growth(:, k), growth(:, k))
+      do s = 1, 2
+        call take(first, count, strip%loading(:, k, s), loading(:, k, s))
+        call take(first, count, strip%relief(:, k, s), relief(:, k, s))
+      end do
+    end do
+    call set_balances(strip%levels, thickness, conductance, known, source, absorption, growth, loading, relief, matrix, &
+      excess)
+    call solve_inner_levels(strip%levels%count, strip%least_pivot, conductance, matrix, excess, change)
     call set_walls(strip, first, count, matrix, excess, change)
   end subroutine solve_together
+
+  !> `count` columns' values from `first` on, one for each lane.
+  pure subroutine take(first, count, values, lane)
+    integer, intent(in) :: first, count
+    real(wp), contiguous, intent(in) :: values(:)
+    real(wp), intent(out) :: lane(lanes)
+
+    if (count == lanes) then
+      lane = values(first:first + lanes - 1)
+    else
+      lane(:count) = values(first:first + count - 1)
+      lane(count + 1:) = values(first + count - 1)
+    end if
+  end subroutine take
 
   !> Pivots of the inner levels in the elimination of conduction alone, in conductivity/h.
   pure function conduction_pivots(levels) result(pivot)
@@ -133,41 +168,34 @@ contains
     pivot([1, levels%count]) = 0
   end function conduction_pivots
 
-  !> Balances of all levels at the known temperature and their derivatives, for columns from `first` on.
-  pure subroutine set_balances(strip, first, count, matrix, excess)
-    type(film_strip), intent(in) :: strip
-    integer, intent(in) :: first, count
-    real(wp), intent(out) :: matrix(:, :, :), excess(:, :)
-    real(wp), dimension(lanes) :: conductance, volume, growth
-    real(wp) :: relief(lanes, 2)
-    integer :: i, c, k, l
+  !> Balances of all levels at the known temperature and their derivatives.
+  pure subroutine set_balances(levels, thickness, conductance, known, source, absorption, growth, loading, relief, matrix, &
+    excess)
+    type(levels_across), intent(in) :: levels
+    real(wp), intent(in) :: thickness(lanes), conductance(lanes)
+    real(wp), dimension(lanes, levels%count), intent(in) :: known, source, absorption, growth
+    real(wp), intent(in) :: loading(lanes, levels%count, 2), relief(lanes, levels%count, 2)
+    real(wp), intent(out) :: matrix(lanes, levels%count, levels%count), excess(lanes, levels%count)
+    real(wp), dimension(lanes) :: volume, bound, relief_x, relief_y
+    integer :: k, l
 
-    do c = 1, count
-      i = first + c - 1
-      conductance(c) = strip%conductivity(i)/strip%thickness(i)
+    relief_x = 0
+    relief_y = 0
+    do k = 1, levels%count
+      relief_x = relief_x + relief(:, k, 1)
+      relief_y = relief_y + relief(:, k, 2)
     end do
-    relief(:count, :) = sum(strip%relief(first:first + count - 1, :, :), dim=2)
-    do k = 1, strip%levels%count
-      do c = 1, count
-        i = first + c - 1
-        volume(c) = strip%thickness(i)*strip%levels%weight(k)
-        excess(c, k) = volume(c)*(strip%source(i, k) - strip%absorption(i, k)*strip%known(i, k))
+    bound = conductance/thickness
+    do k = 1, levels%count
+      volume = thickness*levels%weight(k)
+      excess(:, k) = volume*(source(:, k) - absorption(:, k)*known(:, k))
+      do l = 1, levels%count
+        excess(:, k) = excess(:, k) - conductance*levels%stiffness(k, l)*known(:, l)
+        matrix(:, k, l) = conductance*levels%stiffness(k, l) &
+          + volume*(loading(:, k, 1)*relief(:, l, 1) + loading(:, k, 2)*relief(:, l, 2))
       end do
-      do l = 1, strip%levels%count
-        do c = 1, count
-          i = first + c - 1
-          excess(c, k) = excess(c, k) - conductance(c)*strip%levels%stiffness(k, l)*strip%known(i, l)
-          matrix(c, k, l) = conductance(c)*strip%levels%stiffness(k, l) + volume(c)*( &
-            strip%loading(i, k, 1)*strip%relief(i, l, 1) + strip%loading(i, k, 2)*strip%relief(i, l, 2))
-        end do
-      end do
-      do c = 1, count
-        i = first + c - 1
-        growth(c) = min(strip%growth(i, k), most_growth*conductance(c)/strip%thickness(i), &
-          strip%loading(i, k, 1)*relief(c, 1) + strip%loading(i, k, 2)*relief(c, 2) &
-          + most_growth_of_all*conductance(c)/strip%thickness(i)) - strip%absorption(i, k)
-        matrix(c, k, k) = matrix(c, k, k) - volume(c)*growth(c)
-      end do
+      matrix(:, k, k) = matrix(:, k, k) - volume*(min(growth(:, k), most_growth*bound, loading(:, k, 1)*relief_x &
+        + loading(:, k, 2)*relief_y + most_growth_of_all*bound) - absorption(:, k))
     end do
   end subroutine set_balances
 
@@ -176,58 +204,45 @@ contains
   !>
   !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a
   !> pivot below a share of conduction's.
-  pure subroutine solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
-    type(film_strip), intent(in) :: strip
-    integer, intent(in) :: first, count
-    real(wp), intent(in) :: least_pivot(:), matrix(:, :, :), excess(:, :)
-    real(wp), intent(out) :: change(:, :, :)
-    real(wp) :: a(lanes, strip%levels%count, strip%levels%count), pivot(lanes, strip%levels%count), factor(lanes)
-    integer :: n, c, k, l, r, side
+  pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, change)
+    integer, intent(in) :: n
+    real(wp), intent(in) :: least_pivot(n), conductance(lanes), matrix(lanes, n, n), excess(lanes, n)
+    real(wp), intent(out) :: change(lanes, n, 3)
+    real(wp) :: a(lanes, n, n), pivot(lanes, n), factor(lanes)
+    integer :: k, l, r
 
-    n = strip%levels%count
     do l = 2, n - 1
-      do k = 2, n - 1
-        a(:count, k, l) = matrix(:count, k, l)
-      end do
-      change(:count, l, 1) = excess(:count, l)
-      change(:count, l, 2) = -matrix(:count, l, 1)
-      change(:count, l, 3) = -matrix(:count, l, n)
+      a(:, 2:n - 1, l) = matrix(:, 2:n - 1, l)
+      change(:, l, 1) = excess(:, l)
+      change(:, l, 2) = -matrix(:, l, 1)
+      change(:, l, 3) = -matrix(:, l, n)
     end do
     do k = 2, n - 1
-      do c = 1, count
-        pivot(c, k) = 1/max(a(c, k, k), least_pivot(k)*strip%conductivity(first + c - 1)/strip%thickness(first + c - 1))
-      end do
+      pivot(:, k) = 1/max(a(:, k, k), least_pivot(k)*conductance)
       do r = k + 1, n - 1
-        do c = 1, count
-          factor(c) = a(c, r, k)*pivot(c, k)
-        end do
+        factor = a(:, r, k)*pivot(:, k)
         do l = k + 1, n - 1
-          do c = 1, count
-            a(c, r, l) = a(c, r, l) - factor(c)*a(c, k, l)
-          end do
+          a(:, r, l) = a(:, r, l) - factor*a(:, k, l)
         end do
-        do side = 1, 3
-          do c = 1, count
-            change(c, r, side) = change(c, r, side) - factor(c)*change(c, k, side)
-          end do
-        end do
+        change(:, r, 1) = change(:, r, 1) - factor*change(:, k, 1)
+        change(:, r, 2) = change(:, r, 2) - factor*change(:, k, 2)
+        change(:, r, 3) = change(:, r, 3) - factor*change(:, k, 3)
       end do
     end do
-    do side = 1, 3
-      do k = n - 1, 2, -1
-        do l = k + 1, n - 1
-          do c = 1, count
-            change(c, k, side) = change(c, k, side) - a(c, k, l)*change(c, l, side)
-          end do
-        end do
-        do c = 1, count
-          change(c, k, side) = change(c, k, side)*pivot(c, k)
-        end do
+    do k = n - 1, 2, -1
+      do l = k + 1, n - 1
+        change(:, k, 1) = change(:, k, 1) - a(:, k, l)*change(:, l, 1)
+        change(:, k, 2) = change(:, k, 2) - a(:, k, l)*change(:, l, 2)
+        change(:, k, 3) = change(:, k, 3) - a(:, k, l)*change(:, l, 3)
       end do
+      change(:, k, 1) = change(:, k, 1)*pivot(:, k)
+      change(:, k, 2) = change(:, k, 2)*pivot(:, k)
+      change(:, k, 3) = change(:, k, 3)*pivot(:, k)
     end do
-    change(:count, [1, n], :) = 0
-    change(:count, 1, 2) = 1
-    change(:count, n, 3) = 1
+    change(:, 1, :) = 0
+    change(:, n, :) = 0
+    change(:, 1, 2) = 1
+    change(:, n, 3) = 1
   end subroutine solve_inner_levels
 
   !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the
@@ -235,9 +250,10 @@ contains
   pure subroutine set_walls(strip, first, count, matrix, excess, change)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
-    real(wp), intent(in) :: matrix(:, :, :), excess(:, :), change(:, :, :)
+    real(wp), intent(in) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count), &
+      change(lanes, strip%levels%count, 3)
     real(wp) :: left(lanes)
-    integer :: wall, level, l, side, c, last
+    integer :: wall, level, l, side, last
 
     last = first + count - 1
     strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
@@ -246,11 +262,9 @@ contains
       level = merge(1, strip%levels%count, wall == 1)
       do side = 1, 3
         left = 0
-        if (side == 1) left(:count) = excess(:count, level)
+        if (side == 1) left = excess(:, level)
         do l = 1, strip%levels%count
-          do c = 1, count
-            left(c) = left(c) - matrix(c, level, l)*change(c, l, side)
-          end do
+          left = left - matrix(:, level, l)*change(:, l, side)
         end do
         if (side == 1) then
           strip%flux(first:last, wall) = left(:count)
