@@ -34,6 +34,15 @@ module film_temperature
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
 
+  !> What a thread works on: columns and their shear, and of their levels the derivative of the fluidity by temperature
+  !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat that compression and
+  !> oil bring [W/m3].
+  type :: column_work
+    type(film_strip) :: columns
+    type(shear_strip) :: shear
+    real(wp), dimension(:, :), allocatable :: softening, u, v, rate, compression, inflow
+  end type column_work
+
   !> Temperatures are those above the inlet's. Fields are as the march meets them, (length, lines).
   type :: film_heat
     type(oil_heat_law) :: law
@@ -56,8 +65,7 @@ module film_temperature
     !> Temperature at the nodes of the grid before a step.
     real(wp), allocatable :: before(:, :, :)
     !> Scratch of each thread.
-    type(film_strip), allocatable :: columns(:)
-    type(shear_strip), allocatable :: shear(:)
+    type(column_work), allocatable :: threads(:)
     type(work_tally) :: work
   end type film_heat
 
@@ -96,16 +104,21 @@ contains
           heat%carried(n, lines), heat%rate(n, lines), heat%rise(0:n + 1, lines, levels), heat%old(0:n + 1, 0:1, levels), &
           heat%flux(n, lines, 2), heat%admittance(n, lines, 2, 2), heat%before(nx, ny, levels), source=0.0_wp, stat=err)
       end associate
-      if (err == 0) allocate (heat%columns(0:omp_get_max_threads() - 1), heat%shear(0:omp_get_max_threads() - 1), stat=err)
+      if (err == 0) allocate (heat%threads(0:omp_get_max_threads() - 1), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
       if (stat /= status_ok) return
       call to_march(heat%way, u1, heat%u1)
       call to_march(heat%way, v1, heat%v1)
       call to_march(heat%way, nodes%sliding_x, heat%us)
       call to_march(heat%way, nodes%sliding_y, heat%vs)
-      do thread = 0, ubound(heat%columns, 1)
-        if (stat == status_ok) call new_film_strip(heat%columns(thread), most_columns, nodes%levels, stat)
-        if (stat == status_ok) call new_shear_strip(most_columns, levels, heat%shear(thread), stat)
+      do thread = 0, ubound(heat%threads, 1)
+        associate (own => heat%threads(thread))
+          if (stat == status_ok) call new_film_strip(own%columns, most_columns, nodes%levels, stat)
+          if (stat == status_ok) call new_shear_strip(most_columns, levels, own%shear, stat)
+          allocate (own%softening(most_columns, levels), own%u(most_columns, levels), own%v(most_columns, levels), &
+            own%rate(most_columns, levels), own%compression(most_columns, levels), own%inflow(most_columns, levels), stat=err)
+          if (err /= 0) stat = status_no_memory
+        end associate
       end do
     end associate
     call set_walls(self, 0.0_wp, change)
@@ -164,10 +177,10 @@ contains
 
     call self%heat%work%start()
     least = judged_pressure*maxval(self%fields%p)
-    self%heat%shear%unsolved = 0
+    self%heat%threads%shear%unsolved = 0
     call heat_columns(self, self%heat, least, change)
     ! nor is heat of a stress that was not found to count as settled
-    if (sum(self%heat%shear%unsolved) > 0) change = hottest
+    if (sum(self%heat%threads%shear%unsolved) > 0) change = hottest
     call balance_walls(self%heat%walls, wall_tolerance, missed, iterations, reduction)
     call set_walls(self, least, walls_change)
     change = max(change, walls_change)
@@ -254,8 +267,7 @@ contains
     do line = 2, heat%way%lines - 1
       !$omp do schedule(static)
       do first = 2, last, most_columns
-        call heat_cut(self, line, first, min(first + most_columns - 1, last), least, heat, heat%columns(thread), &
-          heat%shear(thread), change)
+        call heat_cut(self, line, first, min(first + most_columns - 1, last), least, heat, heat%threads(thread), change)
       end do
     end do
     !$omp end parallel
@@ -294,50 +306,56 @@ contains
   end subroutine leave_march
 
   !> The columns first..last of a line.
-  subroutine heat_cut(self, line, first, last, least, heat, columns, shear, change)
+  subroutine heat_cut(self, line, first, last, least, heat, work, change)
     type(heated_contact), intent(in) :: self
     integer, intent(in) :: line, first, last
     real(wp), intent(in) :: least
     type(film_heat), intent(inout) :: heat
-    type(film_strip), intent(inout) :: columns
-    type(shear_strip), intent(inout) :: shear
+    type(column_work), intent(inout) :: work
     real(wp), intent(inout) :: change
-    real(wp), dimension(most_columns) :: mean, capacity, carried, warmed
-    real(wp), dimension(most_columns, self%shear%nodes%levels%count) :: softening, u, v, rate, compression, inflow
+    real(wp), dimension(most_columns) :: mean, capacity, carried, warmed, fastest, friction
     integer :: m, k, i
 
     m = last - first + 1
-    shear%points = m
-    shear%film(:m) = max(heat%h(first:last, line), self%floor)
-    shear%us(:m) = heat%us(first:last, line)
-    shear%vs(:m) = heat%vs(first:last, line)
-    shear%tau_x(:m) = heat%stress_x(first:last, line)
-    shear%tau_y(:m) = heat%stress_y(first:last, line)
     associate (nodes => self%shear%nodes, p => heat%p(first:last, line), u1 => heat%u1(first:last, line), &
-        v1 => heat%v1(first:last, line), rise => heat%rise(first:last, line, :))
+        v1 => heat%v1(first:last, line), shear => work%shear, columns => work%columns)
+      shear%points = m
+      shear%film(:m) = max(heat%h(first:last, line), self%floor)
+      shear%us(:m) = heat%us(first:last, line)
+      shear%vs(:m) = heat%vs(first:last, line)
+      shear%tau_x(:m) = heat%stress_x(first:last, line)
+      shear%tau_y(:m) = heat%stress_y(first:last, line)
       if (heat%way%along_x) then
         call take_gradient(heat, line, first, last, shear%py, shear%px)
       else
         call take_gradient(heat, line, first, last, shear%px, shear%py)
       end if
-      columns%known(:m, :) = rise
-      call shear_columns(self%oil, nodes, p, columns%known, shear, mean, softening)
-      call set_heat(heat%law, self%oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
-      call film_shear_rate(nodes%levels, shear, rate)
-      heat%rate(first:last, line) = maxval(rate(:m, :), dim=2)
-      heat%friction(first:last, line) = shear%film(:m)*matmul(columns%source(:m, :), nodes%levels%weight)
+      do k = 1, nodes%levels%count
+        columns%known(:m, k) = heat%rise(first:last, line, k)
+      end do
+      call shear_columns(self%oil, nodes, p, columns%known, shear, mean, work%softening)
+      call set_heat(heat%law, self%oil, nodes, shear, p, mean, u1, v1, work%softening, columns, capacity, work%u, work%v, &
+        work%compression)
+      call film_shear_rate(nodes%levels, shear, work%rate)
       heat%stress_x(first:last, line) = shear%tau_x(:m)
       heat%stress_y(first:last, line) = shear%tau_y(:m)
-
       if (heat%way%along_x) then
-        call carry(heat, line, first, last, capacity, v, u, columns%absorption, inflow)
+        call carry(heat, line, first, last, capacity, work%v, work%u, columns%absorption, work%inflow)
       else
-        call carry(heat, line, first, last, capacity, u, v, columns%absorption, inflow)
+        call carry(heat, line, first, last, capacity, work%u, work%v, columns%absorption, work%inflow)
       end if
-      inflow(:m, :) = inflow(:m, :) + compression(:m, :)
-      columns%source(:m, :) = columns%source(:m, :) + inflow(:m, :)
+      fastest = 0
+      friction = 0
+      do k = 1, nodes%levels%count
+        fastest(:m) = max(fastest(:m), work%rate(:m, k))
+        friction(:m) = friction(:m) + shear%film(:m)*nodes%levels%weight(k)*columns%source(:m, k)
+        work%inflow(:m, k) = work%inflow(:m, k) + work%compression(:m, k)
+        columns%source(:m, k) = columns%source(:m, k) + work%inflow(:m, k)
+      end do
       call solve_columns(columns)
-      call carried_away(columns, inflow, carried)
+      call carried_away(columns, work%inflow, carried)
+      heat%rate(first:last, line) = fastest(:m)
+      heat%friction(first:last, line) = friction(:m)
       heat%carried(first:last, line) = carried(:m)
       warmed = 0
       do k = 1, nodes%levels%count
@@ -385,37 +403,41 @@ contains
       call carry_level(last - first + 1, first == 2, last == heat%way%length - 1, line > 2, &
         heat%rise(first - 2:last + 2, before, k), heat%rise(first - 1:last + 1, line - 1, k), &
         heat%old(first - 1:last + 1, mod(line, 2), k), heat%rise(first - 1:last + 1, line + 1, k), capacity, &
-        along(:, k)*heat%way%per_node, across(:, k)*heat%way%per_line, absorption(:, k), inflow(:, k))
+        heat%way%per_node, heat%way%per_line, along(:, k), across(:, k), absorption(:, k), inflow(:, k))
     end do
   end subroutine carry
 
-  !> The same for one level of m columns, with the temperature of its own line and of those about it.
+  !> The same for one level of m columns, with the temperature of its own line and of those about it, at so many nodes and
+  !> lines per metre.
   !>
   !> Oil comes from the foot of its path on the square of the eight nodes about its own; where that lies on the line
   !> before, a second foot two lines back makes the difference along the path one of second order, unless there is no
   !> such line (`two_back`) or the foot lies beyond its end (`at_first`, `at_last`). Elsewhere values lag behind, and
   !> only a first-order difference is sure not to let their errors grow from sweep to sweep.
-  pure subroutine carry_level(m, at_first, at_last, two_back, far, back, here, ahead, capacity, along, across, absorption, &
-      inflow)
+  pure subroutine carry_level(m, at_first, at_last, two_back, far, back, here, ahead, capacity, per_node, per_line, u, v, &
+    absorption, inflow)
     integer, intent(in) :: m
     logical, intent(in) :: at_first, at_last, two_back
-    real(wp), intent(in) :: far(-1:m + 2), back(0:m + 1), here(0:m + 1), ahead(0:m + 1), capacity(m), along(m), across(m)
+    real(wp), intent(in) :: far(-1:m + 2), back(0:m + 1), here(0:m + 1), ahead(0:m + 1), capacity(m), per_node, per_line, &
+      u(m), v(m)
     real(wp), intent(out) :: absorption(m), inflow(m)
     !> One or nought: oil comes from the left, from the line before, and rather from a line than along it; its second foot
     !> is to be had.
     real(wp) :: left, behind, crossing, reached
-    real(wp) :: rate, skew, beside, foot, second, order
+    real(wp) :: along, across, rate, skew, beside, foot, second, order
     integer :: c, low, high
 
     low = merge(1, 0, at_first)
     high = merge(m, m + 1, at_last)
     ! weights instead of branches let the loop be vectorised
     do c = 1, m
-      left = merge(1.0_wp, 0.0_wp, along(c) > 0)
-      behind = merge(1.0_wp, 0.0_wp, across(c) > 0)
-      crossing = merge(1.0_wp, 0.0_wp, abs(across(c)) >= abs(along(c)))
-      rate = max(abs(across(c)), abs(along(c)), tiny(rate))
-      skew = min(abs(across(c)), abs(along(c)))/rate
+      along = u(c)*per_node
+      across = v(c)*per_line
+      left = merge(1.0_wp, 0.0_wp, along > 0)
+      behind = merge(1.0_wp, 0.0_wp, across > 0)
+      crossing = merge(1.0_wp, 0.0_wp, abs(across) >= abs(along))
+      rate = max(abs(across), abs(along), tiny(rate))
+      skew = min(abs(across), abs(along))/rate
       reached = left*merge(1.0_wp, 0.0_wp, c > low) + (1 - left)*merge(1.0_wp, 0.0_wp, c < high)
       reached = max(reached, merge(1.0_wp, 0.0_wp, skew < 0.5_wp))
       order = 0.5_wp*merge(1.0_wp, 0.0_wp, two_back)*behind*crossing*reached

@@ -61,7 +61,6 @@ contains
     real(wp), contiguous, intent(in) :: p(:), rise(:, :)
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(inout) :: mean(:), softening(:, :)
-    real(wp) :: by_pressure(size(rise, 1), size(rise, 2)), onset_p(size(p)), limit_p(size(p))
     integer :: m, k, failures
 
     m = shear%points
@@ -69,9 +68,11 @@ contains
     do k = 1, nodes%levels%count
       mean(:m) = mean(:m) + nodes%levels%weight(k)*rise(:m, k)
     end do
-    call hot_fluidity(oil, p(:m), rise, shear%fluidity, by_pressure, softening)
+    ! derivatives by pressure are not asked for: they go where there is room
+    call hot_fluidity(oil, p(:m), rise, shear%fluidity, shear%level_x, softening)
     softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
-    call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), onset_p(:m), shear%limit(:m), limit_p(:m))
+    call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), shear%step_x(:m), shear%limit(:m), &
+      shear%step_y(:m))
     call solve_shear(nodes%law, nodes%levels, shear, failures)
     shear%unsolved = shear%unsolved + failures
   end subroutine shear_columns

@@ -213,7 +213,6 @@ contains
     real(wp), dimension(strip) :: h1, h2, mass1, mass2, share, rho, by_share, by_fluidity1, by_fluidity2, by_p1, by_p2, &
       by_h
     real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
-    real(wp), dimension(strip, nodes%levels%count) :: f_x, f_y
     integer :: m, k, failures
 
     m = last - first + 1
@@ -227,7 +226,8 @@ contains
     end if
     associate (rho1 => fields%rho(first:last, j), rho2 => fields%rho(first + di:last + di, j + dj), &
         rho1_p => fields%rho_p(first:last, j), rho2_p => fields%rho_p(first + di:last + di, j + dj), &
-        f1 => nodes%fluidity(first:last, j, :), f2 => nodes%fluidity(first + di:last + di, j + dj, :), h => work%film(:m))
+        f1 => nodes%fluidity(first:last, j, :), f2 => nodes%fluidity(first + di:last + di, j + dj, :), h => work%film(:m), &
+        f_x => work%level_x, f_y => work%level_y)
       h1(:m) = max(fields%h(first:last, j), floor)
       h2(:m) = max(fields%h(first + di:last + di, j + dj), floor)
       mass1(:m) = rho1*h1(:m)**3
@@ -261,7 +261,7 @@ contains
         s_x = s_y
         m_xx = m_yy
         h_x = h_y
-        f_x = f_y
+        f_x(:, :) = f_y
         onset_x = onset_y
         limit_x = limit_y
       end if

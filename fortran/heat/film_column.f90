@@ -32,6 +32,18 @@ module film_column
   !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
   real(wp), parameter :: least_share = 0.1_wp
 
+  !> Scratch of the columns solved together, lanes first.
+  type :: lane_block
+    real(wp) :: thickness(lanes), conductance(lanes)
+    real(wp), allocatable :: known(:, :), source(:, :), absorption(:, :), growth(:, :), loading(:, :, :), relief(:, :, :)
+    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
+    real(wp), allocatable :: matrix(:, :, :), excess(:, :)
+    !> That of the inner levels while it is eliminated, and its pivots.
+    real(wp), allocatable :: a(:, :, :), pivot(:, :)
+    !> Change of the inner levels' temperature, and its derivatives with respect to the walls, (lanes, n, 3).
+    real(wp), allocatable :: change(:, :, :)
+  end type lane_block
+
   !> Room for m columns of n levels, of which the first `columns` are in use. The caller fills the first part,
   !> `solve_columns` the second.
   type :: film_strip
@@ -56,6 +68,9 @@ module film_column
     !> Derivatives with respect to the temperature of wall j: of flux i [W/(m2 K)], (m, 2, 2), and of the
     !> levels' temperature [-], (m, n, 2).
     real(wp), allocatable :: admittance(:, :, :), response(:, :, :)
+    !> Scratch: by how much walls are warmer than known [K], (m, 2).
+    real(wp), allocatable :: wall_rise(:, :)
+    type(lane_block) :: work
   end type film_strip
 
 contains
@@ -77,22 +92,26 @@ contains
     strip%least_pivot = least_share*conduction_pivots(levels)
     allocate (strip%thickness(m), strip%conductivity(m), strip%wall(m, 2), strip%absorption(m, n), strip%source(m, n), &
       strip%known(m, n), strip%growth(m, n), strip%loading(m, n, 2), strip%relief(m, n, 2), strip%temperature(m, n), &
-      strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), stat=err)
+      strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), &
+      strip%wall_rise(m, 2), stat=err)
+    if (err == 0) allocate (strip%work%known(lanes, n), strip%work%source(lanes, n), strip%work%absorption(lanes, n), &
+      strip%work%growth(lanes, n), strip%work%loading(lanes, n, 2), strip%work%relief(lanes, n, 2), &
+      strip%work%matrix(lanes, n, n), strip%work%excess(lanes, n), strip%work%a(lanes, n, n), strip%work%pivot(lanes, n), &
+      strip%work%change(lanes, n, 3), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_strip
 
   !> Temperature, fluxes and their derivatives with respect to the walls.
   pure subroutine solve_columns(strip)
     type(film_strip), intent(inout) :: strip
-    real(wp) :: rise(strip%columns, 2)
     integer :: first
 
     do first = 1, strip%columns, lanes
       call solve_together(strip, first, min(lanes, strip%columns - first + 1))
     end do
-    rise(:, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
-    rise(:, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
-    call warm_walls(strip, rise)
+    strip%wall_rise(:strip%columns, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
+    strip%wall_rise(:strip%columns, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
+    call warm_walls(strip, strip%wall_rise)
   end subroutine solve_columns
 
   !> The same for one column alone, whose walls stay as known.
@@ -109,32 +128,29 @@ contains
   pure subroutine solve_together(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
-    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
-    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
-    !> Change of the inner levels' temperature, and its derivatives with respect to the walls.
-    real(wp) :: change(lanes, strip%levels%count, 3)
-    real(wp), dimension(lanes, strip%levels%count) :: known, source, absorption, growth
-    real(wp), dimension(lanes, strip%levels%count, 2) :: loading, relief
-    real(wp) :: conductance(lanes), thickness(lanes)
-    integer :: k, s
+    integer :: k, s, n
 
-    call take(first, count, strip%thickness, thickness)
-    call take(first, count, strip%conductivity, conductance)
-    conductance = conductance/thickness
-    do k = 1, strip%levels%count
-      call take(first, count, strip%known(:, k), known(:, k))
-      call take(first, count, strip%source(:, k), source(:, k))
-      call take(first, count, strip%absorption(:, k), absorption(:, k))
-      call take(first, count, strip%growth(:, k), growth(:, k))
-      do s = 1, 2
-        call take(first, count, strip%loading(:, k, s), loading(:, k, s))
-        call take(first, count, strip%relief(:, k, s), relief(:, k, s))
+    n = strip%levels%count
+    associate (work => strip%work)
+      call take(first, count, strip%thickness, work%thickness)
+      call take(first, count, strip%conductivity, work%conductance)
+      work%conductance = work%conductance/work%thickness
+      do k = 1, n
+        call take(first, count, strip%known(:, k), work%known(:, k))
+        call take(first, count, strip%source(:, k), work%source(:, k))
+        call take(first, count, strip%absorption(:, k), work%absorption(:, k))
+        call take(first, count, strip%growth(:, k), work%growth(:, k))
+        do s = 1, 2
+          call take(first, count, strip%loading(:, k, s), work%loading(:, k, s))
+          call take(first, count, strip%relief(:, k, s), work%relief(:, k, s))
+        end do
       end do
-    end do
-    call set_balances(strip%levels, thickness, conductance, known, source, absorption, growth, loading, relief, matrix, &
-      excess)
-    call solve_inner_levels(strip%levels%count, strip%least_pivot, conductance, matrix, excess, change)
-    call set_walls(strip, first, count, matrix, excess, change)
+      call set_balances(strip%levels, work%thickness, work%conductance, work%known, work%source, work%absorption, &
+        work%growth, work%loading, work%relief, work%matrix, work%excess)
+      call solve_inner_levels(n, strip%least_pivot, work%conductance, work%matrix, work%excess, work%a, work%pivot, &
+        work%change)
+    end associate
+    call set_walls(strip, first, count)
   end subroutine solve_together
 
   !> `count` columns' values from `first` on, one for each lane.
@@ -204,11 +220,12 @@ contains
   !>
   !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a
   !> pivot below a share of conduction's.
-  pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, change)
+  pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, a, pivot, change)
     integer, intent(in) :: n
     real(wp), intent(in) :: least_pivot(n), conductance(lanes), matrix(lanes, n, n), excess(lanes, n)
+    real(wp), intent(inout) :: a(lanes, n, n), pivot(lanes, n)
     real(wp), intent(out) :: change(lanes, n, 3)
-    real(wp) :: a(lanes, n, n), pivot(lanes, n), factor(lanes)
+    real(wp) :: factor(lanes)
     integer :: k, l, r
 
     do l = 2, n - 1
@@ -247,32 +264,32 @@ contains
 
   !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the
   !> bodies.
-  pure subroutine set_walls(strip, first, count, matrix, excess, change)
+  pure subroutine set_walls(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
-    real(wp), intent(in) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count), &
-      change(lanes, strip%levels%count, 3)
     real(wp) :: left(lanes)
     integer :: wall, level, l, side, last
 
     last = first + count - 1
-    strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
-    strip%response(first:last, :, :) = change(:count, :, 2:3)
-    do wall = 1, 2
-      level = merge(1, strip%levels%count, wall == 1)
-      do side = 1, 3
-        left = 0
-        if (side == 1) left = excess(:, level)
-        do l = 1, strip%levels%count
-          left = left - matrix(:, level, l)*change(:, l, side)
+    associate (matrix => strip%work%matrix, excess => strip%work%excess, change => strip%work%change)
+      strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
+      strip%response(first:last, :, :) = change(:count, :, 2:3)
+      do wall = 1, 2
+        level = merge(1, strip%levels%count, wall == 1)
+        do side = 1, 3
+          left = 0
+          if (side == 1) left = excess(:, level)
+          do l = 1, strip%levels%count
+            left = left - matrix(:, level, l)*change(:, l, side)
+          end do
+          if (side == 1) then
+            strip%flux(first:last, wall) = left(:count)
+          else
+            strip%admittance(first:last, wall, side - 1) = left(:count)
+          end if
         end do
-        if (side == 1) then
-          strip%flux(first:last, wall) = left(:count)
-        else
-          strip%admittance(first:last, wall, side - 1) = left(:count)
-        end if
       end do
-    end do
+    end associate
   end subroutine set_walls
 
   !> Temperature and fluxes when the walls are `rise` [K], (columns, 2), warmer.

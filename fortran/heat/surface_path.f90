@@ -31,7 +31,7 @@ module surface_path
   !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of
   !> the foot, in nodes, by one more at which they end.
   integer, parameter :: foot_iterations = 8
-  real(wp), parameter :: foot_settled = 1e-10_wp
+  real(wp), parameter :: foot_settled = 1e-7_wp
   !> Exponentials that are taken together: a vector register. Each group goes its way over all lines by
   !> itself, so that threads that take different ones need not wait for each other.
   integer, parameter :: lanes = 4
@@ -134,11 +134,13 @@ contains
     do line = 2, self%lines
       associate (ahead_here => ahead(:, line), aside_here => aside(:, line), &
           ahead_before => ahead(:, line - 1), aside_before => aside(:, line - 1))
-        ! the neighbour's path is a start
-        slope = aside_here(1)/ahead_here(1)
         do node = 1, self%nodes
           slope(1) = aside_here(node)/ahead_here(node)
           slowness(1) = 1/ahead_here(node)
+          ! the slope at the node nearest to the foot of a straight path is a start
+          first = nint(within(node - apart/spacing*slope(1), self%nodes))
+          slope(3) = aside_before(first)/ahead_before(first)
+          slope(2) = (slope(1) + slope(3))/2
           at = node
           move = 0
           do iteration = 1, foot_iterations
