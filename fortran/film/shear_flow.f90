@@ -157,8 +157,9 @@ contains
     integer :: i
 
     do i = 1, strip%points
+      if (abs(strip%tau_x(i)) + abs(strip%tau_y(i)) > 0) cycle
       sliding = hypot(strip%us(i), strip%vs(i))
-      if (abs(strip%tau_x(i)) + abs(strip%tau_y(i)) > 0 .or. .not. sliding > 0) cycle
+      if (.not. sliding > 0) cycle
       newtonian = sliding/(strip%film(i)*sum(levels%weight*strip%fluidity(i, :)))
       newtonian = stress_guess(law, newtonian, strip%reference(i), strip%limit(i))
       strip%tau_x(i) = newtonian*strip%us(i)/sliding
