@@ -204,7 +204,7 @@ def entry(rung: Rung, grid: Grid) -> Start:
 
 
 def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) -> Rung:
-    """A grid of half the spacing within the present one, with the film of `start`, as yet of one temperature."""
+    """A grid of half the spacing within the present one, with the film of `start` but no heat as yet."""
     window = rung.grid.window_of(grid)
     far, load = rung.far, rung.load
     outside = rung.film.pressure.copy(order="F")
