@@ -147,6 +147,8 @@ contains
             last = at
             last_move = move
             at = node - apart/spacing*(slope(1) + 4*slope(2) + slope(3))/6
+            move = at - last
+            if (iteration > 1 .and. move**2 <= foot_settled*abs(last_move)) exit
             halfway = (node + at)/2 + apart/spacing*(slope(3) - slope(1))/8
             call around(within(at, self%nodes), self%nodes, first, share)
             slowness(3) = 1/dot_product(share, ahead_before(first:first + 3))
@@ -154,8 +156,6 @@ contains
             call around(within(halfway, self%nodes), self%nodes, first, share)
             slowness(2) = 2/dot_product(share, ahead_before(first:first + 3) + ahead_here(first:first + 3))
             slope(2) = dot_product(share, aside_before(first:first + 3) + aside_here(first:first + 3))/2*slowness(2)
-            move = at - last
-            if (iteration > 1 .and. move**2 <= foot_settled*abs(last_move)) exit
           end do
           self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
           self%share(:, node, line) = 0
