@@ -10,10 +10,10 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
     point_film_convolve, point_film_work, point_film_thickness, point_film_entrain, point_film_shear, &
-    point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, &
+    point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, point_film_unsolved, &
     point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
-    line_film_convolve, line_film_shear, line_film_heat, line_film_rise, &
+    line_film_convolve, line_film_shear, line_film_heat, line_film_rise, line_film_unsolved, &
     line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
   public :: prolong_cubic, level_positions
 
@@ -274,6 +274,20 @@ contains
     contact => contact_of(handle)
     call heat_sweep(contact, change, stat)
   end subroutine point_film_warm
+
+  !> Faces and columns whose shear stress was not found when they were last met.
+  subroutine point_film_unsolved(handle, count)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: count
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    count = 0
+    if (allocated(contact%shear)) count = sum(contact%shear%strips%unsolved)
+    if (allocated(contact%heat)) count = count + sum(contact%heat%threads%shear%unsolved)
+  end subroutine point_film_unsolved
 
   !> Temperature of a contact above its inlet's [K], at the levels from body 1 to body 2.
   subroutine point_film_rise(handle, nx, ny, levels, rise)
@@ -591,6 +605,20 @@ contains
     end subroutine new_body
 
   end subroutine line_film_heat
+
+  !> Faces and columns of a line contact whose shear stress was not found when they were last met.
+  subroutine line_film_unsolved(handle, count)
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: count
+    type(heated_line), pointer :: contact
+
+    contact => contact_of(handle)
+    count = 0
+    if (allocated(contact%shear)) count = sum(contact%shear%strips%unsolved)
+    if (allocated(contact%heat)) count = count + sum(contact%heat%shear%unsolved)
+  end subroutine line_film_unsolved
 
   !> Temperature of a line contact above its inlet's [K], at the levels from body 1 to body 2.
   subroutine line_film_rise(handle, n, levels, rise)

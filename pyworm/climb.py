@@ -233,11 +233,15 @@ def _same_window(rung: Rung, grid: Grid) -> bool:
     return grid.shape == rung.grid.finer().shape
 
 
-def with_shear(scene: Scene, model: Model, rung: Rung) -> None:
-    """Lets the film of a rung flow by the oil's law; it is to be restarted before it steps."""
+def with_shear(scene: Scene, model: Model, rung: Rung, firmness: float = 1.0) -> None:
+    """Lets the film of a rung flow by the oil's law; it is to be restarted before it steps.
+
+    The law's stresses are taken as `firmness` times as large.
+    """
     body_1, body_2 = (motion(*rung.grid.mesh()) for motion in scene.motions)
     sliding = tuple(one - other for one, other in zip(body_1, body_2, strict=True))
-    rung.film.shear(scene.oil.flow or NEWTONIAN, model.levels, sliding)
+    law = (scene.oil.flow or NEWTONIAN).firmer(firmness)
+    rung.film.shear(law, model.levels, sliding)
 
 
 def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = None) -> None:

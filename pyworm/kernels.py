@@ -342,6 +342,10 @@ class _Film:
         """What was done since this was last asked, by name of a history's variable (`pyworm.variables`)."""
         return {}
 
+    def unsolved(self) -> int:
+        """Faces and columns whose shear stress was not found when they were last met."""
+        return int(self._binding("unsolved")(self._handle))
+
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return self._binding("convolve")(self._handle, self.pressure)

@@ -122,7 +122,7 @@ contains
     call set_entrainment(self%cycles, self%grid)
   end subroutine entrain
 
-  !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
+  !> Gives the oil a flow law, in place of any it has, and `levels` levels across the film, all at the inlet temperature.
   !>
   !> `sliding` is the nodal velocity of body 2 relative to body 1 [m/s].
   subroutine shear_point_contact(self, law, levels, sliding_x, sliding_y, stat)
@@ -135,9 +135,9 @@ contains
 
     stat = status_not_finite
     if (.not. all(abs(sliding_x) + abs(sliding_y) <= huge(1.0_wp))) return
-    allocate (self%shear)
+    if (.not. allocated(self%shear)) allocate (self%shear)
     call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
-    if (stat /= status_ok) return
+    if (stat /= status_ok .or. allocated(self%fields%mobility_y)) return
     allocate (self%fields%mobility_y(self%grid%nx, self%grid%ny), source=0.0_wp, stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine shear_point_contact
