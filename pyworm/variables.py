@@ -65,6 +65,21 @@ VARIABLES = {
     "normal": ("1", "common unit normal in the axes of the drive"),
     "radius_x": ("m", "relative radius of curvature along x"),
     "radius_y": ("m", "relative radius of curvature along y"),
+    "roll_angle": ("rad", "roll angle of the pinion"),
+    "radius": ("m", "relative radius of curvature across the contact line"),
+    "pinion_velocity": ("m/s", "velocity of the pinion's surface across the contact line"),
+    "gear_velocity": ("m/s", "velocity of the gear's surface across the contact line"),
+    "unit_load": ("N/m", "normal load for each length of the contact line"),
+    "friction_load_factor": ("1", "normal load with friction over that without"),
+    "load_share": ("1", "share of the normal force that the contact line carries"),
+    "pinion_specific_sliding": ("1", "sliding over the velocity of the pinion's surface"),
+    "gear_specific_sliding": ("1", "sliding of the gear's surface over its velocity"),
+    "closed_form_hertz_pressure": ("Pa", "largest pressure of the dry contact"),
+    "closed_form_film_central": ("m", "central film by Dowson and Toyoda"),
+    "closed_form_film_min": ("m", "minimum film by Dowson and Higginson"),
+    "closed_form_specific_film": ("1", "that minimum film over the composite roughness"),
+    "closed_form_flash_temperature": ("K", "Blok's flash temperature, a rise over the bulk's"),
+    "closed_form_contact_temperature": ("K", "bulk temperature and Blok's flash temperature"),
 }
 """Name -> unit and long name."""
 
