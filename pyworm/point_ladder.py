@@ -83,8 +83,8 @@ class PointLadder:
     def _sheared(self, rung: Rung) -> list[Stride]:
         """Steps of a film from a Newtonian oil to its own.
 
-        Where stresses of the Newtonian film are so far beyond those of the law that steps do not lead there, the
-        law is made firm and softened bit by bit.
+        Where stresses of the Newtonian film are so far beyond those of the law that steps do not lead there,
+        the law is made firm and softened bit by bit.
         """
         pressure, rigid_film = rung.film.pressure, rung.film.rigid_film
         strides: list[Stride] = []
