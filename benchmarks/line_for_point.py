@@ -6,8 +6,8 @@ that a few tenths of a percent are the grids'. Run from the repository's root:
     python benchmarks/line_for_point.py
 """
 
-from plan import on_one_grid
 from plan_scenes import STEEL, mineral, point
+from plans import on_one_grid
 
 import pyworm
 from pyworm.effects.sketch import sketch

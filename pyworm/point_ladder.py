@@ -213,7 +213,7 @@ class PointLadder:
     def _shear_fields(self, rung: Rung) -> dict[str, np.ndarray]:
         if not self._model.levels:
             return {}
-        shear = rung.film.shear_fields()
+        shear = rung.film.shear_fields(factors=True)
         return {
             "shear_stress_x": shear.stress_x,
             "shear_stress_y": shear.stress_y,

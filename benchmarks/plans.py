@@ -4,8 +4,8 @@ For each scene the automatic plan against everything on: seconds of both solves 
 and how far the asked quantities differ on one grid. Then, one after another, each effect left out is switched
 off from everything on: its true influence against the estimate. Run from the repository's root:
 
-    python benchmarks/plan.py [ACCURACY ...] [--out DIR]     the whole table, by default at 1 % and 5 %
-    python benchmarks/plan.py 5% "worm, phase 0.5"            only the scenes named
+    python benchmarks/plans.py [ACCURACY ...] [--out DIR]     the whole table, by default at 1 % and 5 %
+    python benchmarks/plans.py 5% "worm, phase 0.5"            only the scenes named
 
 Leaves plan.csv, leave_one_out.csv and leave_one_out.png in DIR (results/plan).
 """
