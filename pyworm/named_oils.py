@@ -264,7 +264,8 @@ def named_oil(name: str) -> NamedOil:
     like = NamedOil("", stock, *stock.grades[nearest], "")
     made = oil_from_index(called, stock.name, grade * MILLIMETRE_SQUARED, like.viscosity_index)
     return replace(
-        made, source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}"
+        made,
+        source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}",
     )
 
 
@@ -322,9 +323,7 @@ def read_oil(path: str | Path) -> NamedOil:
                 table.name, table.base, table.viscosity_40, table.viscosity_100, table.source
             )
         else:
-            made = oil_from_index(
-                table.name, table.base, table.viscosity_40, table.viscosity_index
-            )
+            made = oil_from_index(table.name, table.base, table.viscosity_40, table.viscosity_index)
     except ValidationError as error:
         raise CaseError(f"{path}: {sentence(error, _OilTable, data)}") from None
     except ValueError as error:

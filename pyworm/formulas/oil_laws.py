@@ -263,5 +263,3 @@ def eyring_stress(alpha, limit: float):
     within("pressure-viscosity coefficient", alpha, 1e-9, 1e-7, "1/Pa")
     within("limiting traction coefficient", limit, 0.01, 0.2, "")
     return 2 * limit / np.asarray(alpha)
-
-
