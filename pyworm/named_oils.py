@@ -1,7 +1,7 @@
 """Oils by name: "PAG VG 460" and a temperature become the oil that a contact sees.
 
-The numbers are those of `pyworm/data/oils.toml`, where each has its source. An oil of one's own is made from two
-viscosities, from a viscosity index, or from a file.
+The numbers are those of `pyworm/data/oils.toml`, where each has its source. An oil of one's own is made
+from two viscosities, from a viscosity index, or from a file.
 """
 
 import re
@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from pyworm import units
 from pyworm.case_error import CaseError, sentence
 from pyworm.formulas import oil_laws
+from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.oils import Density, FlowLaw, Oil, OilHeat, Roelands
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
@@ -24,11 +25,8 @@ Base = Literal["mineral", "PAO", "ester", "PAG"]
 BASES: tuple[Base, ...] = ("mineral", "PAO", "ester", "PAG")
 """Base stocks in the table."""
 
-ISO_GRADES = (32, 46, 68, 100, 150, 220, 320, 460, 680, 1000)
-"""Grades of ISO 3448 that oils are made of: kinematic viscosity at 40 degC [mm2/s], within 10 %."""
-
 GRADE_TOLERANCE = 0.11
-"""Largest deviation of a table's oil from its grade. ISO 3448 has 0.1, which one measured oil misses by 0.002."""
+"""Largest deviation of a table's oil from its grade; ISO 3448 has 0.1, which one measured oil misses."""
 
 DEGREES_40, DEGREES_100 = 313.15, 373.15
 """Temperatures [K] at which oils are told by two viscosities."""
@@ -176,8 +174,8 @@ class NamedOil:
     def flow(self, temperature: float) -> FlowLaw:
         """How the oil shears: Eyring's law up to a limiting stress.
 
-        Both stresses are constants of the base stock, or follow from its limiting traction coefficient and alpha
-        at the temperature [K].
+        Both stresses are constants of the base stock, or follow from its limiting traction coefficient
+        and alpha at the temperature [K].
         """
         stock = self.stock
         if stock.limiting_coefficient is None:
@@ -192,8 +190,9 @@ class NamedOil:
     def oil(self, temperature: float) -> Oil:
         """The oil of a contact whose inlet has a temperature [K].
 
-        Roelands' exponents are those by which viscosity, alpha and the slope of viscosity with temperature at the
-        inlet are the oil's own; away from the inlet temperature Roelands' law and Walther's part slowly.
+        Roelands' exponents are those by which viscosity, alpha and the slope of viscosity with
+        temperature at the inlet are the oil's own; away from the inlet temperature Roelands' law and
+        Walther's part slowly.
 
         Raises
         ------
@@ -300,8 +299,9 @@ def oil_from_index(name: str, base: str, viscosity_40: float, index: float) -> N
 def read_oil(path: str | Path) -> NamedOil:
     """An oil from a TOML file of one's own.
 
-    It gives `name`, `base`, `source`, `viscosity_40` with `viscosity_100` or `viscosity_index`, and whatever else
-    of its base stock is to be replaced: the keys of a base stock in `pyworm/data/oils.toml` except the grades.
+    It gives `name`, `base`, `source`, `viscosity_40` with `viscosity_100` or `viscosity_index`, and
+    whatever else of its base stock is to be replaced: the keys of a base stock in
+    `pyworm/data/oils.toml` except the grades.
 
         name = "Shop oil 12"
         source = "data sheet of 2024"

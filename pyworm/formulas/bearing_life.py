@@ -1,7 +1,7 @@
 """Life of rolling bearings under real lubrication and dirt: ISO 281:2007.
 
-Lengths are in metres, speeds of rotation in rad/s, kinematic viscosities in m2/s, lives in revolutions; the standard's
-own rpm, mm and mm2/s are used inside only.
+Lengths are in metres, speeds of rotation in rad/s, kinematic viscosities in m2/s, lives in revolutions;
+the standard's own rpm, mm and mm2/s are used inside only.
 """
 
 from dataclasses import dataclass
@@ -80,7 +80,9 @@ CONTAMINATION = {
 
 
 def reference_viscosity(speed: float, mean_diameter: float) -> float:
-    """Viscosity nu1 [m2/s] that a bearing needs: 45000 n^-0.83 D^-0.5 mm2/s below 1000 rpm, 4500 (n D)^-0.5 above.
+    """Kinematic viscosity nu1 [m2/s] that a bearing needs.
+
+    45000 n^-0.83 D^-0.5 mm2/s below 1000 rpm, 4500 (n D)^-0.5 from there on, n in rpm and D in mm.
 
     Source: ISO 281:2007, equations 27 and 28. At 1000 rpm the two forms differ by 2.3 %, as printed.
 
@@ -123,13 +125,14 @@ def contamination_factor(
 ) -> float:
     """e_C [-] = a (1 - b/D^(1/3)), a = c kappa^0.68 D^0.55, at most 1, D in mm; not below zero.
 
-    Source: ISO 281:2007, Annex A; constants as found in two codes, the form from memory, checked by its limits
-    (grows with kappa and D, 1 in a large clean bearing).
+    Source: ISO 281:2007, Annex A; constants as found in two codes, the form from memory, checked by its
+    limits (grows with kappa and D, 1 in a large clean bearing).
 
     Parameters
     ----------
     lubrication : str
-        "inline filter" (circulating oil filtered before the bearing), "oil bath" (or filtered off-line), "grease".
+        "inline filter" (circulating oil filtered before the bearing), "oil bath" (or filtered off-line),
+        "grease".
     cleanliness : str
         ISO 4406 code such as "-/17/14"; of grease "high", "normal", "slight", "severe" or "very severe".
     kappa : float
@@ -157,10 +160,10 @@ def contamination_factor(
 
 
 def fatigue_load_limit(static_rating: float, elements: Elements, mean_diameter: float) -> float:
-    """Estimate of the fatigue load limit C_u [N] where the catalogue gives none: C0/22 or, of rollers, C0/8.2.
+    """Estimate of the fatigue load limit C_u [N]: C0/22 of ball and C0/8.2 of roller bearings.
 
-    Source: ISO 281:2007, B.3.3; ball bearings above 100 mm times (100 mm/D)^0.5. Range: roller bearings to 100 mm
-    only, since their exponent above could not be checked.
+    Source: ISO 281:2007, B.3.3; ball bearings above 100 mm times (100 mm/D)^0.5. Range: roller bearings
+    to 100 mm only, since their exponent above could not be checked.
 
     Parameters
     ----------
@@ -197,12 +200,13 @@ def life_modification(
         ball     0.1 [1 - (2.5671 - k1/kappa^k2)^0.83 x^(1/3)]^-9.3
         roller   0.1 [1 - (1.5859 - k1/kappa^k2) x^0.4]^-9.185
 
-    with x = e_C C_u/P of radial bearings, a third of it for thrust ball and 1/2.5 for thrust roller bearings; k1 and
-    k2 by range of kappa. At most 50, which also holds where the bracket is not positive; kappa above 4 counts as 4.
+    with x = e_C C_u/P of radial bearings, a third of it for thrust ball and 1/2.5 for thrust roller
+    bearings; k1 and k2 by range of kappa. At most 50, which also holds where the bracket is not
+    positive; kappa above 4 counts as 4.
 
-    Source: ISO 281:2007, equations 31 to 42. k2 = 0.19087 between 0.4 and 1 (0.019087 in circulation) follows from
-    continuity at 0.4; a code independent of the others has the same constants. The shares of thrust bearings are
-    from memory.
+    Source: ISO 281:2007, equations 31 to 42. k2 = 0.19087 between 0.4 and 1 (0.019087 in circulation)
+    follows from continuity at 0.4; a code independent of the others has the same constants. The shares
+    of thrust bearings are from memory.
 
     Parameters
     ----------
@@ -215,8 +219,8 @@ def life_modification(
     direction : str
         "radial" or "thrust".
     additives : bool
-        Whether additives of proven effect allow kappa = 1 instead of a smaller one, a_ISO then being 3 at most; never
-        less than without.
+        Whether additives of proven effect allow kappa = 1 instead of a smaller one, a_ISO then being 3
+        at most; never less than without.
     contamination : float
         e_C [-], on which that clause depends (0.2 and more).
 
@@ -253,8 +257,9 @@ def _modification(kappa: float, x: float, elements: Elements) -> float:
 def reliability_factor(reliability: float) -> float:
     """Reliability factor a1 [-] = 0.95 [ln(1/R)/ln(1/0.9)]^(2/3) + 0.05.
 
-    Source: the Weibull law behind the table of ISO 281:2007 (slope 1.5, 5 % of the life free of failures), which it
-    gives to its two digits: 1, 0.64, 0.55, 0.47, 0.37, 0.25 for 90, 95, 96, 97, 98 and 99 %. Range: 90 to 99.95 %.
+    Source: the Weibull law behind the table of ISO 281:2007 (slope 1.5, 5 % of the life free of
+    failures), which it gives to its two digits: 1, 0.64, 0.55, 0.47, 0.37, 0.25 for 90, 95, 96, 97, 98
+    and 99 %. Range: 90 to 99.95 %.
 
     Parameters
     ----------

@@ -36,17 +36,20 @@ AGMA_GRADES = {
     "8": 680,
     "8A": 1000,
 }
-"""AGMA lubricant number (AGMA 250.04) -> ISO viscosity grade; "Comp" oils of worm gears are compounded with 3 to 10 %
-fatty material."""
+"""AGMA lubricant number (AGMA 250.04) -> ISO viscosity grade.
+
+"Comp" oils of worm gears are compounded with 3 to 10 % fatty material."""
 
 _RPM = 30 / pi
 
 
 def pitch_line_viscosity(pitch_line_velocity: float) -> float:
-    """Kinematic viscosity at 40 degC [m2/s] that a pitch line velocity [m/s] wants: 7000/sqrt(v) mm2/s, v in ft/min.
+    """Kinematic viscosity at 40 degC [m2/s] that a pitch line velocity [m/s] wants.
 
-    Source: Errichello, equation 1. Verified by his two numbers: 128 cSt at 3000 ft/min, 350 at 400. Range: spur,
-    helical and bevel gears, 0.25 to 100 m/s; he gives none.
+    7000/sqrt(v) mm2/s with v in ft/min.
+
+    Source: Errichello, equation 1. Verified by his two numbers: 128 cSt at 3000 ft/min, 350 at 400.
+    Range: spur, helical and bevel gears, 0.25 to 100 m/s; he gives none.
     """
     within("pitch line velocity", pitch_line_velocity, 0.25, 100, "m/s")
     return 7000 / sqrt(pitch_line_velocity / FOOT_PER_MINUTE) * 1e-6
@@ -100,8 +103,9 @@ _AGMA_WORM = ((6, 700), (12, 450), (18, 300), (24, 250), (inf, 200))
 def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAdvice:
     """AGMA 250.04's grades for single-reduction parallel-shaft drives.
 
-    Source: AGMA 250.04, from memory. Verified by what Errichello reads from it: VG 150 or 220 at 16 in, VG 150 for a
-    small drive. Range: pitch line velocities to 25 m/s (5000 ft/min), ambient 15 to 125 degF.
+    Source: AGMA 250.04, from memory. Verified by what Errichello reads from it: VG 150 or 220 at 16 in,
+    VG 150 for a small drive. Range: pitch line velocities to 25 m/s (5000 ft/min), ambient 15 to 125
+    degF.
 
     Parameters
     ----------
@@ -127,8 +131,8 @@ def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAd
 def agma_worm(centre_distance: float, worm_speed: float, ambient_temperature: float) -> TableAdvice:
     """AGMA 250.04's grade for enclosed cylindrical worm gears: 7 Comp, or 8 Comp where slow and warm.
 
-    Source: AGMA 250.04, from memory; not checked beyond the VG 460 that the worm drive of Sharif et al. (2001) runs
-    with. Range: ambient 15 to 125 degF.
+    Source: AGMA 250.04, from memory; not checked beyond the VG 460 that the worm drive of Sharif et al.
+    (2001) runs with. Range: ambient 15 to 125 degF.
 
     Parameters
     ----------
@@ -203,8 +207,8 @@ def worm_table(
 ) -> TableAdvice | None:
     """Grades for worm gears by centre distance, speed and sump temperature; None where the table has no row.
 
-    The rows leave gaps in size, speed and temperature; a sump below a row's range is read as its coolest. Above 100 degC
-    the table's mineral grades are meant as PAO or ester.
+    The rows leave gaps in size, speed and temperature; a sump below a row's range is read as its
+    coolest. Above 100 degC the table's mineral grades are meant as PAO or ester.
 
     Parameters
     ----------
@@ -297,8 +301,8 @@ def oil_jets(
 ) -> Jets:
     """Jets that pass a flow: Torricelli's velocity through holes with a discharge coefficient.
 
-    Source: the limits are Errichello's; the flow through a hole is Bernoulli's, so that thick oil in long holes needs
-    larger ones.
+    Source: the limits are Errichello's; the flow through a hole is Bernoulli's, so that thick oil in
+    long holes needs larger ones.
 
     Parameters
     ----------
@@ -339,8 +343,8 @@ def oil_jets(
 def application_method(pitch_line_velocity: float) -> str:
     """How to bring oil to gears of a pitch line velocity [m/s], in words.
 
-    Source: Errichello, section on applying gear lubricants; the limits are 3000, 5000, 7000, 8000, 16000 and 20000
-    ft/min (the scan of the fifth is damaged).
+    Source: Errichello, section on applying gear lubricants; the limits are 3000, 5000, 7000, 8000, 16000
+    and 20000 ft/min (the scan of the fifth is damaged).
     """
     within("pitch line velocity", pitch_line_velocity, 0, 300, "m/s")
     feet = pitch_line_velocity / FOOT_PER_MINUTE

@@ -51,7 +51,7 @@ def walther_viscosity(m: float, n: float, temperature):
 
 
 def walther_temperature(m: float, n: float, viscosity):
-    """Temperature [K] at which an oil has a kinematic viscosity [m2/s]: the inverse of `walther_viscosity`."""
+    """Temperature [K] of a kinematic viscosity [m2/s]: the inverse of `walther_viscosity`."""
     within("kinematic viscosity", viscosity, 4e-7, THICKEST, "m2/s")
     return 10 ** ((m - _double_log(viscosity)) / n)
 
@@ -143,7 +143,7 @@ def viscosity_index(viscosity_40, viscosity_100: float) -> float:
 
 
 def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
-    """Kinematic viscosity [m2/s] at 100 degC of an oil of a viscosity index and a viscosity at 40 degC [m2/s].
+    """Kinematic viscosity [m2/s] at 100 degC from that at 40 degC [m2/s] and the viscosity index.
 
     The inverse of `viscosity_index`. Range: indices 0 to 400.
     """
@@ -185,9 +185,10 @@ def dynamic_viscosity(viscosity, density):
 def conductivity(density_15: float, temperature):
     """Thermal conductivity [W/(m K)] of petroleum oils, 0.12 (1 - 0.0005 t/3)/s.
 
-    s is the density at 15 degC in kg/l, t the temperature in degC. Source: C. S. Cragoe, US Bureau of Standards
-    Misc. Publ. 97 (1929), usually printed as 0.117 (1 - 0.00054 t)/s; the constants here are those of gear
-    software (GEARpie), 5 % above these at 60 degC. Range: petroleum and other hydrocarbons.
+    s is the density at 15 degC in kg/l, t the temperature in degC. Source: C. S. Cragoe, US Bureau of
+    Standards Misc. Publ. 97 (1929), usually printed as 0.117 (1 - 0.00054 t)/s; the constants here are
+    those of gear software (GEARpie), 5 % above these at 60 degC. Range: petroleum and other
+    hydrocarbons.
     """
     within("density at 15 degC", density_15, 600, 2000, "kg/m3")
     within("temperature", temperature, COLDEST, HOTTEST, "K")
@@ -200,9 +201,10 @@ def conductivity(density_15: float, temperature):
 def gold_alpha(viscosity, s: float, t: float):
     """Gold's pressure-viscosity coefficient [1/Pa], s nu^t 1e-9 with nu in mm2/s.
 
-    Falls with temperature as the viscosity does. Source: P. W. Gold et al., Tribologie + Schmierungstechnik 48
-    (2001), constants of the base oils in `pyworm/data/oils.toml`. Checked by its size: s and t exchanged, as
-    found in print, give 290 /GPa at 220 mm2/s. Range: 1 to 10000 mm2/s; measured up to about 200 MPa.
+    Falls with temperature as the viscosity does. Source: P. W. Gold et al., Tribologie +
+    Schmierungstechnik 48 (2001), constants of the base oils in `pyworm/data/oils.toml`. Checked by its
+    size: s and t exchanged, as found in print, give 290 /GPa at 220 mm2/s. Range: 1 to 10000 mm2/s;
+    measured up to about 200 MPa.
     """
     within("kinematic viscosity", viscosity, 1e-6, 1e-2, "m2/s")
     within("s of Gold's law", s, 3, 20, "")
@@ -213,8 +215,8 @@ def gold_alpha(viscosity, s: float, t: float):
 def agma_alpha(viscosity, k: float, s: float):
     """AGMA's pressure-viscosity coefficient [1/Pa], k eta^s in mm2/N with eta in mPa s.
 
-    Source: AGMA 925-A03, section 6.2; from memory, checked against the two values of Errichello's case history
-    (mineral oil, 6.6 and 10 cP: 1.02e-4 and 1.09e-4 in2/lb), which it meets within 10 %.
+    Source: AGMA 925-A03, section 6.2; from memory, checked against the two values of Errichello's case
+    history (mineral oil, 6.6 and 10 cP: 1.02e-4 and 1.09e-4 in2/lb), which it meets within 10 %.
 
     Parameters
     ----------
@@ -232,7 +234,9 @@ def agma_alpha(viscosity, k: float, s: float):
 def roelands_exponent(
     viscosity_1: float, temperature_1: float, viscosity_2: float, temperature_2: float
 ) -> float:
-    """Exponent s0 [-] of temperature in Roelands' law from dynamic viscosities [Pa s] at two temperatures [K].
+    """Exponent s0 [-] of temperature in Roelands' law.
+
+    From dynamic viscosities [Pa s] at two temperatures [K].
 
     (ln eta + 9.67) falls as (T - 138 K)^-s0. Source: C. J. A. Roelands, thesis, Delft (1966), in the form of
     equation 20 of Sharif et al. (2001). The exponent of pressure z follows from alpha

@@ -13,14 +13,16 @@ from pyworm.formulas.ranges import positive, within
 SOURCE = "Blok 1937; AGMA 2001-B88 and 925-A03"
 
 FLASH_CONSTANT = 0.80
-"""Constant of `flash_temperature` in AGMA 925-A03. A semi-elliptic heat source on a fast half-space has 0.786, a
-uniform one sqrt(2/pi) = 0.798."""
+"""Constant of `flash_temperature` in AGMA 925-A03.
+
+A semi-elliptic heat source on a fast half-space has 0.786, a uniform one sqrt(2/pi) = 0.798.
+"""
 
 SPREAD = 0.15
 """Standard deviation of the scuffing temperature over its mean, on the scale of Fahrenheit (AGMA 2001-B88)."""
 
 LOW_RISK, HIGH_RISK = 0.10, 0.30
-"""Probabilities up to which the risk is called low, and above which high (AGMA 925-A03, from memory)."""
+"""Probabilities up to which the risk is low, and above which it is high (AGMA 925-A03, from memory)."""
 
 ZERO_CELSIUS = 273.15
 
@@ -43,13 +45,14 @@ def flash_temperature(
 
         0.80 mu w |v1 - v2| / [(B1 sqrt v1 + B2 sqrt v2) sqrt b]
 
-    for equal B the same as AGMA 925's 0.80 mu w |sqrt v1 - sqrt v2|/(B sqrt b). All heat goes into the two bodies, so
-    shared that their largest temperatures agree.
+    for equal B the same as AGMA 925's 0.80 mu w |sqrt v1 - sqrt v2|/(B sqrt b). All heat goes into the
+    two bodies, so shared that their largest temperatures agree.
 
-    Source: H. Blok, IMechE General Discussion on Lubrication 2 (1937) 222-235. Verified by dimension, and by
-    integrating the heat of a semi-elliptic source, whose constant is 0.786. Two forms in circulation do not agree with
-    it: one with |sqrt v1 - sqrt v2| and different B over B1 sqrt v1 + B2 sqrt v2 lacks a root of a speed, and 0.62 before
-    w/sqrt b belongs before w^(3/4) (E'/R)^(1/4) instead. Range: fast bodies, b v/(2 diffusivity) above about 5.
+    Source: H. Blok, IMechE General Discussion on Lubrication 2 (1937) 222-235. Verified by dimension,
+    and by integrating the heat of a semi-elliptic source, whose constant is 0.786. Two forms in
+    circulation do not agree with it: one with |sqrt v1 - sqrt v2| and different B over B1 sqrt v1 + B2
+    sqrt v2 lacks a root of a speed, and 0.62 before w/sqrt b belongs before w^(3/4) (E'/R)^(1/4)
+    instead. Range: fast bodies, b v/(2 diffusivity) above about 5.
 
     Parameters
     ----------
@@ -85,9 +88,9 @@ def contact_temperature(bulk_temperature, flash):
 def scuffing_temperature(viscosity_40, anti_scuff: bool):
     """Mean scuffing temperature of a mineral gear oil [K].
 
-    63 degC + 33 K ln nu40, with anti-scuff additives 118 degC + 33 K ln nu40, nu40 in mm2/s. Source: AGMA 925-A03;
-    Errichello prints it as 146 degF + 59 ln nu40 and 245 degF + 59 ln nu40, which is the same within 3 degF. Range:
-    mineral oils of 32 to 1000 mm2/s.
+    63 degC + 33 K ln nu40, with anti-scuff additives 118 degC + 33 K ln nu40, nu40 in mm2/s. Source:
+    AGMA 925-A03; Errichello prints it as 146 degF + 59 ln nu40 and 245 degF + 59 ln nu40, which is the
+    same within 3 degF. Range: mineral oils of 32 to 1000 mm2/s.
 
     Parameters
     ----------
@@ -104,9 +107,9 @@ def scuffing_temperature(viscosity_40, anti_scuff: bool):
 def scuffing_probability(contact, scuffing):
     """Probability of scuffing [-]: of a normal scuffing temperature that the contact temperature exceeds.
 
-    The standard deviation is 15 % of the mean in degrees Fahrenheit. Source: AGMA 2001-B88, from memory; verified by
-    Errichello's two cases (439 degF against 418 degF: 63 %; 302 against 563: below 5 %). With the mean in degrees
-    Celsius, as AGMA 925 has it, the first is 64 %.
+    The standard deviation is 15 % of the mean in degrees Fahrenheit. Source: AGMA 2001-B88, from memory;
+    verified by Errichello's two cases (439 degF against 418 degF: 63 %; 302 against 563: below 5 %).
+    With the mean in degrees Celsius, as AGMA 925 has it, the first is 64 %.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""How far heating of the oil in the inlet thins a film: factors on the isothermal film, 1 where nothing heats.
+"""How far heating of the oil in the inlet thins a film: factors on the isothermal film.
 
-All take the thermal loading L = eta0 beta um^2/k with the mean speed um; forms with the sum of both speeds have other
-constants. None is larger than 1.
+All take the thermal loading L = eta0 beta um^2/k with the mean speed um; forms with the sum of both
+speeds have other constants. None is larger than 1.
 """
 
 import numpy as np
@@ -33,9 +33,9 @@ def thermal_loading(viscosity, slope, speed, conductivity):
 def wilson_sheu(loading, slide_roll_ratio):
     """Wilson and Sheu's factor [-], 1/[1 + 0.241 (1 + 14.8 Z^0.83) L^0.64], Z = SRR/2.
 
-    Source: W. R. D. Wilson and S. Sheu, J. Lubr. Technol. 105 (1983) 187-188. The same with 0.1 holds for the loading
-    with u1 + u2 instead of um (0.241/4^0.64 = 0.0992). Range: line contacts, surfaces moving the same way (SRR up to 2);
-    negligible below L = 0.1.
+    Source: W. R. D. Wilson and S. Sheu, J. Lubr. Technol. 105 (1983) 187-188. The same with 0.1 holds
+    for the loading with u1 + u2 instead of um (0.241/4^0.64 = 0.0992). Range: line contacts, surfaces
+    moving the same way (SRR up to 2); negligible below L = 0.1.
 
     Parameters
     ----------
@@ -61,10 +61,10 @@ def murch_wilson(loading):
 def gupta(loading, slide_roll_ratio, pressure_ratio):
     """Gupta's factor [-], [1 - 13.2 (p_H/E') L^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L^0.64], S = SRR.
 
-    Source: P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster and J. B. Schrand, Tribol. Trans. 35 (1992) 269-274; from
-    memory. Checked by its limit 1 without heating and, without pressure, by Wilson and Sheu's factor, which it meets
-    within 7 % in pure rolling up to L = 10; in sliding it is far milder (0.49 against 0.21 at L = 1 and S = 2). Range:
-    until its numerator reaches zero.
+    Source: P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster and J. B. Schrand, Tribol. Trans. 35 (1992)
+    269-274; from memory. Checked by its limit 1 without heating and, without pressure, by Wilson and
+    Sheu's factor, which it meets within 7 % in pure rolling up to L = 10; in sliding it is far milder
+    (0.49 against 0.21 at L = 1 and S = 2). Range: until its numerator reaches zero.
 
     Parameters
     ----------
@@ -84,8 +84,8 @@ def gupta(loading, slide_roll_ratio, pressure_ratio):
 def hsu_lee(loading, slide_roll_ratio, material, load):
     """Hsu and Lee's factor [-], 1/(1 + 0.0766 G^0.687 W^0.447 L^0.527 e^(0.875 S)), S = SRR.
 
-    Source: C. H. Hsu and R. T. Lee, J. Tribol. 116 (1994) 540-548; from memory, checked by its limit 1 without heating
-    only. Range: line contacts.
+    Source: C. H. Hsu and R. T. Lee, J. Tribol. 116 (1994) 540-548; from memory, checked by its limit 1
+    without heating only. Range: line contacts.
 
     Parameters
     ----------

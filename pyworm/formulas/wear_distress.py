@@ -47,10 +47,10 @@ def distress_probability(specific_film, pitch_line_velocity: float):
 
         0.47767, 0.21525 up to 5 m/s;  0.86072, 0.33124 up to 60 m/s;  1.07624, 0.23536 above.
 
-    Source: AGMA 925-A03's fit to several hundred gear drives of E. J. Wellauer and G. A. Holloway, J. Eng. Ind. 98
-    (1976) 626-634; from memory. Verified by Errichello's case history: lambda 0.073 and 0.097 give 97 % ("above 95 %")
-    and 96 % (94 %). Range: gears with the minimum film of Dowson and Higginson and the composite rms roughness. At
-    lambda = 0 the fit has 98.7 %, not all.
+    Source: AGMA 925-A03's fit to several hundred gear drives of E. J. Wellauer and G. A. Holloway, J.
+    Eng. Ind. 98 (1976) 626-634; from memory. Verified by Errichello's case history: lambda 0.073 and
+    0.097 give 97 % ("above 95 %") and 96 % (94 %). Range: gears with the minimum film of Dowson and
+    Higginson and the composite rms roughness. At lambda = 0 the fit has 98.7 %, not all.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def distress_probability(specific_film, pitch_line_velocity: float):
 
 
 def film_of_probability(probability: float, pitch_line_velocity: float) -> float:
-    """lambda [-] at which the probability of distress is the wanted one: the inverse of `distress_probability`."""
+    """lambda [-] at which distress has a probability: the inverse of `distress_probability`."""
     within("probability", probability, 1e-6, 0.95, "")
     positive("pitch line velocity", pitch_line_velocity, "m/s")
     _, mean, spread = next(row for row in _DISTRESS if pitch_line_velocity <= row[0])

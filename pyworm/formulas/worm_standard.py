@@ -1,8 +1,9 @@
 """Cylindrical worm gears by the methods of DIN 3996:2012 and ISO/TS 14521, as far as they could be checked.
 
-Neither text could be read. Every formula here is from memory and is checked by dimension, by the limits it must
-have, and by the worked values of a reference gear; each docstring says how. Lengths are in metres, speeds in rad/s,
-torques in N m, pressures in Pa, temperatures in kelvin; the standards' own units are used inside only.
+Neither text could be read. Every formula here is from memory and is checked by dimension, by the limits
+it must have, and by the worked values of a reference gear; each docstring says how. Lengths are in
+metres, speeds in rad/s, torques in N m, pressures in Pa, temperatures in kelvin; the standards' own
+units are used inside only.
 """
 
 from dataclasses import dataclass
@@ -105,8 +106,8 @@ class WormGear:
     def film_parameter(self) -> float:
         """h* [-], how well the shape of the gear draws oil into the contact.
 
-        0.018 + q/[7.86 (q + z2)] + 1/z2 + x2/110 - u/36300 + b2H/(370.4 mx) - sqrt(2 q - 1)/213.9. Checked: 0.0657 for
-        the reference gear, nominally 0.07.
+        0.018 + q/[7.86 (q + z2)] + 1/z2 + x2/110 - u/36300 + b2H/(370.4 mx) - sqrt(2 q - 1)/213.9.
+        Checked: 0.0657 for the reference gear, nominally 0.07.
         """
         q, z2 = self.diameter_factor, self.teeth
         return (
@@ -123,8 +124,8 @@ class WormGear:
     def pressure_parameter(self) -> float:
         """p_m* [-] of the mean contact pressure.
 
-        1.03 {0.4 + x2/u + 0.01 z2 - 0.083 b2H/mx + sqrt(2 q - 1)/6.9 + [q + 50 (u + 1)/u]/(15.9 + 37.5 q)}. Checked:
-        0.988 for the reference gear, nominally 0.962.
+        1.03 {0.4 + x2/u + 0.01 z2 - 0.083 b2H/mx + sqrt(2 q - 1)/6.9 + [q + 50 (u + 1)/u]/(15.9 + 37.5
+        q)}. Checked: 0.988 for the reference gear, nominally 0.962.
         """
         q, u = self.diameter_factor, self.ratio
         return 1.03 * (
@@ -168,10 +169,10 @@ def minimum_film(
 
         21 h* c_alpha^0.6 eta^0.7 n1^0.7 a^1.39 E_red^0.03 / T2^0.13   [um]
 
-    with c_alpha in m2/N, eta in Pa s, n1 in rpm, a in mm, E_red in N/mm2, T2 in N m. Checked: in SI the units leave a
-    length and the constant becomes 0.996, so that 21 is nothing but the conversion of units; a form in circulation
-    with the exponents 1, 0.43, -0.057 and +0.13 of c_alpha, n1, a and T2 is no length. Range: bronze and cast iron
-    wheels, 25 mm to 2 m.
+    with c_alpha in m2/N, eta in Pa s, n1 in rpm, a in mm, E_red in N/mm2, T2 in N m. Checked: in SI the
+    units leave a length and the constant becomes 0.996, so that 21 is nothing but the conversion of
+    units; a form in circulation with the exponents 1, 0.43, -0.057 and +0.13 of c_alpha, n1, a and T2 is
+    no length. Range: bronze and cast iron wheels, 25 mm to 2 m.
 
     Parameters
     ----------
@@ -251,8 +252,8 @@ def tooth_friction(
         Y_G     sqrt(0.07/h*)
         Y_R     (Ra/0.5 um)^(1/4)
 
-    Checked: falls with sliding speed to the first number; PAG below PAO below mineral oil at every speed; 1 is each
-    factor of the reference gear. Range: vg from 0.05 to 25 m/s.
+    Checked: falls with sliding speed to the first number; PAG below PAO below mineral oil at every
+    speed; 1 is each factor of the reference gear. Range: vg from 0.05 to 25 m/s.
 
     Parameters
     ----------
@@ -319,8 +320,9 @@ def pitting_safety(
 ) -> float:
     """Safety against pitting of the wheel S_H [-], sigma_HlimT Z_h Z_v Z_S Z_oil / sigma_Hm.
 
-    Z_h = (25000 h/Lh)^(1/6), at most 1.6; Z_v = sqrt(5/(4 + vg)); Z_S = sqrt(3000/(2900 + a)), a in mm; Z_oil of PAG 1,
-    PAO 0.94, mineral 0.89. Checked: 1 is each factor of the reference test (25000 h, 1 m/s, 100 mm, PAG).
+    Z_h = (25000 h/Lh)^(1/6), at most 1.6; Z_v = sqrt(5/(4 + vg)); Z_S = sqrt(3000/(2900 + a)), a in mm;
+    Z_oil of PAG 1, PAO 0.94, mineral 0.89. Checked: 1 is each factor of the reference test (25000 h, 1
+    m/s, 100 mm, PAG).
 
     Parameters
     ----------
@@ -354,8 +356,9 @@ def wear_intensity(
 ) -> float:
     """Wear of a CuSn12Ni2 wheel per sliding path J_0T [-].
 
-    2.4e-11 K_W^-3.1 (mineral), 1.27e-10 K_W^-2.24 (PAG), at most 400e-9, K_W = h_min,m W_S W_H with the film in um. Only
-    its fall with the film and its cap could be checked. Range: mineral oil and PAG; PAO has no constants here.
+    2.4e-11 K_W^-3.1 (mineral), 1.27e-10 K_W^-2.24 (PAG), at most 400e-9, K_W = h_min,m W_S W_H with the
+    film in um. Only its fall with the film and its cap could be checked. Range: mineral oil and PAG; PAO
+    has no constants here.
 
     Parameters
     ----------
@@ -364,7 +367,8 @@ def wear_intensity(
     film : float
         h_min,m [m].
     structure_factor, pressure_factor : float
-        W_S of the oil's structure and W_H of the pressure [-], from the standard; 1 is mineral oil at moderate pressure.
+        W_S of the oil's structure and W_H of the pressure [-], from the standard; 1 is mineral oil at
+        moderate pressure.
     """
     one_of("oil of the wear rating", oil, tuple(_WEAR))
     within("mean minimum film", film, 1e-9, 1e-4, "m")
@@ -448,7 +452,8 @@ def bulk_temperature(
 def temperature_safety(sump_temperature: float, limit: float) -> float:
     """S_T [-], limiting over actual sump temperature, both in degC inside; arguments in kelvin.
 
-    The limit belongs to the oil and is its maker's to say; 90 degC is usual for mineral oils, 100 degC for PAO and PAG.
+    The limit belongs to the oil and is its maker's to say; 90 degC is usual for mineral oils, 100 degC
+    for PAO and PAG.
     """
     within("sump temperature", sump_temperature, 273.16, 470, "K")
     within("limit of the sump temperature", limit, 273.16, 470, "K")
@@ -549,7 +554,8 @@ def rate_worm(
     pitting_strength, life : float, optional
         sigma_HlimT [Pa] and wanted life [h].
     structure_factor, pressure_factor : float
-        W_S and W_H of `wear_intensity` [-]; W_S of mineral oil is 1, of PAG it must be given for wear to be rated.
+        W_S and W_H of `wear_intensity` [-]; W_S of mineral oil is 1, of PAG it must be given for wear to
+        be rated.
     sump_temperature, temperature_limit : float, optional
         Temperature of the oil and the highest allowed [K].
     immersion_factor : float
