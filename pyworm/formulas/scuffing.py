@@ -19,7 +19,7 @@ A semi-elliptic heat source on a fast half-space has 0.786, a uniform one sqrt(2
 """
 
 SPREAD = 0.15
-"""Standard deviation of the scuffing temperature over its mean, on the scale of Fahrenheit (AGMA 2001-B88)."""
+"""Standard deviation of the scuffing temperature over its mean in degrees Fahrenheit (AGMA 2001-B88)."""
 
 LOW_RISK, HIGH_RISK = 0.10, 0.30
 """Probabilities up to which the risk is low, and above which it is high (AGMA 925-A03, from memory)."""
