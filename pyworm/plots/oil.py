@@ -111,7 +111,7 @@ def _flowing(oil: NamedOil) -> tuple[np.ndarray, np.ndarray]:
     return celsius[flows], nu[flows]
 
 
-def _double_log(nu):
+def _double_log(nu: Sequence[float] | np.ndarray) -> np.ndarray:
     return np.log10(np.log10(np.asarray(nu) + WALTHER_SHIFT))
 
 
