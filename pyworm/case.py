@@ -4,6 +4,7 @@ import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from hashlib import sha256
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -12,17 +13,20 @@ from pydantic import BaseModel, ValidationError
 
 from pyworm.case_error import CaseError, sentence
 from pyworm.contact_scene import contact_scene
+from pyworm.drives.drive import Drive
 from pyworm.line.scene import LineScene
+from pyworm.place import Place, crossed
 from pyworm.scene import Scene
-from pyworm.schema import (
-    CONTACT_CASES,
-    AnyContactCase,
-    ContactCase,
-    DriveCase,
-    GapCase,
-    PointCase,
-    PublishedValue,
-)
+from pyworm.schema import CASES, kind_model
+from pyworm.schema.case import CaseTable, PublishedValue
+from pyworm.schema.contact import GapCase, PointCase
+
+_NO_PHYSICS = {
+    **dict.fromkeys(("title", "source", "published", "accuracy"), True),
+    "operation": {"phases"},
+    "motion": {"slide_roll_ratios"},
+}
+"""Keys of case files that say nothing about a contact."""
 
 
 @dataclass(frozen=True)
@@ -35,13 +39,13 @@ class Case:
         File name without its ending.
     directory : Path
         Where the case file lies; files that it names are relative to it.
-    tables : DriveCase or ContactCase
+    tables : CaseTable
         The file, in SI.
     """
 
     name: str
     directory: Path
-    tables: DriveCase | ContactCase
+    tables: CaseTable
 
     @property
     def title(self) -> str:
@@ -66,7 +70,7 @@ class Case:
     @property
     def phases(self) -> tuple[float, ...]:
         """Phases of the mesh cycle to solve; empty for a contact written directly."""
-        return self.tables.operation.phases if isinstance(self.tables, DriveCase) else ()
+        return () if self.drive is None else self.tables.operation.phases
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
@@ -81,34 +85,36 @@ class Case:
         """The whole case as plain numbers in SI, defaults filled in: for provenance."""
         return {"name": self.name, **self.tables.model_dump(mode="json")}
 
+    @property
+    def physics(self) -> dict[str, Any]:
+        """What decides the contacts: the case in SI without names, comparisons, accuracy and lists of places.
+
+        A file that the case names is there with a digest of what it holds.
+        """
+        tables = self.tables.model_dump(mode="json", exclude=_NO_PHYSICS)
+        if isinstance(self.tables, GapCase):
+            content = (self.directory / self.tables.contact.file).read_bytes()
+            tables["contact"]["file"] = sha256(content).hexdigest()
+        return tables
+
+    def __reduce__(self) -> tuple:
+        # A drive is made again where the case goes, rather than sent along; files must be found from there.
+        return Case, (self.name, self.directory.absolute(), self.tables)
+
     @cached_property
-    def drive(self):
-        """The machine that makes the contacts (`ZiWormDrive`); None for a contact written directly.
+    def drive(self) -> Drive | None:
+        """The machine that makes the contacts; None for a contact written directly.
 
         Raises
         ------
         CaseError
             The parts do not make a drive.
         """
-        if not isinstance(self.tables, DriveCase):
+        if not hasattr(self.tables, "drive"):
             return None
-        from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
+        from pyworm.case_drive import case_drive
 
-        tables = self.tables
-        oil = tables.oil.oil()
-        try:
-            return ZiWormDrive(
-                worm=Worm(**dict(tables.drive.worm)),
-                wheel=Wheel(**dict(tables.drive.wheel)),
-                hob=Hob(**dict(tables.drive.hob)),
-                centre_distance=tables.drive.centre_distance,
-                speed=tables.operation.worm_speed,
-                load=tables.operation.load,
-                bodies=tables.bodies.pair(oil),
-                oil=oil,
-            )
-        except ValueError as error:
-            raise CaseError(f"drive.{error}") from error
+        return case_drive(self.tables)
 
     def scene(
         self, phase: float | None = None, slide_roll_ratio: float | None = None
@@ -151,17 +157,20 @@ class Case:
         except ValueError as error:
             raise CaseError(f"drive at phase {phase:g}: {error}") from error
 
-    def scenes(
-        self,
-        phases: Sequence[float] | None = None,
-        slide_roll_ratios: Sequence[float] | None = None,
-    ) -> Iterator[Scene | LineScene]:
-        """The contacts at these phases or slide-roll ratios, by default at the case's own."""
-        return (
-            self.scene(phase, ratio)
-            for phase in phases or self.phases or (None,)
-            for ratio in slide_roll_ratios or self.slide_roll_ratios or (None,)
-        )
+    def places(self, **wanted: Sequence[Any] | None) -> tuple[Place, ...]:
+        """Where its contacts are: by default at the phases or slide-roll ratios that the case lists.
+
+        Parameters
+        ----------
+        **wanted : sequence, optional
+            Others, by the names of `Place`.
+        """
+        own = {"phase": self.phases, "slide_roll_ratio": self.slide_roll_ratios}
+        return crossed({name: wanted.get(name) or values for name, values in own.items()})
+
+    def scenes(self, **wanted: Sequence[Any] | None) -> Iterator[Scene | LineScene]:
+        """The contacts at `places` of these arguments."""
+        return (self.scene(**place.given) for place in self.places(**wanted))
 
 
 def load(path: str | Path) -> Case:
@@ -178,32 +187,43 @@ def load(path: str | Path) -> Case:
         Whatever is wrong first, in one sentence.
     """
     path = Path(path)
+    data = read_toml(path)
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        return case_of(data, path.stem, path.parent)
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+
+
+def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
+    """The case that a case file's content makes, checked in full; CaseError as of `load`."""
+    case = Case(name, directory, _tables(data))
+    list(case.scenes())  # the drive must mesh and the gap file must hold a gap
+    return case
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """What stands in a TOML file; CaseError if nothing can be read there."""
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise CaseError(f"{path}: no such file") from None
     except (OSError, UnicodeDecodeError) as error:
         raise CaseError(f"{path}: cannot be read ({error})") from None
     except tomllib.TOMLDecodeError as error:
         raise CaseError(f"{path}: not a TOML file: {error}") from None
-    try:
-        case = Case(path.stem, path.parent, _tables(data))
-        list(case.scenes())  # the drive must mesh and the gap file must hold a gap
-    except CaseError as error:
-        raise CaseError(f"{path}: {error}") from error
-    return case
 
 
-def _tables(data: dict[str, Any]) -> DriveCase | ContactCase:
+def _tables(data: dict[str, Any]) -> CaseTable:
     """A case file in SI, read as what it says it is."""
     if ("drive" in data) == ("contact" in data):
         raise CaseError("give either a [drive] or a [contact], one of the two")
-    if "drive" in data:
-        return _checked(DriveCase, data)
-    return _checked(CONTACT_CASES[_checked(AnyContactCase, data).contact.kind], data)
+    about = "drive" if "drive" in data else "contact"
+    kind = getattr(checked(kind_model(about), data), about).kind
+    return checked(CASES[about][kind], data)
 
 
-def _checked(model: type[BaseModel], data: dict[str, Any]) -> Any:
+def checked(model: type[BaseModel], data: dict[str, Any]) -> Any:
+    """What a file holds, read as a model; CaseError with the sentence about what is wrong first."""
     try:
         return model.model_validate(data)
     except ValidationError as error:

@@ -15,6 +15,7 @@ _WANTED = {
     "string_type": "must be a text in quotes",
     "string_too_short": "must not be empty",
     "tuple_type": "must be a list",
+    "list_type": "must be a list",
     "dict_type": "must be a table",
     "model_type": "must be a table",
     "model_attributes_type": "must be a table",
@@ -70,7 +71,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
         return wanted
     if isinstance(value, dict):
         return f"{name}: {wanted}"
-    return f"{name} = {_toml(value)}: {wanted}"
+    return f"{name} = {toml(value)}: {wanted}"
 
 
 def _as_written(loc: tuple, data: dict[str, Any], absent: bool) -> tuple[list, Any]:
@@ -103,12 +104,13 @@ def _valid_keys(model: type[BaseModel], loc: tuple) -> list[str]:
         fields = [table.model_fields[key] for table in choices if key in table.model_fields]
         if fields:
             choices = [table for field in fields for table in _tables(field.annotation)]
-        else:  # the tag of a union
-            choices = [
+        else:  # the tag of a union, or a key or place that the writer chooses
+            tagged = [
                 table
                 for table in choices
                 if any(key in typing.get_args(f.annotation) for f in table.model_fields.values())
             ]
+            choices = tagged or choices
     return sorted({key for table in choices for key in table.model_fields})
 
 
@@ -126,11 +128,12 @@ def _nearest(key: str, valid: list[str]) -> str:
     return f"valid keys are {', '.join(valid)}"
 
 
-def _toml(value: Any) -> str:
+def toml(value: Any) -> str:
+    """A value as a case file has it."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
         return f'"{value}"'
     if isinstance(value, list):
-        return f"[{', '.join(_toml(entry) for entry in value)}]"
+        return f"[{', '.join(toml(entry) for entry in value)}]"
     return str(value)

@@ -10,7 +10,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NoReturn
@@ -18,15 +18,17 @@ from typing import Any, NoReturn
 from pyworm.case import Case, load
 from pyworm.case_error import CaseError
 from pyworm.output import check_writable, whole
+from pyworm.place import PLACE_NAMES
 from pyworm.units import SHARE, parse
+from pyworm.workers import WorkerDiedError
 
 CONVERGED = 0
 FAILED = 1
 BAD_INPUT = 2
 NOT_CONVERGED = 3
 
-RESULT_NAME = "result.nc"
-PICTURES = ("scene_*.png", "mesh_cycle.png", "traction.png")
+SWEEP_NAME, TABLE_NAME, SWEEP_PICTURE = "sweep.nc", "sweep.csv", "sweep.png"
+PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -56,15 +58,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _end(f"{error}", BAD_INPUT)
     except ImportError as error:
         return _end(f"{error}; pyworm doctor tells what is missing", FAILED)
-    except OSError as error:
+    except (OSError, WorkerDiedError) as error:
         return _end(f"{error}", FAILED)
     except KeyboardInterrupt:
-        return _end("stopped, nothing written", FAILED)
+        return _end(_stopped(options), FAILED)
+
+
+def _stopped(options: argparse.Namespace) -> str:
+    if "jobs" in options:
+        return "stopped; scenes already solved are kept, the same command goes on from there"
+    return "stopped, nothing written"
 
 
 def _end(message: str, code: int) -> int:
-    print(f"pyworm: {message}", file=sys.stderr)
+    _say(message)
     return code
+
+
+def _say(message: str) -> None:
+    print(f"pyworm: {message}", file=sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -94,6 +106,27 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", parents=[case], help="check a case and show the plan")
     check.set_defaults(command=_check)
 
+    sweep = commands.add_parser(
+        "sweep", help="solve a case over ranges of its values; table, file and picture"
+    )
+    sweep.add_argument("sweep", type=Path, metavar="SWEEP.toml")
+    sweep.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    sweep.add_argument("--fields", action="store_true", help="keep every scene's result in full")
+    sweep.add_argument(
+        "--share", type=_share, metavar="I/N", help="keep the I-th of N shares; no table yet"
+    )
+    sweep.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    sweep.set_defaults(command=_sweep)
+
+    for batch in (run, sweep):
+        who = batch.add_mutually_exclusive_group()
+        who.add_argument(
+            "-j", dest="jobs", type=_count, default=1, metavar="N", help="processes (default: 1)"
+        )
+        who.add_argument(
+            "--scheduler", metavar="ADDRESS", help="solve on the workers of dask.distributed there"
+        )
+
     plot = commands.add_parser("plot", help="draw the pictures of a results file again")
     plot.add_argument("result", type=Path, metavar="RESULT")
     plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")
@@ -121,25 +154,24 @@ def _run(options: argparse.Namespace) -> int:
     case = load(options.case)
     directory = options.out or Path("results") / case.name
     check_writable(directory)
-    work = _planned(case, options)
+    tasks = _tasks(case, options)
 
     from rich.console import Console
 
-    from pyworm.kernels import KernelError
     from pyworm.plots import draw
-    from pyworm.run import run
+    from pyworm.run import RESULT_NAME, NothingSolvedError, run
     from pyworm.tables import figures_table, heat_table, published_for, scenes_table
 
     try:
-        with _progress() as progress:
-            result = run(case, work, progress)
-    except KernelError as error:
+        with _progress() as progress, _executor(options) as executor:
+            result = run(case, tasks, directory, executor, progress, _say)
+            # Apart, so that a picture that cannot be drawn does not cost the solve; and drawn here, since
+            # other machines need not reach this place.
+            with whole(directory, instead_of=PICTURES) as aside:
+                drawn = draw(result, aside, None if options.scheduler else executor)
+    except NothingSolvedError as error:
         return _end(f"{case.name}: {error}", FAILED)
-    with whole(directory) as aside:
-        result.save(aside / RESULT_NAME)
-    # Apart, so that a picture that cannot be drawn does not cost the solve.
-    with whole(directory, instead_of=PICTURES) as aside:
-        pictures = [path.name for path in draw(result, aside)]
+    pictures = [path.name for path in drawn]
 
     summaries = [solution.summary() for solution in result.solutions]
     failed = result.provenance["failed"]
@@ -156,7 +188,7 @@ def _run(options: argparse.Namespace) -> int:
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        scenes = [scene for scene, _ in work if scene.name not in failed]
+        scenes = [task.scene for task in tasks if task.scene.name not in failed]
         for scene, summary in zip(scenes, summaries, strict=True):
             published = published_for(summary, case.published)
             if published or len(scenes) == 1:
@@ -180,7 +212,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace) -> int:
     case = load(options.case)
-    work = _planned(case, options)
+    tasks = _tasks(case, options)
 
     from rich.console import Console
 
@@ -188,28 +220,77 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.tables import plan_table
 
     if options.json:
-        scenes = [scene_summary(scene) | {"plan": asdict(plan)} for scene, plan in work]
+        scenes = [scene_summary(task.scene) | {"plan": asdict(task.plan)} for task in tasks]
         _print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        for scene, plan in work:
-            console.print(plan_table(scene, plan))
+        for task in tasks:
+            console.print(plan_table(task.scene, task.plan))
     return CONVERGED
+
+
+def _sweep(options: argparse.Namespace) -> int:
+    from pyworm.sweep import load_sweep
+
+    directory = options.out or Path("results") / options.sweep.stem
+    check_writable(directory)
+    with _progress() as progress, _executor(options) as executor:
+        share = options.share or (1, 1)
+        sweep = load_sweep(options.sweep, share, executor, progress)
+
+        from pyworm.sweep_run import run_sweep, solve_share
+
+        how = (directory, options.fields, executor, progress, _say)
+        if options.share is not None:
+            reasons, _ = solve_share(sweep.tasks, *how)
+            for reason in reasons.values():
+                _say(f"a scene could not be solved: {reason}")
+            return NOT_CONVERGED if reasons else CONVERGED
+        result = run_sweep(sweep, *how)
+
+    from pyworm.plots.sweep import draw_sweep
+    from pyworm.sweep_report import rows, show
+
+    with whole(directory) as aside:
+        result.save(aside / SWEEP_NAME)
+        result.save_csv(aside / TABLE_NAME)
+    with whole(directory) as aside:
+        draw_sweep(result, aside / SWEEP_PICTURE)
+    if options.json:
+        _print_json(
+            {
+                "sweep": result.name,
+                "scenes": rows(result),
+                "results": str(directory / SWEEP_NAME),
+                "table": str(directory / TABLE_NAME),
+                "pictures": [str(directory / SWEEP_PICTURE)],
+            }
+        )
+    else:
+        show(result, directory)
+    return CONVERGED if result.converged.all() else NOT_CONVERGED
 
 
 def _plot(options: argparse.Namespace) -> int:
     from pyworm.plots import draw
+    from pyworm.plots.sweep import draw_sweep
     from pyworm.result import open_result
+    from pyworm.sweep_table import open_sweep
 
     directory = options.out or options.result.parent
     check_writable(directory)
     try:
-        result = open_result(options.result)
+        sweep = open_sweep(options.result)
+        result = None if sweep else open_result(options.result)
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
-    with whole(directory, instead_of=PICTURES) as aside:
-        pictures = [path.name for path in draw(result, aside)]
+    if sweep is not None:
+        with whole(directory) as aside:
+            pictures = [draw_sweep(sweep, aside / SWEEP_PICTURE).name]
+    else:
+        with whole(directory, instead_of=PICTURES) as aside:
+            pictures = [path.name for path in draw(result, aside)]
     for name in pictures:
         print(directory / name)
     return CONVERGED
@@ -221,8 +302,8 @@ def _doctor(options: argparse.Namespace) -> int:
     return examine()
 
 
-def _planned(case: Case, options: argparse.Namespace) -> list:
-    """Scenes and plans of a case, all of them before the first is solved."""
+def _tasks(case: Case, options: argparse.Namespace) -> list:
+    """What is to be solved of a case, all of it planned before the first is solved."""
     accuracy = case.accuracy
     if options.accuracy is not None:
         try:
@@ -230,13 +311,44 @@ def _planned(case: Case, options: argparse.Namespace) -> list:
         except ValueError as error:
             raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
 
-    from pyworm.effects import plan
+    from pyworm.task import Task
 
-    scenes = list(case.scenes(options.phase, options.slide_roll_ratio))
+    places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+    tasks = [Task(case, place, accuracy, options.effects) for place in places]
     try:
-        return [(scene, plan(scene, accuracy, options.effects)) for scene in scenes]
+        for task in tasks:
+            _ = task.plan
     except ValueError as error:
         raise CaseError(str(error)) from error
+    return tasks
+
+
+def _executor(options: argparse.Namespace) -> AbstractContextManager:
+    """What the batch is solved by, to be entered; None where this process does it all."""
+    if options.scheduler is not None:
+        from pyworm.cluster import cluster
+
+        return cluster(options.scheduler)
+    if options.jobs == 1:
+        return nullcontext()
+    from pyworm.workers import WorkerPool
+
+    return WorkerPool(options.jobs)
+
+
+def _count(text: str) -> int:
+    """A number of processes."""
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
+    return int(text)
+
+
+def _share(text: str) -> tuple[int, int]:
+    """Which of how many shares of a sweep."""
+    first, _, count = text.partition("/")
+    if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
+        raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")
+    return int(first), int(count)
 
 
 @contextmanager
@@ -248,9 +360,17 @@ def _progress() -> Iterator[Callable[[str, float], None] | None]:
     from rich.console import Console
     from rich.progress import Progress
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
+    # Scenes may take minutes: the time that remains is told from the last ten.
+    console = Console(stderr=True)
+    with Progress(console=console, transient=True, speed_estimate_period=600) as bar:
         task = bar.add_task("", total=1.0)
-        yield lambda message, share: bar.update(task, description=message, completed=share)
+
+        def show(message: str, share: float) -> None:
+            if share == 0:  # another kind of work, at a pace of its own
+                bar.reset(task)
+            bar.update(task, description=message, completed=share)
+
+        yield show
 
 
 def _print_json(content: dict[str, Any]) -> None:

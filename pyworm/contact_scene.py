@@ -7,7 +7,7 @@ from pyworm.case_error import CaseError
 from pyworm.line.scene import LineScene, Parabola
 from pyworm.sampled_gap import SampledGap, read_gap
 from pyworm.scene import Gap, Paraboloid, Scene
-from pyworm.schema import ContactCase, GapCase, LineCase, PointCase
+from pyworm.schema.contact import ContactCase, GapCase, LineCase, PointCase
 
 
 def contact_scene(

@@ -1,6 +1,7 @@
 """Results appear whole or not at all."""
 
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -23,6 +24,27 @@ def check_writable(directory: Path) -> None:
         raise CaseError(f"{existing}: is a file, results need a directory")
     if not os.access(existing, os.W_OK | os.X_OK):
         raise CaseError(f"{existing}: no permission to write there")
+
+
+PARTIAL = re.compile(r"\.(.+)\.\d+\.part")
+"""Name of a file while it is written, its own name within."""
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """Write a file aside and move it into its place, whole or not at all.
+
+    Yields
+    ------
+    Path
+        What to write, in the same directory.
+    """
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        yield partial
+        os.replace(partial, path)
+    finally:
+        partial.unlink(missing_ok=True)
 
 
 @contextmanager

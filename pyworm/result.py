@@ -14,16 +14,15 @@ Attributes that are not numbers or plain text (case, provenance, solution) are J
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
-import numpy as np
 import xarray as xr
 
+from pyworm.output import whole_file
 from pyworm.solution import Solution
-from pyworm.variables import describe
 
 FORMAT = "pyworm result"
 FORMAT_VERSION = 3
@@ -42,7 +41,7 @@ class Result:
     solutions : tuple of Solution
         One for each scene, in the order of the mesh cycle or the sweep.
     mesh_cycle : xarray.Dataset or None
-        The unloaded mesh cycle of a drive, as `mesh_cycle_dataset` makes it.
+        The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it.
     provenance : dict
         Version of pyworm, effects, tolerances and whatever else is needed to repeat the run.
     """
@@ -61,18 +60,14 @@ class Result:
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
         path = Path(path)
-        partial = path.with_name(f".{path.name}.{os.getpid()}.part")
         tree = xr.DataTree.from_dict(_groups(self))
         encoding = {
             f"{group.path}": {name: {"zlib": True, "complevel": 1} for name in group.data_vars}
             for group in tree.subtree
             if group.name == "fields"
         }
-        try:
+        with whole_file(path) as partial:
             tree.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
         return path
 
 
@@ -111,38 +106,6 @@ def open_result(path: str | os.PathLike) -> Result:
     )
 
 
-def mesh_cycle_dataset(contacts: Iterable[Any]) -> xr.Dataset:
-    """The contacts of a mesh cycle as one dataset over phase.
-
-    Parameters
-    ----------
-    contacts : iterable
-        Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
-        [m] and normal as three components in the axes of the drive, and radii [m] along x and y of
-        the tangent plane.
-    """
-    contacts = tuple(contacts)
-
-    def column(name: str) -> np.ndarray:
-        return np.array([getattr(contact, name) for contact in contacts], dtype=float)
-
-    radii = column("radii")
-    return describe(
-        xr.Dataset(
-            {
-                "worm_angle": ("phase", column("worm_angle")),
-                "wheel_angle": ("phase", column("wheel_angle")),
-                "transmission_error": ("phase", column("transmission_error")),
-                "point": (("phase", "axis"), column("point")),
-                "normal": (("phase", "axis"), column("normal")),
-                "radius_x": ("phase", radii[:, 0]),
-                "radius_y": ("phase", radii[:, 1]),
-            },
-            coords={"phase": column("phase"), "axis": ["x", "y", "z"]},
-        )
-    )
-
-
 def _groups(result: Result) -> dict[str, xr.Dataset]:
     groups = {
         "/": xr.Dataset(
@@ -159,7 +122,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
         scene = f"/scene_{number:03d}"
-        attributes = _plain_attributes(solution.summary())
+        attributes = plain_attributes(solution.summary())
         attributes["solution"] = _to_json(_scalars(solution))
         groups[scene] = xr.Dataset(attrs=attributes)
         groups[f"{scene}/fields"] = solution.fields
@@ -169,7 +132,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
     return groups
 
 
-def _plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
+def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
     """Scalars as NetCDF takes them: no None, truth as 0 or 1, an object's entries one by one."""
     plain = {}
     for name, value in summary.items():

@@ -1,110 +1,97 @@
-"""From planned scenes to a result with its provenance."""
+"""From the tasks of one case to its result; what an earlier run solved is not solved again."""
 
-import platform
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, replace
-from datetime import UTC, datetime
-from typing import Any
+from concurrent.futures import Executor
+from dataclasses import replace
+from pathlib import Path
 
-import numpy as np
-import xarray as xr
-
-import pyworm
+from pyworm.batch import solve_all
 from pyworm.case import Case
-from pyworm.drives.zi_worm import ZiWormDrive
-from pyworm.effects import Plan
-from pyworm.kernels import KernelError
-from pyworm.result import Result, mesh_cycle_dataset
-from pyworm.scene import Scene
+from pyworm.result import Result, open_result
 from pyworm.solution import Solution
-from pyworm.solver import solve
-from pyworm.variables import describe
+from pyworm.solver import Progress
+from pyworm.store import Store
+from pyworm.task import Task, provenance
 
-TOOTH_SAMPLES = 129
-"""Points along each direction at which the gap is sampled over the whole tooth, for its picture."""
+RESULT_NAME = "result.nc"
+SCENES = "scenes"
+"""Directory, beside the result, of scenes kept while others are not solved yet."""
 
-MESH_PHASES = 21
-"""Phases at which the unloaded mesh cycle is followed for the result."""
+
+class NothingSolvedError(RuntimeError):
+    """No scene of a run has a solution; the message is the last one's reason."""
 
 
 def run(
-    case: Case, work: Sequence[tuple[Scene, Plan]], progress: Callable[[str, float], None] | None
+    case: Case,
+    tasks: Sequence[Task],
+    directory: Path,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    say: Callable[[str], None] = lambda message: None,
 ) -> Result:
-    """Solve planned scenes.
+    """Solve a case and write its result.
 
     Parameters
     ----------
     case : Case
         The case.
-    work : sequence of (Scene, Plan)
-        Scenes of this case and their plans.
+    tasks : sequence of Task
+        Scenes of this case.
+    directory : Path
+        Where the result is written as `RESULT_NAME`; what it, or a run that was stopped, left there is used.
+    executor : Executor, optional
+        Whose processes solve; by default this one does.
     progress : callable, optional
         Told what is being done and which share of all is done, 0 to 1.
+    say : callable, optional
+        Told once if scenes were solved before.
 
     Returns
     -------
     Result
-        Scenes that the kernel gave up are missing and named, with the reason, under `failed` in its
-        provenance.
+        Solutions in the order of the tasks. Scenes without one are missing and named, with the reason, under
+        `failed` in its provenance.
 
     Raises
     ------
-    KernelError
-        If the kernel gave up every scene.
+    NothingSolvedError
+        No scene has a solution.
+    OSError
+        The result cannot be written.
     """
-    solutions, failed = [], {}
-    for position, (scene, scene_plan) in enumerate(work):
-        try:
-            solution = solve(scene, scene_plan, progress=_share(progress, position, len(work)))
-        except KernelError as error:
-            failed[scene.name] = str(error)
-            if len(failed) == len(work):
-                raise
-            continue
-        if case.drive is not None:
-            solution = _with_tooth(solution, scene, case.drive)
-        solutions.append(solution)
-    cycle = None
-    if case.drive is not None:
-        cycle = mesh_cycle_dataset(case.drive.mesh_cycle(MESH_PHASES))
-    return Result(
-        case.name, case.resolved, tuple(solutions), cycle, provenance(work) | {"failed": failed}
+    store = Store(directory.absolute() / SCENES, fields=True)
+    earlier = _solved_before(directory / RESULT_NAME)
+    missing = [task for task in store.missing(tasks) if task.key not in earlier]
+    before = sum(task not in missing for task in tasks)
+    if before:
+        say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+    reasons = solve_all(missing, store, executor, progress)
+    solved = [task for task in tasks if task.key not in reasons]
+    if not solved:
+        raise NothingSolvedError(reasons[tasks[-1].key])
+    solutions = tuple(
+        replace(earlier.get(task.key) or store.solution(task), name=task.scene.name)
+        for task in solved
     )
-
-
-def provenance(work: Sequence[tuple[Scene, Plan]]) -> dict[str, Any]:
-    """What made a result: versions, time, machine and plans; JSON-able."""
-    return {
-        "pyworm": pyworm.__version__,
-        "python": platform.python_version(),
-        "numpy": np.__version__,
-        "machine": platform.machine(),
-        "created": datetime.now(UTC).isoformat(timespec="seconds"),
-        "plans": [asdict(scene_plan) for _, scene_plan in work],
-    }
-
-
-def _with_tooth(solution: Solution, scene: Scene, drive: ZiWormDrive) -> Solution:
-    """Put the tooth, its whole gap and its path of contact among the fields; the solver knows of no teeth."""
-    outline = drive.tooth_outline(drive.contact(solution.phase))
-    x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
-    y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
-    gap, covered = scene.gap(*np.meshgrid(x, y))
-    tooth = xr.Dataset(
-        {
-            "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, gap, np.nan)),
-            "tooth_outline_x": ("outline", outline.x),
-            "tooth_outline_y": ("outline", outline.y),
-            "contact_path_x": ("path", outline.path_x),
-            "contact_path_y": ("path", outline.path_y),
-        },
-        coords={"tooth_x": x, "tooth_y": y},
+    failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
+    result = Result(
+        case.name,
+        case.resolved,
+        solutions,
+        None if case.drive is None else case.drive.cycle_data(),
+        provenance(solved) | {"failed": failed},
     )
-    return replace(solution, fields=solution.fields.merge(describe(tooth)))
+    directory.mkdir(parents=True, exist_ok=True)
+    result.save(directory / RESULT_NAME)
+    store.drop(tasks)
+    return result
 
 
-def _share(progress, position: int, count: int):
-    """Progress of one of several solves as a share of all."""
-    if progress is None:
-        return None
-    return lambda message, fraction: progress(message, (position + fraction) / count)
+def _solved_before(path: Path) -> dict[str, Solution]:
+    """Solutions of an earlier result, if there is one, by key."""
+    try:
+        result = open_result(path)
+    except (FileNotFoundError, ValueError):
+        return {}
+    return dict(zip(result.provenance.get("keys", ()), result.solutions, strict=False))

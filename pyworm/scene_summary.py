@@ -4,12 +4,14 @@ What has directions is a list with an entry for each, [x, y] or [x].
 """
 
 from collections.abc import Callable
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.line.scene import LineScene
+from pyworm.place import Place
 from pyworm.scene import Scene
 
 
@@ -17,8 +19,7 @@ def scene_summary(scene: Scene | LineScene) -> dict[str, Any]:
     """The scene with the Hertz contact of its radii."""
     return {
         "name": scene.name,
-        "phase": scene.phase,
-        "slide_roll_ratio": scene.slide_roll_ratio,
+        **asdict(Place.of(scene)),
         "reduced_modulus_Pa": scene.reduced_modulus,
         **_SUMMARIES[type(scene)](scene),
     }

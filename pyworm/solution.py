@@ -1,9 +1,11 @@
 """What a solve leaves behind: fields, figures with error bars, and how they were come by."""
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Literal
 
 import xarray as xr
+
+from pyworm.place import Place
 
 ZERO_CELSIUS = 273.15
 """Temperature [K] of 0 degC."""
@@ -200,8 +202,7 @@ class Solution:
         return {
             "name": self.name,
             "kind": self.kind,
-            "phase": self.phase,
-            "slide_roll_ratio": self.slide_roll_ratio,
+            **asdict(Place.of(self)),
             LOAD_KEYS[self.kind]: self.load,
             "converged": self.converged,
             "stop_reason": self.stop_reason,

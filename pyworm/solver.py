@@ -1,6 +1,7 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict
 from statistics import median
 from time import perf_counter, process_time
 
@@ -13,6 +14,7 @@ from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
+from pyworm.place import Place
 from pyworm.point_ladder import PointLadder
 from pyworm.scene import Scene
 from pyworm.solution import Cost, Estimate, Figures, Solution
@@ -109,8 +111,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     return Solution(
         name=scene.name,
         kind=ladder.kind,
-        phase=scene.phase,
-        slide_roll_ratio=scene.slide_roll_ratio,
+        **asdict(Place.of(scene)),
         load=scene.load,
         converged=stop_reason == ACCURATE,
         stop_reason=stop_reason,
@@ -189,6 +190,8 @@ def _stop_reason(
         return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
     last = rung.grid.finer().nodes > plan.largest_grid
     if not settled and (last or unsettled >= MOST_UNSETTLED):
+        if rung.film.unsolved():
+            return f"the shear stress was not found in {rung.film.unsolved()} places of the film"
         return (
             f"the residual stayed at {rung.film.balance.worst:.1e}, {plan.tolerance:.1e} is wanted"
         )

@@ -7,9 +7,10 @@ from rich.table import Table
 
 from pyworm.effects import Plan
 from pyworm.line.scene import LineScene
+from pyworm.place import PLACE_NAMES
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
-from pyworm.schema import PublishedValue
+from pyworm.schema.case import PublishedValue
 
 # Label, key in a scene's summary, factor from SI to the unit shown, unit. Rows without key are left out.
 _SCENE = (
@@ -140,10 +141,10 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
     table.add_column("Converged")
-    for label, values in zip(labels, summaries, strict=True):
+    for scene, label, values in zip(scenes, labels, summaries, strict=True):
         table.add_row(
             label,
-            f"{values['dry_pressure_max_Pa'] / 1e6:.4g}",
+            f"{_dry_pressure(scene, values) / 1e6:.4g}",
             f"{values['pressure_max_Pa'] / 1e6:.4g}",
             f"{values['film_central_m'] * 1e6:.4g}",
             f"{values['film_central_error'] * 100:.2g}",
@@ -163,7 +164,8 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     heated = all("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
     table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
-    headings = ["Friction", "± %", "Loss\nW"]
+    loss, unit, scale = _LOSSES[summaries[0]["kind"]]
+    headings = ["Friction", "± %", f"Loss\n{unit}"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
@@ -172,13 +174,24 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
-            f"{values['power_loss_W']:.4g}",
+            f"{values[loss] * scale:.4g}",
         ]
         if heated:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(label, *cells)
     return table
+
+
+_LOSSES = {"point": ("power_loss_W", "W", 1.0), "line": ("power_loss_per_length_W_m", "kW/m", 1e-3)}
+"""Kind of contact -> key of its power loss in summaries, the unit shown and the factor to it."""
+
+
+def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float:
+    """Largest pressure of the dry contact [Pa]: of a line contact it is Hertz's."""
+    if "dry_pressure_max_Pa" in summary:
+        return summary["dry_pressure_max_Pa"]
+    return scene_summary(scene)["hertz_pressure_max_Pa"]
 
 
 def _places(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
@@ -194,7 +207,7 @@ def published_for(
     summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Mapping[str, PublishedValue]:
     """What a case's source prints for a scene: all of it, unless it names another place in the sweep."""
-    for place in ("phase", "slide_roll_ratio"):
+    for place in PLACE_NAMES:
         if place in published and published[place].value != summary[place]:
             return {}
     return published

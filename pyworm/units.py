@@ -113,6 +113,39 @@ def parse_any(text: str) -> tuple[float, str]:
     return quantity.magnitude, f"{quantity.units:~C}"
 
 
+def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
+    """Read a quantity of any dimension as a number in a unit, by default the one that it is written with.
+
+    Parameters
+    ----------
+    text : str
+        Number and unit; a number alone is a plain number.
+    unit : str, optional
+        As a case file writes it.
+
+    Returns
+    -------
+    tuple of float and str
+        The number, and the unit it is in.
+
+    Raises
+    ------
+    ValueError
+        Not a number and a unit, or of another dimension.
+    """
+    match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
+    if match is None or _measure(text) is None:
+        raise ValueError('must be a number with its unit, such as "540 MPa"')
+    own = match[2]
+    if unit is None or unit == own:
+        return float(match[1]), own
+    first, other = (_registry().Quantity(1.0, name.replace("°", "deg")) for name in (unit, own))
+    if first.to_base_units().units != other.to_base_units().units:
+        raise ValueError(f'must be in a unit of the same kind as "{unit}"')
+    whole = _registry().Quantity(float(match[1]), own.replace("°", "deg"))
+    return float(whole.to(first.units).magnitude), unit
+
+
 def quantity(noun: str, unit: str, example: str, sign: str = "positive"):
     """Make the pydantic type of a dimensional key; arguments as of `Kind`."""
     kind = Kind(noun, unit, example, sign)
@@ -120,11 +153,14 @@ def quantity(noun: str, unit: str, example: str, sign: str = "positive"):
 
 
 Length = quantity("a length", "m", "305 mm")
+LengthOrZero = quantity("a length", "m", "20 um", sign="not negative")
 Offset = quantity("a length", "m", "-0.5 mm", "any")
 Angle = quantity("an angle", "rad", "27.5 deg")
+AngleOrZero = quantity("an angle", "rad", "12 deg", sign="not negative")
 Tilt = quantity("an angle", "rad", "-0.4 deg", "any")
 Force = quantity("a force", "N", "14 kN")
 ForcePerLength = quantity("a force per length", "N/m", "100 kN/m")
+Power = quantity("a power", "W", "250 kW")
 Speed = quantity("a speed of rotation", "rad/s", "1500 rpm")
 Spin = quantity("a speed of rotation", "rad/s", "-20 rad/s", "any")
 Velocity = quantity("a velocity", "m/s", "1.2 m/s", "any")

@@ -9,6 +9,7 @@ from functools import cached_property
 from math import atan2, degrees, isfinite, pi
 
 import numpy as np
+import xarray as xr
 
 from pyworm.bodies import Body
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
@@ -16,6 +17,7 @@ from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
 from pyworm.drives.tooth_boundary import WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.tooth_gap import ToothGap, ToothMotion
+from pyworm.drives.zi_data import mesh_cycle_data, tooth_data
 from pyworm.oils import Oil
 from pyworm.scene import Scene
 
@@ -226,6 +228,14 @@ class ZiWormDrive:
             oil=self.oil,
             phase=phase,
         )
+
+    def cycle_data(self) -> xr.Dataset:
+        """The unloaded mesh cycle for the result."""
+        return mesh_cycle_data(self.mesh_cycle())
+
+    def scene_data(self, scene: Scene) -> xr.Dataset:
+        """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
+        return tooth_data(self.tooth_outline(self.contact(scene.phase)), scene.gap)
 
     def tooth_outline(self, contact: ToothContact, count: int = 60) -> ToothOutline:
         """Outline of the wheel tooth and path of contact seen along the contact's normal.

@@ -1,9 +1,9 @@
 """Pictures of a result; they read results and nothing else."""
 
 import os
+from concurrent.futures import Executor
+from functools import partial
 from pathlib import Path
-
-from matplotlib.figure import Figure
 
 from pyworm.plots.across_film import draw_across_film
 from pyworm.plots.cycle import draw_cycle
@@ -11,16 +11,17 @@ from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
 from pyworm.plots.friction import draw_friction
 from pyworm.plots.gap import draw_gap
+from pyworm.plots.gear_pair import draw_film_and_temperature, draw_line_of_action
 from pyworm.plots.history import draw_history
 from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.style import write
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result import Result, open_result
-
-DOTS_PER_INCH = 150
+from pyworm.solution import Solution
 
 SCENE_PICTURES = {
     "point": {
@@ -44,6 +45,15 @@ SCENE_PICTURES = {
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
+CYCLE_PICTURES = {
+    "zi-worm": {"mesh_cycle": draw_cycle},
+    "gear-pair": {
+        "film_and_temperature": draw_film_and_temperature,
+        "line_of_action": draw_line_of_action,
+    },
+}
+"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result."""
+
 SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
     "temperature": lambda solution: solution.figures.temperature_max_film,
@@ -52,7 +62,11 @@ SHOWS = {
 """Name of a picture that not every solution has -> what it shows, None where it was not simulated."""
 
 
-def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> list[Path]:
+def draw(
+    result: Result | str | os.PathLike,
+    directory: str | os.PathLike,
+    executor: Executor | None = None,
+) -> list[Path]:
     """Draw every picture of a result as PNG.
 
     Parameters
@@ -61,6 +75,8 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
         The result or the file that holds it.
     directory : path
         Where the pictures go; made if missing.
+    executor : Executor, optional
+        Whose processes draw those of the scenes; by default this one does.
 
     Returns
     -------
@@ -71,20 +87,22 @@ def draw(result: Result | str | os.PathLike, directory: str | os.PathLike) -> li
         result = open_result(result)
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
-    written = []
-    for number, solution in enumerate(result.solutions):
-        for name, picture in SCENE_PICTURES[solution.kind].items():
-            if name in SHOWS and SHOWS[name](solution) is None:
-                continue
-            path = directory / f"scene_{number:03d}_{name}.png"
-            written.append(_write(picture(result.case_name, solution), path))
+    picture = partial(_draw_scene, result.case_name, directory)
+    numbers = range(len(result.solutions))
+    drawn = (executor.map if executor else map)(picture, numbers, result.solutions)
+    written = [path for paths in drawn for path in paths]
     if result.mesh_cycle is not None:
-        written.append(_write(draw_cycle(result), directory / "mesh_cycle.png"))
+        for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
+            written.append(write(cycle(result), directory / f"{name}.png"))
     if traction_curve(result):
-        written.append(_write(draw_traction(result), directory / "traction.png"))
+        written.append(write(draw_traction(result), directory / "traction.png"))
     return written
 
 
-def _write(figure: Figure, path: Path) -> Path:
-    figure.savefig(path, dpi=DOTS_PER_INCH)
-    return path
+def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution) -> list[Path]:
+    """The pictures of one scene."""
+    return [
+        write(picture(case_name, solution), directory / f"scene_{number:03d}_{name}.png")
+        for name, picture in SCENE_PICTURES[solution.kind].items()
+        if name not in SHOWS or SHOWS[name](solution) is not None
+    ]

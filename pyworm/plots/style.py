@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
+from pathlib import Path
 from textwrap import fill
 
 import numpy as np
@@ -40,6 +41,8 @@ LETTERS_PER_INCH = 10
 TITLE_LINE, TITLE_LETTERS_PER_INCH = 0.17, 13
 """The same of the title of a panel."""
 
+
+DOTS_PER_INCH = 150
 
 LOAD_UNITS = {"point": "N", "line": "N/m"}
 """Unit of the load of each kind of contact."""
@@ -336,3 +339,9 @@ def draw_largest_temperatures(
     axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
     axes.set_ylabel("largest\ntemperature / °C")
     axes.legend(frameon=False, ncols=4, loc="upper left")
+
+
+def write(figure: Figure, path: Path) -> Path:
+    """Write a picture to a file; returns that."""
+    figure.savefig(path, dpi=DOTS_PER_INCH)
+    return path

@@ -7,8 +7,9 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import RegularGridInterpolator
 
+from pyworm.drives.zi_data import mesh_cycle_data
 from pyworm.formulas.hertz import hertz, hertz_line
-from pyworm.result import Result, mesh_cycle_dataset
+from pyworm.result import Result
 from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
 from pyworm.variables import describe
 
@@ -185,7 +186,7 @@ class Contact:
 
 def make_mesh_cycle(count=21):
     """A contact that wanders across a tooth."""
-    return mesh_cycle_dataset(
+    return mesh_cycle_data(
         Contact(
             phase=p,
             worm_angle=2 * pi * p,

@@ -9,7 +9,7 @@ import pytest
 from synthetic_solution import make_hot_worm
 
 import pyworm
-import pyworm.run
+import pyworm.task
 from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
 from pyworm.kernels import KernelError
 from pyworm.result import Result, open_result
@@ -47,7 +47,7 @@ def solved(tmp_path_factory):
 def solve_at_once(monkeypatch, solved):
     """Make `run` take the solution at hand and draw one mark; returns how to change the solution."""
 
-    def mark(result, directory):
+    def mark(result, directory, executor=None):
         path = directory / "mark.png"
         path.write_bytes(b"")
         return [path]
@@ -56,7 +56,7 @@ def solve_at_once(monkeypatch, solved):
 
     def install(**changes):
         solution = replace(solved[1], **changes)
-        monkeypatch.setattr("pyworm.run.solve", lambda scene, plan, progress: solution)
+        monkeypatch.setattr("pyworm.task.solve", lambda scene, plan, progress: solution)
 
     return install
 
@@ -154,14 +154,14 @@ def test_a_scene_that_the_kernel_gives_up_does_not_cost_the_others(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
     solve_at_once(phase=0.4)
-    at_once = pyworm.run.solve
+    at_once = pyworm.task.solve
 
     def half(scene, plan, progress):
         if scene.phase > 0.5:
             raise KernelError(2)
         return at_once(scene, plan, progress)
 
-    monkeypatch.setattr("pyworm.run.solve", half)
+    monkeypatch.setattr("pyworm.task.solve", half)
     drive = str(CASES / "zi_sharif_2001.toml")
     arguments = ["run", drive, "--phase", "0.4", "0.6", "--json", "--out", str(tmp_path / "out")]
     assert main(arguments) == NOT_CONVERGED
@@ -195,24 +195,32 @@ def test_not_a_number_is_null_in_json(tmp_path, capsys, solve_at_once, solved):
     assert json.loads(capsys.readouterr().out)["scenes"][0]["mass_error"] is None
 
 
-def test_nothing_is_left_of_a_result_that_could_not_be_written(
+def test_a_result_that_could_not_be_written_leaves_what_was_solved(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
+    save = Result.save
+
     def full(result, path):
-        path.write_text("half")
-        raise OSError("No space left on device")
+        if path.name == "result.nc":
+            raise OSError("No space left on device")
+        return save(result, path)
 
     solve_at_once()
     monkeypatch.setattr(Result, "save", full)
-    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
+    out = tmp_path / "out"
+    assert main(["run", CASE, "--out", str(out)]) == FAILED
     assert "No space left on device" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
+    assert [path.parent.name for path in out.rglob("*.*")] == ["scenes"]
+    monkeypatch.setattr(Result, "save", save)
+    monkeypatch.setattr("pyworm.task.solve", None)
+    assert main(["run", CASE, "--out", str(out)]) == CONVERGED
+    assert sorted(path.name for path in out.iterdir()) == ["mark.png", "result.nc"]
 
 
 def test_pictures_that_could_not_be_drawn_do_not_cost_the_result(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
-    def full(result, directory):
+    def full(result, directory, executor):
         (directory / "half.png").write_text("half")
         raise OSError("No space left on device")
 
@@ -227,7 +235,7 @@ def test_a_kernel_that_gives_up_is_told_in_one_sentence(tmp_path, capsys, monkey
     def give_up(scene, plan, progress):
         raise KernelError(6)
 
-    monkeypatch.setattr("pyworm.run.solve", give_up)
+    monkeypatch.setattr("pyworm.task.solve", give_up)
     assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
     assert capsys.readouterr().err == "pyworm: point_m20_l10: there is not enough memory\n"
     assert list(tmp_path.iterdir()) == []

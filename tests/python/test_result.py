@@ -144,7 +144,7 @@ def test_another_format_version_is_refused(saved):
         open_result(saved)
 
 
-def test_mesh_cycle_dataset():
+def test_mesh_cycle_data():
     cycle = make_mesh_cycle(5)
     assert cycle.sizes == {"phase": 5, "axis": 3}
     assert cycle["wheel_angle"].values == pytest.approx(cycle["worm_angle"].values * 3 / 59)

@@ -114,7 +114,7 @@ def test_the_table_of_a_scene_without_heat_is_silent_about_it(drive):
 
 
 def test_the_table_of_all_scenes_compares_friction_and_heat(hot, drive):
-    scenes = list(drive.scenes([0.3, 0.5]))
+    scenes = list(drive.scenes(phase=[0.3, 0.5]))
     said = printed(heat_table(scenes, [hot.summary()] * 2))
     assert "Film" in said and "± K" in said
     (row,) = (line for line in said.splitlines() if "│ 0.3 " in line)

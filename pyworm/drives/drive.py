@@ -1,0 +1,21 @@
+"""What every drive gives: scenes, and what its pictures show beside their solutions."""
+
+from typing import Protocol
+
+import xarray as xr
+
+from pyworm.line.scene import LineScene
+from pyworm.scene import Scene
+
+
+class Drive(Protocol):
+    """A machine that makes contacts. It never solves them."""
+
+    def scene(self, phase: float) -> Scene | LineScene:
+        """The lubricated contact at a phase of the mesh cycle, 0 to 1."""
+
+    def cycle_data(self) -> xr.Dataset:
+        """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
+
+    def scene_data(self, scene: Scene | LineScene) -> xr.Dataset:
+        """What pictures of one scene show beside the solution's own fields; may be empty."""

@@ -1,0 +1,418 @@
+"""External involute gears on parallel axes, spur and helical, in their transverse plane.
+
+Everything along the line of action is measured from where it touches the base circle of the pinion: that
+distance is the pinion's radius of curvature, and grows from its root to its tip. Lengths in m, angles in rad;
+coefficients are in normal modules. Symbols and formulas are those of ISO 21771 (2007).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import acos, asin, atan, ceil, cos, degrees, isfinite, pi, sin, sqrt, tan
+
+from scipy.optimize import brentq
+
+CIRCLES_TOUCH = 1e-9
+"""Share of a module below which a circle that reaches beyond another one is rounding."""
+
+TIGHT = 1e-3
+"""Backlash in modules, negative, that is taken as the rounding of a table of profile shifts."""
+
+
+def involute(angle: float) -> float:
+    """inv(angle) = tan(angle) - angle, the polar angle of an involute [rad]."""
+    return tan(angle) - angle
+
+
+def inverse_involute(value: float) -> float:
+    """Pressure angle [rad] whose involute function is a value above zero."""
+    return brentq(lambda angle: involute(angle) - value, 0.0, pi / 2 - 1e-6, xtol=1e-15)
+
+
+@dataclass(frozen=True)
+class ToothSystem:
+    """What both gears share: the basic rack's size and angles.
+
+    Attributes
+    ----------
+    module : float
+        Normal module m_n [m].
+    pressure_angle : float
+        Normal pressure angle alpha_n [rad].
+    helix_angle : float
+        Helix angle beta at the reference cylinder [rad]; 0 for spur gears.
+    """
+
+    module: float
+    pressure_angle: float
+    helix_angle: float = 0.0
+
+    @property
+    def transverse_module(self) -> float:
+        """m_t = m_n / cos(beta) [m]."""
+        return self.module / cos(self.helix_angle)
+
+    @property
+    def transverse_pressure_angle(self) -> float:
+        """alpha_t, tan(alpha_t) = tan(alpha_n) / cos(beta) [rad]."""
+        return atan(tan(self.pressure_angle) / cos(self.helix_angle))
+
+    @property
+    def base_helix_angle(self) -> float:
+        """beta_b, sin(beta_b) = sin(beta) cos(alpha_n) [rad]."""
+        return asin(sin(self.helix_angle) * cos(self.pressure_angle))
+
+    @property
+    def base_pitch(self) -> float:
+        """Transverse base pitch p_bt [m]: from tooth to tooth along the line of action."""
+        return pi * self.transverse_module * cos(self.transverse_pressure_angle)
+
+    @property
+    def axial_pitch(self) -> float:
+        """p_x = pi m_n / sin(beta) [m]; infinite for spur gears."""
+        tilt = sin(self.helix_angle)
+        return pi * self.module / tilt if tilt else float("inf")
+
+
+@dataclass(frozen=True)
+class Gear:
+    """One gear as its basic rack makes it, coefficients in normal modules.
+
+    Attributes
+    ----------
+    teeth : int
+        Number of teeth z.
+    profile_shift : float
+        x, positive away from the axis.
+    addendum : float
+        Addendum h_aP* of the basic rack.
+    dedendum : float
+        Its dedendum h_fP*.
+    fillet : float
+        Radius rho_fP* of its root fillet.
+    """
+
+    teeth: int
+    profile_shift: float = 0.0
+    addendum: float = 1.0
+    dedendum: float = 1.25
+    fillet: float = 0.38
+
+
+@dataclass(frozen=True)
+class Cylinders:
+    """Radii of one gear of a pair [m].
+
+    Attributes
+    ----------
+    reference, base, pitch, tip, root : float
+        r, r_b, r_w (where it rolls on the other one), r_a and r_f.
+    form_length : float
+        Radius of curvature where the involute begins above the fillet [m]; negative if it is undercut.
+    tip_length : float
+        Radius of curvature at the tip [m].
+    tip_thickness : float
+        Transverse thickness at the tip [m]; zero or less if the flanks meet before it.
+    pitch_thickness : float
+        Transverse thickness at the pitch circle [m].
+    """
+
+    reference: float
+    base: float
+    pitch: float
+    tip: float
+    root: float
+    form_length: float
+    tip_length: float
+    tip_thickness: float
+    pitch_thickness: float
+
+
+@dataclass(frozen=True)
+class InvolutePair:
+    """Two external gears at their real centre distance.
+
+    Attributes
+    ----------
+    system : ToothSystem
+        Module and angles.
+    pinion, gear : Gear
+        The two gears.
+    centre_distance : float
+        Distance a of the axes [m].
+    face_width : float
+        Common face width b [m].
+
+    Raises
+    ------
+    ValueError
+        They do not mesh; the sentence begins with the key that is wrong.
+    """
+
+    system: ToothSystem
+    pinion: Gear
+    gear: Gear
+    centre_distance: float
+    face_width: float
+
+    def __post_init__(self) -> None:
+        _check_values(self)
+        _check_centre_distance(self)
+        _check_teeth(self)
+        _check_mesh(self)
+
+    @property
+    def ratio(self) -> float:
+        """u = z2 / z1, speed of the pinion over that of the gear."""
+        return self.gear.teeth / self.pinion.teeth
+
+    @property
+    def reference_centre_distance(self) -> float:
+        """Distance a_d at which the reference circles touch [m]."""
+        return (self.pinion.teeth + self.gear.teeth) * self.system.transverse_module / 2
+
+    @property
+    def pressure_angle(self) -> float:
+        """Operating transverse pressure angle alpha_wt [rad], cos = a_d cos(alpha_t) / a."""
+        shrunk = self.reference_centre_distance / self.centre_distance
+        return acos(shrunk * cos(self.system.transverse_pressure_angle))
+
+    @property
+    def tip_shortening(self) -> float:
+        """k [-]: by how much both addenda are cut so that tips keep their clearance of the roots.
+
+        Where the centre distance leaves them more clearance they stay as the rack makes them.
+        """
+        pulled = (self.centre_distance - self.reference_centre_distance) / self.system.module
+        return max(self.pinion.profile_shift + self.gear.profile_shift - pulled, 0.0)
+
+    @property
+    def backlash(self) -> float:
+        """Transverse backlash on the pitch circles [m]."""
+        pitch = 2 * pi * self.cylinders[0].pitch / self.pinion.teeth
+        return pitch - sum(one.pitch_thickness for one in self.cylinders)
+
+    @cached_property
+    def cylinders(self) -> tuple[Cylinders, Cylinders]:
+        """Radii of pinion and gear."""
+        return _cylinders(self, self.pinion), _cylinders(self, self.gear)
+
+    @cached_property
+    def base_tangent(self) -> float:
+        """Length of the line of action between the base circles, a sin(alpha_wt) [m]."""
+        return self.centre_distance * sin(self.pressure_angle)
+
+    @property
+    def start(self) -> float:
+        """Pinion's radius of curvature where its active profile starts (SAP), set by the gear's tip [m]."""
+        return self.base_tangent - self.cylinders[1].tip_length
+
+    @property
+    def end(self) -> float:
+        """Pinion's radius of curvature at the end of its active profile (EAP), its tip [m]."""
+        return self.cylinders[0].tip_length
+
+    @property
+    def lowest_single(self) -> float:
+        """The same at its lowest point of single tooth contact (LPSTC), of the transverse section [m]."""
+        return self.end - self.system.base_pitch
+
+    @property
+    def highest_single(self) -> float:
+        """The same at its highest point of single tooth contact (HPSTC) [m]."""
+        return self.start + self.system.base_pitch
+
+    @property
+    def pitch_point(self) -> float:
+        """The same at the pitch point [m]."""
+        return self.base_tangent / (1 + self.ratio)
+
+    @property
+    def path_length(self) -> float:
+        """Length g_alpha of the path of contact [m]."""
+        return self.end - self.start
+
+    @property
+    def transverse_contact_ratio(self) -> float:
+        """epsilon_alpha = g_alpha / p_bt."""
+        return self.path_length / self.system.base_pitch
+
+    @property
+    def overlap_ratio(self) -> float:
+        """epsilon_beta = b / p_x."""
+        return self.face_width / self.system.axial_pitch
+
+    @property
+    def shortest_line(self) -> float:
+        """Least total length of the contact lines over the mesh cycle [m].
+
+        With n_r and n_a the fractions of the transverse contact ratio and of the overlap ratio,
+        (eps_alpha b - n_a n_r p_x) / cos(beta_b) for n_a + n_r <= 1, else
+        (eps_alpha b - (1 - n_a)(1 - n_r) p_x) / cos(beta_b) (AGMA 908-B89, section 6); of spur gears
+        the face width times the pairs that are always in contact.
+        """
+        transverse, overlap = self.transverse_contact_ratio, self.overlap_ratio
+        tilt = cos(self.system.base_helix_angle)
+        if overlap == 0:
+            return int(transverse) * self.face_width
+        part_r, part_a = transverse % 1, overlap % 1
+        if part_a + part_r <= 1:
+            missing = part_a * part_r
+        else:
+            missing = (1 - part_a) * (1 - part_r)
+        return (transverse * self.face_width - missing * self.system.axial_pitch) / tilt
+
+
+def _cylinders(pair: InvolutePair, gear: Gear) -> Cylinders:
+    system = pair.system
+    module, angle = system.module, system.transverse_pressure_angle
+    reference = gear.teeth * system.transverse_module / 2
+    base = reference * cos(angle)
+    tip = reference + module * (gear.addendum + gear.profile_shift - pair.tip_shortening)
+    # The straight part of the rack's flank ends where its fillet begins (ISO 21771, section 5.5).
+    straight = gear.dedendum - gear.fillet * (1 - sin(system.pressure_angle))
+    half_tooth = (pi / 2 + 2 * gear.profile_shift * tan(system.pressure_angle)) / gear.teeth
+
+    def thickness(radius: float) -> float:
+        return 2 * radius * (half_tooth + involute(angle) - involute(acos(base / radius)))
+
+    pitch = base / cos(pair.pressure_angle)
+    return Cylinders(
+        reference=reference,
+        base=base,
+        pitch=pitch,
+        tip=tip,
+        root=reference - module * (gear.dedendum - gear.profile_shift),
+        form_length=reference * sin(angle) - module * (straight - gear.profile_shift) / sin(angle),
+        tip_length=sqrt(max(tip**2 - base**2, 0.0)),
+        tip_thickness=thickness(max(tip, base)),
+        pitch_thickness=thickness(pitch),
+    )
+
+
+def _check_values(pair: InvolutePair) -> None:
+    """Numbers are finite and of a sign and size that make sense alone."""
+    system = pair.system
+    sizes = {
+        "module": system.module,
+        "centre_distance": pair.centre_distance,
+        "face_width": pair.face_width,
+        "pressure_angle": system.pressure_angle,
+    }
+    for name, gear in (("pinion", pair.pinion), ("gear", pair.gear)):
+        sizes |= {f"{name}.addendum": gear.addendum, f"{name}.dedendum": gear.dedendum}
+        if gear.teeth != int(gear.teeth) or gear.teeth < 1:
+            raise ValueError(f"{name}.teeth is {gear.teeth:g}; a whole number of teeth is needed")
+        if not isfinite(gear.profile_shift):
+            raise ValueError(f"{name}.profile_shift is {gear.profile_shift}; it must be finite")
+        if not 0 <= gear.fillet < gear.dedendum:
+            raise ValueError(
+                f"{name}.fillet is {gear.fillet:g}; it must lie between 0 and the dedendum, "
+                f"{gear.dedendum:g}"
+            )
+    for key, value in sizes.items():
+        if not (isfinite(value) and value > 0):
+            raise ValueError(f"{key} is {value:g}; it must be positive and finite")
+    if not system.pressure_angle < pi / 4:
+        raise ValueError(
+            f"pressure_angle is {degrees(system.pressure_angle):.4g} deg; it must be below 45 deg, "
+            "such as 20 deg"
+        )
+    if not 0 <= system.helix_angle < pi / 3:
+        raise ValueError(
+            f"helix_angle is {degrees(system.helix_angle):.4g} deg; it must lie from 0 deg (spur) to "
+            "60 deg"
+        )
+    if pair.gear.teeth < pair.pinion.teeth:
+        raise ValueError(
+            f"pinion.teeth is {pair.pinion.teeth}; the pinion is the gear with fewer teeth, the other one "
+            f"has {pair.gear.teeth}"
+        )
+
+
+def _check_centre_distance(pair: InvolutePair) -> None:
+    """The base circles stay apart and the teeth do not jam."""
+    base_circles = pair.reference_centre_distance * cos(pair.system.transverse_pressure_angle)
+    if pair.centre_distance <= base_circles:
+        raise ValueError(
+            f"centre_distance is {pair.centre_distance * 1e3:.4g} mm; the base circles touch at "
+            f"{base_circles * 1e3:.4g} mm, it must be larger"
+        )
+    if pair.backlash < -TIGHT * pair.system.module:
+        shifts = pair.pinion.profile_shift + pair.gear.profile_shift
+        raise ValueError(
+            f"centre_distance is {pair.centre_distance * 1e3:.6g} mm; teeth of profile shifts that sum to "
+            f"{shifts:.4g} jam below {_tight_centre_distance(pair) * 1e3:.6g} mm"
+        )
+
+
+def _tight_centre_distance(pair: InvolutePair) -> float:
+    """Centre distance without backlash [m].
+
+    inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) (x1 + x2) / (z1 + z2).
+    """
+    system = pair.system
+    angle = system.transverse_pressure_angle
+    shifts = pair.pinion.profile_shift + pair.gear.profile_shift
+    teeth = pair.pinion.teeth + pair.gear.teeth
+    tight = inverse_involute(involute(angle) + 2 * tan(system.pressure_angle) * shifts / teeth)
+    return pair.reference_centre_distance * cos(angle) / cos(tight)
+
+
+def _check_teeth(pair: InvolutePair) -> None:
+    """Each gear has whole teeth: a flank above the fillet, a tip with some thickness."""
+    module = pair.system.module
+    for name, gear, size in zip(
+        ("pinion", "gear"), (pair.pinion, pair.gear), pair.cylinders, strict=True
+    ):
+        if size.form_length < -CIRCLES_TOUCH * module:
+            least = (
+                gear.profile_shift
+                - size.form_length * sin(pair.system.transverse_pressure_angle) / module
+            )
+            raise ValueError(
+                f"{name}.profile_shift is {gear.profile_shift:.4g}; {gear.teeth} teeth are undercut below "
+                f"{_up(least)}"
+            )
+        if size.tip <= max(size.root, size.base):
+            raise ValueError(
+                f"{name}.addendum is {gear.addendum:.4g}; the tip circle of {size.tip * 1e3:.4g} mm radius "
+                "lies below the flank, a larger one is needed"
+            )
+        if size.tip_thickness <= 0:
+            raise ValueError(
+                f"{name}.addendum is {gear.addendum:.4g}; with profile_shift {gear.profile_shift:.4g} the "
+                "tooth comes to a point before its tip, one of them must be smaller"
+            )
+
+
+def _check_mesh(pair: InvolutePair) -> None:
+    """Tips stay clear of roots and fillets, and one pair takes over from another."""
+    module = pair.system.module
+    names = ("pinion", "gear")
+    for mine, other in ((0, 1), (1, 0)):
+        size, facing = pair.cylinders[mine], pair.cylinders[other]
+        clearance = pair.centre_distance - size.tip - facing.root
+        addendum = getattr(pair, names[mine]).addendum
+        if clearance < -CIRCLES_TOUCH * module:
+            raise ValueError(
+                f"{names[mine]}.addendum is {addendum:.4g}; its tip reaches {-clearance * 1e3:.3g} mm into "
+                f"the root of the {names[other]}, it must be smaller or {names[other]}.dedendum larger"
+            )
+        reached = pair.base_tangent - size.tip_length
+        if reached < facing.form_length - CIRCLES_TOUCH * module:
+            raise ValueError(
+                f"{names[mine]}.addendum is {addendum:.4g}; its tip meets the {names[other]} "
+                f"{(facing.form_length - reached) * 1e3:.3g} mm below where the involute begins "
+                "(interference), it must be smaller"
+            )
+    if pair.transverse_contact_ratio < 1:
+        raise ValueError(
+            f"pinion.addendum and gear.addendum give a transverse contact ratio of "
+            f"{pair.transverse_contact_ratio:.3f}; a pair of teeth parts before the next one meets, at least "
+            "1 is needed"
+        )
+
+
+def _up(value: float) -> str:
+    """Two decimals, rounded up so that what is advised is enough."""
+    return f"{ceil(value * 100 - 1e-9) / 100:.2f}"

@@ -1,0 +1,52 @@
+"""Which of a case's contacts: what tells its scenes apart."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, fields
+from itertools import product
+from typing import Any, Self
+
+
+@dataclass(frozen=True)
+class Place:
+    """One contact of a case; whatever a case does not have is None.
+
+    Scenes and solutions carry attributes of the same names, tables and command lines take their words from
+    here, and scenes are ordered by the fields, the first one slowest.
+
+    Attributes
+    ----------
+    phase : float or None
+        Place in the mesh cycle, 0 to 1.
+    slide_roll_ratio : float or None
+        Place on a traction curve: sliding over entrainment [-].
+    """
+
+    phase: float | None = None
+    slide_roll_ratio: float | None = None
+
+    @classmethod
+    def of(cls, one: Any) -> Self:
+        """The place of a scene or a solution."""
+        return cls(**{name: getattr(one, name) for name in PLACE_NAMES})
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """What is not None, by name."""
+        return {name: value for name, value in asdict(self).items() if value is not None}
+
+    def __str__(self) -> str:
+        """What people read: "phase 0.5"; empty where the case has one contact only."""
+        return ", ".join(
+            f"{name.replace('_', ' ')} {value:g}" for name, value in self.given.items()
+        )
+
+
+PLACE_NAMES = tuple(part.name for part in fields(Place))
+"""What makes a place, in order."""
+
+
+def crossed(values: Mapping[str, Sequence[Any]]) -> tuple[Place, ...]:
+    """Every combination of values by name; a name without values stays None."""
+    return tuple(
+        Place(*one) for one in product(*(values.get(name) or (None,) for name in PLACE_NAMES))
+    )

@@ -1,0 +1,308 @@
+"""Figures of a sweep against what varies: lines, maps or, where values are drawn or many vary, clouds."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis as MatplotlibAxis
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from pyworm.place import PLACE_NAMES
+from pyworm.plots.style import new_figure, write
+from pyworm.sweep_report import columns
+from pyworm.sweep_table import SweepResult
+
+# Variable, factor from SI to the unit shown, label, variable of its error, whether that is relative.
+_FIGURES = (
+    ("film_min_m", 1e6, "minimum film / µm", "film_min_error", True),
+    ("film_central_m", 1e6, "central film / µm", "film_central_error", True),
+    ("pressure_max_Pa", 1e-6, "largest pressure / MPa", "pressure_max_error", True),
+    ("friction_coefficient", 1.0, "friction coefficient", "friction_coefficient_error", True),
+    (
+        "temperature_max_C_film",
+        1.0,
+        "largest temperature / °C",
+        "temperature_max_error_K_film",
+        False,
+    ),
+)
+
+COLOURS = colormaps["viridis"]
+
+MOST_LINES = 6
+"""Values of a second axis that are still told apart as lines of one picture."""
+
+WIDE = 4.0
+"""Ratio of largest to smallest value beyond which a scale is logarithmic."""
+
+MOST_DECADES = 4
+"""Decades that are still written as plain numbers."""
+
+MOST_COLUMNS = 6
+"""Columns of clouds that one picture takes."""
+
+
+@dataclass(frozen=True)
+class _Axis:
+    """One thing that varies.
+
+    Attributes
+    ----------
+    label : str
+        What it is, with its unit.
+    values : numpy.ndarray
+        Of each scene; places 0, 1, ... where they are texts.
+    names : tuple of str
+        The texts; none where they are numbers.
+    """
+
+    label: str
+    values: np.ndarray
+    names: tuple[str, ...] = ()
+
+    @property
+    def distinct(self) -> np.ndarray:
+        """Its values, ascending."""
+        return np.unique(self.values)
+
+    @property
+    def logarithmic(self) -> bool:
+        """Whether its values span so much that their logarithms are shown."""
+        return _is_wide(self.values)
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """A figure of all scenes, in the unit shown, its errors, and whether zero means none of it."""
+
+    label: str
+    values: np.ndarray
+    errors: np.ndarray
+    has_zero: bool
+
+
+def draw_sweep(result: SweepResult, path: Path) -> Path:
+    """Draw the picture of a sweep as PNG."""
+    return write(sweep_figure(result), path)
+
+
+def sweep_figure(result: SweepResult) -> Figure:
+    """Films, pressure, and friction and temperature where simulated, over all that varies."""
+    axes, figures = _axes(result), _shown(result)
+    converged = result.converged
+    if len(axes) == 1 and _crossed(axes):
+        return _draw_lines(result, axes[0], None, figures, converged)
+    if len(axes) == 2 and _crossed(axes):
+        few, many = sorted(axes, key=lambda axis: axis.distinct.size)
+        if few.distinct.size <= MOST_LINES:
+            return _draw_lines(result, many, few, figures, converged)
+        return _draw_maps(result, many, few, figures, converged)
+    return _draw_clouds(result, axes, figures, converged)
+
+
+def _axes(result: SweepResult) -> list[_Axis]:
+    """What varies: the sweep's axes, and the places of its cases."""
+    table = result.table
+    axes = []
+    for keys in result.axes:
+        first, *others = columns(result, keys)
+        unit = table[first].attrs.get("units", "")
+        label = (
+            f"{first} and {len(others)} more" if len(others) > 1 else " and ".join([first, *others])
+        )
+        axes.append(_axis(f"{label} / {unit}" if unit else label, table[first].values))
+    for name in PLACE_NAMES:
+        if name in table:
+            axes.append(_axis(name.replace("_", " "), table[name].values))
+    varying = [axis for axis in axes if axis.distinct.size > 1]
+    return varying or axes[:1]
+
+
+def _axis(label: str, values: np.ndarray) -> _Axis:
+    if values.dtype.kind == "f":
+        return _Axis(label, values)
+    names = list(dict.fromkeys(values.tolist()))
+    return _Axis(label, np.array([float(names.index(name)) for name in values]), tuple(names))
+
+
+def _shown(result: SweepResult) -> list[_Shown]:
+    table = result.table
+    shown = []
+    for name, scale, label, error, relative in _FIGURES:
+        if name in table and np.isfinite(table[name]).any():
+            values = table[name].values * scale
+            errors = table[error].values * (abs(values) if relative else 1.0)
+            shown.append(_Shown(label, values, errors, relative))
+    return shown
+
+
+def _crossed(axes: Sequence[_Axis]) -> bool:
+    """Whether every combination of values is there once."""
+    count = int(np.prod([axis.distinct.size for axis in axes]))
+    return (
+        count == axes[0].values.size == len(set(zip(*(axis.values for axis in axes), strict=True)))
+    )
+
+
+def _draw_lines(
+    result: SweepResult,
+    along: _Axis,
+    family: _Axis | None,
+    figures: list[_Shown],
+    converged: np.ndarray,
+) -> Figure:
+    """A panel a figure, a line a value of the second axis."""
+    picture = new_figure(8, 2.8 * len(figures) + 0.8, _heading(result))
+    panels = picture.subplots(len(figures), sharex=True, squeeze=False)[:, 0]
+    members = [None] if family is None else list(family.distinct)
+    # as an ordered family; the palest yellow end would not show on white
+    colours = COLOURS(np.linspace(0, 0.85, len(members)))
+    for panel, figure in zip(panels, figures, strict=True):
+        for member, colour in zip(members, colours, strict=True):
+            chosen = np.ones(along.values.size, bool) if member is None else family.values == member
+            chosen = np.flatnonzero(chosen)[np.argsort(along.values[chosen])]
+            finite_error = np.where(np.isfinite(figure.errors), figure.errors, 0.0)
+            panel.errorbar(
+                along.values[chosen],
+                figure.values[chosen],
+                finite_error[chosen],
+                fmt="o" if along.names else "o-",
+                color=colour,
+                capsize=3,
+                markersize=4,
+                label=None if member is None else _name(family, member),
+            )
+        _cross_out(panel, along.values, figure.values, converged)
+        _scale(panel, along, figure)
+        panel.set_ylabel(figure.label)
+    panels[-1].set_xlabel(along.label)
+    if family is not None:
+        picture.legend(
+            *panels[0].get_legend_handles_labels(),
+            title=family.label,
+            loc="outside right center",
+            frameon=False,
+        )
+    elif not converged.all():
+        panels[0].legend(frameon=False)
+    return picture
+
+
+def _draw_maps(
+    result: SweepResult, along: _Axis, across: _Axis, figures: list[_Shown], converged: np.ndarray
+) -> Figure:
+    """A panel a figure: a cell a scene."""
+    rows = -(-len(figures) // 2)
+    note = "" if converged.all() else "  ·  crosses: not converged"
+    picture = new_figure(10.5, 3.6 * rows + 0.8, _heading(result) + note)
+    panels = picture.subplots(rows, 2, squeeze=False)
+    columns_, lines = along.distinct, across.distinct
+    place = np.searchsorted(lines, across.values), np.searchsorted(columns_, along.values)
+    for panel, figure in zip(panels.flat, figures, strict=False):
+        cells = np.full((lines.size, columns_.size), np.nan)
+        cells[place] = figure.values
+        mesh = panel.pcolormesh(
+            _edges(columns_, along.logarithmic),
+            _edges(lines, across.logarithmic),
+            cells,
+            cmap=COLOURS,
+            norm="log" if _is_wide(figure.values) else "linear",
+        )
+        bar = picture.colorbar(mesh, ax=panel, label=figure.label)
+        if _is_wide(figure.values):
+            _plain_decades(bar.ax.yaxis, figure.values)
+        failed = ~converged
+        panel.plot(along.values[failed], across.values[failed], "x", color="red", markersize=7)
+        for axis, side in ((along, panel.xaxis), (across, panel.yaxis)):
+            if axis.logarithmic:
+                getattr(panel, f"set_{side.axis_name}scale")("log")
+            _ticks(side, axis)
+        panel.set_xlabel(along.label)
+        panel.set_ylabel(across.label)
+    for panel in panels.flat[len(figures) :]:
+        panel.remove()
+    return picture
+
+
+def _draw_clouds(
+    result: SweepResult, axes: list[_Axis], figures: list[_Shown], converged: np.ndarray
+) -> Figure:
+    """A row a figure, a column a thing that varies, a dot a scene."""
+    axes = axes[:MOST_COLUMNS]
+    picture = new_figure(max(3.0 * len(axes) + 1, 6), 2.5 * len(figures) + 0.8, _heading(result))
+    panels = picture.subplots(len(figures), len(axes), sharex="col", sharey="row", squeeze=False)
+    for row, figure in zip(panels, figures, strict=True):
+        for panel, axis in zip(row, axes, strict=True):
+            panel.plot(axis.values, figure.values, "o", color="tab:blue", markersize=4, alpha=0.7)
+            _cross_out(panel, axis.values, figure.values, converged)
+            _scale(panel, axis, figure)
+        row[0].set_ylabel(figure.label)
+    for panel, axis in zip(panels[-1], axes, strict=True):
+        panel.set_xlabel(axis.label)
+    if not converged.all():
+        panels[0, 0].legend(frameon=False)
+    return picture
+
+
+def _cross_out(panel: Axes, x: np.ndarray, y: np.ndarray, converged: np.ndarray) -> None:
+    """A cross on what did not converge."""
+    if not converged.all():
+        failed = ~converged
+        cross = {"color": "black", "markersize": 10, "label": "not converged"}
+        panel.plot(x[failed], y[failed], "x", **cross)
+
+
+def _scale(panel: Axes, axis: _Axis, figure: _Shown) -> None:
+    if axis.logarithmic:
+        panel.set_xscale("log")
+    if _is_wide(figure.values):
+        panel.set_yscale("log")
+        _plain_decades(panel.yaxis, figure.values)
+    elif figure.has_zero:
+        errors = np.where(np.isfinite(figure.errors), figure.errors, 0.0)
+        panel.set_ylim(0, 1.05 * np.nanmax(figure.values + errors))
+    _ticks(panel.xaxis, axis)
+    panel.grid(True, color="0.9")
+
+
+def _ticks(side: MatplotlibAxis, axis: _Axis) -> None:
+    """Names where there are names, plain numbers on a logarithmic axis."""
+    if axis.names:
+        side.set_ticks(range(len(axis.names)), axis.names)
+    elif axis.logarithmic:
+        _plain_decades(side, axis.values)
+
+
+def _plain_decades(side: MatplotlibAxis, values: np.ndarray) -> None:
+    """Numbers at 1, 2 and 5 of each decade of a logarithmic axis, while there are few decades."""
+    decades = np.log10(np.nanmax(values) / np.nanmin(values))
+    if decades <= MOST_DECADES:
+        side.set_major_locator(LogLocator(subs=(1, 2, 5) if decades <= 2 else (1,)))
+        side.set_major_formatter("{x:g}")
+        side.set_minor_formatter(NullFormatter())
+
+
+def _edges(centres: np.ndarray, logarithmic: bool) -> np.ndarray:
+    """Edges of cells around values, half-way between neighbours."""
+    values = np.log(centres) if logarithmic else centres
+    middles = (values[1:] + values[:-1]) / 2
+    edges = np.concatenate([[2 * values[0] - middles[0]], middles, [2 * values[-1] - middles[-1]]])
+    return np.exp(edges) if logarithmic else edges
+
+
+def _is_wide(values: np.ndarray) -> bool:
+    """Whether values are better seen on a logarithmic scale."""
+    finite = values[np.isfinite(values)]
+    return bool(finite.min() > 0 and finite.max() > WIDE * finite.min())
+
+
+def _name(axis: _Axis, value: float) -> str:
+    return axis.names[int(value)] if axis.names else f"{value:.3g}"
+
+
+def _heading(result: SweepResult) -> str:
+    return f"{result.name}  ·  {result.title}"

@@ -1,0 +1,48 @@
+"""What all case files say."""
+
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from pyworm import units
+from pyworm.schema.oil import OilTable
+from pyworm.schema.table import Table, Text
+
+
+class PublishedValue(Table):
+    """A number that the source prints."""
+
+    text: str
+    value: float
+    unit: str
+
+
+def _published(value: Any) -> PublishedValue:
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        return PublishedValue(text=f"{value:g}", value=value, unit="")
+    number, unit = units.parse_any(value)
+    return PublishedValue(text=value, value=number, unit=unit)
+
+
+Published = dict[str, Annotated[PublishedValue, BeforeValidator(_published)]]
+"""`[published]`: free names; those that a result has too are shown beside it."""
+
+
+class CaseTable(Table):
+    """What all case files say; each kind has its own `bodies` besides."""
+
+    title: Text
+    source: Text
+    accuracy: units.Share = 0.01
+    oil: OilTable
+    published: Published = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _bodies_take_heat_with_the_oil(self):
+        for name, body in self.bodies:
+            for key in ("density", "conductivity", "specific_heat"):
+                if self.oil.heat is not None and getattr(body, key) is None:
+                    raise ValueError(f"bodies.{name}.{key} is missing; [oil.heat] asks for it")
+            if self.oil.heat is None and body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing without [oil.heat]")
+        return self

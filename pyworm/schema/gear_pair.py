@@ -1,0 +1,82 @@
+"""A case about a pair of involute gears on parallel axes."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from pyworm import units
+from pyworm.schema.bodies import Bodies, BodyTable
+from pyworm.schema.case import CaseTable
+from pyworm.schema.table import Count, Number, NumberOrZero, Phase, PositiveNumber, Table
+
+
+class GearBodies(Bodies):
+    """`[bodies]` of a pair of gears."""
+
+    pinion: BodyTable
+    gear: BodyTable
+
+
+class GearTable(Table):
+    """`[drive.pinion]` and `[drive.gear]`; coefficients in normal modules, as of the basic rack.
+
+    The tips are shortened by what the centre distance lacks of the sum of the profile shifts (ISO 21771).
+    """
+
+    teeth: Count
+    profile_shift: Number = 0.0
+    addendum: PositiveNumber = 1.0
+    dedendum: PositiveNumber = 1.25
+    fillet: NumberOrZero = 0.38
+    tip_relief: units.LengthOrZero = 0.0
+    tip_relief_length: units.LengthOrZero = 0.0
+
+
+class GearPairTable(Table):
+    """`[drive]`, kind = "gear-pair"."""
+
+    kind: Literal["gear-pair"]
+    centre_distance: units.Length
+    module: units.Length
+    pressure_angle: units.Angle
+    helix_angle: units.AngleOrZero = 0.0
+    face_width: units.Length
+    lead_crowning: units.LengthOrZero = 0.0
+    load_sharing: Literal["ramp", "uniform", "elastic"] = "ramp"
+    contact: Literal["line", "point"] = "line"
+    pinion: GearTable
+    gear: GearTable
+
+
+class GearOperationTable(Table):
+    """`[operation]`: how the gears run, and which contacts of their line of action are to be solved."""
+
+    driver: Literal["pinion", "gear"]
+    pinion_speed: units.Speed
+    power: units.Power
+    load_factor: PositiveNumber = 1.0
+    phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
+
+
+class SurfacesTable(Table):
+    """`[surfaces]`: what the closed forms of lubrication and scuffing need; roughness as root mean square."""
+
+    pinion_roughness: units.Length
+    gear_roughness: units.Length
+    friction_coefficient: PositiveNumber
+    scuffing_temperature: units.Temperature | None = None
+
+
+class GearPairCase(CaseTable):
+    """A case file about a pair of gears."""
+
+    drive: GearPairTable
+    operation: GearOperationTable
+    bodies: GearBodies
+    surfaces: SurfacesTable | None = None
+
+    @model_validator(mode="after")
+    def _scuffing_with_heat(self):
+        if self.oil.heat is None and self.surfaces and self.surfaces.scuffing_temperature:
+            raise ValueError("surfaces.scuffing_temperature means nothing without [oil.heat]")
+        return self

@@ -1,0 +1,84 @@
+"""Tables for people: the rows of a sweep, in workshop units."""
+
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from pyworm.place import PLACE_NAMES
+from pyworm.sweep_table import SweepResult
+
+MOST_ROWS = 60
+"""Scenes beyond which the table is left to the file."""
+
+# Heading, variable, factor from SI to the unit shown, format, of figures that a table has.
+_FIGURES = (
+    ("p max\nMPa", "pressure_max_Pa", 1e-6, ".4g"),
+    ("h centr.\nµm", "film_central_m", 1e6, ".4g"),
+    ("±\n%", "film_central_error", 100, ".2g"),
+    ("h min\nµm", "film_min_m", 1e6, ".4g"),
+    ("±\n%", "film_min_error", 100, ".2g"),
+    ("Friction", "friction_coefficient", 1, ".3g"),
+    ("Film\n°C", "temperature_max_C_film", 1, ".1f"),
+)
+
+
+def show(result: SweepResult, directory: Path) -> None:
+    """Print what a sweep came to, and where it is."""
+    console = Console()
+    data = result.table
+    if data.sizes["scene"] <= MOST_ROWS:
+        console.print(rows_table(result))
+    reasons = Counter(data["stop_reason"].values[~result.converged].tolist())
+    for reason, count in reasons.most_common():
+        console.print(f"{count} of {data.sizes['scene']} scenes did not converge: {reason}")
+    console.print(f"Results   {directory}/sweep.nc, sweep.csv", highlight=False, soft_wrap=True)
+    console.print(f"Picture   {directory}/sweep.png", highlight=False, soft_wrap=True)
+
+
+def rows(result: SweepResult) -> list[dict[str, Any]]:
+    """The table, an object a scene."""
+    named = {str(name): column.values.tolist() for name, column in result.table.items()}
+    return [dict(zip(named, row, strict=True)) for row in zip(*named.values(), strict=True)]
+
+
+def rows_table(result: SweepResult) -> Table:
+    """A row a scene."""
+    data = result.table
+    varied = [columns(result, axis)[0] for axis in result.axes]
+    varied += [name for name in PLACE_NAMES if name in data]
+    shown = [figure for figure in _FIGURES if figure[1] in data]
+    table = Table(title=result.title, title_justify="left", box=SIMPLE_HEAD, padding=0)
+    for key in varied:
+        unit = data[key].attrs.get("units", "")
+        table.add_column(f"{key.rpartition('.')[2]}\n{unit}".rstrip(), justify="right")
+    for heading, *_ in shown:
+        table.add_column(heading, justify="right")
+    table.add_column("Converged")
+    for number in range(data.sizes["scene"]):
+        row = data.isel(scene=number)
+        cells = [_cell(row[key].item()) for key in varied]
+        cells += [
+            "" if np.isnan(row[name]) else f"{row[name].item() * scale:{form}}"
+            for _, name, scale, form in shown
+        ]
+        table.add_row(*cells, "yes" if row["converged"] == 1 else "NO")
+    return table
+
+
+def columns(result: SweepResult, axis: list[str]) -> list[str]:
+    """The variables of keys that go together; a list has one for each of its entries that varies."""
+    return [
+        str(name)
+        for name in result.table.data_vars
+        if any(name == key or str(name).startswith(f"{key}[") for key in axis)
+        and len(np.unique(result.table[name])) > 1
+    ] or axis[:1]
+
+
+def _cell(value: float | str) -> str:
+    return value if isinstance(value, str) else f"{value:.4g}"

@@ -1,0 +1,173 @@
+"""The table of a sweep: a row a scene, with what varies, its place, its figures and how it ended.
+
+Layout of the file: variables over `scene`; those that vary are named in the attribute `axes` (JSON: the keys
+that go together in one list) and have the unit they were written with, the others are the scalars of
+`Solution.summary`, units in their names. A scene without solution has its reason under `stop_reason` and NaN
+for numbers.
+"""
+
+import csv
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from pyworm.output import whole_file
+from pyworm.result import plain_attributes
+from pyworm.schema.sweep import Value
+from pyworm.units import parse_in
+
+FORMAT = "pyworm sweep"
+FORMAT_VERSION = 1
+
+
+@dataclass(frozen=True)
+class SweepResult:
+    """What a sweep came to.
+
+    Attributes
+    ----------
+    name, title : str
+        What the sweep is called, and what it is.
+    axes : list of list of str
+        Variables of the table that vary; those that go together in one list.
+    table : xarray.Dataset
+        Variables over `scene`.
+    provenance : dict
+        The sweep as written, versions, time and machine.
+    """
+
+    name: str
+    title: str
+    axes: list[list[str]]
+    table: xr.Dataset
+    provenance: dict
+
+    @property
+    def converged(self) -> np.ndarray:
+        """Whether each scene has a solution that may be trusted."""
+        return self.table["converged"].values == 1
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write one NetCDF file, whole or not at all."""
+        path = Path(path)
+        attributes = {
+            "format": FORMAT,
+            "format_version": FORMAT_VERSION,
+            "name": self.name,
+            "title": self.title,
+            "axes": json.dumps(self.axes),
+            "provenance": json.dumps(self.provenance, default=str),  # TOML has dates
+        }
+        with whole_file(path) as partial:
+            self.table.assign_attrs(attributes).to_netcdf(partial, engine="h5netcdf")
+        return path
+
+    def save_csv(self, path: str | os.PathLike) -> Path:
+        """Write the table as comma-separated values, units of what varies in brackets."""
+        path = Path(path)
+        columns = self.table.data_vars.values()
+        heads = [
+            f"{column.name} [{column.attrs['units']}]" if column.attrs.get("units") else column.name
+            for column in columns
+        ]
+        with whole_file(path) as partial, partial.open("w", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(heads)
+            writer.writerows(zip(*(column.values.tolist() for column in columns), strict=True))
+        return path
+
+
+def open_sweep(path: str | os.PathLike) -> SweepResult | None:
+    """Read a file written by `SweepResult.save`; None if it is no table of a sweep.
+
+    Raises
+    ------
+    ValueError
+        It is one of another format version.
+    """
+    try:
+        table = xr.load_dataset(path, engine="h5netcdf", decode_times=False)
+    except OSError:
+        return None
+    attributes, table.attrs = table.attrs, {}
+    if attributes.get("format") != FORMAT:
+        return None
+    if attributes["format_version"] != FORMAT_VERSION:
+        raise ValueError(
+            f"{path} has sweep format {attributes['format_version']}; "
+            f"this version of pyworm reads format {FORMAT_VERSION}"
+        )
+    return SweepResult(
+        attributes["name"],
+        attributes["title"],
+        json.loads(attributes["axes"]),
+        table,
+        json.loads(attributes["provenance"]),
+    )
+
+
+def sweep_table(
+    values: Sequence[Mapping[str, Value]], rows: Sequence[Mapping[str, Any]], keys: Sequence[str]
+) -> xr.Dataset:
+    """The table of all scenes.
+
+    Parameters
+    ----------
+    values : sequence of mapping
+        Of each scene the values that vary, as written, by key.
+    rows : sequence of mapping
+        Of each scene its summary, or at least its place, `converged` and `stop_reason`.
+    keys : sequence of str
+        Of each scene the key that its file is named by.
+    """
+    table = xr.Dataset()
+    for key in values[0]:
+        for name, column, unit in _varied(key, [of[key] for of in values]):
+            table[name] = ("scene", column, {"units": unit} if unit else {})
+    flat = [_flat(row) for row in rows]
+    names = list({name: None for row in flat for name in row if name != "name"})
+    for name in names:
+        table[name] = ("scene", _column([row.get(name) for row in flat]))
+    table["key"] = ("scene", np.array(keys, dtype=object))
+    return table
+
+
+def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:
+    """Name, numbers and unit of a key's values; a list's entries one by one; texts if they are no numbers."""
+    if all(isinstance(value, list) and len(value) == len(values[0]) for value in values):
+        return [
+            part
+            for place in range(len(values[0]))
+            for part in _varied(f"{key}[{place}]", [value[place] for value in values])
+        ]
+    if all(isinstance(value, int | float) for value in values):
+        return [(key, np.array(values, dtype=float), "")]
+    try:
+        _, unit = parse_in(values[0])
+        return [(key, np.array([parse_in(value, unit)[0] for value in values]), unit)]
+    except ValueError:
+        return [(key, np.array([str(value) for value in values], dtype=object), "")]
+
+
+def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
+    """A summary's scalars; what has directions has the letter of each after its name."""
+    return {
+        f"{name}_{axis}" if axis else name: part
+        for name, value in plain_attributes(row).items()
+        for axis, part in (
+            zip("xy", value, strict=False) if isinstance(value, list) else [("", value)]
+        )
+    }
+
+
+def _column(values: list[Any]) -> np.ndarray:
+    """One value a scene; what a scene lacks is NaN or an empty text."""
+    if any(isinstance(value, str) for value in values):
+        return np.array(["" if value is None else value for value in values], dtype=object)
+    return np.array([np.nan if value is None else value for value in values], dtype=float)

@@ -1,0 +1,138 @@
+"""A task: one scene to be solved, told by what decides its solution, and small enough to send anywhere."""
+
+import json
+import platform
+from dataclasses import asdict, dataclass, replace
+from datetime import UTC, datetime
+from functools import cache, cached_property
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pyworm
+from pyworm.case import Case
+from pyworm.effects import Plan, plan
+from pyworm.line.scene import LineScene
+from pyworm.place import Place
+from pyworm.result import FORMAT_VERSION, Result
+from pyworm.scene import Scene
+from pyworm.solver import Progress, solve
+
+KEY_LENGTH = 24
+"""Hexadecimal digits of a key: 96 bits, so that no two of any number of scenes ever share one."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """One scene of a case and how accurately to solve it.
+
+    Sent to another process it makes its scene again there.
+
+    Attributes
+    ----------
+    case : Case
+        The case.
+    place : Place
+        Which of its contacts.
+    accuracy : float
+        Relative error wanted [-].
+    effects : str or None
+        The model, one of `MODELS`; None for the most that the oil is known for.
+    """
+
+    case: Case
+    place: Place
+    accuracy: float
+    effects: str | None = None
+
+    @cached_property
+    def scene(self) -> Scene | LineScene:
+        """The contact; CaseError if there is none."""
+        return self.case.scene(**self.place.given)
+
+    @cached_property
+    def plan(self) -> Plan:
+        """How it is solved; ValueError if it cannot be planned so."""
+        return plan(self.scene, self.accuracy, self.effects)
+
+    @property
+    def identity(self) -> dict[str, Any]:
+        """Everything that decides the solution, down to the program; JSON-able."""
+        return {
+            "program": program_digest(),
+            "result_format": FORMAT_VERSION,
+            "case": self.case.physics,
+            "place": self.place.given,
+            "accuracy": self.accuracy,
+            "effects": self.effects,
+        }
+
+    @cached_property
+    def key(self) -> str:
+        """Name of the solution by what decides it."""
+        return sha256(json.dumps(self.identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]
+
+    def __reduce__(self) -> tuple:
+        return Task, (self.case, self.place, self.accuracy, self.effects)
+
+    def solved(self, progress: Progress | None = None) -> Result:
+        """Solve the scene.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            As of `pyworm.solve`.
+
+        Raises
+        ------
+        KernelError
+            The kernel gave it up.
+        """
+        solution = solve(self.scene, self.plan, progress=progress)
+        if self.case.drive is not None:
+            beside = self.case.drive.scene_data(self.scene)
+            solution = replace(solution, fields=solution.fields.merge(beside))
+        return Result(self.case.name, self.case.resolved, (solution,), None, provenance([self]))
+
+
+def provenance(tasks: list[Task]) -> dict[str, Any]:
+    """What made the solutions of some tasks, plans and keys included; JSON-able."""
+    return where_and_when() | {
+        "plans": [asdict(task.plan) for task in tasks],
+        "keys": [task.key for task in tasks],
+    }
+
+
+def where_and_when() -> dict[str, str]:
+    """Versions, time and machine."""
+    return {
+        "pyworm": pyworm.__version__,
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "machine": platform.machine(),
+        "created": datetime.now(UTC).isoformat(timespec="seconds"),
+    }
+
+
+@cache
+def program_digest() -> str:
+    """Digest of all of pyworm that makes solutions: a changed solver has solved nothing yet."""
+    from pyworm import _core
+
+    package = Path(pyworm.__file__).parent
+    sources = {
+        path.relative_to(package).as_posix(): path
+        for path in package.rglob("*")
+        if path.is_file() and path.suffix in _DECIDING and "plots" not in path.parts
+    }
+    sources["_core"] = Path(_core.__file__)
+    digest = sha256()
+    for name in sorted(sources):
+        digest.update(name.encode() + sha256(sources[name].read_bytes()).digest())
+    return digest.hexdigest()
+
+
+_DECIDING = {".py", ".toml", ".json", ".csv", ".npz"}
+"""Endings of files of the package that may decide a solution."""

@@ -1,0 +1,142 @@
+"""Worker processes, one thread each; one that dies fails its own call and no other."""
+
+import os
+import signal
+import threading
+from collections.abc import Callable
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from queue import SimpleQueue
+from typing import Any
+
+_SPAWN = get_context("spawn")  # a fork after an OpenMP region hangs
+
+_ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+"""Environment of the workers: as many threads as processes would fight for the cores."""
+
+
+class WorkerDiedError(RuntimeError):
+    """A process ended in the middle of a call; the message says how."""
+
+
+class WorkerPool(Executor):
+    """Processes that take calls, as `concurrent.futures` has them.
+
+    A process pool of the standard library breaks as a whole when one of its processes dies. Here each process
+    has a thread of this one that waits for it, and is made anew at the next call. Leaving the pool by an
+    exception, such as a keyboard interrupt, ends the processes at once; if this process is killed they end
+    with the call at hand. Functions, arguments, answers and exceptions are pickled.
+    """
+
+    def __init__(self, count: int) -> None:
+        """A pool of some processes; they start with the first calls."""
+        self._workers = [_Worker() for _ in range(count)]
+        self._idle: SimpleQueue[_Worker] = SimpleQueue()
+        for worker in self._workers:
+            self._idle.put(worker)
+        self._threads = ThreadPoolExecutor(count)
+
+    def submit(self, function: Callable, /, *arguments: Any) -> Future:
+        """Have a function called in one of the processes; the future may raise WorkerDiedError."""
+        return self._threads.submit(self._call, function, arguments)
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """Take no more calls; end the processes once those there are done."""
+        self._threads.shutdown(wait=wait, cancel_futures=cancel_futures)
+        for worker in self._workers:
+            worker.stop()
+
+    def __exit__(self, kind: type | None, *exception: Any) -> None:
+        """Shut down, at once if by an exception."""
+        if kind is not None:
+            self._threads.shutdown(wait=False, cancel_futures=True)
+            for worker in self._workers:
+                worker.terminate()
+        self.shutdown()
+
+    def _call(self, function: Callable, arguments: tuple) -> Any:
+        worker = self._idle.get()
+        try:
+            return worker.call(function, arguments)
+        finally:
+            self._idle.put(worker)
+
+
+class _Worker:
+    """One process, started when first needed."""
+
+    _starting = threading.Lock()  # the environment is that of this whole process
+
+    def __init__(self) -> None:
+        self._process = None
+        self._connection: Connection | None = None
+
+    def call(self, function: Callable, arguments: tuple) -> Any:
+        if self._process is None or not self._process.is_alive():
+            self._start()
+        try:
+            self._connection.send((function, arguments))
+            answer, error = self._connection.recv()
+        except (EOFError, OSError):  # the process is gone, and its end of the pipe with it
+            self._process.join()
+            how = _ending(self._process.exitcode)
+            self._process = None
+            self._connection.close()
+            raise WorkerDiedError(how) from None
+        if error is not None:
+            raise error
+        return answer
+
+    def stop(self) -> None:
+        if self._process is not None:
+            self._connection.close()
+            self._process.join()
+
+    def terminate(self) -> None:
+        if self._process is not None:
+            self._process.terminate()
+
+    def _start(self) -> None:
+        self._connection, other_end = _SPAWN.Pipe()
+        process = _SPAWN.Process(target=_serve, args=(other_end,), daemon=True)
+        with self._starting:
+            before = {name: os.environ.get(name) for name in _ONE_THREAD}
+            os.environ.update(_ONE_THREAD)
+            try:
+                process.start()
+            finally:
+                for name, value in before.items():
+                    if value is None:
+                        del os.environ[name]
+                    else:
+                        os.environ[name] = value
+        other_end.close()
+        self._process = process
+
+
+def _serve(connection: Connection) -> None:
+    """Answer calls until the other side is gone."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the keyboard's is for the process that waits
+    while True:
+        try:
+            function, arguments = connection.recv()
+        except (EOFError, OSError):
+            return
+        try:
+            outcome = function(*arguments), None
+        except Exception as error:
+            outcome = None, error
+        try:
+            connection.send(outcome)
+        except OSError:
+            return
+
+
+def _ending(exit_code: int) -> str:
+    """How a process ended, in words."""
+    if exit_code >= 0:
+        return f"its process ended with exit code {exit_code}"
+    name = signal.Signals(-exit_code).name
+    hint = ", as when memory runs out" if name == "SIGKILL" else ""
+    return f"its process was ended by {name}{hint}"
