@@ -8,6 +8,7 @@ from scipy.special import lambertw
 from pyworm.effects.effect import EVERYTHING, Contact, Effect, Influence
 from pyworm.effects.oil import unlike, unthinned
 from pyworm.effects.sketch import Sketch
+from pyworm.formulas.thermal_reduction import wilson_sheu
 
 
 def _unknown(scene: Contact) -> str | None:
@@ -67,9 +68,8 @@ def _inlet_loading(sketch: Sketch) -> float:
 
 def _inlet_reduction(sketch: Sketch) -> float:
     """What shear in the inlet takes of the film (Wilson and Sheu 1983)."""
-    slip = sketch.sliding / (2 * sketch.speed)
-    raised = 0.241 * (1 + 14.8 * slip**0.83) * _inlet_loading(sketch) ** 0.64
-    return raised / (1 + raised)
+    slide_roll_ratio = min(sketch.sliding / sketch.speed, 2.0)  # beyond it nothing is known
+    return 1 - float(wilson_sheu(_inlet_loading(sketch), slide_roll_ratio))
 
 
 def _film_warmth(sketch: Sketch) -> float:
