@@ -87,7 +87,9 @@ def _parser() -> argparse.ArgumentParser:
     case = argparse.ArgumentParser(add_help=False)
     case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
-    case.add_argument("--effects", help="model (default: the case's, or the most that the oil is known for)")
+    case.add_argument(
+        "--effects", help="model (default: the case's, or the most that the oil is known for)"
+    )
     case.add_argument(
         "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
     )
@@ -167,6 +169,7 @@ def _run(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm.cycle_tables import CYCLE_TABLES
     from pyworm.plots import draw
     from pyworm.run import RESULT_NAME, NothingSolvedError, run
     from pyworm.tables import figures_table, heat_table, published_for, scenes_table
@@ -206,6 +209,8 @@ def _run(options: argparse.Namespace) -> int:
             console.print(scenes_table(scenes, summaries))
             if all("friction_coefficient" in summary for summary in summaries):
                 console.print(heat_table(scenes, summaries))
+        if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
+            console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")

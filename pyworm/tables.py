@@ -238,7 +238,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
 
 
 def _title(scene: Scene | LineScene) -> str:
-    return scene.name if scene.phase is None else f"Mesh: {Place.of(scene)}"
+    return scene.name if scene.phase is None else f"Mesh {Place.of(scene)}"
 
 
 def _value(value: float, unit: str, error: float | None = None) -> str:

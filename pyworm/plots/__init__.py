@@ -17,10 +17,10 @@ from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
-from pyworm.plots.style import write
 from pyworm.plots.roller_cycle import draw_roller_cycle, draw_roller_sensitivity
 from pyworm.plots.roller_drive import draw_roller_drive
 from pyworm.plots.roller_regimes import draw_roller_regimes
+from pyworm.plots.style import write
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result import Result, open_result

@@ -128,7 +128,13 @@ def _draw_lambda(axes: Axes, cycle: xr.Dataset) -> None:
     for limit, name in ((3.0, "full film above"), (1.0, "boundary below")):
         axes.axhline(limit, color="0.4", lw=0.8)
         axes.text(
-            0.01, limit, name, size=8, color="0.4", va="bottom", transform=axes.get_yaxis_transform()
+            0.01,
+            limit,
+            name,
+            size=8,
+            color="0.4",
+            va="bottom",
+            transform=axes.get_yaxis_transform(),
         )
     axes.set_ylim(bottom=0)
     other.set_ylim(0, 1.05)

@@ -92,7 +92,8 @@ def _draw_films(axes: Axes, middle) -> None:
             axes.plot(angle.where(holds), film.where(holds), lw=4, alpha=0.6, color="tab:green")
     axes.plot([], [], lw=4, alpha=0.6, color="tab:green", label="the regime that holds")
     axes.axvspan(
-        *(np.degrees(middle["wheel_angle"].sel(section=s).values[i]) for s, i in _THROAT), color="0.93"
+        *(np.degrees(middle["wheel_angle"].sel(section=s).values[i]) for s, i in _THROAT),
+        color="0.93",
     )
     axes.set_yscale("log")
     axes.set_xlabel("wheel angle of the roller / deg")

@@ -8,7 +8,6 @@ from pyworm import units
 from pyworm.schema.oil import OilTable
 from pyworm.schema.table import Table, Text
 
-
 ModelName = Literal["isothermal", "sheared", "mean-film", "thermal"]
 """What of the oil is simulated (`pyworm.effects.MODELS`)."""
 

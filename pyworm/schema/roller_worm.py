@@ -83,8 +83,8 @@ class RollerDriveTable(Table):
 class RollerOperationTable(Table):
     """`[operation]`: how the drive runs, and which of its contacts are to be solved.
 
-    `stations` are places along a contact line at which line contacts are solved; without them each contact line
-    is one point contact, its ends included.
+    `stations` are places along a contact line at which line contacts are solved; without them each contact
+    line is one point contact, its ends included.
     """
 
     worm_speed: units.Speed

@@ -98,7 +98,7 @@ def test_spin_like_the_worms_is_that_of_the_mean_velocity():
 def test_sharif_case_holds_the_tables_of_the_paper():
     case = load(CASES / "zi_sharif_2001.toml")
     tables = case.tables
-    assert 0.5 in case.phases
+    assert 0.5 in case.mesh_places["phase"]
     assert tables.drive.worm.threads == 3
     assert tables.drive.wheel.teeth == 59
     assert tables.drive.hob.centre_distance == pytest.approx(305.62e-3)
