@@ -28,7 +28,7 @@ _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
 def ends_table(cycle: xr.Dataset) -> Table:
     """Entry and exit of both sections of a roller enveloping drive, in the middle of the contact line."""
     table = Table(title="Entry and exit by closed forms", title_justify="left")
-    table.add_column("In the middle of the contact line")
+    table.add_column("In the middle of\nthe contact line", no_wrap=True)
     middle = cycle.isel(station=cycle.sizes["station"] // 2)
     places = [
         middle.sel(section=section).isel(phase=end)
@@ -49,7 +49,10 @@ def ends_table(cycle: xr.Dataset) -> Table:
 
 def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
     number = float(at["regime_number"])
-    return "" if np.isnan(number) else str(cycle["regime"].values[int(number)]).replace("-", "-\n")
+    if np.isnan(number):
+        return ""
+    viscous, elastic = str(cycle["regime"].values[int(number)]).split("-")
+    return f"{elastic},\n{viscous}"
 
 
 CYCLE_TABLES: dict[str, Callable[[xr.Dataset], Table]] = {"roller-worm": ends_table}
