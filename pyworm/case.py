@@ -155,8 +155,8 @@ class Case:
         section : str, optional
             Section of the worm; by default the first of the case's. Only for drives that have some.
         station : float, optional
-            Place along the contact line, 0 to 1; by default the first of the case's, if it lists some. Only for
-            drives with contact lines.
+            Place along the contact line, 0 to 1; by default the first of the case's, if it lists some. Only
+            for drives with contact lines.
 
         Raises
         ------

@@ -174,6 +174,7 @@ def _run(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm.cycle_tables import CYCLE_TABLES
     from pyworm.plots import draw
     from pyworm.run import RESULT_NAME, NothingSolvedError, run
     from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
@@ -214,6 +215,8 @@ def _run(options: argparse.Namespace) -> int:
             console.print(scenes_table(scenes, summaries))
             if all("friction_coefficient" in summary for summary in summaries):
                 console.print(heat_table(scenes, summaries))
+        if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
+            console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")

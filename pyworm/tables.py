@@ -138,14 +138,15 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     summaries : sequence of mapping
         `Solution.summary()` of each one's solution.
     """
+    heading, labels = _places(scenes)
     table = Table(title="All scenes", title_justify="left")
-    labels = _add_places(table, scenes)
-    for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
+    table.add_column(heading, no_wrap=True)
+    for heading in ("Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
-    table.add_column("Converged")
+    table.add_column("Con-\nver-\nged")
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
         table.add_row(
-            *label,
+            label,
             f"{_dry_pressure(scene, values) / 1e6:.4g}",
             f"{values['pressure_max_Pa'] / 1e6:.4g}",
             f"{values['film_central_m'] * 1e6:.4g}",
@@ -164,8 +165,8 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     The error bar of the temperatures is the largest of the three.
     """
     heated = any("temperature_max_C" in values for values in summaries)
-    table = Table(title="Friction and heat of all scenes", title_justify="left")
-    labels = _add_places(table, scenes)
+    heading, labels = _places(scenes)
+    table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
     headings = ["Friction", "± %", "Loss"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
@@ -181,7 +182,7 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
         if "temperature_max_C" in values:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
-        table.add_row(*label, *cells)
+        table.add_row(label, *cells)
     return table
 
 
@@ -196,17 +197,15 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
     return scene_summary(scene)["hertz_pressure_max_Pa"]
 
 
-def _add_places(table: Table, scenes: Sequence[Scene | LineScene]) -> list[list[str]]:
-    """Add a column for each part of what tells scenes of one case apart; their cells."""
+def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
+    """What tells scenes of one case apart: what it is, and that of each."""
     names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
-    for name in names:
-        table.add_column(name.capitalize().replace("_", "\n"))
     if not names:
-        table.add_column("Scene")
-        return [[scene.name] for scene in scenes]
-    return [
-        [of if isinstance(of, str) else f"{of:g}" for of in (getattr(one, name) for name in names)]
-        for one in scenes
+        return "Scene", [scene.name for scene in scenes]
+    heading = "\n".join(name.replace("_roll_", "-\nroll\n") for name in names)
+    parts = [[getattr(one, name) for name in names] for one in scenes]
+    return heading.capitalize(), [
+        " ".join(of if isinstance(of, str) else f"{of:g}" for of in row) for row in parts
     ]
 
 
@@ -270,7 +269,7 @@ def _influence(share: float | None) -> str:
 
 
 def _title(scene: Scene | LineScene) -> str:
-    return scene.name if scene.phase is None else f"Mesh: {Place.of(scene)}"
+    return scene.name if scene.phase is None else f"Mesh {Place.of(scene)}"
 
 
 def _value(value: float, unit: str, error: float | None = None) -> str:

@@ -11,7 +11,7 @@ NEWTON_STEPS = 12
 """Steps in which a flank's parameters settle; five or six do where the flank is sound."""
 
 SETTLED = 1e-13
-"""Distance in the tangent plane [m] left when they have; heights are then right to its product with a slope."""
+"""Distance in the tangent plane [m] left when they have: heights are right to it times a slope."""
 
 BLOCK = 8192
 """Points solved at once: keeps the work arrays within the processor's cache."""
@@ -77,7 +77,7 @@ class ContactFrame:
         return height, place, met
 
     def worm_height(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
-        """Height [m] of the worm's flank, place along the roller that made it [m], and whether it is there."""
+        """Height [m] of the worm's flank, place along its roller [m], and whether it is there."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         height, place = np.empty(x.size), np.empty(x.size)
         sound = np.empty(x.size, dtype=bool)

@@ -94,8 +94,8 @@ def line_motion(
         + rounding * contact.around
     )
     side = np.where(dot(worm, contact.across) < 0, -1.0, 1.0)
-    # towards the roller, -n, x and y right-handed whichever way x points
-    x_axis, y_axis = side * contact.across, -side * contact.along
+    # x, y and -n, from the worm to the roller, are right-handed whichever way x points
+    x_axis, y_axis = side * contact.across, side * contact.along
     _, _, axis, _ = envelope.axes(contact.wheel_angle)
     wheel_turn = np.zeros(contact.point.shape)
     wheel_turn[2] = -wheel_speed

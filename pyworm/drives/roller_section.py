@@ -129,17 +129,17 @@ class WormSection:
                 place = contact.place[bad][np.argmin(where)]
                 share = np.mean(bad)
                 raise ValueError(
-                    f"worm: the {self.name} section's flank {what} by {share:.0%} of the rollers' bearing "
+                    f"worm: the {self.name} section's flank {what} by {share:.0%} of the bearing "
                     f"length, from {degrees(where.min()):.1f} to {degrees(where.max()):.1f} deg of wheel "
-                    f"angle, first at {place * 1e3:.2f} mm from the rollers' middle; give the rollers another "
+                    f"angle, first at {place * 1e3:.2f} mm from the rollers' middle; give the rollers other "
                     "tilt, height, radius or length, or the worm a larger throat or other angles"
                 )
         before, after = self.faces
         ends = self._along(np.array([self.lowest, self.highest]), self.last)
         if not after - before > abs(ends[1] - ends[0]):
             raise ValueError(
-                f"worm.outer_angle is {degrees(max(abs(self.first), abs(self.last))):.4g} deg; the section is "
-                "then shorter than the rollers, a larger angle is needed"
+                f"worm.outer_angle is {degrees(max(abs(self.first), abs(self.last))):.4g} deg; the section "
+                "is then shorter than the rollers, a larger angle is needed"
             )
 
     def _along(self, place: Array, wheel_angle: Array) -> Array:

@@ -1,9 +1,9 @@
 """The roller enveloping worm drive: from the design table to contact lines and their scenes.
 
-Rollers stand round a wheel and turn freely on their own axes; the worm is an hourglass in two sections parted at the
-throat, its thread the envelope of the rollers. Rollers travel through the right section from its outer end to the
-throat, touched from the front by its flank, which idles and takes up the backlash; then through the left section
-from the throat to its outer end, pushed from behind: that one drives.
+Rollers stand round a wheel and turn freely on their own axes; the worm is an hourglass in two sections
+parted at the throat, its thread the envelope of the rollers. Rollers travel through the right section from
+its outer end to the throat, touched from the front by its flank, which idles and takes up the backlash; then
+through the left section from the throat to its outer end, pushed from behind: that one drives.
 """
 
 from collections.abc import Sequence
@@ -145,8 +145,8 @@ class RollerWormDrive:
     torque : float
         Torque of the worm [N m].
     preload : float
-        Torque about the wheel's axis by which the sections are braced against each other, which is all that the
-        idling one carries [N m].
+        Torque about the wheel's axis by which the sections are braced against each other, which is all that
+        the idling one carries [N m].
     sharing : str
         "elastic" or "equal" (`pyworm.drives.roller_load`).
     rolling : str

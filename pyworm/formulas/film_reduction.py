@@ -13,8 +13,8 @@ def wilson_sheu(viscosity, temperature_coefficient, conductivity, velocity_1, ve
 
     Z = |u1 - u2| / |u1 + u2| and L = eta0 beta um^2 / k with the mean velocity um.
 
-    Source: W. R. D. Wilson and S. Sheu, J. Lubr. Technol. 105 (1983) 187-188. Range: line contacts, Z up to 1;
-    nothing is lost below L = 0.1.
+    Source: W. R. D. Wilson and S. Sheu, J. Lubr. Technol. 105 (1983) 187-188. Range: line contacts, Z up to
+    1; nothing is lost below L = 0.1.
 
     Parameters
     ----------

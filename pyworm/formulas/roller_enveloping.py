@@ -1,8 +1,8 @@
 """Films of roller enveloping worm drives as their source prints them, and what it prints right.
 
 Source: "Elastohydrodynamic Lubrication Analysis of a Novel Roller Enveloping End Face Engagement Worm Gear
-Drive", of the school of X. Deng. It is kept under its own name so that its tables can be compared; films are not
-to be trusted. Its four film formulas are the line contact's of Hooke's chart, but
+Drive", of the school of X. Deng. It is kept under its own name so that its tables can be compared; films are
+not to be trusted. Its four film formulas are the line contact's of Hooke's chart, but
 
 - g_v and g_e lack their square roots (K. L. Johnson, J. Mech. Eng. Sci. 12 (1970) 9-16);
 - the powers of the rigid-piezoviscous and elastic-isoviscous films do not make a length;
@@ -65,7 +65,7 @@ def printed_films(
 
 
 def printed_minimum(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
-    """The source's minimum film [m], 0.75 times its elastic-piezoviscous one; arguments as `printed_films`."""
+    """The source's minimum film [m], 0.75 times its elastic-piezoviscous; arguments as `printed_films`."""
     films = printed_films(radius, load_per_length, reduced_modulus, speed, viscosity, alpha)
     return MINIMUM_SHARE * films.elastic_piezoviscous
 
@@ -100,10 +100,10 @@ def normal_force(
     lead_angle: float,
     friction: float = 0.0,
 ) -> float:
-    """The normal force [N] that balances a worm's torque, 2 T1 / [d1 (cos(alpha_n) sin(lambda) + mu cos(lambda))].
+    """The normal force [N] that balances a worm's torque on one contact at the throat.
 
-    All of the force on one contact at the throat; arguments as `printed_normal_force`, friction the coefficient
-    mu of sliding along the thread [-].
+    2 T1 / {d1 [cos(alpha_n) sin(lambda) + mu cos(lambda)]}; arguments as `printed_normal_force`, friction the
+    coefficient mu of sliding along the thread [-].
     """
     share = cos(pressure_angle) * sin(lead_angle) + friction * cos(lead_angle)
     return 2 * worm_torque / (diameter * share)

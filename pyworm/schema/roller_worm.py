@@ -23,7 +23,7 @@ class RollerBodies(Bodies):
 
 
 class CrownTable(Table):
-    """`[drive.rollers.crown]`: what is taken off the rollers' ends, but not off the tool that cuts the worm."""
+    """`[drive.rollers.crown]`: what is taken off the rollers, not off the tool that cuts the worm."""
 
     radius: units.Length
     straight: units.LengthOrZero = 0.0
@@ -83,8 +83,8 @@ class RollerDriveTable(Table):
 class RollerOperationTable(Table):
     """`[operation]`: how the drive runs, and which of its contacts are to be solved.
 
-    `stations` are places along a contact line at which line contacts are solved; without them each contact line
-    is one point contact, its ends included.
+    `stations` are places along a contact line at which line contacts are solved; without them each contact
+    line is one point contact, its ends included.
     """
 
     worm_speed: units.Speed
@@ -137,7 +137,7 @@ class RollerWormCase(CaseTable):
     def _crown_where_the_ends_are_solved(self):
         if self.operation.stations is None and self.drive.rollers.crown is None:
             raise ValueError(
-                "drive.rollers.crown is missing: sharp ends press without bound, so that no film with ends can "
+                "drive.rollers.crown is missing: sharp ends press without bound, no film with ends can "
                 "be solved; give a crown, or operation.stations for line contacts"
             )
         return self
