@@ -15,14 +15,37 @@ OF_HEAT_AND_FLOW = frozenset(
 """What a Newtonian film of one temperature has none of."""
 
 
-def chosen(scene: Contact, words: str) -> frozenset[str]:
+SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
+
+GROUPS = ("all", "isothermal")
+"""Words for several effects."""
+
+
+def words(text: str) -> tuple[str, ...]:
+    """The words of a choice.
+
+    Raises
+    ------
+    ValueError
+        For one that means nothing.
+    """
+    said = tuple(part.strip() for part in text.split(","))
+    for word in said if text != "auto" else ():
+        if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
+            raise ValueError(
+                f"{word or 'nothing'} is none of auto, {', '.join(GROUPS)}, {', '.join(SIMULATED)}"
+            )
+    return said
+
+
+def chosen(scene: Contact, text: str) -> frozenset[str]:
     """Names of the effects that words choose.
 
     Parameters
     ----------
     scene : Scene or LineScene
         The contact.
-    words : str
+    text : str
         With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a
         Newtonian film of one temperature), names of effects, and names after a minus, which are taken away.
 
@@ -31,23 +54,23 @@ def chosen(scene: Contact, words: str) -> frozenset[str]:
     ValueError
         For a word that means nothing, and for an effect that is not simulated or the contact has none of.
     """
-    simulated = {effect.name: effect for effect in EFFECTS if effect.without is not None}
-    whole = {name for name, effect in simulated.items() if effect.lacking(scene) is None}
+    whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     groups = {"all": whole, "isothermal": whole - OF_HEAT_AND_FLOW}
     on: set[str] = set()
-    for word in (part.strip() for part in words.split(",")):
+    try:
+        said = words(text)
+    except ValueError as error:
+        raise ValueError(f"effects = {text}: {error}") from None
+    for word in said:
         name = word.removeprefix("-")
-        if name not in simulated and name not in groups:
-            raise ValueError(
-                f"effects = {words}: {word or 'nothing'} is none of auto, {', '.join(groups)}, "
-                f"{', '.join(simulated)}"
-            )
         if word.startswith("-"):
-            on -= groups.get(name, _with_dependents(name))
-            continue
-        if name in simulated and name not in whole:
-            raise ValueError(f"effects = {words}: {name}: {simulated[name].lacking(scene)}")
-        on |= groups.get(name, {name, *simulated[name].together} if name in simulated else set())
+            on -= groups.get(name) or _with_dependents(name)
+        elif name in groups:
+            on |= groups[name]
+        elif name in whole:
+            on |= {name, *SIMULATED[name].together}
+        else:
+            raise ValueError(f"effects = {text}: {name}: {SIMULATED[name].lacking(scene)}")
     return frozenset(on & whole)
 
 

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from pyworm import units
 from pyworm.schema.oil import OilTable
@@ -10,6 +10,13 @@ from pyworm.schema.table import Table, Text
 
 Quantity = Literal["film", "friction", "temperature"]
 """What a case asks of its contacts."""
+
+
+def _effects(text: str) -> str:
+    from pyworm.effects.choice import words
+
+    words(text)
+    return text
 
 
 class PublishedValue(Table):
@@ -37,7 +44,7 @@ class CaseTable(Table):
     title: Text
     source: Text
     accuracy: units.Share = 0.01
-    effects: Text = "auto"
+    effects: Annotated[str, AfterValidator(_effects)] = "auto"
     quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
     published: Published = Field(default_factory=dict)
