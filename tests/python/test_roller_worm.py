@@ -192,7 +192,11 @@ def test_lambda_tells_full_mixed_and_boundary():
         ('rolling = "free"', 'rolling = "fast"', "operation.rolling"),
         ("stations = [0.1, 0.5, 0.9]", "", "drive.rollers.crown is missing"),
         ("stations = [0.1", "stations = [1.1", "operation.stations[0] = 1.1: must be at most 1"),
-        ('effects = "isothermal"', 'effects = "most"', 'effects = "most": most is none of auto, all'),
+        (
+            'effects = "isothermal"',
+            'effects = "most"',
+            'effects = "most": most is none of auto, all',
+        ),
         ('length = "14 mm"', 'length = "14 mm"\nshape = "cone"', "give a half_angle"),
     ],
 )
