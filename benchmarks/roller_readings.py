@@ -1,4 +1,4 @@
-"""Which reading of the roller enveloping drive comes nearest its source's table of k, by the source's formula.
+"""Which reading of the roller enveloping drive comes nearest its source's table of k.
 
 python benchmarks/roller_readings.py        # half a minute
 """
