@@ -50,8 +50,8 @@ def draw_plan(axes, drive):
         axes.plot(*core, color=COLOURS[name], ls=":")
         side = "idles, from the front" if name == "right" else "drives, from behind"
         axes.text(
-            inner[0].mean() * 1.15,
-            a + 62,
+            inner[0].mean(),
+            a + 9,
             f"{name} section\n{side}",
             color=COLOURS[name],
             ha="center",

@@ -11,7 +11,7 @@ from pyworm.variables import describe
 
 KIND = "roller-worm"
 
-PHASES = np.linspace(0.0, 1.0, 25)
+PHASES = np.linspace(0.0, 1.0, 49)
 """Phases of either section at which the cycle is kept."""
 
 STATIONS = np.linspace(0.02, 0.98, 9)

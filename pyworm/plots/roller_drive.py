@@ -30,7 +30,7 @@ def draw_roller_drive(result: Result) -> Figure:
             axes.plot(*(line.T * MILLI), color="tab:red", lw=2.2, zorder=20)
         axes.plot([], [], color="tab:red", lw=2.2, label="contact line")
         sizes = [np.diff(limits())[0] for limits in (axes.get_xlim, axes.get_ylim, axes.get_zlim)]
-        axes.set_box_aspect(sizes, zoom=1.3)
+        axes.set_box_aspect(sizes, zoom=1.12)
         for ticked in (axes.xaxis, axes.yaxis, axes.zaxis):
             ticked.set_major_locator(MultipleLocator(100))
         axes.view_init(elevation, azimuth)
