@@ -51,17 +51,17 @@ def draw_precision(study: Study, heading: str) -> Figure:
     left_out = [fill(line, int(FOOTER_LETTERS_PER_INCH * width)) for line in study.left_out]
     footer = "\n".join(["Left out: " + "; ".join(left_out)] if left_out else [])
     footer = fill(footer, int(FOOTER_LETTERS_PER_INCH * width))
-    bottom = 1.1 + 0.17 * footer.count("\n")
+    bottom = 1.15 + 0.17 * footer.count("\n")
     height = PANEL_HEIGHT * rows + 0.5 + bottom
     figure = Figure(figsize=(width, height))
     figure.suptitle(heading, y=1 - 0.12 / height, verticalalignment="top")
     panels = figure.subplots(rows, columns, squeeze=False).flat
     figure.subplots_adjust(
-        left=0.75 / width,
+        left=0.9 / width,
         right=1 - 2.75 / width,
         top=1 - 0.85 / height,
-        bottom=(bottom + 0.35) / height,
-        wspace=0.82,
+        bottom=(bottom + 0.6) / height,
+        wspace=0.86,
         hspace=0.28,
     )
     for panel, name in zip(panels, shown, strict=False):
@@ -191,6 +191,4 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
 
 def _percent(share: float) -> str:
     """A share as people write it."""
-    if share >= 10:
-        return f"{share * 100:.0f} %"
-    return f"{share * 100:.2g} %"
+    return f"{share * 100:.0f} %" if share >= 0.095 else f"{share * 100:.2g} %"
