@@ -20,7 +20,7 @@ from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution
 from pyworm.window import FAR, Reach, near_reach, window
-from pyworm.work import Work, expected_work, first_change, stiffness
+from pyworm.work import LENT_CHANGE, Work, expected_work, first_change, stiffness
 
 
 @dataclass(frozen=True)
@@ -256,9 +256,11 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     grids = _grids(scene, size, near_reach(size), FAR)[nested]
     wider_grids = _grids(scene, size, near_reach(size).doubled(), FAR.doubled())[nested]
     half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
-    change = first_change(
-        grids[-1].spacing, half_widths, scene.radii, size.film, size.groups.moes_l
-    )
+    change = LENT_CHANGE
+    if drawn is scene:
+        change = first_change(
+            grids[-1].spacing, half_widths, scene.radii, size.film, size.groups.moes_l
+        )
     return _Numerics(
         grids=grids,
         wider_grids=wider_grids,

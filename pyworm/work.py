@@ -20,8 +20,8 @@ spacing and d = b (h R/b^2)^(2/3) the length over which the gap beside a contact
 film h, whichever direction gives more. A fit to 56 contacts, M 4 to 1000 and L 1 to 20, from which they
 scatter by 1.7."""
 
-LEAST_CHANGE = 1e-3
-"""Change below which nothing is said."""
+LEAST_CHANGE, LENT_CHANGE = 5e-3, 0.1
+"""The least, and that of a film that heat alone carries, which no formula knows."""
 
 LOG_CHANGE = tuple(log(share) for share in (0.2, 0.7, 8.4, 34.0, 134.0, 2144.0))
 HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
@@ -57,11 +57,11 @@ class Steps:
 
 STEPS: dict[Kind, Steps] = {
     "point": Steps(outer=6.0, cold=4.0, full=8.0, finer=2.5),
-    "line": Steps(outer=0.0, cold=8.0, full=9.0, finer=4.0),
+    "line": Steps(outer=0.0, cold=12.0, full=12.0, finer=5.0),
 }
 
 STIFF = 15.0
-"""Moes' L from which a film that warms takes more steps, as the square of L."""
+"""Moes' L from which a film that warms takes more steps, as L^2.5."""
 
 LENT_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=4.0)
 """Those of a film that heat alone carries."""
@@ -140,7 +140,7 @@ def first_change(
 
 def stiffness(heated: bool, moes_l: float) -> float:
     """How many times as many steps as usual a film takes."""
-    return max(1.0, moes_l / STIFF) ** 2 if heated else 1.0
+    return max(1.0, moes_l / STIFF) ** 2.5 if heated else 1.0
 
 
 def expected_work(

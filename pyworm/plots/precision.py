@@ -6,8 +6,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from pyworm.precision.report import percent
 from pyworm.precision.study import Curve, Study
 
 TITLES = {
@@ -57,7 +58,7 @@ def draw_precision(study: Study, heading: str) -> Figure:
     figure.suptitle(heading, y=1 - 0.12 / height, verticalalignment="top")
     panels = figure.subplots(rows, columns, squeeze=False).flat
     figure.subplots_adjust(
-        left=0.9 / width,
+        left=1.05 / width,
         right=1 - 2.75 / width,
         top=1 - 0.85 / height,
         bottom=(bottom + 0.6) / height,
@@ -99,12 +100,13 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
         else:
             handles.append(_draw_rung(panel, study, curve, name, drawn))
     panel.axhspan(FLOOR / 10, max(reference.band, FLOOR), color="0.88", zorder=0)
-    handles.append(Patch(color="0.88", label=f"reference: ± {_percent(reference.band)}"))
+    handles.append(Patch(color="0.88", label=f"reference: ± {percent(reference.band)}"))
     for target in (0.1, 0.01, 0.001):
         panel.axhline(target, color="0.8", linewidth=0.8, zorder=1)
     low, high = panel.get_ylim()
     panel.set_ylim(max(low, FLOOR, reference.band / 5), min(max(high, 1.5), 1e4))
-    panel.yaxis.set_major_formatter(FuncFormatter(lambda share, _: _percent(share)))
+    panel.yaxis.set_major_formatter(FuncFormatter(lambda share, _: percent(share)))
+    panel.yaxis.set_minor_formatter(NullFormatter())
     panel.set_title(TITLES[name], fontsize="medium")
     panel.set_xlabel("processor time / s")
     panel.set_ylabel("relative error")
@@ -130,7 +132,7 @@ def _draw_rung(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) 
         panel.plot([last, 6 * last], [max(left, FLOOR)] * 2, color=colour, linewidth=0.8)
         order = curve.limits[name].order
         seen = "no order seen" if order is None else f"order {order:.1f}"
-        label += f"\n   {seen}, then {_percent(left)} left"
+        label += f"\n   {seen}, then {percent(left)} left"
     return Line2D([], [], color=colour, marker="o", markersize=4.5, label=label)
 
 
@@ -187,8 +189,3 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
         fontsize=8,
         frameon=False,
     )
-
-
-def _percent(share: float) -> str:
-    """A share as people write it."""
-    return f"{share * 100:.0f} %" if share >= 0.095 else f"{share * 100:.2g} %"

@@ -49,6 +49,11 @@ def _told(choice: tuple[Curve, Point] | None) -> str:
     return f"{curve.name}\n{grid}{seconds(point.seconds)}"
 
 
+def percent(share: float) -> str:
+    """A share as people read it."""
+    return f"{share * 100:.0f} %" if share >= 0.095 else f"{share * 100:.2g} %"
+
+
 def seconds(value: float) -> str:
     """A time as people read it."""
     return f"{value:.2g} s" if value >= 0.01 else f"{value * 1e3:.2g} ms"

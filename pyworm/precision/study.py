@@ -23,7 +23,7 @@ TARGETS = (0.1, 0.05, 0.01, 0.001)
 FINE_ENOUGH = 1e-4
 """Error of all figures by the grid below which a rung is not refined further."""
 
-COMPLETE_SHARE, WINDOW_SHARE, RUNGS_SHARE, KNOBS_SHARE = 0.45, 0.15, 0.3, 0.1
+COMPLETE_SHARE, WINDOW_SHARE, RUNGS_SHARE, KNOBS_SHARE = 0.4, 0.2, 0.3, 0.1
 """Shares of the budget for the most complete rung, for its wider window, for all other rungs and for knobs;
 what one does not use goes to the next."""
 
@@ -175,6 +175,7 @@ def study(
     quantities: tuple[str, ...] | None = None,
     budget: float = inf,
     progress: Progress | None = None,
+    complete_only: bool = False,
 ) -> Study:
     """Measure what accuracy costs in a contact.
 
@@ -188,6 +189,8 @@ def study(
         Elapsed time not to be passed [s], but for what a grid takes longer than expected.
     progress : callable, optional
         Told what is being done and which share of the budget is spent.
+    complete_only : bool
+        Whether only the most complete rung and its wider window are wanted: all that a reference needs.
 
     Raises
     ------
@@ -198,7 +201,8 @@ def study(
     KernelError
         The kernel gives up the most complete rung.
     """
-    return _Study(scene, quantities, budget, progress or (lambda message, share: None)).made()
+    making = _Study(scene, quantities, budget, progress or (lambda message, share: None))
+    return making.made(complete_only)
 
 
 class _Study:
@@ -218,7 +222,8 @@ class _Study:
     def _spent(self) -> float:
         return perf_counter() - self._started
 
-    def made(self) -> Study:
+    def made(self, complete_only: bool) -> Study:
+        """The study."""
         complete = self._climbed(self._complete, COMPLETE_SHARE * self._budget)
         if len(complete.points) < LEAST_GRIDS:
             raise BudgetError(
@@ -227,8 +232,8 @@ class _Study:
             )
         window = self._window(complete)
         references = self._references(complete, window)
-        rungs = [*self._others(), complete]
-        knobs = [window, *self._knobs(complete)]
+        others = [] if complete_only else self._others()
+        knobs = [] if complete_only else self._knobs(complete)
         heat = self._scene.oil.heat
         return Study(
             self._scene.name,
@@ -240,7 +245,9 @@ class _Study:
                         Curve(name, "formula", (point,), {})
                         for name, point in closed_forms(self._scene).items()
                     ),
-                    *rungs,
+                    *others,
+                    complete,
+                    window,
                     *(knob for knob in knobs if knob.points),
                 ]
             ),
@@ -272,7 +279,7 @@ class _Study:
                 self._tell(f"{name}: {point.label}")
                 if _fine_enough(taken, rung.plan.aim.figures):
                     break
-                if len(taken) > 1 and taken[-2].settled and not point.settled:
+                if len(taken) > LEAST_GRIDS and not (taken[-2].settled or point.settled):
                     self._left_out.append(
                         f"{name}: grids beyond {point.label} (it does not settle)"
                     )
@@ -313,12 +320,20 @@ class _Study:
         """
         rung = self._complete
         share = LADDERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_share
-        number = min(len(complete.points), len(window.points)) - 1
+        pairs = [
+            (here, wider)
+            for here, wider in zip(complete.points, window.points, strict=False)
+            if here.settled and wider.settled
+        ]
+        if not pairs:
+            self._left_out.append("the error by the window")
         beta = sketch(self._scene).inlet_beta
         references = {}
         for figure in self._figures_shown(complete):
-            here, wider = (of.points[number].figures[figure] for of in (complete, window))
-            by_window = (wider - here) / (1 - share)
+            by_window = 0.0
+            if pairs:
+                here, wider = pairs[-1]
+                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - share)
             value = complete.limits[figure].value + by_window
             size = abs(value)
             if figure == "temperature_max_film" and beta > 0:
