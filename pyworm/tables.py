@@ -228,7 +228,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     for label, key, scale, unit in _SCENE:
         if key in summary:
             table.add_row(*_quantity(label, summary[key], scale, unit))
-    table.add_row("Regime", plan.regime.name)
+    table.add_row("Regime", ", ".join(filter(None, (plan.regime.name, plan.regime.doubt))))
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
     for grid in plan.grids:
