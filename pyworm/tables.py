@@ -265,7 +265,7 @@ QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Tem
 def _influence(share: float | None) -> str:
     if share is None:
         return ""
-    return ">100 %" if share > 1 else f"{share * 100:.2g} %"
+    return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"
 
 
 def _title(scene: Scene | LineScene) -> str:
