@@ -7,10 +7,11 @@ from two viscosities, from a viscosity index, or from a file.
 import re
 import tomllib
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from functools import cache
 from math import log
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
@@ -23,7 +24,7 @@ from pyworm.oils import Density, FlowLaw, Oil, OilHeat, Roelands
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
 
-BASES: tuple[Base, ...] = ("mineral", "PAO", "ester", "PAG")
+BASES: tuple[Base, ...] = get_args(Base)
 """Base stocks in the table."""
 
 GRADE_TOLERANCE = 0.11
@@ -35,7 +36,7 @@ DEGREES_40, DEGREES_100 = 313.15, 373.15
 MILLIMETRE_SQUARED = 1e-6
 """1 mm2/s [m2/s]."""
 
-_NAME = re.compile(r"(mineral|PAO|ester|PAG)\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
+_NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
 
 _TABLE = Path(__file__).with_name("data") / "oils.toml"
 
@@ -252,9 +253,12 @@ def named_oil(name: str) -> NamedOil:
     """
     match = _NAME.fullmatch(name.strip())
     if match is None or int(match[2]) not in ISO_GRADES:
+        near = get_close_matches(name, names(), n=3)
+        listed = " or ".join(f'"{one}"' for one in near)
+        meant = f"; did you mean {listed}?" if near else ""
         raise ValueError(
             f'oil "{name}": must be a base stock ({", ".join(BASES)}) and a grade '
-            f'(VG {", ".join(map(str, ISO_GRADES))}), such as "PAG VG 460"'
+            f'(VG {", ".join(map(str, ISO_GRADES))}), such as "PAG VG 460"{meant}'
         )
     stock, grade = base_stock(match[1]), int(match[2])
     called = f"{stock.name} VG {grade}"
