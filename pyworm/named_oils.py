@@ -5,7 +5,6 @@ from two viscosities, from a viscosity index, or from a file.
 """
 
 import re
-import tomllib
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cache
@@ -21,6 +20,7 @@ from pyworm.formulas import oil_laws
 from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.ranges import Values
 from pyworm.oils import Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.toml_file import read_toml
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
 
@@ -320,7 +320,7 @@ def read_oil(path: str | Path) -> NamedOil:
     CaseError
         Whatever is wrong first, in one sentence.
     """
-    data = _read(Path(path))
+    data = read_toml(Path(path))
     try:
         table = _OilTable.model_validate(data)
         if table.viscosity_100 is not None:
@@ -350,7 +350,7 @@ class _Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class _HeatTable(_Table):
+class HeatCourseTable(_Table):
     """Keys of `OilHeat` that say how heat constants follow pressure and temperature."""
 
     expansivity_decay: units.PressureCoefficientOrZero = 0.0
@@ -379,7 +379,7 @@ class _StockTable(_Table):
     limiting_coefficient: _Fraction | None = None
     eyring_stress: units.Stress | None = None
     limiting_stress: units.Stress | None = None
-    heat: _HeatTable = _HeatTable()
+    heat: HeatCourseTable = HeatCourseTable()
 
     @model_validator(mode="after")
     def _stresses_in_pairs(self):
@@ -436,21 +436,10 @@ class _OilTable(_StockTable):
         return self
 
 
-def _read(path: Path) -> dict:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise CaseError(f"{path}: no such file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise CaseError(f"{path}: cannot be read ({error})") from None
-    except tomllib.TOMLDecodeError as error:
-        raise CaseError(f"{path}: not a TOML file: {error}") from None
-
-
 @cache
 def _stocks() -> dict[Base, BaseStock]:
     """The table, checked: every oil of it has the viscosity that its grade says."""
-    data = _read(_TABLE)
+    data = read_toml(_TABLE)
     stocks = {}
     for base in BASES:
         table = _BaseStockTable.model_validate(data[base])

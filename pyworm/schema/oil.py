@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, field_validator, model_validator
 
 from pyworm import units
-from pyworm.named_oils import names
+from pyworm.named_oils import HeatCourseTable, names
 from pyworm.oils import (
     ROELANDS_POLE_TEMPERATURE,
     ROELANDS_PRESSURE,
@@ -151,7 +151,7 @@ ShearTable = NewtonianTable | EyringTable | BairWinerTable | LimitedEyringTable 
 """`[oil.shear]`: how the oil shears; the laws are those of `FlowLaw`."""
 
 
-class HeatTable(Table):
+class HeatTable(HeatCourseTable):
     """`[oil.heat]`: how the oil takes heat; the laws are those of `OilHeat`.
 
     How viscosity falls with temperature is given by the exponent `s0` of Roelands' law or by its slope `beta`
@@ -164,14 +164,6 @@ class HeatTable(Table):
     conductivity: units.Conductivity
     specific_heat: units.SpecificHeat
     expansivity: units.TemperatureCoefficientOrZero = 0.0
-    expansivity_decay: units.PressureCoefficientOrZero = 0.0
-    conductivity_c1: units.PressureCoefficientOrZero = 0.0
-    conductivity_c2: units.PressureCoefficientOrZero = 0.0
-    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
-    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
-    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
-    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
-    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
 
     @field_validator("inlet_temperature")
     @classmethod
