@@ -23,14 +23,14 @@ scatter by 1.7."""
 LEAST_CHANGE, LENT_CHANGE = 5e-3, 0.1
 """The least, and that of a film that heat alone carries, which no formula knows."""
 
-LOG_CHANGE = tuple(log(share) for share in (0.2, 0.7, 8.4, 34.0, 134.0, 2144.0))
+LOG_CHANGE = tuple(log(share) for share in (0.2, 0.85, 10.2, 41.0, 163.0, 2608.0))
 HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
 """That change over the accuracy, and halvings between which a solve is as likely to stop as to go on.
 
 There is one at least.
 
 The error bar on the second grid is the change itself, on the third a twelfth of it, and a quarter of the one
-before on each further (`pyworm.accuracy.grid_errors`); three tenths are left to window and algebra."""
+before on each further (`pyworm.accuracy.grid_errors`); some of it is left to window and algebra."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +60,11 @@ STEPS: dict[Kind, Steps] = {
     "line": Steps(outer=0.0, cold=12.0, full=12.0, finer=5.0),
 }
 
-STIFF = 15.0
-"""Moes' L from which a film that warms takes more steps, as L^2.5."""
+THICKENING, THICKENING_POWER = 10.0, 0.7
+"""Moes' L from which the linear systems of steps take more iterations, and the power of L with which."""
+
+STIFF, STIFF_POWER = 15.0, 2.5
+"""The same for the steps of a film that warms."""
 
 LENT_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=4.0)
 """Those of a film that heat alone carries."""
@@ -139,8 +142,9 @@ def first_change(
 
 
 def stiffness(heated: bool, moes_l: float) -> float:
-    """How many times as many steps as usual a film takes."""
-    return max(1.0, moes_l / STIFF) ** 2.5 if heated else 1.0
+    """How many times as much work as usual the steps of a film are."""
+    least, power = (STIFF, STIFF_POWER) if heated else (THICKENING, THICKENING_POWER)
+    return max(1.0, moes_l / least) ** power
 
 
 def expected_work(
@@ -170,20 +174,21 @@ def expected_work(
     full : bool
         Whether more than a Newtonian oil of one temperature is simulated.
     stiffness : float
-        How many times as many steps as usual what is simulated besides takes.
+        How many times as much work as usual the steps are (`stiffness`).
     lent : bool
         Whether heat alone carries the film.
     """
     steps = LENT_STEPS if lent else STEPS[kind]
+    cold = 1.0 if full else stiffness
     stages = []
     for nest in nests:
-        stages += [Stage(nodes, steps.outer, 0.0) for nodes in nest[:-1]]
-        stages.append(Stage(nest[-1], steps.cold, stiffness * steps.full * full))
+        stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
+        stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
     halvings = min(most, float(np.interp(log(change / accuracy), LOG_CHANGE, HALVINGS)))
     for number in range(int(halvings)):
         # the last grid is as fine as likely
         nodes = nests[0][-1] * growth ** (halvings - int(halvings) + number + 1)
-        stages.append(Stage(nodes, steps.finer * (not full), stiffness * steps.finer * full))
+        stages.append(Stage(nodes, cold * steps.finer * (not full), stiffness * steps.finer * full))
     return Work(kind, tuple(stages))
