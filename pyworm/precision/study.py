@@ -298,7 +298,7 @@ class _Study:
                     break
                 if self._spent + further > until:
                     self._left_out.append(
-                        f"{name}: grids beyond {point.label} (the next takes some {further:.2g} s)"
+                        f"{name}: grids beyond {point.label} (the next takes some {further:.0f} s)"
                     )
                     break
         except KernelError as error:
