@@ -22,7 +22,8 @@ from plan_scenes import STEEL, mineral
 
 import pyworm
 from pyworm.formulas.hertz import hertz
-from pyworm.precision.study import Study, study
+from pyworm.precision.study import Study
+from pyworm.precision.survey import study
 from pyworm.scene import Paraboloid, RigidMotion, Scene
 
 ACCURACIES = (0.05, 0.01, 0.002)

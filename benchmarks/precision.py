@@ -28,7 +28,8 @@ import pyworm
 from pyworm.plots.precision import draw_precision
 from pyworm.plots.style import write
 from pyworm.precision.report import LABELS, percent, seconds
-from pyworm.precision.study import TARGETS, Study, study
+from pyworm.precision.study import TARGETS, Study
+from pyworm.precision.survey import study
 
 PICTURES = Path("docs/pictures")
 RESULTS = Path("results/accuracy")

@@ -297,7 +297,7 @@ def _precision(options: argparse.Namespace) -> int:
     from pyworm.plots.precision import draw_precision
     from pyworm.plots.style import write
     from pyworm.precision.report import as_object, cheapest_table, write_csv
-    from pyworm.precision.study import BudgetError, expected_seconds, study
+    from pyworm.precision.survey import BudgetError, NoReferenceError, expected_seconds, study
 
     name = ", ".join(part for part in (case.name, str(task.place)) if part)
     expected = expected_seconds(task.scene, task.quantities)
@@ -311,6 +311,8 @@ def _precision(options: argparse.Namespace) -> int:
         raise CaseError(f"--budget {options.budget:g}: {error}") from None
     except KernelError as error:
         return _end(f"{name}: {error}", FAILED)
+    except NoReferenceError as error:
+        return _end(f"{name}: {error}", NOT_CONVERGED)
     content = {"case": case.name} | as_object(made)
     with whole(directory, instead_of=("precision.*",)) as aside:
         (aside / "precision.json").write_text(_json(content))

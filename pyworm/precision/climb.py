@@ -1,8 +1,8 @@
 """What a rung's grids give, and what each of them costs."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import count, islice
+from itertools import count, islice, takewhile
 from time import process_time
 
 from pyworm.calibration import convolution_seconds
@@ -162,6 +162,16 @@ def on_grid(fidelity: Fidelity, halvings: int, setting: str) -> Point:
     """The point of one of a rung's grids, under another name."""
     point = next(islice(climb(fidelity), halvings, None))
     return replace(point, setting=setting)
+
+
+def settled_row(points: Sequence[Point]) -> list[Point]:
+    """The finest grids, one after another, on which the equations are met."""
+    settled = [point.settled for point in points]
+    if not any(settled):
+        return []
+    last = len(points) - settled[::-1].index(True)
+    row = takewhile(lambda point: point.settled, reversed(points[:last]))
+    return list(row)[::-1]
 
 
 def read(rung: Rung) -> dict[str, float]:

@@ -17,10 +17,11 @@ from pyworm.calibration import Calibration, Pace
 from pyworm.cli import BAD_INPUT, main
 from pyworm.effects.choice import chosen
 from pyworm.planning import Model
-from pyworm.precision.climb import Point
+from pyworm.precision.climb import Point, settled_row
 from pyworm.precision.fidelity import fidelities
 from pyworm.precision.limits import limit, observed_order
-from pyworm.precision.study import BudgetError, Curve, Reference, Study, study
+from pyworm.precision.study import Curve, Reference, Study
+from pyworm.precision.survey import BudgetError, study
 from pyworm.work import Stage, Work, expected_work, first_change
 
 CASES = Path("cases")
@@ -138,6 +139,20 @@ def test_a_grid_that_is_right_by_chance_is_not_the_cheapest():
     lucky = rung("lucky", (0.1, 1.0), (0.2, 1.3), (0.3, 1.4))
     curve, _ = a_study(lucky, GOOD).cheapest(0.05, ("film_min",))
     assert curve.name == "good"
+
+
+@pytest.mark.parametrize(
+    ("settled", "row"),
+    [
+        ((True, True, True), (0, 1, 2)),
+        ((True, False, True, True), (2, 3)),
+        ((False, True, True, False), (1, 2)),
+        ((False, False), ()),
+    ],
+)
+def test_limits_are_of_the_finest_grids_in_a_row_that_settled(settled, row):
+    points = [a_point(1.0 + number, 1.0, one) for number, one in enumerate(settled)]
+    assert settled_row(points) == [points[number] for number in row]
 
 
 def test_what_did_not_settle_and_knobs_are_not_offered():
