@@ -6,7 +6,7 @@ from itertools import count, islice, takewhile
 from time import process_time
 
 from pyworm.calibration import convolution_seconds
-from pyworm.ladder import Rung, settle, stride
+from pyworm.ladder import Rung, lead, settle
 from pyworm.planning import Plan
 from pyworm.precision.fidelity import Fidelity
 from pyworm.solver import ALGEBRA_SHARE, LADDERS
@@ -148,8 +148,7 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
         settle(rung, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_SHARE * error)
         rung = ladder.higher(rung)
     for tolerance in tolerances:
-        while rung.film.balance.worst > tolerance and stride(rung) is not None:
-            pass
+        lead(rung, tolerance)
         figures = read(rung)
         seconds = watch.stop()
         settled = rung.film.balance.worst <= tolerance
