@@ -123,8 +123,8 @@ class _Study:
         complete = self._climbed(self._complete, COMPLETE_SHARE * self._budget)
         if len(complete.points) < LEAST_GRIDS:
             raise BudgetError(
-                f"{self._budget:g} s are too few: {LEAST_GRIDS} grids of the most complete model are needed, "
-                f"about {self._wanted(complete):.2g} s"
+                f"{LEAST_GRIDS} grids of the most complete model are needed, "
+                f"that is some {self._wanted(complete):.2g} s"
             )
         if len(settled_row(complete.points)) < 2:
             raise NoReferenceError(f"{complete.name}: the film settles on too few grids")
