@@ -30,7 +30,7 @@ ACCURACIES = (0.05, 0.01, 0.002)
 
 TRIPLES = 10
 
-BUDGETS = {"isothermal": 30.0, "thermal": 60.0}
+BUDGETS = {"isothermal": 20.0, "thermal": 60.0}
 """Processor time for the reference of a scene [s]."""
 
 RADIUS = 0.01

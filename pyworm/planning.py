@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import sqrt
+from math import cos, hypot, pi, sin, sqrt
 
 from pyworm.accuracy import FILMS, HEAT_FIGURES, Aim
 from pyworm.effects.choice import chosen
@@ -259,7 +259,12 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     change = LENT_CHANGE
     if drawn is scene:
         change = first_change(
-            grids[-1].spacing, half_widths, scene.radii, size.film, size.groups.moes_l
+            grids[-1].spacing,
+            half_widths,
+            scene.radii,
+            size.film,
+            size.groups.moes_l,
+            _slenderness(size),
         )
     return _Numerics(
         grids=grids,
@@ -306,6 +311,15 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
             stiffness=stiffness(model.heated, size.groups.moes_l),
         ),
     )
+
+
+def _slenderness(size: Scales) -> float:
+    """Length of Hertz's contact along the entrainment over that across it."""
+    along, across = (
+        hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
+        for angle in (size.angle, size.angle + pi / 2)
+    )
+    return across / along
 
 
 def _nodes(*nests: Sequence[Grid | LineGrid]) -> list[list[int]]:
