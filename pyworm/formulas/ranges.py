@@ -1,0 +1,65 @@
+"""The ranges in which formulas hold, and the one sentence for what lies outside.
+
+Most values outside a range are right numbers in wrong units, so the sentence always names the unit.
+"""
+
+import numpy as np
+
+
+def within(name: str, value, low: float, high: float, unit: str) -> None:
+    """Refuse a value outside a closed range.
+
+    Parameters
+    ----------
+    name : str
+        What the value is called.
+    value : float or array
+        The value, in `unit`.
+    low, high : float
+        The range, both ends allowed.
+    unit : str
+        Unit to name; empty for a bare number.
+
+    Raises
+    ------
+    ValueError
+        A value below, above or not a number.
+    """
+    values = np.asarray(value, dtype=float)
+    outside = ~((values >= low) & (values <= high))
+    if outside.any():
+        wrong = values[outside].flat[0]
+        in_unit = f" {unit}" if unit else ""
+        raise ValueError(
+            f"{name} = {wrong:g}{in_unit}: must lie between {low:g} and {high:g}{in_unit}"
+        )
+
+
+def positive(name: str, value, unit: str) -> None:
+    """Refuse what is not a finite number greater than zero; arguments as of `within`.
+
+    Raises
+    ------
+    ValueError
+        A value that is zero, negative, infinite or not a number.
+    """
+    values = np.asarray(value, dtype=float)
+    wrong = ~(np.isfinite(values) & (values > 0))
+    if wrong.any():
+        in_unit = f" {unit}" if unit else ""
+        raise ValueError(
+            f"{name} = {values[wrong].flat[0]:g}{in_unit}: must be finite and greater than zero"
+        )
+
+
+def one_of(name: str, value: str, choices) -> None:
+    """Refuse a word that is not among the choices.
+
+    Raises
+    ------
+    ValueError
+        Any other word.
+    """
+    if value not in choices:
+        listed = ", ".join(f'"{choice}"' for choice in choices)
+        raise ValueError(f'{name} = "{value}": must be one of {listed}')

@@ -1,0 +1,623 @@
+"""Cylindrical worm gears by the methods of DIN 3996:2012 and ISO/TS 14521, as far as they could be checked.
+
+Neither text could be read. Every formula here is from memory and is checked by dimension, by the limits
+it must have, and by the worked values of a reference gear; each docstring says how. Lengths are in
+metres, speeds in rad/s, torques in N m, pressures in Pa, temperatures in kelvin; the standards' own
+units are used inside only.
+"""
+
+from dataclasses import dataclass
+from math import atan, pi, sqrt, tan
+from typing import Literal
+
+from pyworm.formulas.ranges import one_of, positive, within
+
+OilKind = Literal["mineral", "PAO", "PAG"]
+
+SOURCE = "methods of DIN 3996:2012, ISO/TS 14521, from memory"
+
+OIL_KINDS: tuple[OilKind, ...] = ("mineral", "PAO", "PAG")
+"""Oils that the standards have constants for."""
+
+PRESSURE_VISCOSITY = {"mineral": 1.7e-8, "PAO": 1.4e-8, "PAG": 1.3e-8}
+"""c_alpha [1/Pa] of each kind of oil; the values of mineral oil and PAG also stand in the sources."""
+
+PITTING_STRENGTH = {"CuSn12Ni2": 520e6, "CuSn12": 425e6}
+"""sigma_HlimT [Pa] of wheel bronzes (centrifugally cast), not checked."""
+
+_OIL_LIFE = {"mineral": 0.89, "PAO": 0.94, "PAG": 1.0}
+
+# a, b, c, d, largest of mu_0T = a + b/(vg + c)^d
+_FRICTION = {
+    "mineral": (0.028, 0.026, 0.17, 0.76, 0.1),
+    "PAO": (0.026, 0.017, 0.17, 0.92, 0.096),
+    "PAG": (0.02, 0.02, 0.2, 0.97, 0.096),
+}
+
+# factor and exponent of J_0T, and its largest value; wheel of CuSn12Ni2
+_WEAR = {"mineral": (2.4e-11, -3.1, 400e-9), "PAG": (1.27e-10, -2.24, 400e-9)}
+
+REFERENCE_FILM = 0.07
+"""h* of the reference gear, nominal."""
+
+_RPM = 30 / pi
+
+
+@dataclass(frozen=True)
+class WormGear:
+    """Geometry of a worm gear as the standards see it.
+
+    Attributes
+    ----------
+    centre_distance : float
+        a [m]; 25 mm to 2 m.
+    starts, teeth : int
+        z1 of the worm, z2 of the wheel.
+    module : float
+        Axial module m_x [m].
+    diameter_factor : float
+        q, reference diameter of the worm over the module [-]; above 0.5.
+    face_width : float
+        b_2H of the wheel [m].
+    profile_shift : float
+        x2 of the wheel [-].
+
+    Raises
+    ------
+    ValueError
+        Lengths in other units, or parts that do not make up the centre distance within 2 %.
+    """
+
+    centre_distance: float
+    starts: int
+    teeth: int
+    module: float
+    diameter_factor: float
+    face_width: float
+    profile_shift: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse what is no worm gear."""
+        within("centre distance", self.centre_distance, 0.025, 2, "m")
+        within("number of worm starts", self.starts, 1, 12, "")
+        within("number of wheel teeth", self.teeth, 15, 300, "")
+        within("module", self.module, 5e-4, 0.1, "m")
+        within("diameter factor", self.diameter_factor, 4, 40, "")
+        within("face width", self.face_width, 2e-3, 1, "m")
+        within("profile shift", self.profile_shift, -2, 2, "")
+        made = self.module / 2 * (self.diameter_factor + self.teeth + 2 * self.profile_shift)
+        if abs(made / self.centre_distance - 1) > 0.02:
+            raise ValueError(
+                f"centre distance = {self.centre_distance:g} m: module, diameter factor, teeth and profile "
+                f"shift make {made:g} m"
+            )
+
+    @property
+    def ratio(self) -> float:
+        """u = z2/z1 [-]."""
+        return self.teeth / self.starts
+
+    @property
+    def tan_lead(self) -> float:
+        """Tangent of the lead angle gamma at the worm's reference cylinder, z1/q [-]."""
+        return self.starts / self.diameter_factor
+
+    @property
+    def film_parameter(self) -> float:
+        """h* [-], how well the shape of the gear draws oil into the contact.
+
+        0.018 + q/[7.86 (q + z2)] + 1/z2 + x2/110 - u/36300 + b2H/(370.4 mx) - sqrt(2 q - 1)/213.9.
+        Checked: 0.0657 for the reference gear, nominally 0.07.
+        """
+        q, z2 = self.diameter_factor, self.teeth
+        return (
+            0.018
+            + q / (7.86 * (q + z2))
+            + 1 / z2
+            + self.profile_shift / 110
+            - self.ratio / 36300
+            + self.face_width / (370.4 * self.module)
+            - sqrt(2 * q - 1) / 213.9
+        )
+
+    @property
+    def pressure_parameter(self) -> float:
+        """p_m* [-] of the mean contact pressure.
+
+        1.03 {0.4 + x2/u + 0.01 z2 - 0.083 b2H/mx + sqrt(2 q - 1)/6.9 + [q + 50 (u + 1)/u]/(15.9 + 37.5
+        q)}. Checked: 0.988 for the reference gear, nominally 0.962.
+        """
+        q, u = self.diameter_factor, self.ratio
+        return 1.03 * (
+            0.4
+            + self.profile_shift / u
+            + 0.01 * self.teeth
+            - 0.083 * self.face_width / self.module
+            + sqrt(2 * q - 1) / 6.9
+            + (q + 50 * (u + 1) / u) / (15.9 + 37.5 * q)
+        )
+
+    @property
+    def sliding_parameter(self) -> float:
+        """s* [-] of the mean sliding path, 0.78 + 0.21 u + 5.6/tan gamma.
+
+        Checked: 30.3 for the reference gear, nominally 30.8.
+        """
+        return 0.78 + 0.21 * self.ratio + 5.6 / self.tan_lead
+
+    def sliding_speed(self, worm_speed: float) -> float:
+        """Sliding speed at the worm's reference cylinder v_g [m/s], d_m1 omega/(2 cos gamma)."""
+        positive("worm speed", worm_speed, "rad/s")
+        diameter = self.diameter_factor * self.module
+        return diameter / 2 * worm_speed * sqrt(1 + self.tan_lead**2)
+
+
+REFERENCE_GEAR = WormGear(0.1, 2, 41, 4e-3, 9.0, 30e-3)
+"""The gear that the standards' test results belong to."""
+
+
+def minimum_film(
+    film_parameter: float,
+    pressure_viscosity: float,
+    viscosity: float,
+    worm_speed: float,
+    centre_distance: float,
+    reduced_modulus: float,
+    torque: float,
+) -> float:
+    """Mean minimum film between the teeth h_min,m [m].
+
+        21 h* c_alpha^0.6 eta^0.7 n1^0.7 a^1.39 E_red^0.03 / T2^0.13   [um]
+
+    with c_alpha in m2/N, eta in Pa s, n1 in rpm, a in mm, E_red in N/mm2, T2 in N m. Checked: in SI the
+    units leave a length and the constant becomes 0.996, so that 21 is nothing but the conversion of
+    units; a form in circulation with the exponents 1, 0.43, -0.057 and +0.13 of c_alpha, n1, a and T2 is
+    no length. Range: bronze and cast iron wheels, 25 mm to 2 m.
+
+    Parameters
+    ----------
+    film_parameter : float
+        h* [-], `WormGear.film_parameter`.
+    pressure_viscosity : float
+        c_alpha [1/Pa], `PRESSURE_VISCOSITY`.
+    viscosity : float
+        Dynamic viscosity at the wheel's bulk temperature [Pa s].
+    worm_speed : float
+        [rad/s].
+    centre_distance : float
+        [m].
+    reduced_modulus : float
+        E_red [Pa], 2/E_red = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    torque : float
+        T2 on the wheel [N m].
+    """
+    within("h*", film_parameter, 0.005, 0.5, "")
+    within("pressure-viscosity coefficient", pressure_viscosity, 1e-9, 1e-7, "1/Pa")
+    within("dynamic viscosity", viscosity, 1e-4, 10, "Pa s")
+    within("worm speed", worm_speed * _RPM, 0.1, 1e5, "rpm")
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
+    positive("wheel torque", torque, "N m")
+    micrometres = (
+        21
+        * film_parameter
+        * pressure_viscosity**0.6
+        * viscosity**0.7
+        * (worm_speed * _RPM) ** 0.7
+        * (centre_distance * 1e3) ** 1.39
+        * (reduced_modulus * 1e-6) ** 0.03
+        / torque**0.13
+    )
+    return micrometres * 1e-6
+
+
+def mean_pressure(
+    pressure_parameter: float, torque: float, reduced_modulus: float, centre_distance: float
+) -> float:
+    """Mean contact stress sigma_Hm [Pa], (4/pi) sqrt(p_m* T2 E_red/a^3).
+
+    Checked by dimension: a pressure, growing with the square root of the load as of any line contact.
+
+    Parameters
+    ----------
+    pressure_parameter : float
+        p_m* [-], `WormGear.pressure_parameter`.
+    torque : float
+        T2 [N m].
+    reduced_modulus : float
+        E_red [Pa].
+    centre_distance : float
+        [m].
+    """
+    within("p_m*", pressure_parameter, 0.1, 10, "")
+    positive("wheel torque", torque, "N m")
+    within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    return 4 / pi * sqrt(pressure_parameter * torque * reduced_modulus / centre_distance**3)
+
+
+def tooth_friction(
+    oil: OilKind,
+    sliding_speed: float,
+    centre_distance: float,
+    film_parameter: float,
+    roughness: float,
+    material_factor: float = 1.0,
+) -> float:
+    """Mean coefficient of tooth friction mu_zm [-] = mu_0T Y_S Y_G Y_W Y_R.
+
+        mu_0T   0.028 + 0.026/(vg + 0.17)^0.76 (mineral), 0.026 + 0.017/(vg + 0.17)^0.92 (PAO),
+                0.02 + 0.02/(vg + 0.2)^0.97 (PAG), at most 0.1, 0.096, 0.096
+        Y_S     sqrt(100 mm/a)
+        Y_G     sqrt(0.07/h*)
+        Y_R     (Ra/0.5 um)^(1/4)
+
+    Checked: falls with sliding speed to the first number; PAG below PAO below mineral oil at every
+    speed; 1 is each factor of the reference gear. Range: vg from 0.05 to 25 m/s.
+
+    Parameters
+    ----------
+    oil : str
+        "mineral", "PAO" or "PAG".
+    sliding_speed : float
+        vg [m/s].
+    centre_distance : float
+        [m].
+    film_parameter : float
+        h* [-].
+    roughness : float
+        Mean roughness Ra of the worm's flanks [m].
+    material_factor : float
+        Y_W of the wheel's material [-]; 1 for the bronze of the tests.
+    """
+    one_of("oil", oil, OIL_KINDS)
+    within("sliding speed", sliding_speed, 0.05, 25, "m/s")
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    within("h*", film_parameter, 0.005, 0.5, "")
+    within("roughness Ra", roughness, 1e-8, 1e-5, "m")
+    within("Y_W", material_factor, 0.5, 2, "")
+    a, b, c, d, largest = _FRICTION[oil]
+    base = min(a + b / (sliding_speed + c) ** d, largest)
+    size = sqrt(0.1 / centre_distance)
+    shape = sqrt(REFERENCE_FILM / film_parameter)
+    return base * size * shape * material_factor * (roughness / 0.5e-6) ** 0.25
+
+
+def forward_efficiency(tan_lead: float, friction: float) -> float:
+    """Efficiency of the teeth with the worm driving [-], tan gamma/tan(gamma + atan mu)."""
+    positive("tangent of the lead angle", tan_lead, "")
+    within("tooth friction", friction, 0, 0.5, "")
+    return tan_lead / tan(atan(tan_lead) + atan(friction))
+
+
+def backward_efficiency(tan_lead: float, friction: float) -> float:
+    """Efficiency of the teeth with the wheel driving [-], tan(gamma - atan mu)/tan gamma.
+
+    Zero or less says that the wheel cannot drive the worm.
+    """
+    positive("tangent of the lead angle", tan_lead, "")
+    within("tooth friction", friction, 0, 0.5, "")
+    return tan(atan(tan_lead) - atan(friction)) / tan_lead
+
+
+def self_locking_margin(tan_lead: float, friction: float) -> float:
+    """mu/tan gamma [-]: above 1 the teeth hold the load at this friction, below 1 the wheel drives the worm.
+
+    Running friction is meant; shaking and the rise of the film can release teeth that lock at rest.
+    """
+    positive("tangent of the lead angle", tan_lead, "")
+    within("tooth friction", friction, 0, 0.5, "")
+    return friction / tan_lead
+
+
+def pitting_safety(
+    mean_pressure: float,
+    strength: float,
+    life: float,
+    sliding_speed: float,
+    centre_distance: float,
+    oil: OilKind,
+) -> float:
+    """Safety against pitting of the wheel S_H [-], sigma_HlimT Z_h Z_v Z_S Z_oil / sigma_Hm.
+
+    Z_h = (25000 h/Lh)^(1/6), at most 1.6; Z_v = sqrt(5/(4 + vg)); Z_S = sqrt(3000/(2900 + a)), a in mm;
+    Z_oil of PAG 1, PAO 0.94, mineral 0.89. Checked: 1 is each factor of the reference test (25000 h, 1
+    m/s, 100 mm, PAG).
+
+    Parameters
+    ----------
+    mean_pressure : float
+        sigma_Hm [Pa], `mean_pressure`.
+    strength : float
+        sigma_HlimT of the wheel's material [Pa], such as in `PITTING_STRENGTH`.
+    life : float
+        Wanted life [h].
+    sliding_speed : float
+        vg [m/s].
+    centre_distance : float
+        [m].
+    oil : str
+        "mineral", "PAO" or "PAG".
+    """
+    positive("mean contact stress", mean_pressure, "Pa")
+    within("pitting strength", strength, 5e7, 2e9, "Pa")
+    within("life", life, 1, 1e6, "h")
+    within("sliding speed", sliding_speed, 0, 25, "m/s")
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    one_of("oil", oil, OIL_KINDS)
+    lasting = min((25000 / life) ** (1 / 6), 1.6)
+    speed = sqrt(5 / (4 + sliding_speed))
+    size = sqrt(3000 / (2900 + centre_distance * 1e3))
+    return strength * lasting * speed * size * _OIL_LIFE[oil] / mean_pressure
+
+
+def wear_intensity(
+    oil: OilKind, film: float, structure_factor: float, pressure_factor: float = 1.0
+) -> float:
+    """Wear of a CuSn12Ni2 wheel per sliding path J_0T [-].
+
+    2.4e-11 K_W^-3.1 (mineral), 1.27e-10 K_W^-2.24 (PAG), at most 400e-9, K_W = h_min,m W_S W_H with the
+    film in um. Only its fall with the film and its cap could be checked. Range: mineral oil and PAG; PAO
+    has no constants here.
+
+    Parameters
+    ----------
+    oil : str
+        "mineral" or "PAG".
+    film : float
+        h_min,m [m].
+    structure_factor, pressure_factor : float
+        W_S of the oil's structure and W_H of the pressure [-], from the standard; 1 is mineral oil at
+        moderate pressure.
+    """
+    one_of("oil of the wear rating", oil, tuple(_WEAR))
+    within("mean minimum film", film, 1e-9, 1e-4, "m")
+    positive("W_S", structure_factor, "")
+    positive("W_H", pressure_factor, "")
+    factor, exponent, largest = _WEAR[oil]
+    return min(factor * (film * 1e6 * structure_factor * pressure_factor) ** exponent, largest)
+
+
+def wear_depth(
+    intensity: float,
+    sliding_parameter: float,
+    mean_pressure: float,
+    centre_distance: float,
+    reduced_modulus: float,
+    cycles: float,
+) -> float:
+    """Depth [m] worn off the wheel's flanks, J s* sigma_Hm a/E_red N_L.
+
+    Checked by dimension.
+
+    Parameters
+    ----------
+    intensity : float
+        J_W [-], `wear_intensity` times the factor of the wheel's material.
+    sliding_parameter : float
+        s* [-].
+    mean_pressure : float
+        sigma_Hm [Pa].
+    centre_distance : float
+        [m].
+    reduced_modulus : float
+        [Pa].
+    cycles : float
+        Turns of the wheel N_L in its life [-].
+    """
+    positive("wear intensity", intensity, "")
+    within("wear intensity", intensity, 0, 1e-4, "")
+    positive("s*", sliding_parameter, "")
+    within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
+    positive("load cycles", cycles, "")
+    path = sliding_parameter * mean_pressure * centre_distance / reduced_modulus * cycles
+    return intensity * path
+
+
+def bulk_temperature(
+    sump_temperature: float,
+    tooth_loss: float,
+    worm_speed: float,
+    cooled_area: float,
+    immersion_factor: float,
+) -> float:
+    """Bulk temperature of the wheel theta_M [K], sump temperature + P_Vz/(alpha_L A_R).
+
+    alpha_L = c_k (1940 + 15 n1) W/(m2 K), n1 in rpm. Checked by dimension and by its limit without loss.
+
+    Parameters
+    ----------
+    sump_temperature : float
+        [K].
+    tooth_loss : float
+        Power lost between the teeth P_Vz [W].
+    worm_speed : float
+        [rad/s].
+    cooled_area : float
+        A_R, face width times reference diameter of the wheel [m2].
+    immersion_factor : float
+        c_k [-], 1 where the wheel dips into the oil and less where it does not, from the standard.
+    """
+    within("sump temperature", sump_temperature, 230, 470, "K")
+    within("tooth loss", tooth_loss, 0, 1e7, "W")
+    within("worm speed", worm_speed * _RPM, 0.1, 1e5, "rpm")
+    within("cooled area", cooled_area, 1e-5, 1, "m2")
+    within("c_k", immersion_factor, 0.1, 2, "")
+    transfer = immersion_factor * (1940 + 15 * worm_speed * _RPM)
+    return sump_temperature + tooth_loss / (transfer * cooled_area)
+
+
+def temperature_safety(sump_temperature: float, limit: float) -> float:
+    """S_T [-], limiting over actual sump temperature, both in degC inside; arguments in kelvin.
+
+    The limit belongs to the oil and is its maker's to say; 90 degC is usual for mineral oils, 100 degC
+    for PAO and PAG.
+    """
+    within("sump temperature", sump_temperature, 273.16, 470, "K")
+    within("limit of the sump temperature", limit, 273.16, 470, "K")
+    return (limit - 273.15) / (sump_temperature - 273.15)
+
+
+@dataclass(frozen=True)
+class WormRating:
+    """A worm gear by the standards' methods.
+
+    Attributes
+    ----------
+    film_parameter, pressure_parameter, sliding_parameter : float
+        h*, p_m*, s* [-].
+    sliding_speed : float
+        vg [m/s].
+    film : float
+        h_min,m [m].
+    mean_pressure : float
+        sigma_Hm [Pa].
+    friction : float
+        mu_zm [-].
+    forward_efficiency, backward_efficiency : float
+        Of the teeth [-]; backward zero or less where the wheel cannot drive.
+    self_locking_margin : float
+        mu/tan gamma [-].
+    tooth_loss : float
+        Power lost between the teeth, worm driving [W].
+    bulk_temperature : float or None
+        Of the wheel [K]; None without a sump temperature.
+    pitting_safety : float or None
+        S_H [-]; None without a strength and a life.
+    wear_intensity, wear_depth : float or None
+        J [-] and depth [m] in the life; None without a life or W_S, and with PAO.
+    temperature_safety : float or None
+        S_T [-]; None without a limit.
+    source : str
+        The standards.
+    """
+
+    film_parameter: float
+    pressure_parameter: float
+    sliding_parameter: float
+    sliding_speed: float
+    film: float
+    mean_pressure: float
+    friction: float
+    forward_efficiency: float
+    backward_efficiency: float
+    self_locking_margin: float
+    tooth_loss: float
+    bulk_temperature: float | None
+    pitting_safety: float | None
+    wear_intensity: float | None
+    wear_depth: float | None
+    temperature_safety: float | None
+    source: str = SOURCE
+
+
+def rate_worm(
+    gear: WormGear,
+    *,
+    oil: OilKind,
+    viscosity: float,
+    worm_speed: float,
+    torque: float,
+    reduced_modulus: float,
+    roughness: float,
+    material_factor: float = 1.0,
+    pitting_strength: float | None = None,
+    life: float | None = None,
+    structure_factor: float | None = None,
+    pressure_factor: float = 1.0,
+    sump_temperature: float | None = None,
+    immersion_factor: float = 1.0,
+    temperature_limit: float | None = None,
+) -> WormRating:
+    """Rate a worm gear; what is not given is not rated.
+
+    Parameters
+    ----------
+    gear : WormGear
+        Geometry.
+    oil : str
+        "mineral", "PAO" or "PAG".
+    viscosity : float
+        Dynamic viscosity at the wheel's bulk temperature [Pa s].
+    worm_speed : float
+        [rad/s].
+    torque : float
+        T2 on the wheel [N m].
+    reduced_modulus : float
+        E_red [Pa].
+    roughness : float
+        Ra of the worm's flanks [m].
+    material_factor : float
+        Y_W [-].
+    pitting_strength, life : float, optional
+        sigma_HlimT [Pa] and wanted life [h].
+    structure_factor, pressure_factor : float
+        W_S and W_H of `wear_intensity` [-]; W_S of mineral oil is 1, of PAG it must be given for wear to
+        be rated.
+    sump_temperature, temperature_limit : float, optional
+        Temperature of the oil and the highest allowed [K].
+    immersion_factor : float
+        c_k of `bulk_temperature` [-].
+
+    Raises
+    ------
+    ValueError
+        What lies outside the methods, in one sentence.
+    """
+    a = gear.centre_distance
+    film = minimum_film(
+        gear.film_parameter,
+        PRESSURE_VISCOSITY[_known(oil)],
+        viscosity,
+        worm_speed,
+        a,
+        reduced_modulus,
+        torque,
+    )
+    pressure = mean_pressure(gear.pressure_parameter, torque, reduced_modulus, a)
+    sliding = gear.sliding_speed(worm_speed)
+    friction = tooth_friction(oil, sliding, a, gear.film_parameter, roughness, material_factor)
+    forward = forward_efficiency(gear.tan_lead, friction)
+    output = torque * worm_speed / gear.ratio
+    loss = output * (1 / forward - 1)
+    safety = intensity = depth = bulk = None
+    if pitting_strength is not None and life is not None:
+        safety = pitting_safety(pressure, pitting_strength, life, sliding, a, oil)
+    if oil == "mineral" and structure_factor is None:
+        structure_factor = 1.0
+    if life is not None and structure_factor is not None and oil in _WEAR:
+        intensity = wear_intensity(oil, film, structure_factor, pressure_factor)
+        cycles = worm_speed / gear.ratio / (2 * pi) * life * 3600
+        depth = wear_depth(intensity, gear.sliding_parameter, pressure, a, reduced_modulus, cycles)
+    if sump_temperature is not None:
+        area = gear.face_width * gear.teeth * gear.module
+        bulk = bulk_temperature(sump_temperature, loss, worm_speed, area, immersion_factor)
+    return WormRating(
+        film_parameter=gear.film_parameter,
+        pressure_parameter=gear.pressure_parameter,
+        sliding_parameter=gear.sliding_parameter,
+        sliding_speed=sliding,
+        film=film,
+        mean_pressure=pressure,
+        friction=friction,
+        forward_efficiency=forward,
+        backward_efficiency=backward_efficiency(gear.tan_lead, friction),
+        self_locking_margin=self_locking_margin(gear.tan_lead, friction),
+        tooth_loss=loss,
+        bulk_temperature=bulk,
+        pitting_safety=safety,
+        wear_intensity=intensity,
+        wear_depth=depth,
+        temperature_safety=(
+            None
+            if sump_temperature is None or temperature_limit is None
+            else temperature_safety(sump_temperature, temperature_limit)
+        ),
+    )
+
+
+def _known(oil: OilKind) -> OilKind:
+    one_of("oil", oil, OIL_KINDS)
+    return oil
