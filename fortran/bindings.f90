@@ -10,10 +10,10 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
     point_film_convolve, point_film_work, point_film_thickness, point_film_entrain, point_film_shear, &
-    point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, &
+    point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, point_film_unsolved, &
     point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
-    line_film_convolve, line_film_shear, line_film_heat, line_film_warm, line_film_rise, &
+    line_film_convolve, line_film_shear, line_film_heat, line_film_rise, line_film_unsolved, &
     line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
   public :: prolong_cubic, level_positions
 
@@ -159,18 +159,20 @@ contains
     call contact%work%whole%finish()
   end subroutine point_film_evaluate
 
-  !> One Newton step from the state last evaluated; p and h0 are replaced.
+  !> One Newton step from the state last evaluated, and where heat is simulated one sweep of it; p and h0 are replaced.
+  !>
+  !> `change` is the change of temperature [K] that heat is judged by, and `largest_rise` the film's [K].
   subroutine point_film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
-      load_error, krylov, step, stat)
+      load_error, krylov, step, change, largest_rise, stat)
     use point_film, only: film_step
     use contact_handle, only: contact_of
-    use film_temperature, only: heated_contact
+    use film_temperature, only: heated_contact, heated_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
     real(c_double), intent(inout) :: p(nx, ny)
     real(c_double), intent(in) :: h0, last_residual, last_load_error
-    real(c_double), intent(out) :: new_h0, residual, load_error, step
+    real(c_double), intent(out) :: new_h0, residual, load_error, step, change, largest_rise
     integer(c_int), intent(out) :: krylov, stat
     type(heated_contact), pointer :: contact
     !f2py threadsafe
@@ -179,8 +181,15 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
+    change = 0
+    largest_rise = 0
     call contact%work%whole%start()
-    call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    if (allocated(contact%heat)) then
+      call heated_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, change, stat)
+      largest_rise = maxval(contact%shear%nodes%rise)
+    else
+      call film_step(contact%point_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    end if
     call contact%work%whole%finish()
   end subroutine point_film_step
 
@@ -266,6 +275,20 @@ contains
     call heat_sweep(contact, change, stat)
   end subroutine point_film_warm
 
+  !> Faces and columns whose shear stress was not found when they were last met.
+  subroutine point_film_unsolved(handle, count)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: count
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    count = 0
+    if (allocated(contact%shear)) count = sum(contact%shear%strips%unsolved)
+    if (allocated(contact%heat)) count = count + sum(contact%heat%threads%shear%unsolved)
+  end subroutine point_film_unsolved
+
   !> Temperature of a contact above its inlet's [K], at the levels from body 1 to body 2.
   subroutine point_film_rise(handle, nx, ny, levels, rise)
     use contact_handle, only: contact_of
@@ -324,6 +347,7 @@ contains
   subroutine point_film_heat_fields(handle, nx, ny, stress_x, stress_y, friction, rate, flux, carried)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
+    use march_layout, only: from_march
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), &
@@ -331,12 +355,14 @@ contains
     type(heated_contact), pointer :: contact
 
     contact => contact_of(handle)
-    stress_x = contact%heat%stress_x
-    stress_y = contact%heat%stress_y
-    friction = contact%heat%friction
-    rate = contact%heat%rate
-    flux = contact%heat%walls%flux
-    carried = contact%heat%carried
+    associate (heat => contact%heat)
+      call from_march(heat%way, heat%stress_x, stress_x)
+      call from_march(heat%way, heat%stress_y, stress_y)
+      call from_march(heat%way, heat%friction, friction)
+      call from_march(heat%way, heat%rate, rate)
+      call from_march(heat%way, heat%carried, carried)
+      flux = heat%walls%flux
+    end associate
   end subroutine point_film_heat_fields
 
   !> Velocity [m/s] across the film at node (i, j), counted from 1, body 1 moving with (u1, v1).
@@ -369,21 +395,25 @@ contains
   end subroutine point_film_thickness
 
   !> How often each part of the work on a contact was done and the processor time [s] that it took:
-  !> convolutions, fields and flows, building the preconditioner, its cycles, and all of it with whole steps
-  !> and evaluations.
+  !> convolutions, fields and flows, building the preconditioner, its cycles, heat, and all of it with whole
+  !> steps and evaluations.
   subroutine point_film_work(handle, counts, seconds)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
+    use tally, only: work_tally
     integer(c_int64_t), intent(in) :: handle
-    integer(c_int), intent(out) :: counts(5)
-    real(c_double), intent(out) :: seconds(5)
+    integer(c_int), intent(out) :: counts(6)
+    real(c_double), intent(out) :: seconds(6)
     type(heated_contact), pointer :: contact
+    type(work_tally) :: heat
 
     contact => contact_of(handle)
+    if (allocated(contact%heat)) heat = contact%heat%work
     associate (work => contact%work)
-      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, work%whole%count]
+      counts = [work%convolution%count, work%flow%count, work%building%count, work%cycle%count, heat%count, &
+        work%whole%count]
       seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
-        work%whole%seconds]
+        heat%seconds, work%whole%seconds]
     end associate
   end subroutine point_film_work
 
@@ -448,18 +478,19 @@ contains
     call line_residual(contact%line_contact, p, h0, residual, load_error)
   end subroutine line_film_evaluate
 
-  !> One Newton step of a line contact from the state last evaluated; p and h0 are replaced.
+  !> One Newton step of a line contact from the state last evaluated, and where heat is simulated one sweep of it; p and
+  !> h0 are replaced; `change` and `largest_rise` as in `point_film_step`.
   subroutine line_film_step(handle, forcing, p, n, h0, last_residual, last_load_error, new_h0, residual, &
-      load_error, krylov, step, stat)
+      load_error, krylov, step, change, largest_rise, stat)
     use line_film, only: line_step
     use line_handle, only: contact_of
-    use line_temperature, only: heated_line
+    use line_temperature, only: heated_line, heated_line_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: forcing
     real(c_double), intent(inout) :: p(n)
     real(c_double), intent(in) :: h0, last_residual, last_load_error
-    real(c_double), intent(out) :: new_h0, residual, load_error, step
+    real(c_double), intent(out) :: new_h0, residual, load_error, step, change, largest_rise
     integer(c_int), intent(out) :: krylov, stat
     type(heated_line), pointer :: contact
     !f2py threadsafe
@@ -468,7 +499,14 @@ contains
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    call line_step(contact%line_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    change = 0
+    largest_rise = 0
+    if (allocated(contact%heat)) then
+      call heated_line_step(contact, forcing, p, new_h0, residual, load_error, krylov, step, change, stat)
+      largest_rise = maxval(contact%shear%nodes%rise)
+    else
+      call line_step(contact%line_contact, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+    end if
   end subroutine line_film_step
 
   !> Film [m], relative density and net outflow per length [m/s] of a line contact as last evaluated.
@@ -568,19 +606,19 @@ contains
 
   end subroutine line_film_heat
 
-  !> One sweep of heat through a line contact (`line_temperature`); `change` is the largest of its temperature [K].
-  subroutine line_film_warm(handle, change, stat)
+  !> Faces and columns of a line contact whose shear stress was not found when they were last met.
+  subroutine line_film_unsolved(handle, count)
     use line_handle, only: contact_of
-    use line_temperature, only: heated_line, line_heat_sweep
+    use line_temperature, only: heated_line
     integer(c_int64_t), intent(in) :: handle
-    real(c_double), intent(out) :: change
-    integer(c_int), intent(out) :: stat
+    integer(c_int), intent(out) :: count
     type(heated_line), pointer :: contact
-    !f2py threadsafe
 
     contact => contact_of(handle)
-    call line_heat_sweep(contact, change, stat)
-  end subroutine line_film_warm
+    count = 0
+    if (allocated(contact%shear)) count = sum(contact%shear%strips%unsolved)
+    if (allocated(contact%heat)) count = count + sum(contact%heat%shear%unsolved)
+  end subroutine line_film_unsolved
 
   !> Temperature of a line contact above its inlet's [K], at the levels from body 1 to body 2.
   subroutine line_film_rise(handle, n, levels, rise)

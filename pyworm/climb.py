@@ -44,23 +44,34 @@ class Start:
         Pressure [Pa], shape (nx, ny).
     rigid_film : float
         Rigid film [m].
+    rise : numpy.ndarray or None
+        Temperature above the inlet's at the levels of a heated film [K], shape (nx, ny, levels).
     """
 
     pressure: np.ndarray
     rigid_film: float
+    rise: np.ndarray | None = None
 
     def finer(self, window=np.s_[:, :]) -> "Start":
         """The same on nodes of half the spacing within a window."""
-        return Start(np.maximum(kernels.prolong(self.pressure[window]), 0.0), self.rigid_film)
+        return Start(
+            np.maximum(kernels.prolong(self.pressure[window]), 0.0),
+            self.rigid_film,
+            None if self.rise is None else kernels.prolong_levels(self.rise[window]),
+        )
 
     def beyond(self, coarser: "Start") -> "Start":
         """What half the spacing leads to at second order, where twice the spacing led to `coarser`."""
         pressure = (
             self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
         )
+        rise = self.rise
+        if rise is not None and coarser.rise is not None:
+            rise = rise + (rise - coarser.rise) / 4
         return Start(
             np.maximum(pressure, 0.0),
             self.rigid_film + (self.rigid_film - coarser.rigid_film) / 4,
+            rise,
         )
 
 
@@ -184,12 +195,19 @@ def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
     return rung
 
 
-def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
-    """A grid of half the spacing within the present one, entered from the present film."""
+def entry(rung: Rung, grid: Grid) -> Start:
+    """Where a grid of half the spacing within the present one is entered."""
+    here = _end(rung)
+    if rung.coarser is not None and _same_window(rung, grid):
+        return here.beyond(rung.coarser.finer()).finer()
+    return here.finer(rung.grid.window_of(grid))
+
+
+def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) -> Rung:
+    """A grid of half the spacing within the present one, with the film of `start` but no heat as yet."""
     window = rung.grid.window_of(grid)
-    pressure = rung.film.pressure
     far, load = rung.far, rung.load
-    outside = pressure.copy(order="F")
+    outside = rung.film.pressure.copy(order="F")
     outside[window] = 0.0
     if outside.any():
         far = far + kernels.elastic_deflection(
@@ -198,27 +216,36 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid) -> Rung:
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
         far = kernels.prolong(far[window])
-    here = Start(pressure, rung.film.rigid_film)
-    same = grid.shape == rung.grid.finer().shape
-    if rung.coarser is not None and same:
-        start = here.beyond(rung.coarser.finer()).finer()
-    else:
-        start = here.finer(window)
-    finer = _rung(scene, size, grid, far, load, here if same else None)
+    coarser = _end(rung) if _same_window(rung, grid) else None
+    finer = _rung(scene, size, grid, far, load, coarser)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
 
 
-def with_shear(scene: Scene, model: Model, rung: Rung) -> None:
-    """Lets the film of a rung flow by the oil's law, from its present pressure."""
+def _end(rung: Rung) -> Start:
+    """The present state of a rung."""
+    film = rung.film
+    return Start(film.pressure, film.rigid_film, film.rise() if film.heated else None)
+
+
+def _same_window(rung: Rung, grid: Grid) -> bool:
+    """Whether a grid of half the spacing covers all of a rung's window."""
+    return grid.shape == rung.grid.finer().shape
+
+
+def with_shear(scene: Scene, model: Model, rung: Rung, firmness: float = 1.0) -> None:
+    """Lets the film of a rung flow by the oil's law; it is to be restarted before it steps.
+
+    The law's stresses are taken as `firmness` times as large.
+    """
     body_1, body_2 = (motion(*rung.grid.mesh()) for motion in scene.motions)
     sliding = tuple(one - other for one, other in zip(body_1, body_2, strict=True))
-    rung.film.shear(scene.oil.flow or NEWTONIAN, model.levels, sliding)
-    rung.film.start(rung.film.pressure, rung.film.rigid_film)
+    law = (scene.oil.flow or NEWTONIAN).firmer(firmness)
+    rung.film.shear(law, model.levels, sliding)
 
 
 def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = None) -> None:
-    """Lets the sheared film of a rung, and the bodies, warm from its present pressure.
+    """Lets the sheared film of a rung, and the bodies, warm; it is to be restarted before it steps.
 
     `rise` is the temperature above the inlet's to begin with [K], on the rung's grid.
     """
@@ -229,7 +256,6 @@ def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = 
         (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
         rise,
     )
-    rung.film.start(rung.film.pressure, rung.film.rigid_film)
 
 
 def _rung(

@@ -302,6 +302,10 @@ class _Film:
         self.balance = Balance(residual, load_error, self._warming)
         return self.balance
 
+    def restart(self) -> Balance:
+        """Starts from the present pressure and rigid film, in which something else has changed."""
+        return self.start(self.pressure, self.rigid_film)
+
     def step(self, forcing: float) -> Step:
         """One Newton step, and where heat is simulated one sweep of it at the new pressure.
 
@@ -310,9 +314,12 @@ class _Film:
         Raises
         ------
         KernelError
-            If the step cannot be made; the state is as it was.
+            If the step cannot be made; pressure and film are as they were. If the temperature left all sense
+            the film counts as far from its equations.
         """
-        rigid_film, residual, load_error, krylov, share, status = self._binding("step")(
+        rigid_film, residual, load_error, krylov, share, change, rise, status = self._binding(
+            "step"
+        )(
             self._handle,
             forcing,
             self.pressure,
@@ -320,28 +327,12 @@ class _Film:
             self.balance.residual,
             self.balance.load_error,
         )
-        _check(status)
         self.rigid_film = rigid_film
-        self.balance = Balance(residual, load_error, self._warming)
         if self.heated:
-            change = self.warm()
-            self._warming = change / max(LEAST_RISE, float(self.rise().max()))
-            self.start(self.pressure, self.rigid_film)
-        return Step(self.balance, krylov, share)
-
-    def warm(self) -> float:
-        """One sweep of heat at the present pressure; the change of temperature [K] that it is judged by.
-
-        Raises
-        ------
-        KernelError
-            If the temperature left all sense; the film counts as far from its equations then.
-        """
-        change, status = self._binding("warm")(self._handle)
-        if status:
-            self.balance = Balance(np.inf, np.inf, np.inf)
+            self._warming = change / max(LEAST_RISE, rise)
+        self.balance = Balance(residual, load_error, self._warming)
         _check(status)
-        return change
+        return Step(self.balance, krylov, share)
 
     def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
@@ -350,6 +341,10 @@ class _Film:
     def work(self) -> dict[str, float]:
         """What was done since this was last asked, by name of a history's variable (`pyworm.variables`)."""
         return {}
+
+    def unsolved(self) -> int:
+        """Faces and columns whose shear stress was not found when they were last met."""
+        return int(self._binding("unsolved")(self._handle))
 
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
@@ -453,15 +448,21 @@ class PointFilm(_Film):
         """Convolutions and multigrid cycles, and processor time by part [s], since this was last asked."""
         before, self._told = self._told, self._tallies()
         done = self._told - before
-        convolution, flow, building, cycle, whole = done[5:]
+        convolution, flow, building, cycle, heat, whole = done[6:]
         return {
             "convolutions": int(done[0]),
             "cycles": int(done[3]),
             "convolution_seconds": convolution,
             "flow_seconds": flow,
             "cycle_seconds": building + cycle,
-            "vector_seconds": whole - convolution - flow - building - cycle,
+            "heat_seconds": heat,
+            "vector_seconds": whole - convolution - flow - building - cycle - heat,
         }
+
+    def warm(self) -> None:
+        """One sweep of heat at the present pressure; the film is to be started before it steps."""
+        _, status = self._binding("warm")(self._handle)
+        _check(status)
 
     def entrain(self, entrainment) -> None:
         """Changes the nodal entrainment velocity (u, v) [m/s]; the film is to be started before it steps."""

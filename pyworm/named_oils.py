@@ -18,6 +18,7 @@ from pyworm import units
 from pyworm.case_error import CaseError, sentence
 from pyworm.formulas import oil_laws
 from pyworm.formulas.gear_oil import ISO_GRADES
+from pyworm.formulas.ranges import Values
 from pyworm.oils import Density, FlowLaw, Oil, OilHeat, Roelands
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
@@ -119,26 +120,26 @@ class NamedOil:
             self.kinematic_viscosity(DEGREES_40), self.kinematic_viscosity(DEGREES_100)
         )
 
-    def kinematic_viscosity(self, temperature):
+    def kinematic_viscosity(self, temperature: Values) -> Values:
         """Kinematic viscosity [m2/s] at a temperature [K]."""
         return oil_laws.walther_viscosity(self.walther_m, self.walther_n, temperature)
 
-    def density(self, temperature):
+    def density(self, temperature: Values) -> Values:
         """Density [kg/m3] at a temperature [K] and ambient pressure."""
         return oil_laws.density(self.stock.density_15, self.stock.density_coefficient, temperature)
 
-    def viscosity(self, temperature):
+    def viscosity(self, temperature: Values) -> Values:
         """Dynamic viscosity [Pa s] at a temperature [K] and ambient pressure."""
         return oil_laws.dynamic_viscosity(
             self.kinematic_viscosity(temperature), self.density(temperature)
         )
 
-    def alpha(self, temperature):
+    def alpha(self, temperature: Values) -> Values:
         """Pressure-viscosity coefficient [1/Pa] at a temperature [K], by Gold's law."""
         nu = self.kinematic_viscosity(temperature)
         return oil_laws.gold_alpha(nu, self.stock.gold_s, self.stock.gold_t)
 
-    def agma_alpha(self, temperature):
+    def agma_alpha(self, temperature: Values) -> Values:
         """The same by AGMA's law.
 
         Raises
@@ -154,18 +155,18 @@ class NamedOil:
             self.viscosity(temperature), self.stock.agma_k, self.stock.agma_s
         )
 
-    def expansivity(self, temperature):
+    def expansivity(self, temperature: Values) -> Values:
         """-d ln rho / dT [1/K] at a temperature [K]."""
         coefficient = self.stock.density_coefficient
         return coefficient * self.stock.density_15 / self.density(temperature)
 
-    def viscosity_slope(self, temperature):
+    def viscosity_slope(self, temperature: Values) -> Values:
         """-d ln eta / dT [1/K] of the dynamic viscosity at a temperature [K]."""
         nu = self.kinematic_viscosity(temperature)
         slope = oil_laws.walther_slope(self.walther_n, nu, temperature)
         return slope + self.expansivity(temperature)
 
-    def conductivity(self, temperature):
+    def conductivity(self, temperature: Values) -> Values:
         """Thermal conductivity [W/(m K)] at a temperature [K]."""
         if self.stock.conductivity is not None:
             return self.stock.conductivity

@@ -408,9 +408,9 @@ def _practice_steps(duty: Duty) -> list[Step]:
             Step(
                 "Speed",
                 f"At a pitch line velocity of {velocity:.3g} m/s ({feet:.0f} ft/min) the viscosity at "
-                f"40 degC should be 7000/sqrt({feet:.0f}) = {wanted / MILLIMETRE_SQUARED:.0f} mm2/s; nearest is "
-                f"VG {gear_oil.nearest_grade(wanted)}. The faster the teeth, the thinner the oil that still "
-                "makes a film.",
+                f"40 degC should be 7000/sqrt({feet:.0f}) = {wanted / MILLIMETRE_SQUARED:.0f} mm2/s; "
+                f"nearest is VG {gear_oil.nearest_grade(wanted)}. The faster the teeth, "
+                "the thinner the oil that still makes a film.",
                 "Errichello, pitch line rule",
             )
         )
@@ -429,8 +429,8 @@ def _film_step(duty: Duty) -> Step:
     return Step(
         "Film that is wanted",
         f"lambda = {duty.specific_film:g} over a composite roughness of {duty.roughness * 1e6:.3g} um asks "
-        f"for a minimum film of {wanted * 1e6:.3g} um. Below 1 the teeth rest on their roughness, from 3 on the "
-        "film keeps them apart.",
+        f"for a minimum film of {wanted * 1e6:.3g} um. Below 1 the teeth rest on their roughness, from "
+        "3 on the film keeps them apart.",
         duty.film.source,
     )
 
@@ -460,15 +460,16 @@ def _backwards_step(duty: Duty, needed: float | None) -> Step:
 def _balance_step(duty: Duty, rows: tuple[GradeRow, ...], chosen: GradeRow) -> Step:
     sump, ambient = duty.sump_temperature - ZERO_CELSIUS, duty.ambient_temperature - ZERO_CELSIUS
     thin, thick = rows[0], rows[-1]
+    cold, hot = thick.grade / thin.grade, thick.viscosity / thin.viscosity
     gain = thick.specific_film / thin.specific_film
-    cold = thick.grade / thin.grade
+    warmer = thick.sump_temperature - thin.sump_temperature
     return Step(
         "Churning and temperature, grade by grade",
         f"The sump is {sump:.0f} degC with VG {duty.sump_grade} at {ambient:.0f} degC outside; "
-        f"{100 * duty.churning_share:.0f} % of its heat is taken to be churning, which grows with the root of "
-        f"the viscosity. Thicker oil so heats itself: from VG {thin.grade} to VG {thick.grade} the viscosity at 40 "
-        f"degC grows {cold:.0f} times, on the teeth {thick.viscosity / thin.viscosity:.0f} times and the film "
-        f"{gain:.1f} times, while the sump warms by {thick.sump_temperature - thin.sump_temperature:.0f} K.",
+        f"{100 * duty.churning_share:.0f} % of its heat is taken to be churning, which grows with the root "
+        f"of the viscosity. Thicker oil so heats itself: from VG {thin.grade} to VG {thick.grade} the "
+        f"viscosity at 40 degC grows {cold:.0f} times, on the teeth {hot:.0f} times and the film "
+        f"{gain:.1f} times, while the sump warms by {warmer:.0f} K.",
         table=_table(rows, chosen),
     )
 

@@ -4,7 +4,7 @@ Two viscosity laws and one density law cover what the kernel simulates; the publ
 differ only in the constants that the constructors here fill in.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, log
 from typing import Literal
 
@@ -170,6 +170,15 @@ class FlowLaw:
     def limited(self) -> bool:
         """Whether there is a stress that it cannot exceed."""
         return self.law in ("bair-winer", "eyring-limited")
+
+    def firmer(self, times: float) -> "FlowLaw":
+        """The law with all its stresses so many times as large."""
+        return replace(
+            self,
+            stress=times * self.stress,
+            limit=times * self.limit,
+            limit_pressure=times * self.limit_pressure,
+        )
 
 
 NEWTONIAN = FlowLaw("newtonian")

@@ -8,7 +8,7 @@ import xarray as xr
 
 from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
-from pyworm.climb import Rung, dry_contact, first_rung, next_rung, with_heat, with_shear
+from pyworm.climb import Rung, dry_contact, entry, first_rung, next_rung, with_heat, with_shear
 from pyworm.effects import Plan
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
@@ -19,8 +19,11 @@ from pyworm.scene import Scene
 from pyworm.solution import DryFigures
 from pyworm.variables import describe
 
-SHEAR_TOLERANCE = 1e-2
+SHEAR_TOLERANCE = 1e-3
 """Residual of the sheared film from which it is heated."""
+
+FIRMNESS = (16.0, 8.0, 4.0, 2.8, 2.0, 1.4, 1.2, 1.0)
+"""How many times as large the flow law's stresses are taken, in turn, where no step leads to it at once."""
 
 LENT_TOLERANCE = 1e-2
 """Residual at which some more of lent entrainment is taken back."""
@@ -66,16 +69,34 @@ class PointLadder:
         rung = first_rung(self._lent, self._scene, self._size, grids[0])
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
-            rung = next_rung(self._scene, self._size, rung, grid)
+            rung = next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
-            with_shear(self._scene, self._model, rung)
+            # that film's pressure could make heat without bound by a law that limits the stress
+            strides += self._sheared(rung)
         if self._model.heated:
-            # the Newtonian film's pressure could make heat without bound by a law that limits the stress
-            strides += lead(rung, SHEAR_TOLERANCE)
             with_heat(self._scene, self._size, rung)
+            rung.film.restart()
             strides += self._taken_back(rung)
         return rung, strides
+
+    def _sheared(self, rung: Rung) -> list[Stride]:
+        """Steps of a film from a Newtonian oil to its own.
+
+        Where stresses of the Newtonian film are so far beyond those of the law that steps do not lead there,
+        the law is made firm and softened bit by bit.
+        """
+        pressure, rigid_film = rung.film.pressure, rung.film.rigid_film
+        strides: list[Stride] = []
+        for firmness in ((1.0,), FIRMNESS):
+            rung.film.start(pressure, rigid_film)
+            for times in firmness:
+                with_shear(self._scene, self._model, rung, times)
+                rung.film.restart()
+                strides += lead(rung, SHEAR_TOLERANCE)
+            if rung.film.balance.worst <= SHEAR_TOLERANCE:
+                break
+        return strides
 
     def _taken_back(self, rung: Rung) -> list[Stride]:
         """Steps of a film from the entrainment that was lent to it to its own."""
@@ -85,18 +106,22 @@ class PointLadder:
         for share in TAKEN_BACK:
             strides += lead(rung, LENT_TOLERANCE)
             rung.film.entrain(lent(self._scene, share).entrainment(*rung.grid.mesh()))
-            rung.film.start(rung.film.pressure, rung.film.rigid_film)
+            rung.film.restart()
         return strides
 
     def higher(self, rung: Rung) -> Rung:
         """Half the spacing over the same window."""
-        finer = next_rung(self._lent, self._size, rung, rung.grid.finer())
+        grid = rung.grid.finer()
+        start = entry(rung, grid)
+        finer = next_rung(self._lent, self._size, rung, grid, start)
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
         if self._model.levels:
             with_shear(self._scene, self._model, finer)
         if self._model.heated:
-            with_heat(self._scene, self._size, finer, kernels.prolong_levels(rung.film.rise()))
+            with_heat(self._scene, self._size, finer, start.rise)
+        if self._model.levels:
+            finer.film.restart()
         return finer
 
     def outcome(self, rung: Rung) -> Outcome:

@@ -190,6 +190,8 @@ def _stop_reason(
         return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
     last = rung.grid.finer().nodes > plan.largest_grid
     if not settled and (last or unsettled >= MOST_UNSETTLED):
+        if rung.film.unsolved():
+            return f"the shear stress was not found in {rung.film.unsolved()} places of the film"
         return (
             f"the residual stayed at {rung.film.balance.worst:.1e}, {plan.tolerance:.1e} is wanted"
         )

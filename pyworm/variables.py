@@ -54,6 +54,7 @@ VARIABLES = {
     "convolution_seconds": ("s", "processor time of the convolutions"),
     "flow_seconds": ("s", "processor time of fields, flows and their changes"),
     "cycle_seconds": ("s", "processor time of the preconditioner, its building included"),
+    "heat_seconds": ("s", "processor time of the columns of heat and of the walls"),
     "vector_seconds": ("s", "processor time of the linear solver's vectors and all else in a step"),
     "phase": ("1", "place in the mesh cycle"),
     "axis": ("1", "axis of the drive"),

@@ -31,38 +31,45 @@ contains
     real(wp), contiguous, intent(in) :: p(:), mean(:), u1(:), v1(:), softening(:, :)
     type(film_strip), intent(inout) :: columns
     real(wp), contiguous, intent(out) :: capacity(:), u(:, :), v(:, :), compression(:, :)
-    real(wp) :: own(size(u, 1), size(u, 2)), warmth(size(p))
     integer :: m, n, k, c
 
     m = shear%points
     n = nodes%levels%count
     columns%columns = m
     call film_velocity(nodes%law, nodes%levels, shear, u1, v1, u, v)
-    call film_heat(nodes%levels, shear, columns%source, own, columns%loading(:, :, 1), columns%loading(:, :, 2), &
+    call film_heat(nodes%levels, shear, columns%source, columns%growth, columns%loading(:, :, 1), columns%loading(:, :, 2), &
       columns%relief(:, :, 1), columns%relief(:, :, 2))
     columns%thickness(:m) = shear%film(:m)
     columns%conductivity(:m) = conductivity(law, p(:m))
     capacity(:m) = heat_capacity(law, p(:m), mean(:m))
-    warmth(:m) = expansivity(oil, p(:m))
+    shear%step_x(:m) = expansivity(oil, p(:m))
     do k = 1, n
       do c = 1, m
-        columns%growth(c, k) = own(c, k)*softening(c, k)
-        columns%relief(c, k, :) = columns%relief(c, k, :)*softening(c, k)
-        compression(c, k) = warmth(c)*(oil%temperature + columns%known(c, k))*(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
+        columns%growth(c, k) = columns%growth(c, k)*softening(c, k)
+        columns%relief(c, k, 1) = columns%relief(c, k, 1)*softening(c, k)
+        columns%relief(c, k, 2) = columns%relief(c, k, 2)*softening(c, k)
+        compression(c, k) = shear%step_x(c)*(oil%temperature + columns%known(c, k))*(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
       end do
     end do
     columns%wall(:m, 1) = columns%known(:m, 1)
     columns%wall(:m, 2) = columns%known(:m, n)
   end subroutine set_heat
 
-  !> Heat [W/m2] that oil carries away from a solved column, less what it brought and compression gave, `inflow` [W/m3].
-  pure real(wp) function carried_away(columns, column, inflow)
+  !> Heat `carried` [W/m2] that oil carries away from solved columns, less what it brought and compression gave, `inflow`
+  !> [W/m3].
+  pure subroutine carried_away(columns, inflow, carried)
     type(film_strip), intent(in) :: columns
-    integer, intent(in) :: column
-    real(wp), intent(in) :: inflow(:)
+    real(wp), contiguous, intent(in) :: inflow(:, :)
+    real(wp), contiguous, intent(out) :: carried(:)
+    integer :: c, k
 
-    carried_away = columns%thickness(column)*sum(columns%levels%weight &
-      *(columns%absorption(column, :)*columns%temperature(column, :) - inflow))
-  end function carried_away
+    carried = 0
+    do k = 1, columns%levels%count
+      do c = 1, columns%columns
+        carried(c) = carried(c) + columns%thickness(c)*columns%levels%weight(k) &
+          *(columns%absorption(c, k)*columns%temperature(c, k) - inflow(c, k))
+      end do
+    end do
+  end subroutine carried_away
 
 end module column_heat

@@ -12,43 +12,61 @@ module film_temperature
   use film_column, only: film_strip, new_film_strip, solve_columns
   use heated_surface, only: heated_body
   use kinds, only: wp
+  use march_layout, only: march, new_march, to_march, from_march
+  use nodal_shear, only: shear_columns
   use oil_heat, only: oil_heat_law
-  use nodal_shear, only: line_cut, take, put, shear_cut
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use point_film, only: point_contact
+  use point_film, only: point_contact, film_direction, move_film, film_balance, bearable, search_step
   use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
   use status, only: status_ok, status_not_finite, status_no_memory
+  use tally, only: work_tally
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
   private
 
-  public :: heated_contact, heat_contact, heat_sweep, set_temperature
+  public :: heated_contact, heat_contact, heated_step, heat_sweep, set_temperature
 
-  !> Columns treated together.
-  integer, parameter :: most_columns = 64
+  !> Columns treated together, whatever the number of threads.
+  integer, parameter :: most_columns = 32
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
   real(wp), parameter :: judged_pressure = 0.02_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
 
-  !> Temperatures are those above the inlet's.
+  !> What a thread works on: columns and their shear, and of their levels the derivative of the fluidity by temperature
+  !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat that compression and
+  !> oil bring [W/m3].
+  type :: column_work
+    type(film_strip) :: columns
+    type(shear_strip) :: shear
+    real(wp), dimension(:, :), allocatable :: softening, u, v, rate, compression, inflow
+  end type column_work
+
+  !> Temperatures are those above the inlet's. Fields are as the march meets them, (length, lines).
   type :: film_heat
     type(oil_heat_law) :: law
-    !> Velocities of body 1's surface at the nodes [m/s].
-    real(wp), allocatable :: u1(:, :), v1(:, :)
+    type(march) :: way
+    !> Velocity of body 1's surface and of body 2 relative to it [m/s].
+    real(wp), allocatable :: u1(:, :), v1(:, :), us(:, :), vs(:, :)
+    !> Pressure [Pa] and film [m].
+    real(wp), allocatable :: p(:, :), h(:, :)
     type(wall_pair) :: walls
     !> Stress at the middle of the film [Pa], from which the next sweep starts.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
     !> Heat of shearing, and what oil carries away less what compression gives it [W/m2]; the largest shear rate across
     !> the film [1/s].
     real(wp), allocatable :: friction(:, :), carried(:, :), rate(:, :)
-    !> Temperature of the line in work and of two on either side, as they stand, line k at mod(k, 5); what the line in
-    !> work becomes, which its own columns are not to see before all are done. (columns, levels).
-    real(wp), allocatable :: lines(:, :, :), renewed(:, :)
+    !> Temperature, (0:length + 1, lines, levels), with room for what would lie beside the ends of a line; that of the
+    !> line in work, and of the next, before the sweep, line k at mod(k, 2).
+    real(wp), allocatable :: rise(:, :, :), old(:, :, :)
+    !> Flux into the walls and its derivatives (`wall_balance`), (length, lines, wall) and (length, lines, wall, wall).
+    real(wp), allocatable :: flux(:, :, :), admittance(:, :, :, :)
+    !> Temperature at the nodes of the grid before a step.
+    real(wp), allocatable :: before(:, :, :)
     !> Scratch of each thread.
-    type(film_strip), allocatable :: columns(:)
-    type(shear_strip), allocatable :: shear(:)
+    type(column_work), allocatable :: threads(:)
+    type(work_tally) :: work
   end type film_heat
 
   !> A point contact and its temperature, which is there where heat is simulated.
@@ -68,31 +86,83 @@ contains
     real(wp), intent(in) :: u1(:, :), v1(:, :), bulk(2)
     class(heated_body), allocatable, intent(inout) :: body_1, body_2
     integer, intent(out) :: stat
+    real(wp) :: change
     integer :: nx, ny, levels, thread, err
 
     nx = self%grid%nx
     ny = self%grid%ny
     levels = self%shear%nodes%levels%count
     allocate (self%heat)
-    associate (heat => self%heat)
+    associate (heat => self%heat, grid => self%grid, nodes => self%shear%nodes)
       heat%law = law
+      heat%way = new_march(nx, ny, grid%dx, grid%dy, self%cycles%transposed, .not. self%cycles%rising)
       call new_wall_pair(heat%walls, body_1, bulk(1), body_2, bulk(2), most_wall_iterations, stat)
       if (stat /= status_ok) return
-      allocate (heat%u1(nx, ny), heat%v1(nx, ny), heat%stress_x(nx, ny), heat%stress_y(nx, ny), heat%friction(nx, ny), &
-        heat%carried(nx, ny), heat%rate(nx, ny), heat%lines(merge(ny, nx, self%cycles%transposed), levels, 0:4), &
-        heat%renewed(merge(ny, nx, self%cycles%transposed), levels), source=0.0_wp, stat=err)
-      if (err == 0) allocate (heat%columns(0:omp_get_max_threads() - 1), heat%shear(0:omp_get_max_threads() - 1), stat=err)
+      associate (n => heat%way%length, lines => heat%way%lines)
+        allocate (heat%u1(n, lines), heat%v1(n, lines), heat%us(n, lines), heat%vs(n, lines), heat%p(n, lines), &
+          heat%h(n, lines), heat%stress_x(n, lines), heat%stress_y(n, lines), heat%friction(n, lines), &
+          heat%carried(n, lines), heat%rate(n, lines), heat%rise(0:n + 1, lines, levels), heat%old(0:n + 1, 0:1, levels), &
+          heat%flux(n, lines, 2), heat%admittance(n, lines, 2, 2), heat%before(nx, ny, levels), source=0.0_wp, stat=err)
+      end associate
+      if (err == 0) allocate (heat%threads(0:omp_get_max_threads() - 1), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
       if (stat /= status_ok) return
-      heat%u1(:, :) = u1
-      heat%v1(:, :) = v1
-      do thread = 0, ubound(heat%columns, 1)
-        if (stat == status_ok) call new_film_strip(heat%columns(thread), most_columns, self%shear%nodes%levels, stat)
-        if (stat == status_ok) call new_shear_strip(most_columns, levels, heat%shear(thread), stat)
+      call to_march(heat%way, u1, heat%u1)
+      call to_march(heat%way, v1, heat%v1)
+      call to_march(heat%way, nodes%sliding_x, heat%us)
+      call to_march(heat%way, nodes%sliding_y, heat%vs)
+      do thread = 0, ubound(heat%threads, 1)
+        associate (own => heat%threads(thread))
+          if (stat == status_ok) call new_film_strip(own%columns, most_columns, nodes%levels, stat)
+          if (stat == status_ok) call new_shear_strip(most_columns, levels, own%shear, stat)
+          allocate (own%softening(most_columns, levels), own%u(most_columns, levels), own%v(most_columns, levels), &
+            own%rate(most_columns, levels), own%compression(most_columns, levels), own%inflow(most_columns, levels), stat=err)
+          if (err /= 0) stat = status_no_memory
+        end associate
       end do
     end associate
-    call set_walls(self)
+    call set_walls(self, 0.0_wp, change)
   end subroutine heat_contact
+
+  !> One Newton step of the film from (p, h0), about which it was last evaluated, one sweep of heat at the new film, and
+  !> the film's balance there.
+  !>
+  !> For the arguments see `film_step`, for `change` `heat_sweep`. The whole of Newton's step is judged after the heat
+  !> that follows it, so that flows are evaluated once. Where that is too much, by the step or by the heat, the step
+  !> is sought at the temperature before. Heat is swept even if no step helps.
+  subroutine heated_step(self, forcing, p, h0, residual, load_error, krylov, step, change, stat)
+    type(heated_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0, residual, load_error
+    integer, intent(out) :: krylov, stat
+    real(wp), intent(out) :: step, change
+    real(wp) :: merit
+    integer :: heat_stat
+
+    step = 0
+    change = hottest
+    merit = residual + abs(load_error)
+    call film_direction(self%point_contact, forcing, p, h0, load_error, krylov, stat)
+    if (stat /= status_ok) return
+    self%heat%before(:, :, :) = self%shear%nodes%rise
+    step = 1
+    call move_film(self%point_contact, step, p, h0)
+    call heat_sweep(self, change, stat)
+    if (stat == status_ok) then
+      call film_balance(self%point_contact, residual, load_error)
+      if (bearable(merit, residual, load_error)) return
+    end if
+    call set_temperature(self, self%heat%before)
+    call search_step(self%point_contact, merit, p, h0, residual, load_error, step, stat)
+    call heat_sweep(self, change, heat_stat)
+    if (heat_stat == status_ok) then
+      call film_balance(self%point_contact, residual, load_error)
+    else
+      stat = heat_stat
+      change = hottest
+    end if
+  end subroutine heated_step
 
   !> One sweep over the columns, with the entrainment, then the balance of the walls.
   !>
@@ -102,27 +172,27 @@ contains
     type(heated_contact), intent(inout) :: self
     real(wp), intent(out) :: change
     integer, intent(out) :: stat
-    real(wp) :: missed, reduction
+    real(wp) :: least, missed, reduction, walls_change
     integer :: iterations
 
-    self%heat%shear%unsolved = 0
-    call heat_columns(self, self%heat, change)
+    call self%heat%work%start()
+    least = judged_pressure*maxval(self%fields%p)
+    self%heat%threads%shear%unsolved = 0
+    call heat_columns(self, self%heat, least, change)
     ! nor is heat of a stress that was not found to count as settled
-    if (sum(self%heat%shear%unsolved) > 0) change = hottest
+    if (sum(self%heat%threads%shear%unsolved) > 0) change = hottest
     call balance_walls(self%heat%walls, wall_tolerance, missed, iterations, reduction)
-    associate (rise => self%shear%nodes%rise)
-      change = max(change, &
-        maxval(abs(self%heat%walls%wall(:, :, 1) - rise(:, :, 1)), mask=self%fields%p > judged(self)), &
-        maxval(abs(self%heat%walls%wall(:, :, 2) - rise(:, :, size(rise, 3))), mask=self%fields%p > judged(self)))
-    end associate
-    call set_walls(self)
+    call set_walls(self, least, walls_change)
+    change = max(change, walls_change)
     call judge_temperature(self, stat)
+    call self%heat%work%finish()
   end subroutine heat_sweep
 
   !> Whether the film is between absolute zero and what no oil bears; if not it is cooled down.
   subroutine judge_temperature(self, stat)
     type(heated_contact), intent(inout) :: self
     integer, intent(out) :: stat
+    real(wp) :: change
     integer :: i
 
     stat = status_ok
@@ -138,7 +208,7 @@ contains
         walls%wall(:, :, i) = walls%body(i)%bulk
       end do
     end associate
-    call set_walls(self)
+    call set_walls(self, 0.0_wp, change)
   end subroutine judge_temperature
 
   !> Takes up a temperature above the inlet's [K], at the levels.
@@ -151,181 +221,235 @@ contains
     self%heat%walls%wall(:, :, 2) = rise(:, :, size(rise, 3))
   end subroutine set_temperature
 
-  !> Pressure [Pa] above which temperatures must settle.
-  pure real(wp) function judged(self)
-    type(heated_contact), intent(in) :: self
-
-    judged = judged_pressure*maxval(self%fields%p)
-  end function judged
-
   !> Gives the film the walls' temperature; what lies between follows as by conduction alone. On the outline it keeps
-  !> the inlet's.
-  subroutine set_walls(self)
+  !> the inlet's. `change` is the largest of a wall [K] at more than a pressure of `least` [Pa].
+  subroutine set_walls(self, least, change)
     type(heated_contact), intent(inout) :: self
-    real(wp) :: change_1, change_2
-    integer :: i, j, k
+    real(wp), intent(in) :: least
+    real(wp), intent(out) :: change
+    real(wp) :: change_1(self%grid%nx), change_2(self%grid%nx)
+    integer :: j, k, inner
 
+    change = 0
+    inner = self%grid%nx - 1
     associate (rise => self%shear%nodes%rise, levels => self%shear%nodes%levels, wall => self%heat%walls%wall)
-      !$omp parallel do private(i, k, change_1, change_2) schedule(static)
+      !$omp parallel do private(k, change_1, change_2) reduction(max:change) schedule(static)
       do j = 1, self%grid%ny
-        do i = 1, self%grid%nx
-          change_1 = wall(i, j, 1) - rise(i, j, 1)
-          change_2 = wall(i, j, 2) - rise(i, j, levels%count)
-          rise(i, j, 1) = wall(i, j, 1)
-          rise(i, j, levels%count) = wall(i, j, 2)
-          if (i == 1 .or. i == self%grid%nx .or. j == 1 .or. j == self%grid%ny) cycle
-          do k = 2, levels%count - 1
-            rise(i, j, k) = rise(i, j, k) + (0.5_wp - levels%z(k))*change_1 + (0.5_wp + levels%z(k))*change_2
-          end do
+        change_1 = wall(:, j, 1) - rise(:, j, 1)
+        change_2 = wall(:, j, 2) - rise(:, j, levels%count)
+        change = max(change, maxval(max(abs(change_1), abs(change_2)), mask=self%fields%p(:, j) > least))
+        rise(:, j, 1) = wall(:, j, 1)
+        rise(:, j, levels%count) = wall(:, j, 2)
+        if (j == 1 .or. j == self%grid%ny) cycle
+        do k = 2, levels%count - 1
+          rise(2:inner, j, k) = rise(2:inner, j, k) + (0.5_wp - levels%z(k))*change_1(2:inner) &
+            + (0.5_wp + levels%z(k))*change_2(2:inner)
         end do
       end do
     end associate
   end subroutine set_walls
 
   !> One sweep over the columns, with walls as they are.
-  subroutine heat_columns(contact, heat, change)
-    type(heated_contact), intent(inout) :: contact
+  !>
+  !> `change` is the largest of temperature [K] at more than a pressure of `least` [Pa].
+  subroutine heat_columns(self, heat, least, change)
+    type(heated_contact), intent(inout) :: self
     type(film_heat), intent(inout) :: heat
+    real(wp), intent(in) :: least
     real(wp), intent(out) :: change
-    type(line_cut) :: cut
-    integer :: step, first, thread, downstream
-    real(wp) :: least
+    integer :: line, first, thread, last
 
-    cut%transposed = contact%cycles%transposed
-    cut%lines = merge(contact%grid%nx, contact%grid%ny, cut%transposed)
-    cut%length = merge(contact%grid%ny, contact%grid%nx, cut%transposed)
-    least = judged(contact)
+    call enter_march(self, heat)
+    last = heat%way%length - 1
     change = 0
-    downstream = merge(1, -1, contact%cycles%rising)
-    do step = 1, 3
-      call read_line(contact, cut, merge(step, cut%lines + 1 - step, downstream > 0), heat%lines)
-    end do
-    do step = 2, cut%lines - 1
-      cut%line = merge(step, cut%lines + 1 - step, downstream > 0)
-      if (step < cut%lines - 1) call read_line(contact, cut, cut%line + 2*downstream, heat%lines)
-      heat%renewed(:, :) = heat%lines(:, :, mod(cut%line, 5))
-      !$omp parallel do private(thread) firstprivate(cut) reduction(max:change) schedule(static)
-      do first = 2, cut%length - 1, most_columns
-        cut%first = first
-        cut%last = min(first + most_columns - 1, cut%length - 1)
-        thread = omp_get_thread_num()
-        call heat_cut(contact, cut, downstream, least, heat, heat%columns(thread), heat%shear(thread), change)
+    !$omp parallel private(line, thread) reduction(max:change)
+    thread = omp_get_thread_num()
+    do line = 2, heat%way%lines - 1
+      !$omp do schedule(static)
+      do first = 2, last, most_columns
+        call heat_cut(self, line, first, min(first + most_columns - 1, last), least, heat, heat%threads(thread), change)
       end do
-      heat%lines(:, :, mod(cut%line, 5)) = heat%renewed
     end do
+    !$omp end parallel
+    call leave_march(self, heat)
   end subroutine heat_columns
 
-  !> Temperature of a line as it stands.
-  subroutine read_line(contact, cut, line, lines)
-    type(heated_contact), intent(in) :: contact
-    type(line_cut), intent(in) :: cut
-    integer, intent(in) :: line
-    real(wp), intent(inout) :: lines(:, :, 0:)
+  !> What the columns need from the nodes of the grid.
+  subroutine enter_march(self, heat)
+    type(heated_contact), intent(in) :: self
+    type(film_heat), intent(inout) :: heat
+    integer :: k
 
-    if (cut%transposed) then
-      lines(:, :, mod(line, 5)) = contact%shear%nodes%rise(line, :, :)
-    else
-      lines(:, :, mod(line, 5)) = contact%shear%nodes%rise(:, line, :)
-    end if
-  end subroutine read_line
+    call to_march(heat%way, self%fields%p, heat%p)
+    call to_march(heat%way, self%fields%h, heat%h)
+    do k = 1, self%shear%nodes%levels%count
+      call to_march(heat%way, self%shear%nodes%rise(:, :, k), heat%rise(1:heat%way%length, :, k))
+    end do
+    heat%old(:, 0, :) = heat%rise(:, 2, :)
+  end subroutine enter_march
 
-  !> The columns of a cut.
-  subroutine heat_cut(contact, cut, downstream, least, heat, columns, shear, change)
-    type(heated_contact), intent(inout) :: contact
-    type(line_cut), intent(in) :: cut
-    integer, intent(in) :: downstream
+  !> What the columns give to the nodes and to the walls.
+  subroutine leave_march(self, heat)
+    type(heated_contact), intent(inout) :: self
+    type(film_heat), intent(inout) :: heat
+    integer :: i, k
+
+    do k = 1, self%shear%nodes%levels%count
+      call from_march(heat%way, heat%rise(1:heat%way%length, :, k), self%shear%nodes%rise(:, :, k))
+    end do
+    do k = 1, 2
+      call from_march(heat%way, heat%flux(:, :, k), heat%walls%flux(:, :, k))
+      do i = 1, 2
+        call from_march(heat%way, heat%admittance(:, :, i, k), heat%walls%admittance(:, :, i, k))
+      end do
+    end do
+  end subroutine leave_march
+
+  !> The columns first..last of a line.
+  subroutine heat_cut(self, line, first, last, least, heat, work, change)
+    type(heated_contact), intent(in) :: self
+    integer, intent(in) :: line, first, last
     real(wp), intent(in) :: least
     type(film_heat), intent(inout) :: heat
-    type(film_strip), intent(inout) :: columns
-    type(shear_strip), intent(inout) :: shear
+    type(column_work), intent(inout) :: work
     real(wp), intent(inout) :: change
-    real(wp), dimension(most_columns) :: p, u1, v1, mean, capacity, friction, carried
-    real(wp), dimension(most_columns, contact%shear%nodes%levels%count) :: softening, u, v, rate, compression, inflow
-    integer :: m, k, n, c
+    real(wp), dimension(most_columns) :: mean, capacity, carried, warmed, fastest, friction
+    integer :: m, k, i
 
-    m = cut%last - cut%first + 1
-    n = contact%shear%nodes%levels%count
-    columns%columns = m
-    associate (nodes => contact%shear%nodes)
-      call take(heat%stress_x, cut, shear%tau_x)
-      call take(heat%stress_y, cut, shear%tau_y)
-      call take(heat%u1, cut, u1)
-      call take(heat%v1, cut, v1)
-      call shear_cut(contact%point_contact, cut, shear, p, mean, columns%known, softening)
-      call set_heat(heat%law, contact%oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
-      call film_shear_rate(nodes%levels, shear, rate)
-      friction(:m) = shear%film(:m)*matmul(columns%source(:m, :), nodes%levels%weight)
-      call carry(contact, cut, m, downstream, heat%lines, capacity, u, v, columns%absorption, inflow)
-      inflow(:m, :) = inflow(:m, :) + compression(:m, :)
-      columns%source(:m, :) = columns%source(:m, :) + inflow(:m, :)
+    m = last - first + 1
+    associate (nodes => self%shear%nodes, p => heat%p(first:last, line), u1 => heat%u1(first:last, line), &
+        v1 => heat%v1(first:last, line), shear => work%shear, columns => work%columns)
+      shear%points = m
+      shear%film(:m) = max(heat%h(first:last, line), self%floor)
+      shear%us(:m) = heat%us(first:last, line)
+      shear%vs(:m) = heat%vs(first:last, line)
+      shear%tau_x(:m) = heat%stress_x(first:last, line)
+      shear%tau_y(:m) = heat%stress_y(first:last, line)
+      if (heat%way%along_x) then
+        call take_gradient(heat, line, first, last, shear%py, shear%px)
+      else
+        call take_gradient(heat, line, first, last, shear%px, shear%py)
+      end if
+      do k = 1, nodes%levels%count
+        columns%known(:m, k) = heat%rise(first:last, line, k)
+      end do
+      call shear_columns(self%oil, nodes, p, columns%known, shear, mean, work%softening)
+      call set_heat(heat%law, self%oil, nodes, shear, p, mean, u1, v1, work%softening, columns, capacity, work%u, work%v, &
+        work%compression)
+      call film_shear_rate(nodes%levels, shear, work%rate)
+      heat%stress_x(first:last, line) = shear%tau_x(:m)
+      heat%stress_y(first:last, line) = shear%tau_y(:m)
+      if (heat%way%along_x) then
+        call carry(heat, line, first, last, capacity, work%v, work%u, columns%absorption, work%inflow)
+      else
+        call carry(heat, line, first, last, capacity, work%u, work%v, columns%absorption, work%inflow)
+      end if
+      fastest = 0
+      friction = 0
+      do k = 1, nodes%levels%count
+        fastest(:m) = max(fastest(:m), work%rate(:m, k))
+        friction(:m) = friction(:m) + shear%film(:m)*nodes%levels%weight(k)*columns%source(:m, k)
+        work%inflow(:m, k) = work%inflow(:m, k) + work%compression(:m, k)
+        columns%source(:m, k) = columns%source(:m, k) + work%inflow(:m, k)
+      end do
       call solve_columns(columns)
-      do k = 1, n
-        do c = 1, m
-          if (p(c) > least) change = max(change, abs(columns%temperature(c, k) - columns%known(c, k)))
+      call carried_away(columns, work%inflow, carried)
+      heat%rate(first:last, line) = fastest(:m)
+      heat%friction(first:last, line) = friction(:m)
+      heat%carried(first:last, line) = carried(:m)
+      warmed = 0
+      do k = 1, nodes%levels%count
+        warmed(:m) = max(warmed(:m), abs(columns%temperature(:m, k) - columns%known(:m, k)))
+        heat%rise(first:last, line, k) = columns%temperature(:m, k)
+      end do
+      change = max(change, maxval(warmed(:m), mask=p > least))
+      do k = 1, 2
+        heat%flux(first:last, line, k) = columns%flux(:m, k)
+        do i = 1, 2
+          heat%admittance(first:last, line, i, k) = columns%admittance(:m, i, k)
         end do
-        heat%renewed(cut%first:cut%last, k) = columns%temperature(:m, k)
-        call put(columns%temperature(:, k), cut, nodes%rise(:, :, k))
       end do
-      do c = 1, m
-        carried(c) = carried_away(columns, c, inflow(c, :))
-      end do
+      ! with the ends of the line, and the room beside them
+      i = merge(0, first, first == 2)
+      k = merge(heat%way%length + 1, last, last == heat%way%length - 1)
+      heat%old(i:k, mod(line + 1, 2), :) = heat%rise(i:k, line + 1, :)
     end associate
-    call put(shear%tau_x, cut, heat%stress_x)
-    call put(shear%tau_y, cut, heat%stress_y)
-    call put(friction, cut, heat%friction)
-    call put(carried, cut, heat%carried)
-    call put(maxval(rate(:m, :), dim=2), cut, heat%rate)
-    do k = 1, 2
-      call put(columns%flux(:, k), cut, heat%walls%flux(:, :, k))
-      do n = 1, 2
-        call put(columns%admittance(:, n, k), cut, heat%walls%admittance(:, :, n, k))
-      end do
-    end do
   end subroutine heat_cut
 
-  !> What convection takes from a level for each kelvin, `absorption` [W/(m3 K)], and brings it, `inflow` [W/m3].
-  !>
-  !> Oil comes from the foot of its path on the square of the eight nodes about its own; where that lies on the line
-  !> before, a second foot two lines back makes the difference along the path one of second order. Elsewhere values
-  !> lag behind, and only a first-order difference is sure not to let their errors grow from sweep to sweep.
-  subroutine carry(contact, cut, m, downstream, lines, capacity, u, v, absorption, inflow)
-    type(heated_contact), intent(in) :: contact
-    type(line_cut), intent(in) :: cut
-    integer, intent(in) :: m, downstream
-    real(wp), intent(in) :: lines(:, :, 0:), capacity(:), u(:, :), v(:, :)
-    real(wp), intent(out) :: absorption(:, :), inflow(:, :)
-    real(wp) :: across, along, rate, skew, foot, second, share
-    integer :: k, c, column, up, side, whole, far, here, next, second_next
+  !> Pressure gradient at nodes of a line, along it and from line to line [Pa/m].
+  pure subroutine take_gradient(heat, line, first, last, along, across)
+    type(film_heat), intent(in) :: heat
+    integer, intent(in) :: line, first, last
+    real(wp), intent(inout) :: along(:), across(:)
+    integer :: m
 
-    here = mod(cut%line, 5)
-    do k = 1, size(u, 2)
-      do c = 1, m
-        column = cut%first + c - 1
-        across = merge(u(c, k)/contact%grid%dx, v(c, k)/contact%grid%dy, cut%transposed)
-        along = merge(v(c, k)/contact%grid%dy, u(c, k)/contact%grid%dx, cut%transposed)
-        up = merge(-1, 1, across > 0)
-        side = merge(-1, 1, along > 0)
-        rate = max(abs(across), abs(along), tiny(rate))
-        skew = min(abs(across), abs(along))/rate
-        next = mod(cut%line + up, 5)
-        if (abs(across) < abs(along)) then
-          foot = (1 - skew)*lines(column + side, k, here) + skew*lines(column + side, k, next)
-        else
-          foot = (1 - skew)*lines(column, k, next) + skew*lines(column + side, k, next)
-        end if
-        absorption(c, k) = capacity(c)*rate
-        inflow(c, k) = capacity(c)*rate*foot
-        if (abs(across) < abs(along) .or. up == downstream) cycle
-        whole = int(2*skew)
-        far = column + side*(whole + 1)
-        if (cut%line + 2*up < 1 .or. cut%line + 2*up > cut%lines .or. far < 1 .or. far > cut%length) cycle
-        share = 2*skew - whole
-        second_next = mod(cut%line + 2*up, 5)
-        second = (1 - share)*lines(far - side, k, second_next) + share*lines(far, k, second_next)
-        absorption(c, k) = 1.5_wp*capacity(c)*rate
-        inflow(c, k) = capacity(c)*rate*(2*foot - 0.5_wp*second)
-      end do
+    m = last - first + 1
+    along(:m) = (heat%p(first + 1:last + 1, line) - heat%p(first - 1:last - 1, line))*(heat%way%per_node/2)
+    across(:m) = (heat%p(first:last, line + 1) - heat%p(first:last, line - 1))*(heat%way%per_line/2)
+  end subroutine take_gradient
+
+  !> What convection takes from the levels of a line's columns for each kelvin, `absorption` [W/(m3 K)], and brings them,
+  !> `inflow` [W/m3]. Oil moves with (along, across) the line [m/s].
+  subroutine carry(heat, line, first, last, capacity, along, across, absorption, inflow)
+    type(film_heat), intent(in) :: heat
+    integer, intent(in) :: line, first, last
+    real(wp), contiguous, intent(in) :: capacity(:), along(:, :), across(:, :)
+    real(wp), contiguous, intent(inout) :: absorption(:, :), inflow(:, :)
+    integer :: k, before
+
+    ! the first line in work has but one before it
+    before = max(line - 2, 1)
+    do k = 1, size(along, 2)
+      call carry_level(last - first + 1, first == 2, last == heat%way%length - 1, line > 2, &
+        heat%rise(first - 2:last + 2, before, k), heat%rise(first - 1:last + 1, line - 1, k), &
+        heat%old(first - 1:last + 1, mod(line, 2), k), heat%rise(first - 1:last + 1, line + 1, k), capacity, &
+        heat%way%per_node, heat%way%per_line, along(:, k), across(:, k), absorption(:, k), inflow(:, k))
     end do
   end subroutine carry
+
+  !> The same for one level of m columns, with the temperature of its own line and of those about it, at so many nodes and
+  !> lines per metre.
+  !>
+  !> Oil comes from the foot of its path on the square of the eight nodes about its own; where that lies on the line
+  !> before, a second foot two lines back makes the difference along the path one of second order, unless there is no
+  !> such line (`two_back`) or the foot lies beyond its end (`at_first`, `at_last`). Elsewhere values lag behind, and
+  !> only a first-order difference is sure not to let their errors grow from sweep to sweep.
+  pure subroutine carry_level(m, at_first, at_last, two_back, far, back, here, ahead, capacity, per_node, per_line, u, v, &
+    absorption, inflow)
+    integer, intent(in) :: m
+    logical, intent(in) :: at_first, at_last, two_back
+    real(wp), intent(in) :: far(-1:m + 2), back(0:m + 1), here(0:m + 1), ahead(0:m + 1), capacity(m), per_node, per_line, &
+      u(m), v(m)
+    real(wp), intent(out) :: absorption(m), inflow(m)
+    !> One or nought: oil comes from the left, from the line before, and rather from a line than along it; its second foot
+    !> is to be had.
+    real(wp) :: left, behind, crossing, reached
+    real(wp) :: along, across, rate, skew, beside, foot, second, order
+    integer :: c, low, high
+
+    low = merge(1, 0, at_first)
+    high = merge(m, m + 1, at_last)
+    ! weights instead of branches let the loop be vectorised
+    do c = 1, m
+      along = u(c)*per_node
+      across = v(c)*per_line
+      left = merge(1.0_wp, 0.0_wp, along > 0)
+      behind = merge(1.0_wp, 0.0_wp, across > 0)
+      crossing = merge(1.0_wp, 0.0_wp, abs(across) >= abs(along))
+      rate = max(abs(across), abs(along), tiny(rate))
+      skew = min(abs(across), abs(along))/rate
+      reached = left*merge(1.0_wp, 0.0_wp, c > low) + (1 - left)*merge(1.0_wp, 0.0_wp, c < high)
+      reached = max(reached, merge(1.0_wp, 0.0_wp, skew < 0.5_wp))
+      order = 0.5_wp*merge(1.0_wp, 0.0_wp, two_back)*behind*crossing*reached
+      beside = left*(behind*back(c - 1) + (1 - behind)*ahead(c - 1)) &
+        + (1 - left)*(behind*back(c + 1) + (1 - behind)*ahead(c + 1))
+      foot = skew*beside + (1 - skew)*(crossing*(behind*back(c) + (1 - behind)*ahead(c)) &
+        + (1 - crossing)*(left*here(c - 1) + (1 - left)*here(c + 1)))
+      second = max(1 - 2*skew, 0.0_wp)*far(c) + (1 - abs(2*skew - 1))*(left*far(c - 1) + (1 - left)*far(c + 1)) &
+        + max(2*skew - 1, 0.0_wp)*(left*far(c - 2) + (1 - left)*far(c + 2))
+      absorption(c) = (1 + order)*capacity(c)*rate
+      inflow(c) = capacity(c)*rate*((1 + 2*order)*foot - order*second)
+    end do
+  end subroutine carry_level
 
 end module film_temperature

@@ -9,17 +9,17 @@ module line_temperature
   use film_column, only: film_strip, new_film_strip, solve_column
   use heated_surface, only: heated_body
   use kinds, only: wp
-  use line_film, only: line_contact
+  use line_film, only: line_contact, line_step, line_residual
   use line_nodal_shear, only: shear_line_nodes
   use oil_heat, only: oil_heat_law
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use shear_flow, only: shear_strip, new_shear_strip
-  use status, only: status_ok, status_not_finite, status_no_memory
+  use status, only: status_ok, status_not_finite, status_no_descent, status_no_memory
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
   private
 
-  public :: heated_line, heat_line, line_heat_sweep, set_line_temperature
+  public :: heated_line, heat_line, heated_line_step, line_heat_sweep, set_line_temperature
 
   !> Columns treated together.
   integer, parameter :: most_columns = 64
@@ -89,6 +89,30 @@ contains
     end associate
     if (stat == status_ok) call set_walls(self)
   end subroutine heat_line
+
+  !> One Newton step of the film from (p, h0), about which it was last evaluated, one sweep of heat at the new film, and
+  !> the film's balance there. For the arguments see `line_step`, for `change` `line_heat_sweep`. Heat is swept even if no
+  !> step of the film helps.
+  subroutine heated_line_step(self, forcing, p, h0, residual, load_error, krylov, step, change, stat)
+    type(heated_line), intent(inout) :: self
+    real(wp), intent(in) :: forcing
+    real(wp), contiguous, intent(inout) :: p(:)
+    real(wp), intent(inout) :: h0, residual, load_error
+    integer, intent(out) :: krylov, stat
+    real(wp), intent(out) :: step, change
+    integer :: heat_stat
+
+    change = hottest
+    call line_step(self%line_contact, forcing, p, h0, residual, load_error, krylov, step, stat)
+    if (stat /= status_ok .and. stat /= status_no_descent) return
+    call line_heat_sweep(self, change, heat_stat)
+    if (heat_stat == status_ok) then
+      call line_residual(self%line_contact, p, h0, residual, load_error)
+    else
+      stat = heat_stat
+      change = hottest
+    end if
+  end subroutine heated_line_step
 
   !> One sweep over the columns, then the balance of the walls.
   !>
@@ -267,14 +291,21 @@ contains
     integer, intent(in) :: strip
     real(wp), intent(in) :: judged
     real(wp), intent(inout) :: change
-    integer :: i, c
+    real(wp), dimension(most_columns, self%shear%nodes%levels%count) :: inflow
+    real(wp) :: carried(most_columns)
+    integer :: i, c, k, m
 
-    associate (columns => heat%columns(strip))
-      do c = 1, columns%columns
-        i = 1 + (strip - 1)*most_columns + c
+    associate (columns => heat%columns(strip), before => 1 + (strip - 1)*most_columns)
+      m = columns%columns
+      do k = 1, size(inflow, 2)
+        inflow(:m, k) = columns%source(:m, k) - heat%dissipation(before + 1:before + m, k)
+      end do
+      call carried_away(columns, inflow, carried)
+      heat%carried(before + 1:before + m) = carried(:m)
+      do c = 1, m
+        i = before + c
         heat%walls%flux(i, 1, :) = columns%flux(c, :)
         heat%walls%admittance(i, 1, :, :) = columns%admittance(c, :, :)
-        heat%carried(i) = carried_away(columns, c, columns%source(c, :) - heat%dissipation(i, :))
         if (self%fields%p(i, 1) > judged) change = max(change, maxval(abs(columns%temperature(c, :) - columns%known(c, :))))
       end do
     end associate

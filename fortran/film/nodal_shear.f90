@@ -1,5 +1,4 @@
-!> Shear of a point contact's film at the nodes: the flow across the film that faces have for the flow through them,
-!> taken by lines of the grid, along which heat marches too.
+!> Shear of a point contact's film at the nodes: the flow across the film that faces have for the flow through them.
 module nodal_shear
   use flow_laws, only: stress_scales
   use kinds, only: wp
@@ -11,18 +10,10 @@ module nodal_shear
   implicit none(type, external)
   private
 
-  public :: line_cut, take, put, shear_cut, shear_columns, shear_fields, film_profile
+  public :: shear_columns, shear_fields, film_profile
 
   !> Nodes treated together.
   integer, parameter :: most_nodes = 64
-
-  !> Some nodes of one line of the grid.
-  type :: line_cut
-    !> Whether lines run along y.
-    logical :: transposed = .false.
-    !> The line, of how many, and its first and last node, of how many.
-    integer :: line = 0, lines = 0, first = 0, last = 0, length = 0
-  end type line_cut
 
   !> Fields of a sheared film, (nx, ny), zero on the outline.
   type, public :: shear_field
@@ -36,32 +27,29 @@ module nodal_shear
 
 contains
 
-  !> Shear of the nodes of a cut, from the stress that `shear` holds.
+  !> Shear of the inner nodes first..last of row j, from the stress that `shear` holds.
   !>
-  !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
-  !> derivative of the fluidity by temperature [1/(Pa s K)].
-  subroutine shear_cut(contact, cut, shear, p, mean, rise, softening)
+  !> `softening` is the derivative of the fluidity by temperature [1/(Pa s K)].
+  subroutine shear_nodes(contact, first, last, j, shear, softening)
     type(point_contact), intent(in) :: contact
-    type(line_cut), intent(in) :: cut
+    integer, intent(in) :: first, last, j
     type(shear_strip), intent(inout) :: shear
-    real(wp), contiguous, intent(out) :: p(:), mean(:), rise(:, :), softening(:, :)
-    integer :: m, k
+    real(wp), contiguous, intent(inout) :: softening(:, :)
+    real(wp) :: mean(size(softening, 1)), rise(size(softening, 1), size(softening, 2))
+    integer :: m
 
-    m = cut%last - cut%first + 1
+    m = last - first + 1
     shear%points = m
-    associate (nodes => contact%shear%nodes)
-      call take(contact%fields%p, cut, p)
-      call take_gradient(contact, cut, shear%px, shear%py)
-      call take(contact%fields%h, cut, shear%film)
-      shear%film(:m) = max(shear%film(:m), contact%floor)
-      call take(nodes%sliding_x, cut, shear%us)
-      call take(nodes%sliding_y, cut, shear%vs)
-      do k = 1, nodes%levels%count
-        call take(nodes%rise(:, :, k), cut, rise(:, k))
-      end do
-      call shear_columns(contact%oil, nodes, p, rise, shear, mean, softening)
+    associate (nodes => contact%shear%nodes, p => contact%fields%p, grid => contact%grid)
+      shear%film(:m) = max(contact%fields%h(first:last, j), contact%floor)
+      shear%px(:m) = (p(first + 1:last + 1, j) - p(first - 1:last - 1, j))/(2*grid%dx)
+      shear%py(:m) = (p(first:last, j + 1) - p(first:last, j - 1))/(2*grid%dy)
+      shear%us(:m) = nodes%sliding_x(first:last, j)
+      shear%vs(:m) = nodes%sliding_y(first:last, j)
+      rise(:m, :) = nodes%rise(first:last, j, :)
+      call shear_columns(contact%oil, nodes, p(first:last, j), rise, shear, mean, softening)
     end associate
-  end subroutine shear_cut
+  end subroutine shear_nodes
 
   !> Shear of the columns of a strip that holds their film, gradient, sliding and the stress to start from.
   !>
@@ -73,7 +61,6 @@ contains
     real(wp), contiguous, intent(in) :: p(:), rise(:, :)
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(inout) :: mean(:), softening(:, :)
-    real(wp) :: by_pressure(size(rise, 1), size(rise, 2)), onset_p(size(p)), limit_p(size(p))
     integer :: m, k, failures
 
     m = shear%points
@@ -81,9 +68,11 @@ contains
     do k = 1, nodes%levels%count
       mean(:m) = mean(:m) + nodes%levels%weight(k)*rise(:m, k)
     end do
-    call hot_fluidity(oil, p(:m), rise(:m, :), shear%fluidity(:m, :), by_pressure(:m, :), softening(:m, :))
+    ! derivatives by pressure are not asked for: they go where there is room
+    call hot_fluidity(oil, p(:m), rise, shear%fluidity, shear%level_x, softening)
     softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
-    call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), onset_p(:m), shear%limit(:m), limit_p(:m))
+    call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), shear%step_x(:m), shear%limit(:m), &
+      shear%step_y(:m))
     call solve_shear(nodes%law, nodes%levels, shear, failures)
     shear%unsolved = shear%unsolved + failures
   end subroutine shear_columns
@@ -94,11 +83,10 @@ contains
     type(shear_field), intent(out) :: field
     integer, intent(out) :: stat
     type(shear_strip) :: shear
-    type(line_cut) :: cut
-    real(wp), dimension(most_nodes) :: p, mean, cosine, sine, along, across, lag_s, lag_r
-    real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
+    real(wp), dimension(most_nodes) :: cosine, sine, along, across, lag_s, lag_r
+    real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: softening, rate, heat, own, loading_x, &
       loading_y, relief_x, relief_y
-    integer :: j, first, m
+    integer :: j, first, last, m
 
     associate (nx => contact%grid%nx, ny => contact%grid%ny, levels => contact%shear%nodes%levels)
       allocate (field%stress_x(nx, ny), field%stress_y(nx, ny), field%friction(nx, ny), field%rate(nx, ny), &
@@ -108,21 +96,21 @@ contains
       if (stat /= status_ok) return
       do j = 2, ny - 1
         do first = 2, nx - 1, most_nodes
-          cut = line_cut(.false., j, ny, first, min(first + most_nodes - 1, nx - 1), nx)
-          m = cut%last - first + 1
+          last = min(first + most_nodes - 1, nx - 1)
+          m = last - first + 1
           shear%tau_x = 0
           shear%tau_y = 0
-          call shear_cut(contact, cut, shear, p, mean, rise, softening)
+          call shear_nodes(contact, first, last, j, shear, softening)
           call film_shear_rate(levels, shear, rate)
           call film_heat(levels, shear, heat, own, loading_x, loading_y, relief_x, relief_y)
           call flow_factors(contact%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
-          call put(shear%tau_x, cut, field%stress_x)
-          call put(shear%tau_y, cut, field%stress_y)
-          call put(shear%film(:m)*matmul(heat(:m, :), levels%weight), cut, field%friction)
-          call put(maxval(rate(:m, :), dim=2), cut, field%rate)
-          call put(along, cut, field%along)
-          call put(across, cut, field%across)
-          field%slip(first:cut%last, j) = shear%slip(:m)
+          field%stress_x(first:last, j) = shear%tau_x(:m)
+          field%stress_y(first:last, j) = shear%tau_y(:m)
+          field%friction(first:last, j) = shear%film(:m)*matmul(heat(:m, :), levels%weight)
+          field%rate(first:last, j) = maxval(rate(:m, :), dim=2)
+          field%along(first:last, j) = along(:m)
+          field%across(first:last, j) = across(:m)
+          field%slip(first:last, j) = shear%slip(:m)
         end do
       end do
     end associate
@@ -136,59 +124,14 @@ contains
     real(wp), intent(out) :: u(:), v(:)
     integer, intent(out) :: stat
     type(shear_strip) :: shear
-    real(wp) :: p(1), mean(1)
-    real(wp), dimension(1, size(u)) :: rise, softening, u_levels, v_levels
+    real(wp), dimension(1, size(u)) :: softening, u_levels, v_levels
 
     call new_shear_strip(1, size(u), shear, stat)
     if (stat /= status_ok) return
-    call shear_cut(contact, line_cut(.false., j, contact%grid%ny, i, i, contact%grid%nx), shear, p, mean, rise, &
-      softening)
+    call shear_nodes(contact, i, i, j, shear, softening)
     call film_velocity(contact%shear%nodes%law, contact%shear%nodes%levels, shear, [u1], [v1], u_levels, v_levels)
     u = u_levels(1, :)
     v = v_levels(1, :)
   end subroutine film_profile
-
-  !> Pressure gradient at the nodes of a cut [Pa/m].
-  pure subroutine take_gradient(contact, cut, px, py)
-    type(point_contact), intent(in) :: contact
-    type(line_cut), intent(in) :: cut
-    real(wp), intent(out) :: px(:), py(:)
-    integer :: c, i, j
-
-    associate (p => contact%fields%p)
-      do c = cut%first, cut%last
-        i = merge(cut%line, c, cut%transposed)
-        j = merge(c, cut%line, cut%transposed)
-        px(c - cut%first + 1) = (p(i + 1, j) - p(i - 1, j))/(2*contact%grid%dx)
-        py(c - cut%first + 1) = (p(i, j + 1) - p(i, j - 1))/(2*contact%grid%dy)
-      end do
-    end associate
-  end subroutine take_gradient
-
-  !> A field's values at the nodes of a cut.
-  pure subroutine take(field, cut, values)
-    real(wp), intent(in) :: field(:, :)
-    type(line_cut), intent(in) :: cut
-    real(wp), intent(inout) :: values(:)
-
-    if (cut%transposed) then
-      values(:cut%last - cut%first + 1) = field(cut%line, cut%first:cut%last)
-    else
-      values(:cut%last - cut%first + 1) = field(cut%first:cut%last, cut%line)
-    end if
-  end subroutine take
-
-  !> Puts values into a field at the nodes of a cut.
-  pure subroutine put(values, cut, field)
-    real(wp), intent(in) :: values(:)
-    type(line_cut), intent(in) :: cut
-    real(wp), intent(inout) :: field(:, :)
-
-    if (cut%transposed) then
-      field(cut%line, cut%first:cut%last) = values(:cut%last - cut%first + 1)
-    else
-      field(cut%first:cut%last, cut%line) = values(:cut%last - cut%first + 1)
-    end if
-  end subroutine put
 
 end module nodal_shear

@@ -22,6 +22,7 @@ module point_film
   private
 
   public :: point_contact, new_point_contact, shear_point_contact, entrain, film_residual, film_step
+  public :: film_direction, move_film, film_balance, bearable, search_step
 
   !> Most Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 16
@@ -59,8 +60,8 @@ module point_film
     !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
     real(wp), allocatable :: softness(:, :)
     real(wp) :: softness_load = 0
-    !> Scratch of one field; the Newton step's right-hand side, then the pressure it starts from; its
-    !> solution; the Krylov basis.
+    !> Scratch of one field; the Newton step's right-hand side, then the pressure and rigid film it starts
+    !> from; its solution; the Krylov basis.
     real(wp), allocatable :: dh(:, :), right(:), change(:)
     real(pp), allocatable :: basis(:, :)
     type(film_work) :: work
@@ -121,7 +122,7 @@ contains
     call set_entrainment(self%cycles, self%grid)
   end subroutine entrain
 
-  !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
+  !> Gives the oil a flow law, in place of any it has, and `levels` levels across the film, all at the inlet temperature.
   !>
   !> `sliding` is the nodal velocity of body 2 relative to body 1 [m/s].
   subroutine shear_point_contact(self, law, levels, sliding_x, sliding_y, stat)
@@ -134,9 +135,9 @@ contains
 
     stat = status_not_finite
     if (.not. all(abs(sliding_x) + abs(sliding_y) <= huge(1.0_wp))) return
-    allocate (self%shear)
+    if (.not. allocated(self%shear)) allocate (self%shear)
     call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
-    if (stat /= status_ok) return
+    if (stat /= status_ok .or. allocated(self%fields%mobility_y)) return
     allocate (self%fields%mobility_y(self%grid%nx, self%grid%ny), source=0.0_wp, stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine shear_point_contact
@@ -166,17 +167,35 @@ contains
     real(wp), contiguous, intent(in) :: p(:, :)
     real(wp), intent(in) :: h0
     real(wp), intent(out) :: residual, load_error
+
+    call set_film(self, p, h0)
+    call film_balance(self, residual, load_error)
+  end subroutine film_residual
+
+  !> The film at pressure p [Pa] and rigid film h0 [m]; what flows is not known before `film_balance`.
+  subroutine set_film(self, p, h0)
+    type(point_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: p(:, :)
+    real(wp), intent(in) :: h0
     integer :: j
 
     call self%work%convolution%start()
     call self%space%deflection(p, self%fields%h)
     call self%work%convolution%finish()
-    call self%work%flow%start()
     !$omp parallel do schedule(static)
     do j = 1, self%grid%ny
       self%fields%p(:, j) = p(:, j)
       self%fields%h(:, j) = self%fields%h(:, j) + self%gap(:, j) + h0
     end do
+  end subroutine set_film
+
+  !> Flow and imbalance at the pressure and film that are held; for the arguments see `film_residual`.
+  subroutine film_balance(self, residual, load_error)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(out) :: residual, load_error
+    integer :: j
+
+    call self%work%flow%start()
     if (allocated(self%shear)) then
       call set_sheared_fields(self%grid, self%oil, self%floor, self%shear, self%fields)
       call sheared_imbalance(self%grid, self%shear, self%fields, self%imbalance)
@@ -184,17 +203,19 @@ contains
       call set_film_fields(self%oil, self%floor, self%fields)
       call flow_imbalance(self%grid, self%fields, self%imbalance)
     end if
-    !$omp parallel do schedule(static)
-    do j = 1, self%grid%ny
-      self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
-      self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
-    end do
-    residual = total(self%dh)/self%wedge
-    ! a film with a stress that was not found is not to count as one that flows by its law
-    if (allocated(self%shear)) residual = residual + sum(self%shear%strips%unsolved)
-    load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
+    associate (p => self%fields%p)
+      !$omp parallel do schedule(static)
+      do j = 1, self%grid%ny
+        self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
+        self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
+      end do
+      residual = total(self%dh)/self%wedge
+      ! a film with a stress that was not found is not to count as one that flows by its law
+      if (allocated(self%shear)) residual = residual + sum(self%shear%strips%unsolved)
+      load_error = 1 - total(p)*self%grid%dx*self%grid%dy/self%load
+    end associate
     call self%work%flow%finish()
-  end subroutine film_residual
+  end subroutine film_balance
 
   !> Sum of |um . grad g| and of the squeeze over the inner nodes [m/s], g being the undeformed gap [m].
   pure real(wp) function wedge_flow(grid, gap)
@@ -223,12 +244,23 @@ contains
     real(wp), intent(inout) :: residual, load_error
     integer, intent(out) :: krylov, stat
     real(wp), intent(out) :: step
-    real(wp) :: reduction, merit, start_h0
+
+    step = 0
+    call film_direction(self, forcing, p, h0, load_error, krylov, stat)
+    if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step, stat)
+  end subroutine film_step
+
+  !> Newton's step from (p, h0), of which `move_film` takes a share.
+  subroutine film_direction(self, forcing, p, h0, load_error, krylov, stat)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing, h0, load_error
+    real(wp), contiguous, intent(in) :: p(:, :)
+    integer, intent(out) :: krylov, stat
+    real(wp) :: reduction
     integer :: j, k, nx, n
 
     nx = self%grid%nx
     n = size(p)
-    step = 0
     krylov = 0
     call self%work%building%start()
     call set_film_multigrid(self%cycles, self%fields, self%free, stat)
@@ -251,28 +283,52 @@ contains
       k = nx*(j - 1)
       self%right(k + 1:k + nx) = p(:, j)
     end do
-    start_h0 = h0
-    merit = residual + abs(load_error)
+    self%right(n + 1) = h0
+  end subroutine film_direction
+
+  !> Pressure, rigid film and film after a share of the Newton step.
+  subroutine move_film(self, share, p, h0)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: share
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(out) :: h0
+    integer :: j, k, nx, n
+
+    nx = self%grid%nx
+    n = size(p)
+    do j = 1, self%grid%ny
+      k = nx*(j - 1)
+      p(:, j) = max(self%right(k + 1:k + nx) + share*self%change(k + 1:k + nx), 0.0_wp)
+    end do
+    h0 = self%right(n + 1) + share*self%change(n + 1)
+    call set_film(self, p, h0)
+  end subroutine move_film
+
+  !> Whether the residual and load error of a film have not grown too much from `merit`, their sum.
+  pure logical function bearable(merit, residual, load_error)
+    real(wp), intent(in) :: merit, residual, load_error
+
+    bearable = residual + abs(load_error) <= most_growth*merit
+  end function bearable
+
+  !> Takes the largest share of Newton's step, by halving, that a film bears; for the arguments see `film_step`.
+  subroutine search_step(self, merit, p, h0, residual, load_error, step, stat)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: merit
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0
+    real(wp), intent(out) :: residual, load_error, step
+    integer, intent(out) :: stat
+
     step = 1
     do
-      do j = 1, self%grid%ny
-        k = nx*(j - 1)
-        p(:, j) = max(self%right(k + 1:k + nx) + step*self%change(k + 1:k + nx), 0.0_wp)
-      end do
-      h0 = start_h0 + step*self%change(n + 1)
-      call film_residual(self, p, h0, residual, load_error)
-      if (residual + abs(load_error) <= most_growth*merit) exit
-      step = step/2
-      if (step < shortest_step) then
-        p = reshape(self%right(:n), shape(p))
-        h0 = start_h0
-        call film_residual(self, p, h0, residual, load_error)
-        stat = status_no_descent
-        return
-      end if
+      call move_film(self, step, p, h0)
+      call film_balance(self, residual, load_error)
+      stat = merge(status_ok, status_no_descent, step > 0)
+      if (bearable(merit, residual, load_error) .or. .not. step > 0) return
+      step = merge(step/2, 0.0_wp, step > shortest_step)
     end do
-    stat = status_ok
-  end subroutine film_step
+  end subroutine search_step
 
   !> Pressure by which the preconditioner answers a unit rise of the rigid film.
   subroutine set_softness(self)

@@ -52,6 +52,8 @@ module shear_flow
     real(wp), allocatable :: inverse_xx(:), inverse_xy(:), inverse_yy(:)
     !> B A^-1 [m], how the flow follows the lacking velocity; set by `flow_change`.
     real(wp), allocatable :: arm_xx(:), arm_xy(:), arm_yx(:), arm_yy(:)
+    !> For the callers' use: fields of the levels.
+    real(wp), allocatable :: level_x(:, :), level_y(:, :)
     !> Scratch: reciprocal squares of the law's stresses, squares of the stress, sums over the film, a step.
     real(wp), allocatable :: per_reference(:), per_limit(:), square(:), rest_x(:), rest_y(:), power(:), ease(:), a_xx(:), a_xy(:), &
       a_yy(:), step_x(:), step_y(:), excess(:)
@@ -73,7 +75,8 @@ contains
       strip%arm_xy(points), strip%arm_yx(points), strip%arm_yy(points), strip%square(points), &
       strip%rest_x(points), strip%rest_y(points), strip%power(points), strip%ease(points), strip%a_xx(points), strip%a_xy(points), &
       strip%a_yy(points), strip%step_x(points), strip%step_y(points), strip%excess(points), &
-      strip%per_reference(points), strip%per_limit(points), stat=err)
+      strip%per_reference(points), strip%per_limit(points), strip%level_x(points, levels), strip%level_y(points, levels), &
+      stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
     strip%points = points
@@ -154,8 +157,9 @@ contains
     integer :: i
 
     do i = 1, strip%points
+      if (abs(strip%tau_x(i)) + abs(strip%tau_y(i)) > 0) cycle
       sliding = hypot(strip%us(i), strip%vs(i))
-      if (abs(strip%tau_x(i)) + abs(strip%tau_y(i)) > 0 .or. .not. sliding > 0) cycle
+      if (.not. sliding > 0) cycle
       newtonian = sliding/(strip%film(i)*sum(levels%weight*strip%fluidity(i, :)))
       newtonian = stress_guess(law, newtonian, strip%reference(i), strip%limit(i))
       strip%tau_x(i) = newtonian*strip%us(i)/sliding

@@ -8,7 +8,7 @@
 !> temperature the scheme is that of `reynolds` to rounding.
 module sheared_reynolds
   use film_levels, only: levels_across, new_levels
-  use flow_laws, only: flow_law, stress_scales
+  use flow_laws, only: flow_law, hardens, stress_scales
   use kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use oil_laws, only: oil_law, hot_fluidity, hot_density
@@ -213,7 +213,6 @@ contains
     real(wp), dimension(strip) :: h1, h2, mass1, mass2, share, rho, by_share, by_fluidity1, by_fluidity2, by_p1, by_p2, &
       by_h
     real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
-    real(wp), dimension(strip, nodes%levels%count) :: f_x, f_y
     integer :: m, k, failures
 
     m = last - first + 1
@@ -227,7 +226,8 @@ contains
     end if
     associate (rho1 => fields%rho(first:last, j), rho2 => fields%rho(first + di:last + di, j + dj), &
         rho1_p => fields%rho_p(first:last, j), rho2_p => fields%rho_p(first + di:last + di, j + dj), &
-        f1 => nodes%fluidity(first:last, j, :), f2 => nodes%fluidity(first + di:last + di, j + dj, :), h => work%film(:m))
+        f1 => nodes%fluidity(first:last, j, :), f2 => nodes%fluidity(first + di:last + di, j + dj, :), h => work%film(:m), &
+        f_x => work%level_x, f_y => work%level_y)
       h1(:m) = max(fields%h(first:last, j), floor)
       h2(:m) = max(fields%h(first + di:last + di, j + dj), floor)
       mass1(:m) = rho1*h1(:m)**3
@@ -249,12 +249,19 @@ contains
       faces%stress_x(first:last, j) = work%tau_x(:m)
       faces%stress_y(first:last, j) = work%tau_y(:m)
       call flow_change(nodes%levels, work, s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, f_x, f_y)
-      call flow_change_by_stresses(nodes%law, nodes%levels, work, onset_x, onset_y, limit_x, limit_y)
+      if (hardens(nodes%law)) then
+        call flow_change_by_stresses(nodes%law, nodes%levels, work, onset_x, onset_y, limit_x, limit_y)
+      else
+        onset_x = 0
+        onset_y = 0
+        limit_x = 0
+        limit_y = 0
+      end if
       if (di == 0) then
         s_x = s_y
         m_xx = m_yy
         h_x = h_y
-        f_x = f_y
+        f_x(:, :) = f_y
         onset_x = onset_y
         limit_x = limit_y
       end if

@@ -19,8 +19,9 @@ module film_column
 
   public :: film_strip, new_film_strip, solve_columns, solve_column, warm_walls
 
-  !> Columns solved together: some vector registers, and matrices that stay in the first cache.
-  integer, parameter :: lanes = 16
+  !> Columns solved together: their matrices stay in the first cache, and loops over them are long enough for gfortran to
+  !> turn into vector instructions as they stand; those of 16 it unrolls and shuffles.
+  integer, parameter :: lanes = 32
   !> Most growth of heat with temperature that enters, in conductivity/h2, whatever oil carries away: where it carries all,
   !> a column must not be warmer by more than those are from which oil comes. Conduction between the
   !> walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4 pi2 in the second.
@@ -30,6 +31,18 @@ module film_column
   real(wp), parameter :: most_growth = 5.0_wp, most_growth_of_all = 1.5_wp
   !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
   real(wp), parameter :: least_share = 0.1_wp
+
+  !> Scratch of the columns solved together, lanes first.
+  type :: lane_block
+    real(wp) :: thickness(lanes), conductance(lanes)
+    real(wp), allocatable :: known(:, :), source(:, :), absorption(:, :), growth(:, :), loading(:, :, :), relief(:, :, :)
+    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
+    real(wp), allocatable :: matrix(:, :, :), excess(:, :)
+    !> That of the inner levels while it is eliminated, and its pivots.
+    real(wp), allocatable :: a(:, :, :), pivot(:, :)
+    !> Change of the inner levels' temperature, and its derivatives with respect to the walls, (lanes, n, 3).
+    real(wp), allocatable :: change(:, :, :)
+  end type lane_block
 
   !> Room for m columns of n levels, of which the first `columns` are in use. The caller fills the first part,
   !> `solve_columns` the second.
@@ -55,6 +68,9 @@ module film_column
     !> Derivatives with respect to the temperature of wall j: of flux i [W/(m2 K)], (m, 2, 2), and of the
     !> levels' temperature [-], (m, n, 2).
     real(wp), allocatable :: admittance(:, :, :), response(:, :, :)
+    !> Scratch: by how much walls are warmer than known [K], (m, 2).
+    real(wp), allocatable :: wall_rise(:, :)
+    type(lane_block) :: work
   end type film_strip
 
 contains
@@ -76,22 +92,26 @@ contains
     strip%least_pivot = least_share*conduction_pivots(levels)
     allocate (strip%thickness(m), strip%conductivity(m), strip%wall(m, 2), strip%absorption(m, n), strip%source(m, n), &
       strip%known(m, n), strip%growth(m, n), strip%loading(m, n, 2), strip%relief(m, n, 2), strip%temperature(m, n), &
-      strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), stat=err)
+      strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), &
+      strip%wall_rise(m, 2), stat=err)
+    if (err == 0) allocate (strip%work%known(lanes, n), strip%work%source(lanes, n), strip%work%absorption(lanes, n), &
+      strip%work%growth(lanes, n), strip%work%loading(lanes, n, 2), strip%work%relief(lanes, n, 2), &
+      strip%work%matrix(lanes, n, n), strip%work%excess(lanes, n), strip%work%a(lanes, n, n), strip%work%pivot(lanes, n), &
+      strip%work%change(lanes, n, 3), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_strip
 
   !> Temperature, fluxes and their derivatives with respect to the walls.
   pure subroutine solve_columns(strip)
     type(film_strip), intent(inout) :: strip
-    real(wp) :: rise(strip%columns, 2)
     integer :: first
 
     do first = 1, strip%columns, lanes
       call solve_together(strip, first, min(lanes, strip%columns - first + 1))
     end do
-    rise(:, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
-    rise(:, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
-    call warm_walls(strip, rise)
+    strip%wall_rise(:strip%columns, 1) = strip%wall(:strip%columns, 1) - strip%known(:strip%columns, 1)
+    strip%wall_rise(:strip%columns, 2) = strip%wall(:strip%columns, 2) - strip%known(:strip%columns, strip%levels%count)
+    call warm_walls(strip, strip%wall_rise)
   end subroutine solve_columns
 
   !> The same for one column alone, whose walls stay as known.
@@ -103,18 +123,49 @@ contains
   end subroutine solve_column
 
   !> The same for `count` columns from `first` on, whose walls stay as known.
+  !>
+  !> All lanes are computed, so that loops over them have a fixed length; those left over repeat the last column.
   pure subroutine solve_together(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
-    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
-    real(wp) :: matrix(lanes, strip%levels%count, strip%levels%count), excess(lanes, strip%levels%count)
-    !> Change of the inner levels' temperature, and its derivatives with respect to the walls.
-    real(wp) :: change(lanes, strip%levels%count, 3)
+    integer :: k, s, n
 
-    call set_balances(strip, first, count, matrix, excess)
-    call solve_inner_levels(strip, first, count, strip%least_pivot, matrix, excess, change)
-    call set_walls(strip, first, count, matrix, excess, change)
+    n = strip%levels%count
+    associate (work => strip%work)
+      call take(first, count, strip%thickness, work%thickness)
+      call take(first, count, strip%conductivity, work%conductance)
+      work%conductance = work%conductance/work%thickness
+      do k = 1, n
+        call take(first, count, strip%known(:, k), work%known(:, k))
+        call take(first, count, strip%source(:, k), work%source(:, k))
+        call take(first, count, strip%absorption(:, k), work%absorption(:, k))
+        call take(first, count, strip%growth(:, k), work%growth(:, k))
+        do s = 1, 2
+          call take(first, count, strip%loading(:, k, s), work%loading(:, k, s))
+          call take(first, count, strip%relief(:, k, s), work%relief(:, k, s))
+        end do
+      end do
+      call set_balances(strip%levels, work%thickness, work%conductance, work%known, work%source, work%absorption, &
+        work%growth, work%loading, work%relief, work%matrix, work%excess)
+      call solve_inner_levels(n, strip%least_pivot, work%conductance, work%matrix, work%excess, work%a, work%pivot, &
+        work%change)
+    end associate
+    call set_walls(strip, first, count)
   end subroutine solve_together
+
+  !> `count` columns' values from `first` on, one for each lane.
+  pure subroutine take(first, count, values, lane)
+    integer, intent(in) :: first, count
+    real(wp), contiguous, intent(in) :: values(:)
+    real(wp), intent(out) :: lane(lanes)
+
+    if (count == lanes) then
+      lane = values(first:first + lanes - 1)
+    else
+      lane(:count) = values(first:first + count - 1)
+      lane(count + 1:) = values(first + count - 1)
+    end if
+  end subroutine take
 
   !> Pivots of the inner levels in the elimination of conduction alone, in conductivity/h.
   pure function conduction_pivots(levels) result(pivot)
@@ -133,41 +184,34 @@ contains
     pivot([1, levels%count]) = 0
   end function conduction_pivots
 
-  !> Balances of all levels at the known temperature and their derivatives, for columns from `first` on.
-  pure subroutine set_balances(strip, first, count, matrix, excess)
-    type(film_strip), intent(in) :: strip
-    integer, intent(in) :: first, count
-    real(wp), intent(out) :: matrix(:, :, :), excess(:, :)
-    real(wp), dimension(lanes) :: conductance, volume, growth
-    real(wp) :: relief(lanes, 2)
-    integer :: i, c, k, l
+  !> Balances of all levels at the known temperature and their derivatives.
+  pure subroutine set_balances(levels, thickness, conductance, known, source, absorption, growth, loading, relief, matrix, &
+    excess)
+    type(levels_across), intent(in) :: levels
+    real(wp), intent(in) :: thickness(lanes), conductance(lanes)
+    real(wp), dimension(lanes, levels%count), intent(in) :: known, source, absorption, growth
+    real(wp), intent(in) :: loading(lanes, levels%count, 2), relief(lanes, levels%count, 2)
+    real(wp), intent(out) :: matrix(lanes, levels%count, levels%count), excess(lanes, levels%count)
+    real(wp), dimension(lanes) :: volume, bound, relief_x, relief_y
+    integer :: k, l
 
-    do c = 1, count
-      i = first + c - 1
-      conductance(c) = strip%conductivity(i)/strip%thickness(i)
+    relief_x = 0
+    relief_y = 0
+    do k = 1, levels%count
+      relief_x = relief_x + relief(:, k, 1)
+      relief_y = relief_y + relief(:, k, 2)
     end do
-    relief(:count, :) = sum(strip%relief(first:first + count - 1, :, :), dim=2)
-    do k = 1, strip%levels%count
-      do c = 1, count
-        i = first + c - 1
-        volume(c) = strip%thickness(i)*strip%levels%weight(k)
-        excess(c, k) = volume(c)*(strip%source(i, k) - strip%absorption(i, k)*strip%known(i, k))
+    bound = conductance/thickness
+    do k = 1, levels%count
+      volume = thickness*levels%weight(k)
+      excess(:, k) = volume*(source(:, k) - absorption(:, k)*known(:, k))
+      do l = 1, levels%count
+        excess(:, k) = excess(:, k) - conductance*levels%stiffness(k, l)*known(:, l)
+        matrix(:, k, l) = conductance*levels%stiffness(k, l) &
+          + volume*(loading(:, k, 1)*relief(:, l, 1) + loading(:, k, 2)*relief(:, l, 2))
       end do
-      do l = 1, strip%levels%count
-        do c = 1, count
-          i = first + c - 1
-          excess(c, k) = excess(c, k) - conductance(c)*strip%levels%stiffness(k, l)*strip%known(i, l)
-          matrix(c, k, l) = conductance(c)*strip%levels%stiffness(k, l) + volume(c)*( &
-            strip%loading(i, k, 1)*strip%relief(i, l, 1) + strip%loading(i, k, 2)*strip%relief(i, l, 2))
-        end do
-      end do
-      do c = 1, count
-        i = first + c - 1
-        growth(c) = min(strip%growth(i, k), most_growth*conductance(c)/strip%thickness(i), &
-          strip%loading(i, k, 1)*relief(c, 1) + strip%loading(i, k, 2)*relief(c, 2) &
-          + most_growth_of_all*conductance(c)/strip%thickness(i)) - strip%absorption(i, k)
-        matrix(c, k, k) = matrix(c, k, k) - volume(c)*growth(c)
-      end do
+      matrix(:, k, k) = matrix(:, k, k) - volume*(min(growth(:, k), most_growth*bound, loading(:, k, 1)*relief_x &
+        + loading(:, k, 2)*relief_y + most_growth_of_all*bound) - absorption(:, k))
     end do
   end subroutine set_balances
 
@@ -176,89 +220,76 @@ contains
   !>
   !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a
   !> pivot below a share of conduction's.
-  pure subroutine solve_inner_levels(strip, first, count, least_pivot, matrix, excess, change)
-    type(film_strip), intent(in) :: strip
-    integer, intent(in) :: first, count
-    real(wp), intent(in) :: least_pivot(:), matrix(:, :, :), excess(:, :)
-    real(wp), intent(out) :: change(:, :, :)
-    real(wp) :: a(lanes, strip%levels%count, strip%levels%count), pivot(lanes, strip%levels%count), factor(lanes)
-    integer :: n, c, k, l, r, side
+  pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, a, pivot, change)
+    integer, intent(in) :: n
+    real(wp), intent(in) :: least_pivot(n), conductance(lanes), matrix(lanes, n, n), excess(lanes, n)
+    real(wp), intent(inout) :: a(lanes, n, n), pivot(lanes, n)
+    real(wp), intent(out) :: change(lanes, n, 3)
+    real(wp) :: factor(lanes)
+    integer :: k, l, r
 
-    n = strip%levels%count
     do l = 2, n - 1
-      do k = 2, n - 1
-        a(:count, k, l) = matrix(:count, k, l)
-      end do
-      change(:count, l, 1) = excess(:count, l)
-      change(:count, l, 2) = -matrix(:count, l, 1)
-      change(:count, l, 3) = -matrix(:count, l, n)
+      a(:, 2:n - 1, l) = matrix(:, 2:n - 1, l)
+      change(:, l, 1) = excess(:, l)
+      change(:, l, 2) = -matrix(:, l, 1)
+      change(:, l, 3) = -matrix(:, l, n)
     end do
     do k = 2, n - 1
-      do c = 1, count
-        pivot(c, k) = 1/max(a(c, k, k), least_pivot(k)*strip%conductivity(first + c - 1)/strip%thickness(first + c - 1))
-      end do
+      pivot(:, k) = 1/max(a(:, k, k), least_pivot(k)*conductance)
       do r = k + 1, n - 1
-        do c = 1, count
-          factor(c) = a(c, r, k)*pivot(c, k)
-        end do
+        factor = a(:, r, k)*pivot(:, k)
         do l = k + 1, n - 1
-          do c = 1, count
-            a(c, r, l) = a(c, r, l) - factor(c)*a(c, k, l)
-          end do
+          a(:, r, l) = a(:, r, l) - factor*a(:, k, l)
         end do
-        do side = 1, 3
-          do c = 1, count
-            change(c, r, side) = change(c, r, side) - factor(c)*change(c, k, side)
-          end do
-        end do
+        change(:, r, 1) = change(:, r, 1) - factor*change(:, k, 1)
+        change(:, r, 2) = change(:, r, 2) - factor*change(:, k, 2)
+        change(:, r, 3) = change(:, r, 3) - factor*change(:, k, 3)
       end do
     end do
-    do side = 1, 3
-      do k = n - 1, 2, -1
-        do l = k + 1, n - 1
-          do c = 1, count
-            change(c, k, side) = change(c, k, side) - a(c, k, l)*change(c, l, side)
-          end do
-        end do
-        do c = 1, count
-          change(c, k, side) = change(c, k, side)*pivot(c, k)
-        end do
+    do k = n - 1, 2, -1
+      do l = k + 1, n - 1
+        change(:, k, 1) = change(:, k, 1) - a(:, k, l)*change(:, l, 1)
+        change(:, k, 2) = change(:, k, 2) - a(:, k, l)*change(:, l, 2)
+        change(:, k, 3) = change(:, k, 3) - a(:, k, l)*change(:, l, 3)
       end do
+      change(:, k, 1) = change(:, k, 1)*pivot(:, k)
+      change(:, k, 2) = change(:, k, 2)*pivot(:, k)
+      change(:, k, 3) = change(:, k, 3)*pivot(:, k)
     end do
-    change(:count, [1, n], :) = 0
-    change(:count, 1, 2) = 1
-    change(:count, n, 3) = 1
+    change(:, 1, :) = 0
+    change(:, n, :) = 0
+    change(:, 1, 2) = 1
+    change(:, n, 3) = 1
   end subroutine solve_inner_levels
 
   !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the
   !> bodies.
-  pure subroutine set_walls(strip, first, count, matrix, excess, change)
+  pure subroutine set_walls(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
-    real(wp), intent(in) :: matrix(:, :, :), excess(:, :), change(:, :, :)
     real(wp) :: left(lanes)
-    integer :: wall, level, l, side, c, last
+    integer :: wall, level, l, side, last
 
     last = first + count - 1
-    strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
-    strip%response(first:last, :, :) = change(:count, :, 2:3)
-    do wall = 1, 2
-      level = merge(1, strip%levels%count, wall == 1)
-      do side = 1, 3
-        left = 0
-        if (side == 1) left(:count) = excess(:count, level)
-        do l = 1, strip%levels%count
-          do c = 1, count
-            left(c) = left(c) - matrix(c, level, l)*change(c, l, side)
+    associate (matrix => strip%work%matrix, excess => strip%work%excess, change => strip%work%change)
+      strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
+      strip%response(first:last, :, :) = change(:count, :, 2:3)
+      do wall = 1, 2
+        level = merge(1, strip%levels%count, wall == 1)
+        do side = 1, 3
+          left = 0
+          if (side == 1) left = excess(:, level)
+          do l = 1, strip%levels%count
+            left = left - matrix(:, level, l)*change(:, l, side)
           end do
+          if (side == 1) then
+            strip%flux(first:last, wall) = left(:count)
+          else
+            strip%admittance(first:last, wall, side - 1) = left(:count)
+          end if
         end do
-        if (side == 1) then
-          strip%flux(first:last, wall) = left(:count)
-        else
-          strip%admittance(first:last, wall, side - 1) = left(:count)
-        end if
       end do
-    end do
+    end associate
   end subroutine set_walls
 
   !> Temperature and fluxes when the walls are `rise` [K], (columns, 2), warmer.

@@ -14,6 +14,7 @@
 module surface_path
   use heated_surface, only: heated_body
   use kinds, only: wp
+  use march_layout, only: march, new_march, to_march, from_march
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_memory
   implicit none(type, external)
   private
@@ -28,17 +29,17 @@ module surface_path
   !> shortest age, where faster ones have decayed.
   real(wp), parameter :: slowest = 0.1_wp, fastest = 9.0_wp
   !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of
-  !> the foot, in nodes, that ends them.
+  !> the foot, in nodes, by one more at which they end.
   integer, parameter :: foot_iterations = 8
-  real(wp), parameter :: foot_settled = 1e-8_wp
+  real(wp), parameter :: foot_settled = 1e-7_wp
   !> Exponentials that are taken together: a vector register. Each group goes its way over all lines by
   !> itself, so that threads that take different ones need not wait for each other.
   integer, parameter :: lanes = 4
 
   type, extends(heated_body) :: fast_body
-    !> True if lines are rows of constant y, taken one after another along y; true if against the axis.
-    logical :: along_y = .false., backward = .false.
-    !> Nodes on a line, lines, and groups of exponentials.
+    !> How lines are taken.
+    type(march) :: way
+    !> Nodes of a line, lines, and groups of exponentials.
     integer :: nodes = 0, lines = 0, groups = 0
     !> Rise under a unit of int q dt/sqrt(t) [K m2/(W sqrt(s))].
     real(wp) :: effusion = 0
@@ -46,9 +47,9 @@ module surface_path
     !> first, (lanes, groups); the first stands for all slower ones.
     real(wp), allocatable :: persistence(:, :), weight(:, :)
     !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights, nought
-    !> if the foot is outside, (4, nodes, lines), and the time from the foot [s], (nodes, lines).
+    !> if the foot is outside, (4, nodes, lines), and the time from the foot [s] and its root, (nodes, lines).
     integer, allocatable :: foot(:, :)
-    real(wp), allocatable :: share(:, :, :), duration(:, :)
+    real(wp), allocatable :: share(:, :, :), duration(:, :), root(:, :)
     !> Decay of the exponentials in that time, (lanes, nodes, lines, groups).
     real(wp), allocatable :: decay(:, :, :, :)
     !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot,
@@ -88,10 +89,9 @@ contains
 
     self%nx = size(u, 1)
     self%ny = size(u, 2)
-    self%along_y = by_y
-    self%backward = merge(v(1, 1), u(1, 1), by_y) < 0
-    self%nodes = merge(self%nx, self%ny, by_y)
-    self%lines = merge(self%ny, self%nx, by_y)
+    self%way = new_march(self%nx, self%ny, dx, dy, .not. by_y, merge(v(1, 1), u(1, 1), by_y) < 0)
+    self%nodes = self%way%length
+    self%lines = self%way%lines
     self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
     allocate (self%foot(self%nodes, self%lines), self%share(4, self%nodes, self%lines), &
       self%duration(self%nodes, self%lines), self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
@@ -100,44 +100,20 @@ contains
     stat = status_no_memory
     if (err /= 0) return
     if (by_y) then
-      call take_lines(self, v, ahead)
-      call take_lines(self, u, aside)
+      call to_march(self%way, v, ahead)
+      call to_march(self%way, u, aside)
       call find_feet(self, abs(ahead), aside, dy, dx)
       call factor_spread(self, conductivity/heat_capacity/dx**2*(1 + (aside/ahead)**2))
     else
-      call take_lines(self, u, ahead)
-      call take_lines(self, v, aside)
+      call to_march(self%way, u, ahead)
+      call to_march(self%way, v, aside)
       call find_feet(self, abs(ahead), aside, dx, dy)
       call factor_spread(self, conductivity/heat_capacity/dy**2*(1 + (aside/ahead)**2))
     end if
+    self%root = sqrt(self%duration)
     call choose_rates(self, stat)
     self%own = self%effusion*4/3*sqrt(sum(self%duration(:, 2:))/size(self%duration(:, 2:)))
   end subroutine new_fast_body
-
-  !> A field of the grid, line after line in the order of the motion.
-  subroutine take_lines(self, field, lines)
-    class(fast_body), intent(in) :: self
-    real(wp), intent(in) :: field(self%nx, self%ny)
-    real(wp), intent(out) :: lines(self%nodes, self%lines)
-    integer :: line
-
-    !$omp parallel do schedule(static)
-    do line = 1, self%lines
-      if (self%along_y) then
-        lines(:, line) = field(:, place(self, line))
-      else
-        lines(:, line) = field(place(self, line), :)
-      end if
-    end do
-  end subroutine take_lines
-
-  !> Index on the grid of a line.
-  pure integer function place(self, line)
-    class(fast_body), intent(in) :: self
-    integer, intent(in) :: line
-
-    place = merge(self%lines + 1 - line, line, self%backward)
-  end function place
 
   !> Where the paths through the nodes cross the line before, and how long they take from there.
   !>
@@ -147,30 +123,39 @@ contains
   subroutine find_feet(self, ahead, aside, apart, spacing)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: ahead(:, :), aside(:, :), apart, spacing
-    real(wp) :: slope(3), slowness(3), at, halfway, last
-    integer :: line, node, iteration
+    real(wp) :: slope(3), slowness(3), share(4), at, halfway, last, move, last_move
+    integer :: line, node, iteration, first
 
     self%foot(:, 1) = 1
     self%share(:, :, 1) = 0
     self%duration(:, 1) = 0
-    !$omp parallel do private(node, slope, slowness, at, halfway, last, iteration) schedule(static)
+    !$omp parallel do private(node, slope, slowness, share, at, halfway, last, move, last_move, iteration, first) &
+    !$omp& schedule(static)
     do line = 2, self%lines
       associate (ahead_here => ahead(:, line), aside_here => aside(:, line), &
           ahead_before => ahead(:, line - 1), aside_before => aside(:, line - 1))
         do node = 1, self%nodes
           slope(1) = aside_here(node)/ahead_here(node)
           slowness(1) = 1/ahead_here(node)
-          slope(2:) = slope(1)
+          ! the slope at the node nearest to the foot of a straight path is a start
+          first = nint(within(node - apart/spacing*slope(1), self%nodes))
+          slope(3) = aside_before(first)/ahead_before(first)
+          slope(2) = (slope(1) + slope(3))/2
           at = node
+          move = 0
           do iteration = 1, foot_iterations
             last = at
+            last_move = move
             at = node - apart/spacing*(slope(1) + 4*slope(2) + slope(3))/6
+            move = at - last
+            if (iteration > 1 .and. move**2 <= foot_settled*abs(last_move)) exit
             halfway = (node + at)/2 + apart/spacing*(slope(3) - slope(1))/8
-            slowness(3) = 1/between(ahead_before, at)
-            slope(3) = between(aside_before, at)*slowness(3)
-            slowness(2) = 2/(between(ahead_before, halfway) + between(ahead_here, halfway))
-            slope(2) = (between(aside_before, halfway) + between(aside_here, halfway))/2*slowness(2)
-            if (abs(at - last) < foot_settled) exit
+            call around(within(at, self%nodes), self%nodes, first, share)
+            slowness(3) = 1/dot_product(share, ahead_before(first:first + 3))
+            slope(3) = dot_product(share, aside_before(first:first + 3))*slowness(3)
+            call around(within(halfway, self%nodes), self%nodes, first, share)
+            slowness(2) = 2/dot_product(share, ahead_before(first:first + 3) + ahead_here(first:first + 3))
+            slope(2) = dot_product(share, aside_before(first:first + 3) + aside_here(first:first + 3))/2*slowness(2)
           end do
           self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
           self%share(:, node, line) = 0
@@ -195,15 +180,13 @@ contains
     share = [-(s - 1)*(s - 2)*(s - 3)/6, s*(s - 2)*(s - 3)/2, -s*(s - 1)*(s - 3)/2, s*(s - 1)*(s - 2)/6]
   end subroutine around
 
-  !> Cubic interpolation at a place on a line; beyond its ends, the value there.
-  pure real(wp) function between(line, at)
-    real(wp), intent(in) :: line(:), at
-    real(wp) :: share(4)
-    integer :: first
+  !> A place on a line of n nodes, or the end that it is beyond.
+  pure real(wp) function within(at, n)
+    real(wp), intent(in) :: at
+    integer, intent(in) :: n
 
-    call around(min(max(at, 1.0_wp), real(size(line), wp)), size(line), first, share)
-    between = dot_product(share, line(first:first + 3))
-  end function between
+    within = min(max(at, 1.0_wp), real(n, wp))
+  end function within
 
   !> Exponentials for all ages between the shortest step and the longest stay, and their decay in every step.
   subroutine choose_rates(self, stat)
@@ -276,7 +259,7 @@ contains
     real(wp), intent(out) :: temperature_rise(self%nx, self%ny)
     integer :: line, group
 
-    call take_lines(self, q, self%flux)
+    call to_march(self%way, q, self%flux)
     self%before(:, 1) = 0
     !$omp parallel do schedule(static)
     do line = 2, self%lines
@@ -288,37 +271,35 @@ contains
     end do
     !$omp parallel do private(group) schedule(static)
     do line = 1, self%lines
-      self%risen(:, line) = sqrt(self%duration(:, line))*(4*self%flux(:, line) + 2*self%before(:, line))/3
+      self%risen(:, line) = self%root(:, line)*(4*self%flux(:, line) + 2*self%before(:, line))/3
       do group = 1, self%groups
         self%risen(:, line) = self%risen(:, line) + self%history(:, line, group)
       end do
       self%risen(:, line) = self%effusion*self%risen(:, line)
-      if (self%along_y) then
-        temperature_rise(:, place(self, line)) = self%risen(:, line)
-      else
-        temperature_rise(place(self, line), :) = self%risen(:, line)
-      end if
     end do
+    call from_march(self%way, self%risen, temperature_rise)
   end subroutine rise
 
   !> Flux at the feet of a line's paths, spread along the line meanwhile.
   subroutine flux_at_feet(self, line)
     class(fast_body), intent(inout) :: self
     integer, intent(in) :: line
+    real(wp) :: spread
     integer :: node
 
     associate (before => self%before(:, line), passed => self%passed(:, line), pivot => self%pivot(:, line))
+      spread = 0
       do node = 1, self%nodes
         associate (foot => self%foot(node, line))
-          before(node) = dot_product(self%share(:, node, line), self%flux(foot:foot + 3, line - 1))
+          spread = pivot(node)*dot_product(self%share(:, node, line), self%flux(foot:foot + 3, line - 1)) &
+            + passed(node)*spread
         end associate
+        before(node) = spread
       end do
-      before(1) = pivot(1)*before(1)
-      do node = 2, self%nodes
-        before(node) = pivot(node)*before(node) + passed(node)*before(node - 1)
-      end do
-      do node = self%nodes - 1, 1, -1
-        before(node) = before(node) + passed(node)*before(node + 1)
+      spread = 0
+      do node = self%nodes, 1, -1
+        spread = before(node) + passed(node)*spread
+        before(node) = spread
       end do
     end associate
   end subroutine flux_at_feet
@@ -330,47 +311,44 @@ contains
     !> Integrals of the exponentials with the flux on a line, and what of those of the line before the paths
     !> bring.
     real(wp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
-    real(wp) :: share(4), here, there, pace, history, decay, whole, early
-    integer :: line, node, foot, mode
+    real(wp), dimension(lanes) :: spread, decay, whole, early, product
+    real(wp) :: share(4), here, there, pace
+    integer :: line, node, foot
 
     past = 0
     self%history(:, 1, group) = 0
     do line = 2, self%lines
+      spread = 0
       do node = 1, self%nodes
         foot = self%foot(node, line)
-        share = self%share(:, node, line)
-        do mode = 1, lanes
-          brought(mode, node) = self%decay(mode, node, line, group)*(share(1)*past(mode, foot) &
-            + share(2)*past(mode, foot + 1) + share(3)*past(mode, foot + 2) + share(4)*past(mode, foot + 3))
-        end do
+        share = self%share(:, node, line)*self%pivot(node, line)
+        spread = self%decay(:, node, line, group)*(share(1)*past(:, foot) + share(2)*past(:, foot + 1) &
+          + share(3)*past(:, foot + 2) + share(4)*past(:, foot + 3)) + self%passed(node, line)*spread
+        brought(:, node) = spread
       end do
 
-      associate (passed => self%passed(:, line), pivot => self%pivot(:, line))
-        brought(:, 1) = pivot(1)*brought(:, 1)
-        do node = 2, self%nodes
-          brought(:, node) = pivot(node)*brought(:, node) + passed(node)*brought(:, node - 1)
-        end do
-        do node = self%nodes - 1, 1, -1
-          brought(:, node) = brought(:, node) + passed(node)*brought(:, node + 1)
-        end do
-      end associate
-
-      do node = 1, self%nodes
+      spread = 0
+      do node = self%nodes, 1, -1
+        spread = brought(:, node) + self%passed(node, line)*spread
+        product = self%weight(:, group)*spread
+        self%history(node, line, group) = sum_of_lanes(product)
+        ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
         here = self%flux(node, line)
         there = self%before(node, line)
         pace = 1/self%duration(node, line)
-        history = 0
-        do mode = 1, lanes
-          history = history + self%weight(mode, group)*brought(mode, node)
-          ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
-          decay = self%decay(mode, node, line, group)
-          whole = (1 - decay)*self%persistence(mode, group)
-          early = (whole*pace - decay)*self%persistence(mode, group)
-          past(mode, node) = brought(mode, node) + here*(whole - early) + there*early
-        end do
-        self%history(node, line, group) = history
+        decay = self%decay(:, node, line, group)
+        whole = (1 - decay)*self%persistence(:, group)
+        early = (whole*pace - decay)*self%persistence(:, group)
+        past(:, node) = spread + here*(whole - early) + there*early
       end do
     end do
   end subroutine remember
+
+  !> Sum over a group, by halves.
+  pure real(wp) function sum_of_lanes(a)
+    real(wp), intent(in) :: a(lanes)
+
+    sum_of_lanes = (a(1) + a(3)) + (a(2) + a(4))
+  end function sum_of_lanes
 
 end module surface_path

@@ -10,7 +10,7 @@ module flow_laws
   implicit none(type, external)
   private
 
-  public :: flow_law, has_limit, slip_stress, stress_scales, thinning, thinning_by_stresses, stress_guess
+  public :: flow_law, has_limit, hardens, slip_stress, stress_scales, thinning, thinning_by_stresses, stress_guess
 
   !> F = tau / eta
   integer, parameter, public :: law_newton = 0
@@ -59,6 +59,13 @@ contains
 
     has_limit = law%law == law_bair_winer .or. law%law == law_eyring_limited
   end function has_limit
+
+  !> Whether a stress of the law follows the pressure.
+  elemental logical function hardens(law)
+    type(flow_law), intent(in) :: law
+
+    hardens = law%law /= law_newton .and. abs(law%reference_growth) + abs(law%limit_growth) > 0
+  end function hardens
 
   !> Stress [Pa] beyond which a wall slips, of an oil with limiting stress `limit` [Pa].
   elemental real(wp) function slip_stress(limit)
@@ -323,7 +330,6 @@ contains
     integer, intent(in) :: count
     real(wp), intent(in) :: square(count), reference(count), limit(count), g(count), slope(count)
     real(wp), intent(out) :: by_reference(count), by_limit(count)
-    real(wp) :: ratio
     integer :: i
 
     by_reference = 0
@@ -335,15 +341,19 @@ contains
       by_limit = -2*square*slope/limit
     case (law_eyring_limited)
       do i = 1, count
-        ratio = max(min(square(i)/limit(i)**2, slip_share**2), least_ratio)
-        ratio = exp(law%exponent*log(ratio))
-        by_reference(i) = -2*(square(i)*slope(i) - g(i)*law%exponent*ratio/(1 - ratio))/reference(i)
+        by_limit(i) = max(min(square(i)/limit(i)**2, slip_share**2), least_ratio)
       end do
+      if (abs(law%exponent - 1) > 0) by_limit = exp(law%exponent*log(by_limit))
       do i = 1, count
-        if (square(i) > slip_stress(limit(i))**2) then
-          by_reference(i) = slip_by_reference(law%exponent, square(i), reference(i), limit(i))
-        end if
+        by_reference(i) = -2*(square(i)*slope(i) - g(i)*law%exponent*by_limit(i)/(1 - by_limit(i)))/reference(i)
       end do
+      if (any(square > slip_stress(limit)**2)) then
+        do i = 1, count
+          if (square(i) > slip_stress(limit(i))**2) then
+            by_reference(i) = slip_by_reference(law%exponent, square(i), reference(i), limit(i))
+          end if
+        end do
+      end if
       by_limit = -(2*square*slope + reference*by_reference)/limit
     case default
     end select

@@ -102,7 +102,7 @@ def reference_viscosity(speed: float, mean_diameter: float) -> float:
     within("speed of rotation", rpm, 1, 1e5, "rpm")
     within("mean diameter of the bearing", mean_diameter, 5e-3, 5, "m")
     millimetres = mean_diameter * 1e3
-    if rpm < 1000:
+    if rpm < 1000 * (1 - 1e-9):  # 1000 rpm may come back from rad/s as a little less
         return 45000 * rpm**-0.83 * millimetres**-0.5 * 1e-6
     return 4500 * rpm**-0.5 * millimetres**-0.5 * 1e-6
 

@@ -9,7 +9,7 @@ from math import log, log10
 import numpy as np
 from scipy.optimize import brentq
 
-from pyworm.formulas.ranges import within
+from pyworm.formulas.ranges import Values, within
 
 WALTHER_SHIFT = 0.7
 """Constant [mm2/s] added to the viscosity in ASTM D341 for viscosities above 2 mm2/s."""
@@ -32,7 +32,7 @@ ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE = 9.67, 138.0
 # ------------------------------------------------------------------------ viscosity and temperature
 
 
-def walther_viscosity(m: float, n: float, temperature):
+def walther_viscosity(m: float, n: float, temperature: Values) -> Values:
     """Kinematic viscosity [m2/s] by log10 log10(nu + 0.7) = m - n log10 T, nu in mm2/s, T in K.
 
     Source: C. Walther (1931), as standardised in ASTM D341. Range: 200 to 500 K, viscosities above
@@ -50,7 +50,7 @@ def walther_viscosity(m: float, n: float, temperature):
     return (shifted - WALTHER_SHIFT) / MILLIMETRE_SQUARED
 
 
-def walther_temperature(m: float, n: float, viscosity):
+def walther_temperature(m: float, n: float, viscosity: Values) -> Values:
     """Temperature [K] of a kinematic viscosity [m2/s]: the inverse of `walther_viscosity`."""
     within("kinematic viscosity", viscosity, 4e-7, THICKEST, "m2/s")
     return 10 ** ((m - _double_log(viscosity)) / n)
@@ -79,7 +79,7 @@ def walther_constants(
     return float(_double_log(viscosity_1)) + n * log10(temperature_1), n
 
 
-def walther_slope(n: float, viscosity, temperature):
+def walther_slope(n: float, viscosity: Values, temperature: Values) -> Values:
     """-d ln nu / dT [1/K] of the Walther law where it gives a viscosity [m2/s] at a temperature [K].
 
     The exact derivative n (nu + 0.7) ln(nu + 0.7) / (nu T), nu in mm2/s.
@@ -89,7 +89,7 @@ def walther_slope(n: float, viscosity, temperature):
     return n * shifted * np.log(shifted) / (nu * temperature)
 
 
-def _double_log(viscosity):
+def _double_log(viscosity: Values) -> Values:
     return np.log10(np.log10(np.asarray(viscosity) * MILLIMETRE_SQUARED + WALTHER_SHIFT))
 
 
@@ -114,7 +114,7 @@ _INDEX_OILS = (
 """Viscosity at 100 degC from which a row holds, and L, H as a Y^2 + b Y + c in it [mm2/s]."""
 
 
-def viscosity_index(viscosity_40, viscosity_100: float) -> float:
+def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
     """Viscosity index [-] from the kinematic viscosities [m2/s] at 40 and 100 degC.
 
     With Y at 100 degC and U at 40 degC in mm2/s, L and H those of the reference oils of index 0 and 100 with
@@ -157,7 +157,7 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
 # ------------------------------------------------------------------------------ density and heat
 
 
-def density(density_15: float, coefficient: float, temperature):
+def density(density_15: float, coefficient: float, temperature: Values) -> Values:
     """Density [kg/m3], rho15 [1 - c (T - 15 degC)].
 
     Parameters
@@ -175,14 +175,14 @@ def density(density_15: float, coefficient: float, temperature):
     return density_15 * (1 - coefficient * (np.asarray(temperature) - ZERO_CELSIUS - 15))
 
 
-def dynamic_viscosity(viscosity, density):
+def dynamic_viscosity(viscosity: Values, density: Values) -> Values:
     """Dynamic viscosity [Pa s], the kinematic one [m2/s] times the density [kg/m3]."""
     within("kinematic viscosity", viscosity, THINNEST, THICKEST, "m2/s")
     within("density", density, 500, 2000, "kg/m3")
     return viscosity * density
 
 
-def conductivity(density_15: float, temperature):
+def conductivity(density_15: float, temperature: Values) -> Values:
     """Thermal conductivity [W/(m K)] of petroleum oils, 0.12 (1 - 0.0005 t/3)/s.
 
     s is the density at 15 degC in kg/l, t the temperature in degC. Source: C. S. Cragoe, US Bureau of
@@ -198,7 +198,7 @@ def conductivity(density_15: float, temperature):
 # ------------------------------------------------------------------------- viscosity and pressure
 
 
-def gold_alpha(viscosity, s: float, t: float):
+def gold_alpha(viscosity: Values, s: float, t: float) -> Values:
     """Gold's pressure-viscosity coefficient [1/Pa], s nu^t 1e-9 with nu in mm2/s.
 
     Falls with temperature as the viscosity does. Source: P. W. Gold et al., Tribologie +
@@ -212,7 +212,7 @@ def gold_alpha(viscosity, s: float, t: float):
     return s * (np.asarray(viscosity) * MILLIMETRE_SQUARED) ** t * 1e-9
 
 
-def agma_alpha(viscosity, k: float, s: float):
+def agma_alpha(viscosity: Values, k: float, s: float) -> Values:
     """AGMA's pressure-viscosity coefficient [1/Pa], k eta^s in mm2/N with eta in mPa s.
 
     Source: AGMA 925-A03, section 6.2; from memory, checked against the two values of Errichello's case
@@ -251,7 +251,7 @@ def roelands_exponent(
     return log(fall) / log(rise)
 
 
-def eyring_stress(alpha, limit: float):
+def eyring_stress(alpha: Values, limit: float) -> Values:
     """Eyring stress [Pa] of an oil whose traction is limited, 2 Lambda/alpha.
 
     With the viscosity growing as exp(alpha p), Eyring's law makes the stress grow with pressure by

@@ -3,10 +3,15 @@
 Most values outside a range are right numbers in wrong units, so the sentence always names the unit.
 """
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
 
+Values = float | np.ndarray
+"""A number or an array of numbers."""
 
-def within(name: str, value, low: float, high: float, unit: str) -> None:
+
+def within(name: str, value: Values | Sequence[float], low: float, high: float, unit: str) -> None:
     """Refuse a value outside a closed range.
 
     Parameters
@@ -35,7 +40,7 @@ def within(name: str, value, low: float, high: float, unit: str) -> None:
         )
 
 
-def positive(name: str, value, unit: str) -> None:
+def positive(name: str, value: Values, unit: str) -> None:
     """Refuse what is not a finite number greater than zero; arguments as of `within`.
 
     Raises
@@ -52,7 +57,7 @@ def positive(name: str, value, unit: str) -> None:
         )
 
 
-def one_of(name: str, value: str, choices) -> None:
+def one_of(name: str, value: str, choices: Iterable[str]) -> None:
     """Refuse a word that is not among the choices.
 
     Raises

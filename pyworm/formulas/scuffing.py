@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr
 
-from pyworm.formulas.ranges import positive, within
+from pyworm.formulas.ranges import Values, positive, within
 
 SOURCE = "Blok 1937; AGMA 2001-B88 and 925-A03"
 
@@ -30,7 +30,7 @@ ZERO_CELSIUS = 273.15
 _SCUFFING = {False: (63.0, 33.0), True: (118.0, 33.0)}
 
 
-def effusivity(conductivity, density, specific_heat):
+def effusivity(conductivity: Values, density: Values, specific_heat: Values) -> Values:
     """Thermal contact coefficient B [N/(m s^0.5 K)], sqrt(k rho c); arguments in W/(m K), kg/m3, J/(kg K)."""
     within("conductivity", conductivity, 0.01, 1000, "W/(m K)")
     within("density", density, 100, 25000, "kg/m3")
@@ -39,8 +39,14 @@ def effusivity(conductivity, density, specific_heat):
 
 
 def flash_temperature(
-    friction, load_per_length, speed_1, speed_2, effusivity_1, effusivity_2, half_width
-):
+    friction: Values,
+    load_per_length: Values,
+    speed_1: Values,
+    speed_2: Values,
+    effusivity_1: float,
+    effusivity_2: float,
+    half_width: Values,
+) -> Values:
     """Flash temperature of a line contact [K]: how far both surfaces rise above their bulk, at most.
 
         0.80 mu w |v1 - v2| / [(B1 sqrt v1 + B2 sqrt v2) sqrt b]
@@ -78,14 +84,14 @@ def flash_temperature(
     return FLASH_CONSTANT * heat / (drain * np.sqrt(half_width))
 
 
-def contact_temperature(bulk_temperature, flash):
+def contact_temperature(bulk_temperature: Values, flash: Values) -> Values:
     """Largest temperature of the surfaces [K], bulk plus flash (Blok); both in kelvin."""
     within("bulk temperature", bulk_temperature, 200, 700, "K")
     within("flash temperature", flash, 0, 5000, "K")
     return np.add(bulk_temperature, flash)
 
 
-def scuffing_temperature(viscosity_40, anti_scuff: bool):
+def scuffing_temperature(viscosity_40: Values, anti_scuff: bool) -> Values:
     """Mean scuffing temperature of a mineral gear oil [K].
 
     63 degC + 33 K ln nu40, with anti-scuff additives 118 degC + 33 K ln nu40, nu40 in mm2/s. Source:
@@ -104,7 +110,7 @@ def scuffing_temperature(viscosity_40, anti_scuff: bool):
     return base + slope * np.log(np.asarray(viscosity_40) * 1e6) + ZERO_CELSIUS
 
 
-def scuffing_probability(contact, scuffing):
+def scuffing_probability(contact: Values, scuffing: Values) -> Values:
     """Probability of scuffing [-]: of a normal scuffing temperature that the contact temperature exceeds.
 
     The standard deviation is 15 % of the mean in degrees Fahrenheit. Source: AGMA 2001-B88, from memory;
@@ -166,11 +172,11 @@ class ScuffingRating:
 def rate_scuffing(
     *,
     bulk_temperature: float,
-    friction,
-    load_per_length,
-    speed_1,
-    speed_2,
-    half_width,
+    friction: Values,
+    load_per_length: Values,
+    speed_1: Values,
+    speed_2: Values,
+    half_width: Values,
     effusivity_1: float,
     effusivity_2: float,
     viscosity_40: float,

@@ -6,10 +6,12 @@ speeds have other constants. None is larger than 1.
 
 import numpy as np
 
-from pyworm.formulas.ranges import positive, within
+from pyworm.formulas.ranges import Values, positive, within
 
 
-def thermal_loading(viscosity, slope, speed, conductivity):
+def thermal_loading(
+    viscosity: Values, slope: Values, speed: Values, conductivity: Values
+) -> Values:
     """Thermal loading L [-], eta0 beta um^2/k.
 
     Parameters
@@ -30,7 +32,7 @@ def thermal_loading(viscosity, slope, speed, conductivity):
     return viscosity * slope * np.square(speed) / conductivity
 
 
-def wilson_sheu(loading, slide_roll_ratio):
+def wilson_sheu(loading: Values, slide_roll_ratio: Values) -> Values:
     """Wilson and Sheu's factor [-], 1/[1 + 0.241 (1 + 14.8 Z^0.83) L^0.64], Z = SRR/2.
 
     Source: W. R. D. Wilson and S. Sheu, J. Lubr. Technol. 105 (1983) 187-188. The same with 0.1 holds
@@ -49,7 +51,7 @@ def wilson_sheu(loading, slide_roll_ratio):
     return 1 / (1 + 0.241 * sliding * np.power(loading, 0.64))
 
 
-def murch_wilson(loading):
+def murch_wilson(loading: Values) -> Values:
     """Murch and Wilson's factor of pure rolling [-], 1/(1 + 0.254 L^0.62).
 
     Source: L. E. Murch and W. R. D. Wilson, J. Lubr. Technol. 97 (1975) 212-216.
@@ -58,7 +60,7 @@ def murch_wilson(loading):
     return 1 / (1 + 0.254 * np.power(loading, 0.62))
 
 
-def gupta(loading, slide_roll_ratio, pressure_ratio):
+def gupta(loading: Values, slide_roll_ratio: Values, pressure_ratio: Values) -> Values:
     """Gupta's factor [-], [1 - 13.2 (p_H/E') L^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L^0.64], S = SRR.
 
     Source: P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster and J. B. Schrand, Tribol. Trans. 35 (1992)
@@ -81,7 +83,7 @@ def gupta(loading, slide_roll_ratio, pressure_ratio):
     return pressed / (1 + 0.213 * sliding * np.power(loading, 0.64))
 
 
-def hsu_lee(loading, slide_roll_ratio, material, load):
+def hsu_lee(loading: Values, slide_roll_ratio: Values, material: Values, load: Values) -> Values:
     """Hsu and Lee's factor [-], 1/(1 + 0.0766 G^0.687 W^0.447 L^0.527 e^(0.875 S)), S = SRR.
 
     Source: C. H. Hsu and R. T. Lee, J. Tribol. 116 (1994) 540-548; from memory, checked by its limit 1
@@ -101,6 +103,6 @@ def hsu_lee(loading, slide_roll_ratio, material, load):
     return 1 / (1 + groups * np.power(loading, 0.527) * np.exp(0.875 * np.abs(slide_roll_ratio)))
 
 
-def _check(loading, slide_roll_ratio) -> None:
+def _check(loading: Values, slide_roll_ratio: Values) -> None:
     within("thermal loading L", loading, 0, 1e4, "")
     within("slide-roll ratio", slide_roll_ratio, -2, 2, "")

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr, ndtri
 
-from pyworm.formulas.ranges import positive, within
+from pyworm.formulas.ranges import Values, positive, within
 
 SOURCE = "Wellauer and Holloway 1976, as fitted in AGMA 925-A03"
 
@@ -25,7 +25,7 @@ def composite_roughness(roughness_1: float, roughness_2: float) -> float:
     return float(np.hypot(roughness_1, roughness_2))
 
 
-def specific_film(film_min, roughness):
+def specific_film(film_min: Values, roughness: Values) -> Values:
     """lambda [-], the minimum film over the composite roughness, both in metres."""
     within("minimum film", film_min, 0, 1e-3, "m")
     within("composite roughness", roughness, 1e-10, 1e-4, "m")
@@ -40,7 +40,7 @@ def regime(specific_film: float) -> str:
     return "mixed" if specific_film < FULL_FILM else "full film"
 
 
-def distress_probability(specific_film, pitch_line_velocity: float):
+def distress_probability(specific_film: Values, pitch_line_velocity: float) -> Values:
     """Probability of wear-related surface distress [-].
 
     One minus the normal distribution of lambda with mean and standard deviation
@@ -102,7 +102,7 @@ class WearRating:
     source: str = SOURCE
 
 
-def rate_wear(film_min, roughness: float, pitch_line_velocity: float) -> WearRating:
+def rate_wear(film_min: Values, roughness: float, pitch_line_velocity: float) -> WearRating:
     """Rate the minimum films [m] of the contacts of a mesh, given as an array, or of one.
 
     Raises

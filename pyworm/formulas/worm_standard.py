@@ -252,8 +252,8 @@ def tooth_friction(
         Y_G     sqrt(0.07/h*)
         Y_R     (Ra/0.5 um)^(1/4)
 
-    Checked: falls with sliding speed to the first number; PAG below PAO below mineral oil at every
-    speed; 1 is each factor of the reference gear. Range: vg from 0.05 to 25 m/s.
+    Checked: falls with sliding speed to the first number; PAG below PAO below mineral oil from 0.25
+    m/s on; 1 is each factor of the reference gear. Range: vg from 0.05 to 25 m/s.
 
     Parameters
     ----------

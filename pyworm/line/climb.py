@@ -130,7 +130,7 @@ def with_shear(scene: LineScene, model: Model, rung: LineRung) -> None:
     """Lets the film of a rung flow by the oil's law, from its present pressure."""
     film = rung.film
     film.shear(scene.oil.flow or NEWTONIAN, model.levels, np.full(rung.grid.nodes, scene.sliding))
-    film.start(film.pressure, film.rigid_film)
+    film.restart()
 
 
 def with_heat(scene: LineScene, rung: LineRung, before: LineRung | None = None) -> None:
@@ -143,7 +143,7 @@ def with_heat(scene: LineScene, rung: LineRung, before: LineRung | None = None) 
     if rise is not None and before.grid != rung.grid:
         rise = np.stack([_prolonged(level) for level in rise.T], axis=1)
     film.heat(scene.oil, scene.bodies, scene.velocities, rise)
-    film.start(film.pressure, film.rigid_film)
+    film.restart()
 
 
 def _entered(

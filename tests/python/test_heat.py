@@ -205,9 +205,18 @@ def test_hot_contacts_converge(slide_roll_ratio, speed, load):
     assert abs(figures.heat_balance) < 0.02
 
 
-def test_an_oil_that_hardly_bears_stress_is_marked_not_raised():
-    """An Eyring stress of 0.1 MPa: the Newtonian film to start from is none of its."""
-    scene = ball(0.5, flow=FlowLaw("eyring", stress=1e5))
+def test_films_far_softer_than_the_newtonian_ones_they_start_from():
+    """The Newtonian film has stresses many times an Eyring stress of 0.1 MPa, or beyond a limit all over."""
+    soft = solved(ball(0.5, flow=FlowLaw("eyring", stress=1e5))).figures
+    assert 0 < soft.friction_coefficient.value < 0.003
+    limited = solved(hard(0.1, 10.0, 1.0)).figures
+    assert 0.005 < limited.friction_coefficient.value < 0.035
+
+
+def test_an_oil_that_slips_all_over_is_marked_not_raised():
+    """Bair and Winer's law where its limit is reached all over the contact, so that heat finds no film."""
+    flow = FlowLaw("bair-winer", limit=4.2e6, limit_pressure=0.035)
+    scene = ball(0.5, flow=flow)
     solution = pyworm.solve(scene, pyworm.plan(scene, COARSE))
     assert not solution.converged
     assert np.isinf(solution.figures.film_min.error)

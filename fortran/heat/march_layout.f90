@@ -1,0 +1,98 @@
+!> Fields as a march with the oil meets them: the nodes of a line side by side in memory, the lines in the order in which
+!> oil comes to them. Lines lie across the main direction of the entrainment.
+module march_layout
+  use kinds, only: wp
+  implicit none(type, external)
+  private
+
+  public :: march, new_march, to_march, from_march
+
+  !> Nodes copied together each way, so that both sides of a transposition stay in cache.
+  integer, parameter :: block = 16
+
+  type :: march
+    !> True if lines are columns of constant x, taken one after another along x; true if against the axis.
+    logical :: along_x = .false., backward = .false.
+    !> Nodes of a line, and lines.
+    integer :: length = 0, lines = 0
+    !> One over the spacing of the nodes on a line, and of the lines, negative if these are taken against their axis [1/m].
+    real(wp) :: per_node = 0, per_line = 0
+  end type march
+
+contains
+
+  !> A march over nx by ny nodes dx and dy apart.
+  pure type(march) function new_march(nx, ny, dx, dy, along_x, backward)
+    integer, intent(in) :: nx, ny
+    real(wp), intent(in) :: dx, dy
+    logical, intent(in) :: along_x, backward
+
+    new_march%along_x = along_x
+    new_march%backward = backward
+    new_march%length = merge(ny, nx, along_x)
+    new_march%lines = merge(nx, ny, along_x)
+    new_march%per_node = 1/merge(dy, dx, along_x)
+    new_march%per_line = merge(-1, 1, backward)/merge(dx, dy, along_x)
+  end function new_march
+
+  !> A field of the grid, (nx, ny), as the march meets it, (length, lines).
+  subroutine to_march(way, field, marched)
+    type(march), intent(in) :: way
+    real(wp), intent(in) :: field(:, :)
+    real(wp), intent(inout) :: marched(:, :)
+    integer :: first, nodes, line, node
+
+    if (.not. way%along_x) then
+      !$omp parallel do schedule(static)
+      do line = 1, way%lines
+        marched(:, line) = field(:, place(way, line))
+      end do
+      return
+    end if
+    !$omp parallel do private(nodes, line, node) schedule(static)
+    do first = 1, way%lines, block
+      do nodes = 1, way%length, block
+        do line = first, min(first + block - 1, way%lines)
+          do node = nodes, min(nodes + block - 1, way%length)
+            marched(node, line) = field(place(way, line), node)
+          end do
+        end do
+      end do
+    end do
+  end subroutine to_march
+
+  !> The way back.
+  subroutine from_march(way, marched, field)
+    type(march), intent(in) :: way
+    real(wp), intent(in) :: marched(:, :)
+    real(wp), intent(inout) :: field(:, :)
+    integer :: first, lines, line, node
+
+    if (.not. way%along_x) then
+      !$omp parallel do schedule(static)
+      do line = 1, way%lines
+        field(:, place(way, line)) = marched(:, line)
+      end do
+      return
+    end if
+    !$omp parallel do private(lines, line, node) schedule(static)
+    do first = 1, way%length, block
+      do lines = 1, way%lines, block
+        do node = first, min(first + block - 1, way%length)
+          do line = lines, min(lines + block - 1, way%lines)
+            field(place(way, line), node) = marched(node, line)
+          end do
+        end do
+      end do
+    end do
+  end subroutine from_march
+
+  !> Index on the grid of a line.
+  pure integer function place(way, line)
+    type(march), intent(in) :: way
+    integer, intent(in) :: line
+
+    place = merge(way%lines + 1 - line, line, way%backward)
+  end function place
+
+end module march_layout

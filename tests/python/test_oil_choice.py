@@ -1,0 +1,194 @@
+"""Choosing oil backwards from the film: two examples, the trade against churning, and charts of oils."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from matplotlib.text import Text
+from oil_choice import ERRICHELLO, ZI_WORM
+
+from pyworm.named_oils import BASES, ISO_GRADES, named_oil, oil_from_index
+from pyworm.oil_choice import choose_oil, page
+from pyworm.plots.oil import draw_pressure_viscosity, draw_viscosity
+
+C = 273.15
+
+
+def row_of(choice, grade):
+    return next(row for row in choice.rows if row.grade == grade)
+
+
+def test_the_zi_worm_gets_the_oil_it_runs_with():
+    choice = choose_oil(ZI_WORM)
+    assert (choice.oil, choice.reached) == ("PAG VG 460", True)
+    text = page(choice)
+    assert "VG 460 (centre distance to 12 in" in text
+    assert "no row for this size" in text
+
+
+def test_errichellos_speed_increaser():
+    """His rule asks for VG 320; his films with VG 100 and VG 220 are lambda 0.074 and 0.096."""
+    choice = choose_oil(ERRICHELLO)
+    assert (choice.grade, choice.reached, choice.viscosity_needed) == (320, False, None)
+    assert row_of(choice, 100).specific_film == pytest.approx(0.0743, rel=0.1)
+    assert row_of(choice, 220).specific_film == pytest.approx(0.0955, rel=0.1)
+    text = page(choice)
+    assert "7000/sqrt(400) = 350 mm2/s" in text
+    assert "VG 150 or VG 220" in text
+    assert "thicker oil is not the cure" in text
+    assert "with anti-scuff additives (probability 5 %, low)" in text
+    assert "pour point should be 5 degC" in text
+
+
+@pytest.mark.parametrize("duty", [ZI_WORM, ERRICHELLO], ids=lambda duty: duty.base)
+def test_a_page_is_a_page(duty):
+    lines = page(choose_oil(duty)).splitlines()
+    assert len(lines) < 70 and max(map(len, lines)) <= 100
+    assert sum(line.endswith("<-") for line in lines) == 1
+
+
+@pytest.mark.parametrize("duty", [ZI_WORM, ERRICHELLO], ids=lambda duty: duty.base)
+def test_every_row_is_in_balance_with_its_churning(duty):
+    reference = named_oil(f"{duty.base} VG {duty.sump_grade}")
+    for row in choose_oil(duty).rows:
+        oil = named_oil(f"{duty.base} VG {row.grade}")
+        ratio = oil.kinematic_viscosity(row.sump_temperature) / reference.kinematic_viscosity(
+            duty.sump_temperature
+        )
+        heat = 1 - duty.churning_share + duty.churning_share * ratio**0.5
+        warm = duty.ambient_temperature + heat * (duty.sump_temperature - duty.ambient_temperature)
+        assert row.sump_temperature == pytest.approx(warm, abs=1e-6)
+        assert row.heat == pytest.approx(heat)
+    own = row_of(choose_oil(duty), duty.sump_grade)
+    assert own.sump_temperature == pytest.approx(duty.sump_temperature, abs=1e-6)
+
+
+def test_the_viscosity_that_is_needed_makes_the_film():
+    choice = choose_oil(ZI_WORM)
+    index = named_oil("PAG VG 460").viscosity_index
+    oil = oil_from_index("", "PAG", choice.viscosity_needed, index)
+    bulk = ZI_WORM.sump_temperature + ZI_WORM.bulk_excess
+    film = ZI_WORM.film.film(oil.viscosity(bulk), oil.alpha(bulk))
+    assert film / ZI_WORM.roughness == pytest.approx(ZI_WORM.specific_film, rel=1e-4)
+
+
+@settings(max_examples=20)
+@given(st.floats(0.1, 3), st.floats(0, 0.8))
+def test_the_grade_is_the_thinnest_that_will_do(wanted, share):
+    duty = replace(ZI_WORM, specific_film=wanted, churning_share=share, tables=())
+    choice = choose_oil(duty)
+    enough = [
+        row.grade
+        for row in choice.rows
+        if row.specific_film >= wanted and row.sump_temperature <= duty.sump_limit
+    ]
+    assert choice.reached == bool(enough)
+    if enough:
+        assert choice.grade == enough[0]
+
+
+@settings(max_examples=20)
+@given(st.floats(0.0, 0.8), st.floats(0.01, 0.1))
+def test_churning_eats_the_film_of_thick_oil(share, more):
+    less, much = (
+        choose_oil(replace(ZI_WORM, churning_share=s)) for s in (share, min(share + more, 0.9))
+    )
+    assert row_of(much, 1000).sump_temperature > row_of(less, 1000).sump_temperature
+    assert row_of(much, 1000).film < row_of(less, 1000).film
+    assert row_of(much, 100).sump_temperature < row_of(less, 100).sump_temperature
+
+
+def test_practice_bounds_the_grade_from_below():
+    choice = choose_oil(replace(ZI_WORM, specific_film=0.5))
+    assert choice.grade == 460
+    assert "not what practice asks for" in choice.steps[-1].text
+
+
+def test_grades_that_overheat_the_sump_are_not_chosen():
+    limit = ZI_WORM.sump_temperature - 1
+    choice = choose_oil(replace(ZI_WORM, sump_limit=limit))
+    assert not choice.reached
+    assert row_of(choice, choice.grade).sump_temperature <= limit
+    with pytest.raises(ValueError, match=r"exceeded by every grade.*cool the sump"):
+        choose_oil(replace(ZI_WORM, sump_limit=310.0))
+
+
+def test_bearings_are_told():
+    choice = choose_oil(replace(ZI_WORM, bearing_speed=157.0, bearing_diameter=0.085))
+    assert row_of(choice, 460).kappa == pytest.approx(213.6 / 12.6, rel=0.01)
+    assert "which is enough" in next(s for s in choice.steps if s.title == "Bearings").text
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"base": "lard"}, 'base "lard": must be one of mineral'),
+        ({"sump_temperature": 60.0}, "sump temperature = 60 K"),
+        ({"roughness": 0.58}, "composite roughness = 0.58 m"),
+        ({"churning_share": 33.0}, "share of churning = 33"),
+        ({"ambient_temperature": 335.0}, "must be above the ambient"),
+        ({"bearing_speed": 100.0}, "bearing_diameter together"),
+    ],
+)
+def test_wrong_duties_are_refused(change, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        replace(ZI_WORM, **change)
+
+
+# --------------------------------------------------------------------------------- charts
+
+CHARTED = [named_oil(f"{base} VG {grade}") for base in BASES for grade in (100, 460)]
+
+
+def words(figure):
+    return [text.get_text() for text in figure.findobj(Text)]
+
+
+def test_oils_are_straight_on_walthers_axes():
+    walther, plain = draw_viscosity(CHARTED).axes
+    assert len(walther.lines) == len(plain.lines) == len(CHARTED)
+    for line in walther.lines:
+        slopes = np.diff(line.get_ydata()) / np.diff(line.get_xdata())
+        assert slopes == pytest.approx(slopes[0], rel=1e-6)
+
+
+def test_the_ticks_of_walthers_axes_are_where_they_say():
+    walther, plain = draw_viscosity(CHARTED, marked=60 + C).axes
+    oil = CHARTED[1]
+    nu = oil.kinematic_viscosity(40 + C) * 1e6
+    at_40 = next(
+        t
+        for t, label in zip(walther.get_xticks(), walther.get_xticklabels(), strict=True)
+        if label.get_text() == "40"
+    )
+    line = walther.lines[1]
+    height = np.interp(at_40, line.get_xdata(), line.get_ydata())
+    below, above = (
+        t
+        for t, label in zip(walther.get_yticks(), walther.get_yticklabels(), strict=True)
+        if label.get_text() in ("200", "500")
+    )
+    assert below < height < above and 200 < nu < 500
+    assert plain.lines[-1].get_xdata() == pytest.approx([60, 60])
+
+
+def test_pressure_viscosity_by_both_laws(tmp_path):
+    figure = draw_pressure_viscosity(CHARTED)
+    gold, agma = figure.axes
+    assert len(gold.lines) == len(CHARTED)
+    assert len(agma.lines) == len(CHARTED) - 2  # AGMA has no esters
+    for line in gold.lines:
+        assert np.all(np.diff(line.get_ydata()) < 0)
+    assert {"Gold", "AGMA 925"} <= set(words(figure))
+    assert {oil.name for oil in CHARTED} <= set(words(figure))
+    figure.savefig(tmp_path / "alpha.png")
+
+
+def test_one_oil_draws():
+    draw_viscosity([named_oil("PAG VG 460")])
+
+
+def test_every_grade_is_in_the_choice():
+    assert tuple(row.grade for row in choose_oil(ZI_WORM).rows) == ISO_GRADES

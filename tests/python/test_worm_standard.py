@@ -1,0 +1,257 @@
+"""The worm standards' methods: worked values of the reference gear, dimensions, limits and refusals."""
+
+from math import log, pi
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pyworm.formulas.worm_standard import (
+    OIL_KINDS,
+    PITTING_STRENGTH,
+    PRESSURE_VISCOSITY,
+    REFERENCE_GEAR,
+    WormGear,
+    backward_efficiency,
+    bulk_temperature,
+    forward_efficiency,
+    mean_pressure,
+    minimum_film,
+    pitting_safety,
+    rate_worm,
+    self_locking_margin,
+    temperature_safety,
+    tooth_friction,
+    wear_depth,
+    wear_intensity,
+)
+
+RPM = pi / 30
+BRONZE = 150622e6
+FILM = {
+    "film_parameter": 0.07,
+    "pressure_viscosity": 1.3e-8,
+    "viscosity": 0.0542,
+    "worm_speed": 1500 * RPM,
+    "centre_distance": 0.1,
+    "reduced_modulus": BRONZE,
+    "torque": 300.0,
+}
+DUTY = {
+    "oil": "PAG",
+    "viscosity": 0.0542,
+    "worm_speed": 1500 * RPM,
+    "torque": 300.0,
+    "reduced_modulus": BRONZE,
+    "roughness": 0.5e-6,
+}
+
+leads = st.floats(0.03, 0.8)
+frictions = st.floats(0.005, 0.1)
+
+
+def test_parameters_of_the_reference_gear():
+    assert pytest.approx(0.0657, abs=6e-5) == REFERENCE_GEAR.film_parameter
+    assert pytest.approx(0.988, abs=6e-4) == REFERENCE_GEAR.pressure_parameter
+    assert pytest.approx(30.3, abs=0.06) == REFERENCE_GEAR.sliding_parameter
+
+
+@pytest.mark.parametrize(
+    ("oil", "viscosity", "film"),
+    [("mineral", 0.0304, 0.191), ("PAO", 0.0373, 0.196), ("PAG", 0.0542, 0.243)],
+)
+def test_film_worked_for_vg_220_at_80_degrees(oil, viscosity, film):
+    worked = {**FILM, "viscosity": viscosity, "pressure_viscosity": PRESSURE_VISCOSITY[oil]}
+    assert minimum_film(**worked) * 1e6 == pytest.approx(film, abs=6e-4)
+
+
+def test_film_worked_for_the_size_of_sharif_2001():
+    worked = {**FILM, "viscosity": 0.227, "centre_distance": 0.3048, "torque": 10e3}
+    assert minimum_film(**worked) * 1e6 == pytest.approx(1.98, abs=6e-3)
+
+
+UNITS = {  # exponents of kg, m and s
+    "film_parameter": (0, 0, 0),
+    "pressure_viscosity": (-1, 1, 2),
+    "viscosity": (1, -1, -1),
+    "worm_speed": (0, 0, -1),
+    "centre_distance": (0, 1, 0),
+    "reduced_modulus": (1, -1, -2),
+    "torque": (1, 2, -2),
+}
+
+
+def test_the_film_is_a_length_unlike_the_form_in_circulation():
+    def exponent(key):
+        return log(minimum_film(**{**FILM, key: FILM[key] * 1.1}) / minimum_film(**FILM)) / log(1.1)
+
+    exponents = {key: exponent(key) for key in FILM}
+    wrong = {**exponents, "pressure_viscosity": 1, "worm_speed": 0.43}
+    wrong |= {"centre_distance": -0.057, "torque": 0.13}
+    for powers, length in ((exponents, True), (wrong, False)):
+        unit = [sum(powers[key] * UNITS[key][base] for key in FILM) for base in range(3)]
+        assert (unit == pytest.approx([0, 1, 0], abs=1e-9)) is length
+
+
+def test_the_constant_21_is_nothing_but_units():
+    product = 1.0
+    for key, power in zip(FILM, (1, 0.6, 0.7, 0.7, 1.39, 0.03, -0.13), strict=True):
+        product *= FILM[key] ** power
+    assert minimum_film(**FILM) / product == pytest.approx(21 / 21.087, rel=1e-4)
+
+
+def test_mean_pressure_worked_for_the_reference_gear():
+    """(4/pi) sqrt(0.962 x 300e3 N mm x 150622 N/mm2 / 1e6 mm3) = 265.5 N/mm2."""
+    assert mean_pressure(0.962, 300, BRONZE, 0.1) / 1e6 == pytest.approx(265.5, abs=0.1)
+    assert mean_pressure(1, 400, BRONZE, 0.1) == pytest.approx(
+        2 * mean_pressure(1, 100, BRONZE, 0.1)
+    )
+
+
+@pytest.mark.parametrize(
+    ("oil", "speed", "expected"),
+    [("mineral", 1.0, 0.0511), ("PAO", 1.0, 0.0407), ("PAG", 1.0, 0.0368)],
+)
+def test_friction_of_the_reference_gear_at_1_metre_per_second(oil, speed, expected):
+    friction = tooth_friction(oil, speed, 0.1, 0.07, 0.5e-6)
+    assert friction == pytest.approx(expected, abs=6e-5)
+
+
+@given(st.sampled_from(OIL_KINDS), st.floats(0.05, 20), st.floats(1.01, 1.2))
+def test_friction_falls_with_speed_size_and_smoothness(oil, speed, more):
+    friction = tooth_friction(oil, speed, 0.1, 0.07, 0.5e-6)
+    assert tooth_friction(oil, speed * more, 0.1, 0.07, 0.5e-6) <= friction
+    assert tooth_friction(oil, speed, 0.1 * more, 0.07, 0.5e-6) < friction
+    assert tooth_friction(oil, speed, 0.1, 0.07 * more, 0.5e-6) < friction
+    assert tooth_friction(oil, speed, 0.1, 0.07, 0.5e-6 * more) > friction
+
+
+@given(st.floats(0.25, 25))
+def test_polyglycol_rubs_least_and_mineral_oil_most(speed):
+    mineral, pao, pag = (tooth_friction(oil, speed, 0.1, 0.07, 0.5e-6) for oil in OIL_KINDS)
+    assert pag <= pao <= mineral
+
+
+@given(leads, frictions)
+def test_efficiencies_by_the_forces_on_the_thread(lead, friction):
+    """Axial against tangential force on the thread: F_t = F_a (tan gamma +- mu)/(1 -+ mu tan gamma)."""
+    forward = lead * (1 - friction * lead) / (lead + friction)
+    backward = (lead - friction) / (1 + friction * lead) / lead
+    assert forward_efficiency(lead, friction) == pytest.approx(forward)
+    assert backward_efficiency(lead, friction) == pytest.approx(backward, abs=1e-12)
+    assert backward <= forward <= 1
+
+
+@given(leads, frictions)
+def test_what_locks_cannot_be_driven_backwards(lead, friction):
+    margin, efficiency = self_locking_margin(lead, friction), backward_efficiency(lead, friction)
+    if abs(margin - 1) > 1e-9:
+        assert (margin > 1) == (efficiency < 0)
+    # A thread that locks wastes more than half of the work when it drives.
+    if margin > 1:
+        assert forward_efficiency(lead, friction) < 0.5
+
+
+def test_pitting_safety_is_one_at_the_strength_in_the_reference_test():
+    strength = PITTING_STRENGTH["CuSn12Ni2"]
+    assert pitting_safety(strength, strength, 25000, 1, 0.1, "PAG") == pytest.approx(1)
+    assert pitting_safety(strength, strength, 25000 / 64, 1, 0.1, "PAG") == 1.6
+    assert pitting_safety(strength, strength, 400000, 1, 0.1, "PAG") == pytest.approx(
+        16 ** (-1 / 6)
+    )
+    assert pitting_safety(strength, strength, 25000, 16, 0.1, "mineral") == pytest.approx(0.445)
+
+
+@given(st.sampled_from(["mineral", "PAG"]), st.floats(1e-8, 5e-6), st.floats(1.01, 3))
+def test_wear_falls_with_the_film_from_its_cap(oil, film, more):
+    wear = wear_intensity(oil, film, 1.0)
+    assert wear_intensity(oil, film * more, 1.0) <= wear <= 400e-9
+
+
+def test_wear_depth_grows_as_the_path():
+    once = wear_depth(1e-9, 30.3, 270e6, 0.1, BRONZE, 1e6)
+    assert once == pytest.approx(1e-9 * 30.3 * 270e6 / BRONZE * 0.1 * 1e6)
+    assert wear_depth(1e-9, 30.3, 270e6, 0.1, BRONZE, 3e6) == pytest.approx(3 * once)
+
+
+def test_bulk_temperature_without_loss_is_the_sumps():
+    assert bulk_temperature(350, 0, 100, 0.01, 1) == 350
+    # 300 W through 24440 W/(m2 K) times 0.00492 m2.
+    hot = bulk_temperature(350, 300, 1500 * RPM, 0.00492, 1)
+    assert hot - 350 == pytest.approx(300 / ((1940 + 15 * 1500) * 0.00492))
+
+
+def test_temperature_safety_is_in_celsius():
+    assert temperature_safety(273.15 + 60, 273.15 + 90) == pytest.approx(1.5)
+
+
+def test_rating_agrees_with_its_formulas_and_with_energy():
+    rating = rate_worm(
+        REFERENCE_GEAR,
+        **DUTY,
+        pitting_strength=520e6,
+        life=25000,
+        sump_temperature=353.15,
+        temperature_limit=373.15,
+    )
+    assert rating.film == pytest.approx(
+        minimum_film(**{**FILM, "film_parameter": rating.film_parameter})
+    )
+    assert rating.sliding_speed == pytest.approx(2.896, abs=2e-3)
+    power = 300 * 1500 * RPM / 20.5
+    assert power / (power + rating.tooth_loss) == pytest.approx(rating.forward_efficiency)
+    assert rating.pitting_safety > 1 and rating.temperature_safety == pytest.approx(1.25)
+    assert rating.wear_depth is None  # W_S of polyglycol is not known
+    assert rating.bulk_temperature > 353.15
+
+
+def test_what_is_not_given_is_not_rated():
+    rating = rate_worm(REFERENCE_GEAR, **DUTY)
+    assert rating.pitting_safety is rating.bulk_temperature is rating.temperature_safety is None
+    worn = rate_worm(REFERENCE_GEAR, **{**DUTY, "oil": "mineral"}, life=1000)
+    assert worn.wear_depth == pytest.approx(
+        wear_depth(
+            worn.wear_intensity, worn.sliding_parameter, worn.mean_pressure, 0.1, BRONZE,
+            1500 / 20.5 * 60 * 1000,
+        )
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"centre_distance": 100.0}, "centre distance = 100 m: must lie between 0.025 and 2 m"),
+        ({"module": 4.0}, "module = 4 m"),
+        ({"teeth": 50}, "module, diameter factor, teeth and profile shift make 0.118 m"),
+        ({"face_width": 30.0}, "face width = 30 m"),
+    ],
+)
+def test_gears_in_wrong_units_are_refused(change, sentence):
+    gear = {
+        "centre_distance": 0.1,
+        "starts": 2,
+        "teeth": 41,
+        "module": 4e-3,
+        "diameter_factor": 9.0,
+        "face_width": 0.03,
+    }
+    with pytest.raises(ValueError, match=sentence):
+        WormGear(**{**gear, **change})
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"oil": "ester"}, 'oil = "ester": must be one of "mineral", "PAO", "PAG"'),
+        ({"viscosity": 54.2}, "dynamic viscosity = 54.2 Pa s"),
+        ({"reduced_modulus": 150622.0}, "reduced modulus = 150622 Pa"),
+        ({"roughness": 0.5}, "roughness Ra = 0.5 m"),
+        ({"torque": -1.0}, "wheel torque = -1 N m: must be finite and greater than zero"),
+        ({"worm_speed": 2e4}, "worm speed"),
+        ({"sump_temperature": 80.0}, "sump temperature = 80 K"),
+    ],
+)
+def test_duties_in_wrong_units_are_refused(change, sentence):
+    with pytest.raises(ValueError, match=sentence) as refused:
+        rate_worm(REFERENCE_GEAR, **{**DUTY, **change})
+    assert "\n" not in str(refused.value)
