@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, ValidationInfo, model_validator
 
 from pyworm import units
 from pyworm.schema.oil import OilTable
@@ -17,7 +17,9 @@ class PublishedValue(Table):
     unit: str
 
 
-def _published(value: Any) -> PublishedValue:
+def _published(value: Any, info: ValidationInfo) -> PublishedValue:
+    if info.context == units.SI:
+        return PublishedValue.model_validate(value)
     if isinstance(value, float | int) and not isinstance(value, bool):
         return PublishedValue(text=f"{value:g}", value=value, unit="")
     number, unit = units.parse_any(value)
