@@ -175,18 +175,18 @@ class NamedOil:
     def flow(self, temperature: float) -> FlowLaw:
         """How the oil shears: Eyring's law up to a limiting stress.
 
-        Both stresses are constants of the base stock, or follow from its limiting traction coefficient
-        and alpha at the temperature [K].
+        Both stresses are constants of the base stock, or follow from its limiting traction coefficient and
+        alpha at the temperature [K]. The limit then grows with pressure from the Eyring stress: from zero it
+        would let the oil slip in the inlet, where it does not even thin.
         """
         stock = self.stock
-        if stock.limiting_coefficient is None:
+        share = stock.limiting_coefficient
+        if share is None:
             return FlowLaw(
                 "eyring-limited", stress=stock.eyring_stress, limit=stock.limiting_stress
             )
-        stress = oil_laws.eyring_stress(self.alpha(temperature), stock.limiting_coefficient)
-        return FlowLaw(
-            "eyring-limited", stress=float(stress), limit_pressure=stock.limiting_coefficient
-        )
+        stress = float(oil_laws.eyring_stress(self.alpha(temperature), share))
+        return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=share)
 
     def oil(self, temperature: float) -> Oil:
         """The oil of a contact whose inlet has a temperature [K].

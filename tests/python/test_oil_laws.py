@@ -1,11 +1,14 @@
 """Oils over temperature: published and worked values, limits, and what is refused."""
 
+from dataclasses import replace
 from math import log
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import pyworm
 from pyworm.formulas import oil_laws
 from pyworm.named_oils import (
     BASES,
@@ -17,6 +20,8 @@ from pyworm.named_oils import (
     read_oil,
 )
 from pyworm.oils import ROELANDS_POLE_TEMPERATURE
+
+CASES = Path(__file__).parents[2] / "cases"
 
 C = 273.15
 MM2 = 1e-6
@@ -178,6 +183,25 @@ def test_roelands_exponent_goes_through_both_viscosities():
 def test_eyring_stress_of_arana():
     """A paraffinic oil of 20 /GPa: 2 0.040 / 20e-9 = 4 MPa."""
     assert oil_laws.eyring_stress(20e-9, 0.040) == pytest.approx(4e6)
+
+
+@given(oils, temperatures)
+def test_no_oil_slips_before_it_thins(name, kelvin):
+    flow = named_oil(name).flow(kelvin)
+    assert flow.limit >= flow.stress > 1e6
+    assert flow.limit_pressure >= 0
+
+
+@pytest.mark.parametrize("base", BASES)
+@pytest.mark.parametrize("grade", [32, 220, 1000])
+def test_named_oils_run_in_a_thermal_contact(base, grade):
+    scene = pyworm.load(CASES / "line_thermal.toml").scene()
+    scene = replace(scene, oil=named_oil(f"{base} VG {grade}").oil(60 + C))
+    figures = (solution := pyworm.solve(scene, pyworm.plan(scene, accuracy=0.1))).figures
+    assert solution.converged
+    assert 0 < figures.film_min.value < figures.film_central.value < 5e-6
+    assert 0.002 < figures.friction_coefficient.value < 0.1
+    assert 60 + C < figures.temperature_max_film.value < 200 + C
 
 
 def test_grades_missing_in_the_table_have_the_index_of_the_nearest():
