@@ -78,7 +78,7 @@ def asked_of(case: Case) -> Asked:
 
 
 def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
-    """Every rating that a case asks for.
+    """Every rating that a case asks for; none if it asks for none.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     Raises
     ------
     CaseError
-        Nothing to rate, or what lies outside the methods, in one sentence.
+        What lies outside the methods, in one sentence.
     """
     tables, drive = asked.tables, asked.drive
     made: list[Rating] = []
@@ -109,8 +109,4 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
         ]
     except ValueError as error:
         raise CaseError(f"{asked.name}: {error}") from error
-    if not made:
-        raise CaseError(
-            f"{asked.name}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
-        )
     return tuple(made)

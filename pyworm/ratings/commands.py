@@ -60,6 +60,10 @@ def _rate(options: argparse.Namespace) -> int:
     asked = load_asked(options.case)
     result = None if options.result is None else _result_of(options.result, asked.name)
     made = ratings(asked, result)
+    if not made:
+        raise CaseError(
+            f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
+        )
     if options.json:
         print_json({"case": asked.name, "ratings": [rating.summary() for rating in made]})
         return 0

@@ -55,10 +55,14 @@ def build_report(result: Result) -> Report:
 
 def _ratings_section(case: Case, result: Result) -> Section | None:
     """The ratings that the case asks for; None where it asks for none."""
+    if case.drive is None:
+        return None
     try:
         made = ratings(asked_of(case), result)
     except CaseError as error:
-        return Section("Ratings", (Words(f"Not rated: {error}."),)) if case.drive else None
+        return Section("Ratings", (Words(f"Not rated: {error}."),))
+    if not made:
+        return None
     return Section("Ratings", tuple(block for rating in made for block in _rating_blocks(rating)))
 
 

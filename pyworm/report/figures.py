@@ -57,9 +57,9 @@ def glance_section(case: Case, result: Result) -> Section:
     loss = mesh_loss(case.drive, solutions)
     if loss is not None:
         rows += _loss_rows(loss)
-    note = (
-        "± is the estimated error of the solution of the model, not of the model or of the inputs."
-    )
+    note = "± is the error of the solution of the model, not of the model or of the inputs."
+    if loss is not None:
+        note += f" Loss: {loss.words}."
     return Section("At a glance", (Table(("", "Value", "Where"), tuple(rows), note=note),))
 
 
@@ -78,8 +78,8 @@ def _worst(
 def _loss_rows(loss: MeshLoss) -> list[tuple[str, str, str]]:
     bar = f"± {loss.error * 100:.2g} %"
     return [
-        ("Mean friction between the teeth", f"{loss.friction:.4g} {bar}", loss.words),
-        ("Loss between the teeth", f"{loss.loss:.4g} W {bar}", loss.words),
+        ("Mean friction between the teeth", f"{loss.friction:.4g} {bar}", "mesh cycle"),
+        ("Loss between the teeth", f"{loss.loss:.4g} W {bar}", "mesh cycle"),
         (
             "Efficiency of the teeth, forward",
             f"{loss.efficiency * 100:.4g} % ± {loss.error * loss.loss / loss.power * 100:.2g} %",

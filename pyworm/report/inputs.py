@@ -11,11 +11,16 @@ from pyworm.report.content import Section, Table
 _ELSEWHERE = {"title", "source", "published", "accuracy"}
 """Keys of case files that other sections tell."""
 
+_FIRST = ("operation", "drive", "contact", "motion", "surfaces", "bodies", "oil")
+"""Tables that come first, in this order."""
+
 
 def inputs_section(case: Case) -> Section:
     """Every value of the case but its names and comparisons, defaults included."""
     tables = []
-    for name, field in type(case.tables).model_fields.items():
+    fields = type(case.tables).model_fields
+    for name in dict.fromkeys([*(name for name in _FIRST if name in fields), *fields]):
+        field = fields[name]
         part = getattr(case.tables, name)
         if name not in _ELSEWHERE and part is not None:
             tables += _tables(name, part, field)

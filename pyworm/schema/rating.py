@@ -76,7 +76,8 @@ class OilChoiceTable(Table):
 class WormRatingTable(Table):
     """`[worm_rating]`: what the standards of worm gears need beside the drive.
 
-    What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the wheel's bulk temperature counts.
+    What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the
+    wheel's bulk temperature counts.
     """
 
     oil: Text
