@@ -7,6 +7,7 @@ from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
+from pyworm.ratings.loss import mesh_loss
 from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.result import Result
 from pyworm.schema.case import PublishedValue
@@ -172,12 +173,12 @@ def _simulated(
         "wear_probability": wear.probability,
         "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
     }
-    friction = simulated_friction(drive, solutions)
-    if friction is not None:
+    lost = mesh_loss(drive, solutions)
+    if lost is not None:
         said |= {
-            "friction": friction,
-            "loss_W": drive.power * drive.loss_factor * friction,
-            "efficiency": 1 - drive.loss_factor * friction,
+            "friction": lost.friction,
+            "loss_W": lost.loss,
+            "efficiency": lost.efficiency,
         }
     if all(of.figures.temperature_max_body_1 is not None for of in solutions):
         hottest, phase = max((_surface(of), of.phase) for of in solutions)
@@ -191,26 +192,6 @@ def _simulated(
 def _surface(solution: Solution) -> float:
     figures = solution.figures
     return max(figures.temperature_max_body_1.value, figures.temperature_max_body_2.value)
-
-
-def simulated_friction(drive: GearPairDrive, solutions: tuple[Solution, ...]) -> float | None:
-    """Mean friction of solved contacts, weighted by load times sliding along the line of action [-].
-
-    Friction between solved phases is interpolated, beyond the last ones constant. None where it was not
-    simulated or fewer than two phases were solved.
-    """
-    known = sorted(
-        (of.phase, of.figures.friction_coefficient.value)
-        for of in solutions
-        if of.figures.friction_coefficient is not None
-    )
-    if len(known) < 2:
-        return None
-    phases = drive.cycle_phases()
-    contacts = drive.contacts(phases)
-    weight = contacts.unit_load * np.abs(contacts.sliding)
-    friction = np.interp(phases, *zip(*known, strict=True))
-    return float(np.trapezoid(weight * friction, phases) / np.trapezoid(weight, phases))
 
 
 def _supply(drive: GearPairDrive, table: GearRatingTable) -> Rating:

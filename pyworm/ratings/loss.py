@@ -7,8 +7,6 @@ import numpy as np
 from pyworm.drives.drive import Drive
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
-from pyworm.ratings.gear import simulated_friction
-from pyworm.ratings.worm import load_arm, mean_teeth_in_contact
 from pyworm.solution import Solution
 
 
@@ -48,10 +46,10 @@ def mesh_loss(drive: Drive | None, solutions: tuple[Solution, ...]) -> MeshLoss 
         return None
     error = max(of.figures.power_loss.error for of in solutions)
     if isinstance(drive, ZiWormDrive):
-        teeth = mean_teeth_in_contact(drive)
+        teeth = drive.mean_teeth_in_contact
         loss = float(np.mean([of.figures.power_loss.value for of in solutions])) * teeth
         ratio = drive.wheel.teeth / drive.worm.threads
-        output = drive.load * load_arm(drive) * teeth * drive.speed / ratio
+        output = drive.load * drive.load_arm * teeth * drive.speed / ratio
         return MeshLoss(
             power=output + loss,
             loss=loss,
@@ -61,7 +59,7 @@ def mesh_loss(drive: Drive | None, solutions: tuple[Solution, ...]) -> MeshLoss 
             "under the load given",
         )
     if isinstance(drive, GearPairDrive):
-        friction = simulated_friction(drive, solutions)
+        friction = _friction(drive, solutions)
         if friction is not None:
             return MeshLoss(
                 power=drive.power,
@@ -72,3 +70,23 @@ def mesh_loss(drive: Drive | None, solutions: tuple[Solution, ...]) -> MeshLoss 
                 "phases",
             )
     return None
+
+
+def _friction(drive: GearPairDrive, solutions: tuple[Solution, ...]) -> float | None:
+    """Mean friction of solved contacts, weighted by load times sliding along the line of action [-].
+
+    Friction between solved phases is interpolated, beyond the last ones constant. None where it was not
+    simulated or fewer than two phases were solved.
+    """
+    known = sorted(
+        (of.phase, of.figures.friction_coefficient.value)
+        for of in solutions
+        if of.figures.friction_coefficient is not None
+    )
+    if len(known) < 2:
+        return None
+    phases = drive.cycle_phases()
+    contacts = drive.contacts(phases)
+    weight = contacts.unit_load * np.abs(contacts.sliding)
+    friction = np.interp(phases, *zip(*known, strict=True))
+    return float(np.trapezoid(weight * friction, phases) / np.trapezoid(weight, phases))

@@ -1,7 +1,7 @@
 """Worm gears by the standards' methods, what the simulation of the same drive says beside."""
 
 from dataclasses import dataclass
-from math import atan, pi, tan
+from math import pi
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from pyworm.formulas.worm_standard import (
     WormRating,
     rate_worm,
 )
+from pyworm.ratings.loss import mesh_loss
 from pyworm.ratings.oils import oil_called
 from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.result import Result
@@ -84,8 +85,7 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
         diameter_factor=factor,
         face_width=drive.wheel.face_width,
     )
-    teeth = mean_teeth_in_contact(drive)
-    arm = load_arm(drive)
+    teeth, arm = drive.mean_teeth_in_contact, drive.load_arm
     return WormDuty(
         gear=gear,
         worm_speed=drive.speed,
@@ -97,18 +97,6 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
             f"teeth in contact on average, on an arm of {arm * 1e3:.1f} mm.",
         ),
     )
-
-
-def load_arm(drive: ZiWormDrive) -> float:
-    """Wheel torque of one tooth over its normal load, without friction, in the middle of the cycle [m]."""
-    contact = drive.contact(0.5)
-    return float(abs(np.cross(contact.point, contact.normal)[1]))
-
-
-def mean_teeth_in_contact(drive: ZiWormDrive) -> float:
-    """Teeth in contact on average over the mesh cycle: worm angle of a contact over that of a pitch [-]."""
-    turned = drive.contact(1.0).worm_angle - drive.contact(0.0).worm_angle
-    return turned * drive.worm.threads / (2 * pi)
 
 
 def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> WormRating:
@@ -256,17 +244,14 @@ def _simulated(
     if table.composite_roughness is not None:
         said["specific_film"] = film / table.composite_roughness
         said["regime"] = regime(said["specific_film"])
-    if all(of.friction_coefficient is not None for of in figures):
-        friction = float(np.mean([of.friction_coefficient.value for of in figures]))
-        loss = float(np.mean([of.power_loss.value for of in figures]))
-        lead = atan(duty.gear.tan_lead)
-        output = drive.load * load_arm(drive) * duty.worm_speed / duty.gear.ratio
+    lost = mesh_loss(drive, solutions)
+    if lost is not None:
         said |= {
-            "friction": friction,
-            "efficiency": output / (output + loss),
-            "efficiency_back": tan(lead - atan(friction)) / tan(lead),
-            "locking": friction / duty.gear.tan_lead,
-            "loss_W": loss * mean_teeth_in_contact(drive),
+            "friction": lost.friction,
+            "efficiency": lost.efficiency,
+            "efficiency_back": 1 - lost.loss / (lost.power - lost.loss),
+            "locking": lost.friction / duty.gear.tan_lead,
+            "loss_W": lost.loss,
         }
     if all(of.temperature_max_body_1 is not None for of in figures):
         hottest = max(

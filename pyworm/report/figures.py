@@ -121,12 +121,22 @@ def film_section(case: Case, result: Result) -> Section:
         if roughness:
             cells.append(f"{figures.film_min.value / roughness:.3g}")
         rows.append((*cells, _converged(solution)))
-    blocks: list[Block] = [Table(tuple(head), tuple(rows))]
+    blocks: list[Block] = [_without_empty(Table(tuple(head), tuple(rows)))]
     if roughness:
         words = f"lambda is the minimum film over a composite roughness of {roughness * 1e6:.3g} µm: below 1 "
         words += "roughness carries load (boundary), from 3 on the film separates the flanks."
         blocks.append(Words(words))
     return Section("Film and pressure", tuple(blocks))
+
+
+def _without_empty(table: Table) -> Table:
+    """The table without columns that say nothing."""
+    said = [n for n, name in enumerate(table.head) if n == 0 or any(row[n] for row in table.rows)]
+
+    def kept(cells: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(cells[n] for n in said)
+
+    return Table(kept(table.head), tuple(kept(row) for row in table.rows))
 
 
 def _load(solution: Solution) -> str:
@@ -184,7 +194,11 @@ def printed_section(case: Case, result: Result) -> Section | None:
             continue
         known = _known(case, solution)
         rows = tuple(
-            (name.replace("_", " "), printed.text, units.shown_like(*known[name], printed.text))
+            (
+                name.replace("_", " "),
+                _degrees(printed.text),
+                _degrees(units.shown_like(*known[name], printed.text)),
+            )
             for name, printed in case.published.items()
             if name in known
         )
@@ -192,6 +206,10 @@ def printed_section(case: Case, result: Result) -> Section | None:
             title = place_of(solution)
             blocks.append(Table(("", "Printed", "Computed"), rows, title=title))
     return Section("Beside the source's figures", tuple(blocks)) if blocks else None
+
+
+def _degrees(text: str) -> str:
+    return text.replace("degC", "°C").replace("degF", "°F")
 
 
 def _is_meant(published: dict[str, PublishedValue], solution: Solution) -> bool:

@@ -8,6 +8,9 @@ from pyworm.report.content import Block, Items, Picture, Report, Section, Table,
 
 _STYLE = Path(__file__).with_name("page.css")
 
+_SHORT = 12
+"""Letters up to which a cell is not broken into lines."""
+
 _NARROW = 2
 """Columns of tables that stand side by side where there is room."""
 
@@ -87,11 +90,9 @@ def _table(table: Table) -> str:
         lines.append(f"<thead><tr>{cells}</tr></thead>")
     lines.append("<tbody>")
     for name, *cells in table.rows:
-        lines.append(
-            f'<tr><th scope="row">{escape(name)}</th>'
-            + "".join(_cell(of) for of in cells)
-            + "</tr>"
-        )
+        part = ' class="part"' if name.startswith(" ") else ""
+        first = f'<th scope="row"{part}>{_words(name.strip())}</th>'
+        lines.append(f"<tr>{first}{''.join(_cell(of) for of in cells)}</tr>")
     lines.append("</tbody></table></div>")
     if table.note:
         lines.append(f'<p class="note">{escape(table.note)}</p>')
@@ -100,4 +101,17 @@ def _table(table: Table) -> str:
 
 def _cell(text: str) -> str:
     mark = ' class="no"' if text.startswith("NO: ") else ""
-    return f"<td{mark}>{escape(text)}</td>"
+    value, sign, bar = text.partition(" ± ")
+    if not sign:
+        return f"<td{mark}>{_words(text)}</td>"
+    # A line may break before the error bar, and nowhere else.
+    return f"<td{mark}>{_kept(value)} {_kept(f'± {bar}')}</td>"
+
+
+def _words(text: str) -> str:
+    """Text of a cell; a number with its unit stays on one line."""
+    return _kept(text) if len(text) <= _SHORT else escape(text)
+
+
+def _kept(text: str) -> str:
+    return f'<span class="kept">{escape(text)}</span>'

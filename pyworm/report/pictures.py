@@ -24,15 +24,15 @@ _CAPTIONS = {
     "gap": "Undeformed gap",
     "pressure": "Pressure",
     "film": "Film thickness",
-    "entrainment": "Entrainment and sliding",
+    "entrainment": "Entrainment",
     "profiles": "Film and pressure along the contact",
     "history": "How the solution converged",
     "friction": "Friction",
     "temperature": "Temperatures",
     "across_film": "Across the film at its hottest point",
-    "mesh_cycle": "The unloaded mesh cycle",
+    "mesh_cycle": "Mesh cycle",
     "film_and_temperature": "Film and contact temperature along the line of action",
-    "line_of_action": "Curvature, speeds and load along the line of action",
+    "line_of_action": "Load, pressure, speeds and sliding along the line of action",
 }
 
 

@@ -82,9 +82,9 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
         (
             one.label,
             f"{one.film * 1e6:.3g} µm",
-            f"{(one.film_ratio - 1) * 100:+.1f} %",
+            _change(one.film_ratio),
             *_lambda(one.film, roughness),
-            f"{(one.pressure_ratio - 1) * 100:+.1f} %",
+            _change(one.pressure_ratio),
             one.note,
         )
         for one in found
@@ -99,6 +99,11 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
     blocks: list[Block] = [Table(head, tuple(rows)), Words(words)]
     blocks += [Words(of) for of in _misalignment_words(case)]
     return Section("Sensitivity", tuple(blocks))
+
+
+def _change(ratio: float) -> str:
+    """A change in percent; nothing where there is none."""
+    return "" if abs(ratio - 1) < 1e-9 else f"{(ratio - 1) * 100:+.1f} %"
 
 
 def _lambda(film: float, roughness: float | None) -> tuple[str, ...]:
