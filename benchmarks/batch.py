@@ -29,11 +29,11 @@ TIMED = ("seconds", "convolutions")
 
 CASES = (
     ("line contact, isothermal", Path("cases/line_m20_l10.toml"), "isothermal"),
-    ("line contact, thermal", Path("cases/line_thermal.toml"), "thermal"),
+    ("line contact, thermal", Path("cases/line_thermal.toml"), "all"),
     ("point contact, isothermal", Path("cases/traction_steel.toml"), "isothermal"),
-    ("point contact, thermal", Path("cases/traction_steel.toml"), "thermal"),
+    ("point contact, thermal", Path("cases/traction_steel.toml"), "all"),
     ("worm teeth, isothermal", Path("cases/zi_sharif_2001.toml"), "isothermal"),
-    ("worm teeth, thermal", Path("cases/zi_sharif_2001.toml"), "thermal"),
+    ("worm teeth, thermal", Path("cases/zi_sharif_2001.toml"), "all"),
 )
 ACCURACIES = (0.05, 0.02, 0.01)
 

@@ -43,7 +43,7 @@ def films(scene: Scene, box: tuple[float, float, float]) -> np.ndarray:
     for _ in range(3):
         grids.append(grids[-1].finer())
         plan = replace(
-            pyworm.plan(scene),
+            pyworm.plan(scene, effects="all"),
             grids=tuple(grids),
             wider_grids=(),
             largest_grid=grids[-1].nodes,

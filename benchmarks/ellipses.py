@@ -65,7 +65,9 @@ def orders() -> None:
     for ratio in SLENDER:
         contact = scene(ratio)
         unit = scales(contact).groups.moes_film
-        plan = replace(pyworm.plan(contact), wider_grids=(), tolerance=TOLERANCE, accuracy=1e-5)
+        plan = replace(
+            pyworm.plan(contact, effects="all"), wider_grids=(), tolerance=TOLERANCE, accuracy=1e-5
+        )
         finest = plan.grids[-1]
         rows = []
         while finest.finer().nodes < LARGEST_GRID:
@@ -91,7 +93,7 @@ def main() -> None:
     print("     D   central   ± %  reference    diff   minimum   ± %  reference    diff  grid")
     for ratio, reference in REFERENCE.items():
         contact = scene(ratio)
-        plan = replace(pyworm.plan(contact, ACCURACY), largest_grid=LARGEST_GRID)
+        plan = replace(pyworm.plan(contact, ACCURACY, "all"), largest_grid=LARGEST_GRID)
         solution = pyworm.solve(contact, plan)
         unit = scales(contact).groups.moes_film
         cells = [f"{ratio:6.3g}"]

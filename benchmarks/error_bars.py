@@ -54,7 +54,7 @@ def random_scene(random: np.random.Generator) -> Scene:
 
 def truth(scene: Scene, spacing: float) -> pyworm.Solution:
     """The scene in a window of twice the reach, on grids down to a quarter of a spacing [m]."""
-    plan = pyworm.plan(scene, accuracy=1e-5)
+    plan = pyworm.plan(scene, 1e-5, "all")
     finest = plan.wider_grids[-1]
     while finest.dx > 0.3 * spacing and finest.finer().nodes < MOST_NODES:
         finest = finest.finer()
@@ -73,7 +73,7 @@ def main() -> None:
     missed, worst = 0, 0.0
     for number in range(count):
         scene = random_scene(random)
-        rough = pyworm.solve(scene, pyworm.plan(scene, ACCURACY))
+        rough = pyworm.solve(scene, pyworm.plan(scene, ACCURACY, "all"))
         x = rough.fields.x.values
         exact = truth(scene, float(x[1] - x[0]))
         shares = []

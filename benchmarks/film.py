@@ -17,8 +17,8 @@ from pathlib import Path
 from statistics import median
 
 import pyworm
-from pyworm.effects import Plan
 from pyworm.grid import nest
+from pyworm.planning import Plan
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution
@@ -45,22 +45,22 @@ ONCE_NODES = 300_000
 PARTS = ("convolution_seconds", "flow_seconds", "cycle_seconds", "vector_seconds")
 
 
-def on_window(scene: Scene) -> Plan:
+def on_window(scene: Scene, effects: str) -> Plan:
     """Grids of the scene's own window, from COARSEST cells along each direction; the window is not judged."""
     size = scales(scene)
     inner, outer = (window(scene, size, reach) for reach in (near_reach(size), FAR))
     spacing = ((inner[1] - inner[0]) / COARSEST, (inner[3] - inner[2]) / COARSEST)
     return replace(
-        pyworm.plan(scene),
+        pyworm.plan(scene, effects=effects),
         grids=nest(inner, outer, *spacing),
         wider_grids=(),
         tolerance=TOLERANCE,
     )
 
 
-def refined(scene: Scene, times: int) -> Plan:
+def refined(scene: Scene, times: int, effects: str = "all") -> Plan:
     """The same, the first grid of the figures halved so often."""
-    plan = on_window(scene)
+    plan = on_window(scene, effects)
     finest = plan.grids[-1]
     for _ in range(times):
         finest = finest.finer()
@@ -115,7 +115,7 @@ def main() -> None:
     scenes = {case: pyworm.load(Path(f"cases/{case}.toml")).scene() for case in CASES}
     print(f"at 1 %, error bars and their wider window included\n{HEADER}")
     for case, scene in scenes.items():
-        print(row(case, scene, pyworm.plan(scene)), flush=True)
+        print(row(case, scene, pyworm.plan(scene, effects="all")), flush=True)
     print(f"\nto a residual of {TOLERANCE:g}\n{HEADER}")
     for case, scene in scenes.items():
         print(row(case, scene, refined(scene, 2)), flush=True)

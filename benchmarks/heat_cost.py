@@ -81,18 +81,20 @@ def cost(solution: Solution) -> tuple[float, list[float]]:
 def compare(name: str, tolerance: float) -> None:
     """Print what both models cost and how many times the full one is dearer."""
     scene = remembering(SCENES[name]())
-    plan = replace(refined(scene, HALVINGS), tolerance=tolerance)
-    isothermal = pyworm.plan(scene, effects="isothermal").model
-    pyworm.solve(scene, replace(plan, model=isothermal))  # samples the scene
+    plans = {
+        effects: replace(refined(scene, HALVINGS, effects), tolerance=tolerance)
+        for effects in ("isothermal", "all")
+    }
+    pyworm.solve(scene, plans["isothermal"])  # samples the scene
     wholes = []
-    for model in (isothermal, plan.model):
-        solution = pyworm.solve(scene, replace(plan, model=model))
+    for effects, plan in plans.items():
+        solution = pyworm.solve(scene, plan)
         whole, parts = cost(solution)
         wholes.append(whole)
         steps = solution.history.sizes["iteration"]
         shape = f"{solution.fields.sizes['x']} x {solution.fields.sizes['y']}"
         print(
-            f"{name:18} {tolerance:7.0e} {model.name:>10} {model.levels:6} {shape:>11} {steps:5} "
+            f"{name:18} {tolerance:7.0e} {effects:>10} {plan.model.levels:6} {shape:>11} {steps:5} "
             + f"{whole:7.2f} = "
             + " ".join(f"{part:6.2f}" for part in parts)
             + f" {solution.figures.residual:9.1e}",

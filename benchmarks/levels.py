@@ -2,7 +2,7 @@
 
 3 levels are the mean-film model, a parabola. The grid is the one at which 3 % are reached; Newton and heat go
 on until they leave less than the levels do. Relative errors, those of temperatures over the rise above the
-inlet's; `pyworm.effects.LEVEL_ERRORS` is the worst of each number of levels. Run from the repository's root
+inlet's; `pyworm.planning.LEVEL_ERRORS` is the worst of each number of levels. Run from the repository's root
 (it takes minutes):
 
     python benchmarks/levels.py
@@ -13,8 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyworm
-from pyworm.effects import Model
 from pyworm.kernels import KernelError
+from pyworm.planning import Model
 from pyworm.scene import RigidMotion, Scene
 from pyworm.solution import Solution
 
@@ -49,13 +49,13 @@ def scenes() -> Iterator[tuple[str, Scene]]:
 
 def solve(scene: Scene, levels: int) -> Solution:
     """The scene on the grid of 3 %, with so many levels."""
-    plan = pyworm.plan(scene, 0.03)
+    plan = pyworm.plan(scene, 0.03, "all")
     return pyworm.solve(
         scene,
         replace(
             plan,
             accuracy=10 * UNFINISHED,
-            model=Model("thermal", levels, heated=True),
+            model=Model(levels, heated=True),
             wider_grids=(),
             largest_grid=plan.grids[-1].finer().nodes,
             tolerance=UNFINISHED,

@@ -57,7 +57,7 @@ def compare() -> None:
         for row in rows:
             scene = line(float(row["M"]), float(row["L"]), oil)
             rough, fine = (
-                pyworm.solve(scene, pyworm.plan(scene, accuracy)) for accuracy in ACCURACIES
+                pyworm.solve(scene, pyworm.plan(scene, accuracy, "all")) for accuracy in ACCURACIES
             )
             unit, figures = line_scales(scene).groups.moes_film, fine.figures
             central, minimum = figures.film_central.value / unit, figures.film_min.value / unit
@@ -78,7 +78,9 @@ def judge_error_bars() -> None:
     for _ in range(SCENES):
         m, lubricant = 10 ** random.uniform(-2, 3.5), random.uniform(0, 25)
         scene = line(m, lubricant, OILS[random.choice(list(OILS))])
-        rough, fine = (pyworm.solve(scene, pyworm.plan(scene, error)) for error in (0.01, 0.001))
+        rough, fine = (
+            pyworm.solve(scene, pyworm.plan(scene, error, "all")) for error in (0.01, 0.001)
+        )
         converged += rough.converged
         seconds.append(rough.cost.seconds)
         for name in ("film_central", "film_min"):

@@ -24,7 +24,7 @@ def main() -> None:
     scene = pyworm.load(Path("cases/point_m200_l10.toml")).scene()
     print("threads  nodes        seconds  convolutions  arrays of the grid  digest")
     for nodes in NODES:
-        plan = replace(on_window(scene), largest_grid=nodes**2)
+        plan = replace(on_window(scene, "all"), largest_grid=nodes**2)
         solution = pyworm.solve(scene, plan)
         shape = solution.fields.sizes["x"], solution.fields.sizes["y"]
         # kilobytes, of the process at its largest so far: Python's own share counts most on the first grids

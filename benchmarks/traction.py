@@ -33,7 +33,7 @@ def solve(load: float, ratio: float) -> Solution | None:
     case = pyworm.load(Path("cases/traction_steel.toml"))
     scene = replace(case.scene(slide_roll_ratio=ratio), load=load)
     try:
-        return pyworm.solve(scene, pyworm.plan(scene, ACCURACY))
+        return pyworm.solve(scene, pyworm.plan(scene, ACCURACY, "all"))
     except KernelError as error:
         print(f"{load:g} N, {scene.name}: {error}")
         return None

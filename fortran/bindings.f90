@@ -316,13 +316,13 @@ contains
   end subroutine point_film_set_rise
 
   !> Fields of a contact's shear; see `nodal_shear`.
-  subroutine point_film_shear_fields(handle, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
+  subroutine point_film_shear_fields(handle, factors_wanted, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
     use contact_handle, only: contact_of
     use film_temperature, only: heated_contact
     use nodal_shear, only: shear_field, shear_fields
     use status, only: status_ok
     integer(c_int64_t), intent(in) :: handle
-    integer(c_int), intent(in) :: nx, ny
+    integer(c_int), intent(in) :: factors_wanted, nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), along(nx, ny), &
       across(nx, ny)
     integer(c_int), intent(out) :: slip(nx, ny), stat
@@ -331,7 +331,7 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call shear_fields(contact%point_contact, field, stat)
+    call shear_fields(contact%point_contact, factors_wanted /= 0, field, stat)
     if (stat /= status_ok) return
     stress_x = field%stress_x
     stress_y = field%stress_y

@@ -19,7 +19,7 @@ _HOMES = {
     "Scene": "pyworm.scene",
     "Solution": "pyworm.solution",
     "load": "pyworm.case",
-    "plan": "pyworm.effects",
+    "plan": "pyworm.planning",
     "solve": "pyworm.solver",
 }
 

@@ -35,15 +35,41 @@ class Reading:
         return {name: getattr(self, name) for name in FIGURES} | self.further
 
 
-JUDGED = ("film_min", "film_central")
-"""Figures that the accuracy is asked of. The largest pressure has its error bar, but is not among them: under
-light loads it is the tip of a spike at the exit, which no practicable grid resolves."""
+FILMS = ("film_min", "film_central")
 
-FIGURES = (*JUDGED, "pressure_max")
+FIGURES = (*FILMS, "pressure_max")
 
 SHEAR_FIGURES = ("friction_coefficient", "power_loss", "shear_rate_max")
 
 HEAT_FIGURES = ("temperature_max_body_1", "temperature_max_body_2", "temperature_max_film")
+
+
+@dataclass(frozen=True)
+class Aim:
+    """The figures whose error bars an accuracy is asked of.
+
+    The largest pressure is never among them: under light loads it is the tip of a spike at the exit, which no
+    practicable grid resolves.
+
+    Attributes
+    ----------
+    figures : tuple of str
+        Their names.
+    warmth : float
+        Temperature difference to which errors of temperatures are relative where the rise is smaller [K].
+    """
+
+    figures: tuple[str, ...]
+    warmth: float = 0.0
+
+    def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:
+        """The largest of relative errors of figures, temperatures among these as rises [K]."""
+        return max(errors[name] * self._weight(name, figures[name]) for name in self.figures)
+
+    def _weight(self, name: str, value: float) -> float:
+        if name not in HEAT_FIGURES or value >= self.warmth:
+            return 1.0
+        return max(value, 0.0) / self.warmth
 
 
 @dataclass(frozen=True)
@@ -91,7 +117,7 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
         return dict.fromkeys(readings[0].figures, np.inf)
     last = change(readings[-2], readings[-1])
     if len(readings) == 2:
-        films = max(last[name] for name in JUDGED)
+        films = max(last[name] for name in FILMS)
         return {name: max(films, of) for name, of in last.items()}
     before = change(readings[-3], readings[-2])
     errors = {}

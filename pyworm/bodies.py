@@ -18,6 +18,8 @@ class Body:
         needed only where heat is simulated.
     bulk_temperature : float or None
         Temperature far below the surface and of the surface before the contact [K]; needed with them.
+    roughness : float or None
+        Root mean square height of the surface, Rq [m]; None if it is not known.
     """
 
     youngs_modulus: float
@@ -26,6 +28,7 @@ class Body:
     conductivity: float | None = None
     specific_heat: float | None = None
     bulk_temperature: float | None = None
+    roughness: float | None = None
 
 
 def reduced_modulus(body_1: Body, body_2: Body) -> float:

@@ -16,7 +16,7 @@ from pyworm.case_error import CaseError, sentence
 from pyworm.contact_scene import contact_scene
 from pyworm.drives.drive import Drive
 from pyworm.line.scene import LineScene
-from pyworm.place import Place, crossed
+from pyworm.place import PLACE_NAMES, Place, crossed
 from pyworm.scene import Scene
 from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
@@ -24,11 +24,16 @@ from pyworm.schema.contact import GapCase, PointCase
 from pyworm.schema.rating import RATING_TABLES
 
 _NO_PHYSICS = {
-    **dict.fromkeys(("title", "source", "published", "accuracy", *RATING_TABLES), True),
-    "operation": {"phases"},
+    **dict.fromkeys(
+        ("title", "source", "published", "accuracy", "effects", "quantities", *RATING_TABLES), True
+    ),
+    "operation": {"sections", "phases", "stations"},
     "motion": {"slide_roll_ratios"},
 }
 """Keys of case files that say nothing about a contact."""
+
+MESH_PLACES = {"section": "sections", "phase": "phases", "station": "stations"}
+"""Name of a place in a drive's mesh -> key of `[operation]` that lists those to be solved."""
 
 
 @dataclass(frozen=True)
@@ -70,9 +75,26 @@ class Case:
         return self.tables.published
 
     @property
-    def phases(self) -> tuple[float, ...]:
-        """Phases of the mesh cycle to solve; empty for a contact written directly."""
-        return () if self.drive is None else self.tables.operation.phases
+    def effects(self) -> str:
+        """Which effects are simulated if nothing else is asked for, as `pyworm.plan` takes it."""
+        return self.tables.effects
+
+    @property
+    def quantities(self) -> tuple[str, ...] | None:
+        """What is asked of its contacts, likewise."""
+        return self.tables.quantities
+
+    @property
+    def mesh_places(self) -> dict[str, tuple[Any, ...]]:
+        """Sections, phases and stations of its drive's mesh to solve, by name; empty without a drive."""
+        if self.drive is None:
+            return {}
+        operation = self.tables.operation
+        return {
+            name: getattr(operation, key) or ()
+            for name, key in MESH_PLACES.items()
+            if hasattr(operation, key)
+        }
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
@@ -119,7 +141,11 @@ class Case:
         return case_drive(self.tables)
 
     def scene(
-        self, phase: float | None = None, slide_roll_ratio: float | None = None
+        self,
+        phase: float | None = None,
+        slide_roll_ratio: float | None = None,
+        section: str | None = None,
+        station: float | None = None,
     ) -> Scene | LineScene:
         """One contact at one instant.
 
@@ -130,11 +156,16 @@ class Case:
         slide_roll_ratio : float, optional
             Place on the traction curve; by default the first of the case's slide-roll ratios. Only for cases
             that give a mean velocity.
+        section : str, optional
+            Section of the worm; by default the first of the case's. Only for drives that have some.
+        station : float, optional
+            Place along the contact line, 0 to 1; by default the first of the case's, if it lists some. Only
+            for drives with contact lines.
 
         Raises
         ------
         CaseError
-            No contact at this phase, a phase given where there is no mesh cycle, or a slide-roll ratio where
+            No contact at this place, a place given where there is no mesh cycle, or a slide-roll ratio where
             no mean velocity is given.
         """
         if slide_roll_ratio is not None and not self.slide_roll_ratios:
@@ -144,31 +175,47 @@ class Case:
         if slide_roll_ratio is not None and not isfinite(slide_roll_ratio):
             raise CaseError(f"slide-roll ratio {slide_roll_ratio:g}: must be finite")
         if self.drive is None:
-            if phase is not None:
-                raise CaseError(
-                    f"phase {phase:g}: {self.name} has no mesh cycle, it is one contact"
-                )
+            for name, value in (("section", section), ("phase", phase), ("station", station)):
+                if value is not None:
+                    raise CaseError(
+                        f"{name} {value}: {self.name} has no mesh cycle, it is one contact"
+                    )
             if slide_roll_ratio is None and self.slide_roll_ratios:
                 slide_roll_ratio = self.slide_roll_ratios[0]
             return contact_scene(self.tables, self.name, self.directory, slide_roll_ratio)
-        phase = self.phases[0] if phase is None else phase
-        if not 0 <= phase <= 1:
-            raise CaseError(f"phase {phase:g}: must lie between 0 and 1")
+        place = self._mesh_place({"section": section, "phase": phase, "station": station})
         try:
-            return self.drive.scene(phase)
+            return self.drive.scene(**place.given)
         except ValueError as error:
-            raise CaseError(f"drive at phase {phase:g}: {error}") from error
+            raise CaseError(f"drive at {place}: {error}") from error
+
+    def _mesh_place(self, wanted: dict[str, Any]) -> Place:
+        """A place of the drive's mesh, by default the first that the case lists."""
+        given = {}
+        for name, value in wanted.items():
+            listed = self.mesh_places.get(name)
+            if value is None:
+                given[name] = listed[0] if listed else None
+                continue
+            if listed is None:
+                raise CaseError(f"{name} {value}: the drive of {self.name} has no {name}s")
+            if name == "section" and value not in (*listed, *self.drive.sections):
+                raise CaseError(f"section {value}: choose one of {', '.join(self.drive.sections)}")
+            if name != "section" and not 0 <= value <= 1:
+                raise CaseError(f"{name} {value:g}: must lie between 0 and 1")
+            given[name] = value
+        return Place(**given)
 
     def places(self, **wanted: Sequence[Any] | None) -> tuple[Place, ...]:
-        """Where its contacts are: by default at the phases or slide-roll ratios that the case lists.
+        """Where its contacts are: by default at the places that the case lists.
 
         Parameters
         ----------
         **wanted : sequence, optional
             Others, by the names of `Place`.
         """
-        own = {"phase": self.phases, "slide_roll_ratio": self.slide_roll_ratios}
-        return crossed({name: wanted.get(name) or values for name, values in own.items()})
+        own = self.mesh_places | {"slide_roll_ratio": self.slide_roll_ratios}
+        return crossed({name: wanted.get(name) or own.get(name, ()) for name in PLACE_NAMES})
 
     def scenes(self, **wanted: Sequence[Any] | None) -> Iterator[Scene | LineScene]:
         """The contacts at `places` of these arguments."""

@@ -1,15 +1,20 @@
 """The drive of a case file."""
 
 from collections.abc import Callable
+from math import inf
 
 from pyworm.case_error import CaseError
 from pyworm.drives.drive import Drive
 from pyworm.drives.gear_pair import GearPairDrive, TipRelief
 from pyworm.drives.gear_rating import Surfaces
 from pyworm.drives.involute import Gear, InvolutePair, ToothSystem
+from pyworm.drives.roller_motion import FREE_OF_FRICTION, Pin
+from pyworm.drives.roller_profile import Crown, RollerProfile
+from pyworm.drives.roller_worm import Rollers, RollerWorm, RollerWormDrive
 from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
 from pyworm.schema.case import CaseTable
 from pyworm.schema.gear_pair import GearPairCase, GearTable
+from pyworm.schema.roller_worm import RollerWormCase
 from pyworm.schema.zi_worm import ZiWormCase
 
 
@@ -41,6 +46,38 @@ def _zi_worm(tables: ZiWormCase) -> ZiWormDrive:
         centre_distance=tables.drive.centre_distance,
         speed=tables.operation.worm_speed,
         load=tables.operation.load,
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
+    )
+
+
+def _roller_worm(tables: RollerWormCase) -> RollerWormDrive:
+    oil = tables.oil.oil()
+    worm, rollers, operation = tables.drive.worm, tables.drive.rollers, tables.operation
+    profile = RollerProfile(
+        shape=rollers.shape,
+        radius=rollers.radius,
+        length=rollers.length,
+        half_angle=rollers.half_angle,
+        crown=None if rollers.crown is None else Crown(**dict(rollers.crown)),
+    )
+    return RollerWormDrive(
+        worm=RollerWorm(**dict(worm) | {"hand": 1 if worm.hand == "left" else -1}),
+        rollers=Rollers(
+            count=rollers.count,
+            profile=profile,
+            tilt=rollers.tilt,
+            height=rollers.height,
+            pin=FREE_OF_FRICTION if rollers.pin is None else Pin(**dict(rollers.pin)),
+            stiffness=rollers.stiffness or inf,
+        ),
+        roughness=(tables.surfaces.worm_roughness, tables.surfaces.roller_roughness),
+        centre_distance=tables.drive.centre_distance,
+        speed=operation.worm_speed,
+        torque=operation.torque,
+        preload=operation.preload,
+        sharing=operation.sharing,
+        rolling=operation.rolling,
         bodies=tables.bodies.pair(oil),
         oil=oil,
     )
@@ -93,5 +130,6 @@ def _gear(table: GearTable) -> Gear:
 _DRIVES: dict[type[CaseTable], Callable[..., Drive]] = {
     ZiWormCase: _zi_worm,
     GearPairCase: _gear_pair,
+    RollerWormCase: _roller_worm,
 }
 """What makes the drive of each kind of case."""

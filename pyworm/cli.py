@@ -88,7 +88,23 @@ def _parser() -> argparse.ArgumentParser:
     case = argparse.ArgumentParser(add_help=False)
     case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
-    case.add_argument("--effects", help="model (default: the most that the oil is known for)")
+    case.add_argument(
+        "--effects",
+        help="auto, all, isothermal, or names of effects with commas between; else the case's",
+    )
+    case.add_argument(
+        "--quantities",
+        help="film, friction, temperature, with commas; else the case's, or all that can be told",
+    )
+    case.add_argument(
+        "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
+    )
+    case.add_argument(
+        "--station",
+        type=float,
+        nargs="+",
+        help="places along contact lines, 0 to 1, to solve; else the case's",
+    )
     case.add_argument(
         "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
     )
@@ -163,9 +179,10 @@ def _run(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm.cycle_tables import CYCLE_TABLES
     from pyworm.plots import draw
     from pyworm.run import RESULT_NAME, NothingSolvedError, run
-    from pyworm.tables import figures_table, heat_table, published_for, scenes_table
+    from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
 
     try:
         with _progress() as progress, _executor(options) as executor:
@@ -194,14 +211,17 @@ def _run(options: argparse.Namespace) -> int:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         scenes = [task.scene for task in tasks if task.scene.name not in failed]
-        for scene, summary in zip(scenes, summaries, strict=True):
+        for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
             published = published_for(summary, case.published)
             if published or len(scenes) == 1:
                 console.print(figures_table(scene, summary, published))
+                console.print(effects_table(solution.effects, "Effects, judged by the solution"))
         if len(scenes) > 1:
             console.print(scenes_table(scenes, summaries))
             if all("friction_coefficient" in summary for summary in summaries):
                 console.print(heat_table(scenes, summaries))
+        if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
+            console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
@@ -222,16 +242,24 @@ def _check(options: argparse.Namespace) -> int:
     from rich.console import Console
 
     from pyworm.scene_summary import scene_summary
-    from pyworm.tables import plan_table
+    from pyworm.tables import effects_table, plan_table
 
     if options.json:
-        scenes = [scene_summary(task.scene) | {"plan": asdict(task.plan)} for task in tasks]
+        scenes = [
+            scene_summary(task.scene)
+            | {
+                "plan": asdict(task.plan),
+                "effects": [asdict(effect) for effect in task.plan.effects],
+            }
+            for task in tasks
+        ]
         print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
         for task in tasks:
             console.print(plan_table(task.scene, task.plan))
+            console.print(effects_table(task.plan.effects, "Effects"))
     return CONVERGED
 
 
@@ -318,8 +346,11 @@ def _tasks(case: Case, options: argparse.Namespace) -> list:
 
     from pyworm.task import Task
 
+    effects = options.effects or case.effects
+    words = options.quantities
+    quantities = case.quantities if words is None else tuple(words.split(","))
     places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
-    tasks = [Task(case, place, accuracy, options.effects) for place in places]
+    tasks = [Task(case, place, accuracy, effects, quantities) for place in places]
     try:
         for task in tasks:
             _ = task.plan

@@ -13,12 +13,12 @@ import numpy as np
 
 from pyworm import kernels, reading
 from pyworm.accuracy import HEAT_FIGURES, Reading
-from pyworm.effects import Model
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
-from pyworm.oils import NEWTONIAN
+from pyworm.oils import NEWTONIAN, Barus, Roelands
+from pyworm.planning import Model
 from pyworm.scales import Scales
-from pyworm.scene import Scene
+from pyworm.scene import Motion, Scene
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected central film, below which mobility falls no further."""
@@ -97,6 +97,9 @@ class Rung:
         The kernel's film, in its present state.
     coarser : Start or None
         Where the rung before ended, if it covered the same window.
+    newtonian : tuple or None
+        Viscosity against pressure and sliding velocities against place, by which a film without levels is
+        sheared; None where the oil's flow law is not known.
     """
 
     forcing: ClassVar[float] = 0.1
@@ -110,6 +113,7 @@ class Rung:
     sliding: tuple[float, float]
     film: kernels.PointFilm
     coarser: Start | None = None
+    newtonian: tuple[Barus | Roelands, Motion] | None = None
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
@@ -130,22 +134,37 @@ class Rung:
         body_1, body_2 = (float(error) for error in self.film.conduction_errors)
         return dict(zip(HEAT_FIGURES, (body_1, body_2, max(body_1, body_2)), strict=True))
 
+    def _shear(self) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray, np.ndarray] | None:
+        """Stresses on body 1 [Pa], heat of shearing [W/m2] and shear rate [1/s]; None of an unknown law."""
+        if self.film.levels:
+            shear = self.film.heat_fields() if self.film.heated else self.film.shear_fields()
+            return (shear.stress_x, shear.stress_y), shear.friction, shear.rate
+        if self.newtonian is None:
+            return None
+        viscosity, sliding = self.newtonian
+        pressure = self.film.pressure
+        shear = reading.newtonian_shear(
+            viscosity(pressure),
+            self.film.thickness(),
+            sliding(*self.grid.mesh()),
+            np.gradient(pressure, *self.grid.spacing),
+        )
+        return shear.stress, shear.friction, shear.rate
+
     def _shear_figures(self) -> dict[str, float]:
-        if not self.film.levels:
+        shear = self._shear()
+        if shear is None:
             return {}
-        shear = self.film.heat_fields() if self.film.heated else self.film.shear_fields()
+        stresses, friction_power, rate = shear
         within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
-        force = [
-            float(stress[within].sum()) * self.grid.cell
-            for stress in (shear.stress_x, shear.stress_y)
-        ]
+        force = [float(stress[within].sum()) * self.grid.cell for stress in stresses]
         # along the sliding at the contact point; without any friction has no direction, and no size
         speed = hypot(*self.sliding)
         friction = -float(np.dot(force, self.sliding)) / speed if speed > 0 else 0.0
         return {
             "friction_coefficient": friction / self.whole_load,
-            "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
-            "shear_rate_max": float(shear.rate[within].max()),
+            "power_loss": float(friction_power[within].sum()) * self.grid.cell,
+            "shear_rate_max": float(rate[within].max()),
         }
 
     def _heat_figures(self) -> dict[str, float]:
@@ -211,7 +230,7 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
     outside[window] = 0.0
     if outside.any():
         far = far + kernels.elastic_deflection(
-            outside, rung.grid.dx, rung.grid.dy, scene.reduced_modulus
+            outside, rung.grid.dx, rung.grid.dy, scene.bending_modulus
         )
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
@@ -220,6 +239,13 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
     finer = _rung(scene, size, grid, far, load, coarser)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
+
+
+def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
+    """A scene on the grid of a rung, entered from its film."""
+    again = _rung(scene, size, rung.grid, rung.far, rung.load)
+    again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
+    return again
 
 
 def _end(rung: Rung) -> Start:
@@ -269,10 +295,11 @@ def _rung(
         np.zeros_like(gap),
         grid.dx,
         grid.dy,
-        scene.reduced_modulus,
+        scene.bending_modulus,
         load,
         scene.oil,
         FLOOR_SHARE * size.film,
     )
     sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
-    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser)
+    newtonian = (scene.oil.viscosity, scene.sliding) if scene.oil.flow == NEWTONIAN else None
+    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser, newtonian)

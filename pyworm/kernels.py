@@ -513,15 +513,15 @@ class PointFilm(_Film):
         _check(status)
         self._warm_from(rise)
 
-    def shear_fields(self) -> ShearFields:
-        """Fields of a sheared film.
+    def shear_fields(self, factors: bool = False) -> ShearFields:
+        """Fields of a sheared film, with its flow factors or with zeros in their place.
 
         Raises
         ------
         KernelError
             If memory does not suffice.
         """
-        *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
+        *fields, status = self._binding("shear_fields")(self._handle, factors, *self._shape)
         _check(status)
         return ShearFields(*fields)
 

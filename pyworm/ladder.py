@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import JUDGED, Convergence, Reading, algebra_errors, change
+from pyworm.accuracy import Aim, Convergence, Reading, algebra_errors, change
 from pyworm.kernels import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError, LineFilm, PointFilm
 
 MOST_STEPS = 30
@@ -106,7 +106,7 @@ def lead(rung: Rung, tolerance: float) -> list[Stride]:
     return strides
 
 
-def settle(rung: Rung, tolerance: float, algebra_wanted: float) -> Settled:
+def settle(rung: Rung, tolerance: float, aim: Aim, algebra_wanted: float) -> Settled:
     """Newton steps until the film's figures are settled, or no step helps any more.
 
     Parameters
@@ -115,8 +115,10 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float) -> Settled:
         The film.
     tolerance : float
         Residual and load error wanted.
+    aim : Aim
+        The figures.
     algebra_wanted : float
-        Relative error of both films wanted; it takes at least two steps to see it.
+        Relative error of them wanted; it takes at least two steps to see it.
     """
     strides: list[Stride] = []
     reading = rung.read()
@@ -124,7 +126,7 @@ def settle(rung: Rung, tolerance: float, algebra_wanted: float) -> Settled:
     algebra = dict.fromkeys(reading.figures, np.inf)
     while len(strides) < MOST_STEPS and (
         rung.film.balance.worst > tolerance
-        or max(algebra[name] for name in JUDGED) > algebra_wanted
+        or not aim.worst(algebra, reading.figures) <= algebra_wanted
     ):
         taken = stride(rung)
         if taken is None:
@@ -166,6 +168,8 @@ class Ladder(Protocol):
     ----------
     kind : str
         What results call it.
+    rungs : type
+        What its rungs are.
     convergence : Convergence
         How its figures come near the truth.
     origins : dict
@@ -173,11 +177,15 @@ class Ladder(Protocol):
     """
 
     kind: ClassVar[str]
+    rungs: ClassVar[type]
     convergence: Convergence
     origins: dict[str, float]
 
     def enter(self, grids: Sequence[Any]) -> tuple[Rung, list[Stride]]:
         """Up the plan's grids to the last of them, not yet settled there."""
+
+    def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
+        """The grid of a rung, from its film, on which the contact was solved with fewer effects."""
 
     def higher(self, rung: Rung) -> Rung:
         """Half the spacing over the same window, entered from the present film."""

@@ -5,8 +5,11 @@ differ only in the constants that the constructors here fill in.
 """
 
 from dataclasses import dataclass, replace
-from math import exp, log
+from math import asinh, exp, expm1, log, sinh
 from typing import Literal
+
+import numpy as np
+from scipy.optimize import brentq
 
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
@@ -36,9 +39,9 @@ class Barus:
     eta0: float
     alpha: float
 
-    def __call__(self, pressure: float) -> float:
-        """Viscosity [Pa s] at a pressure [Pa]."""
-        return self.eta0 * exp(self.alpha * pressure)
+    def __call__(self, pressure):
+        """Viscosity [Pa s] at a pressure or pressures [Pa]."""
+        return self.eta0 * np.exp(self.alpha * pressure)
 
 
 @dataclass(frozen=True)
@@ -75,10 +78,10 @@ class Roelands:
             beta * (temperature - ROELANDS_POLE_TEMPERATURE) / (log(self.eta0) + ROELANDS_POLE_LOG)
         )
 
-    def __call__(self, pressure: float) -> float:
-        """Viscosity [Pa s] at a pressure [Pa]."""
+    def __call__(self, pressure):
+        """Viscosity [Pa s] at a pressure or pressures [Pa]."""
         rise = (log(self.eta0) + ROELANDS_POLE_LOG) * ((1 + pressure / self.p0) ** self.z - 1)
-        return self.eta0 * exp(rise)
+        return self.eta0 * np.exp(rise)
 
 
 @dataclass(frozen=True)
@@ -116,6 +119,9 @@ class Density:
         """Density [kg/m3] at a pressure [Pa]."""
         return self.rho0 * (1 + self.d1 * pressure / (1 + self.d2 * pressure))
 
+
+LEAST_LIMIT = 0.1e6
+"""Limiting stress below which none falls [Pa]."""
 
 FlowLawName = Literal["newtonian", "eyring", "bair-winer", "eyring-limited", "carreau"]
 
@@ -160,6 +166,37 @@ class FlowLaw:
     limit: float = 0.0
     limit_pressure: float = 0.0
     exponent: float = 1.0
+
+    def limit_at(self, pressure: float) -> float:
+        """Limiting stress tauL [Pa] at a pressure [Pa]."""
+        return max(self.limit + self.limit_pressure * pressure, LEAST_LIMIT)
+
+    def stress_at(self, newtonian: float, pressure: float) -> float:
+        """Shear stress [Pa] at a shear rate and a pressure [Pa], at the inlet's temperature.
+
+        Parameters
+        ----------
+        newtonian : float
+            Viscosity times shear rate [Pa].
+        pressure : float
+            Pressure [Pa].
+        """
+        onset, limit = self.stress * exp(self.stress_pressure * pressure), self.limit_at(pressure)
+        if newtonian == 0 or self.law == "newtonian":
+            return newtonian
+        if self.law == "bair-winer":
+            return -limit * expm1(-newtonian / limit)
+        if self.law == "carreau":
+            return newtonian * (1 + (newtonian / onset) ** 2) ** ((self.exponent - 1) / 2)
+        thinned = onset * asinh(newtonian / onset)
+        if self.law == "eyring":
+            return thinned
+
+        def excess(stress: float) -> float:
+            held = 1 - (stress / limit) ** (2 * self.exponent)
+            return onset * sinh(stress / onset) - newtonian * held
+
+        return brentq(excess, 0.0, min(thinned, limit), xtol=1e-9 * limit)
 
     @property
     def thins(self) -> bool:
@@ -241,9 +278,24 @@ class Oil:
         How it shears under stress; None if nothing is known but its viscosity.
     heat : OilHeat or None
         How it takes heat; None where that is not known, and cannot be simulated.
+    supply : float or None
+        Thickness of the oil that arrives at a contact [m]; None where there is always enough.
     """
 
     viscosity: Barus | Roelands
     density: Density
     flow: FlowLaw | None = None
     heat: OilHeat | None = None
+    supply: float | None = None
+
+    def eta(self, pressure: float, rise: float = 0.0) -> float:
+        """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""
+        if self.heat is None or rise == 0:
+            return self.viscosity(pressure)
+        exponent = self.heat.viscosity_exponent
+        if isinstance(self.viscosity, Barus):
+            return self.viscosity(pressure) * exp(-exponent * rise)
+        law, inlet = self.viscosity, self.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
+        span = log(law.eta0) + ROELANDS_POLE_LOG
+        warmed = (1 + pressure / law.p0) ** law.z * (1 + rise / inlet) ** -exponent
+        return law.eta0 * exp(span * (warmed - 1))

@@ -15,13 +15,19 @@ class Place:
 
     Attributes
     ----------
+    section : str or None
+        Section of a worm that has two: "left" or "right".
     phase : float or None
         Place in the mesh cycle, 0 to 1.
+    station : float or None
+        Place along a contact line, 0 to 1; None where the contact is solved as a whole.
     slide_roll_ratio : float or None
         Place on a traction curve: sliding over entrainment [-].
     """
 
+    section: str | None = None
     phase: float | None = None
+    station: float | None = None
     slide_roll_ratio: float | None = None
 
     @classmethod
@@ -37,7 +43,8 @@ class Place:
     def __str__(self) -> str:
         """What people read: "phase 0.5"; empty where the case has one contact only."""
         return ", ".join(
-            f"{name.replace('_', ' ')} {value:g}" for name, value in self.given.items()
+            f"{name.replace('_', ' ')} {value if isinstance(value, str) else f'{value:g}'}"
+            for name, value in self.given.items()
         )
 
 

@@ -8,12 +8,21 @@ import xarray as xr
 
 from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
-from pyworm.climb import Rung, dry_contact, entry, first_rung, next_rung, with_heat, with_shear
-from pyworm.effects import Plan
+from pyworm.climb import (
+    Rung,
+    dry_contact,
+    entry,
+    first_rung,
+    like,
+    next_rung,
+    with_heat,
+    with_shear,
+)
 from pyworm.grid import Grid
 from pyworm.kernels import DryContact
 from pyworm.ladder import Outcome, Stride, lead
 from pyworm.lent import TAKEN_BACK, lent
+from pyworm.planning import Plan
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import DryFigures
@@ -44,6 +53,7 @@ class PointLadder:
     """
 
     kind: ClassVar[str] = "point"
+    rungs: ClassVar[type] = Rung
     # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
     # measured against a reach 15 times larger; 2^-1.5 is left when the reach is doubled.
     convergence: ClassVar[Convergence] = Convergence(
@@ -70,6 +80,16 @@ class PointLadder:
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
             rung = next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
+        return rung, strides + self._complete(rung)
+
+    def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
+        """The grid of a rung, from its film."""
+        again = like(self._lent, self._size, rung)
+        return again, self._complete(again)
+
+    def _complete(self, rung: Rung) -> list[Stride]:
+        """Shear, then heat, for a Newtonian film of one temperature."""
+        strides: list[Stride] = []
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
             # that film's pressure could make heat without bound by a law that limits the stress
@@ -78,7 +98,7 @@ class PointLadder:
             with_heat(self._scene, self._size, rung)
             rung.film.restart()
             strides += self._taken_back(rung)
-        return rung, strides
+        return strides
 
     def _sheared(self, rung: Rung) -> list[Stride]:
         """Steps of a film from a Newtonian oil to its own.
@@ -193,7 +213,7 @@ class PointLadder:
     def _shear_fields(self, rung: Rung) -> dict[str, np.ndarray]:
         if not self._model.levels:
             return {}
-        shear = rung.film.shear_fields()
+        shear = rung.film.shear_fields(factors=True)
         return {
             "shear_stress_x": shear.stress_x,
             "shear_stress_y": shear.stress_y,

@@ -150,6 +150,8 @@ def _scalars(value: Any) -> Any:
         return {
             name: _scalars(part) for name, part in parts.items() if not isinstance(part, xr.Dataset)
         }
+    if isinstance(value, tuple):
+        return [_scalars(part) for part in value]
     return value
 
 
@@ -172,7 +174,7 @@ def _rebuild(kind: Any, value: Any) -> Any:
     if value is None:
         return None
     if get_origin(kind) is tuple:
-        return tuple(value)
+        return tuple(_rebuild(get_args(kind)[0], part) for part in value)
     for option in (kind, *get_args(kind)):
         if is_dataclass(option):
             hints = get_type_hints(option)

@@ -6,6 +6,7 @@ Velocities are those of the surfaces relative to the (moving) contact point, pro
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 
@@ -87,6 +88,12 @@ class Scene:
         Place in the mesh cycle, 0 to 1; None outside a drive.
     slide_roll_ratio : float or None
         Place on a traction curve: sliding over entrainment [-]; None outside one.
+    section, station : str or None, float or None
+        Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
+    film_rate : float or None
+        How fast the film grows as the drive turns, d(ln h)/dt [1/s]; None where nothing changes.
+    rigid : bool
+        Whether the bodies keep their shape under the film.
     """
 
     name: str
@@ -98,6 +105,15 @@ class Scene:
     oil: Oil
     phase: float | None = None
     slide_roll_ratio: float | None = None
+    section: str | None = None
+    station: float | None = None
+    film_rate: float | None = None
+    rigid: bool = False
+
+    @property
+    def bending_modulus(self) -> float:
+        """Reduced modulus by which the bodies bend under the film [Pa]; infinite of rigid ones."""
+        return inf if self.rigid else self.reduced_modulus
 
     @property
     def reduced_modulus(self) -> float:

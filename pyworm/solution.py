@@ -5,6 +5,7 @@ from typing import Literal
 
 import xarray as xr
 
+from pyworm.effects.judgement import Judgement
 from pyworm.place import Place
 
 ZERO_CELSIUS = 273.15
@@ -135,6 +136,15 @@ class Cost:
     convolutions: float
     unit_seconds: float = 0.0
 
+    def after(self, other: "Cost") -> "Cost":
+        """The cost of this solve and of one that led to it, in convolutions of this one's."""
+        share = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
+        return Cost(
+            self.seconds + other.seconds,
+            self.convolutions + share * other.convolutions,
+            self.unit_seconds,
+        )
+
 
 @dataclass(frozen=True)
 class Solution:
@@ -171,10 +181,14 @@ class Solution:
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
     slide_roll_ratio : float or None
         Place on a traction curve [-].
+    section, station : str or None, float or None
+        Section of a worm that has two, and place along the contact line, 0 to 1.
     profile : xarray.Dataset or None
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
         None where heat was not simulated.
+    effects : tuple of Judgement
+        Every effect, judged by what the solution says.
     """
 
     name: str
@@ -189,7 +203,10 @@ class Solution:
     cost: Cost
     inlet_temperature: float | None = None
     slide_roll_ratio: float | None = None
+    section: str | None = None
+    station: float | None = None
     profile: xr.Dataset | None = None
+    effects: tuple[Judgement, ...] = ()
 
     def summary(self) -> dict:
         """The scalars of this solution as one object, units in the keys.
@@ -220,6 +237,7 @@ class Solution:
             "residual": figures.residual,
             "load_error": figures.load_error,
             "mass_error": figures.mass_error,
+            "effects": [effect.name for effect in self.effects if effect.on],
             "seconds": self.cost.seconds,
             "convolutions": self.cost.convolutions,
         }

@@ -1,20 +1,20 @@
 """From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from statistics import median
 from time import perf_counter, process_time
 
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import JUDGED, Reading, domain_errors, grid_errors
-from pyworm.effects import Plan
+from pyworm.accuracy import Reading, domain_errors, grid_errors
 from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
 from pyworm.place import Place
+from pyworm.planning import Plan, reviewed
 from pyworm.point_ladder import PointLadder
 from pyworm.scene import Scene
 from pyworm.solution import Cost, Estimate, Figures, Solution
@@ -57,14 +57,47 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     -------
     Solution
         Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
-        asked for.
+        asked for. Effects that the plan left out and the solution calls for have been added, unless the
+        effects were asked for.
 
     Raises
     ------
     KernelError
         If the scene makes no sense to the kernel (values that are not finite) or memory runs out.
     """
-    tell = progress or (lambda message, share: None)
+    tell = _rising(progress)
+    foot, spent = None, Cost(0.0, 0.0)
+    while True:
+        solution, foot = _climb(plan.simplified(scene), plan, tell, foot)
+        spent = solution.cost.after(spent)
+        seen = reviewed(scene, plan, solution) if solution.converged else plan
+        if plan.asked is not None or seen.on <= plan.on:
+            return replace(solution, effects=seen.effects, cost=spent)
+        missed = ", ".join(sorted(seen.on - plan.on))
+        tell(f"{scene.name}: calls for {missed} too", 0.0)
+        plan = seen
+
+
+def _rising(progress: Progress | None) -> Progress:
+    """Progress that does not fall back where a solve begins again with more effects."""
+    reached = 0.0
+
+    def tell(message: str, share: float) -> None:
+        nonlocal reached
+        reached = max(reached, share)
+        if progress is not None:
+            progress(message, reached)
+
+    return tell
+
+
+def _climb(
+    scene: Scene | LineScene, plan: Plan, tell: Progress, foot: Rung | None
+) -> tuple[Solution, Rung]:
+    """Solve a scene as it is; from a rung, if there is one, on which it was solved with fewer effects.
+
+    Returns the first rung of the figures too.
+    """
     ladder = LADDERS[type(scene)](scene, plan)
     domain: dict[str, float] = {}
     readings: list[Reading] = []
@@ -72,7 +105,12 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
 
     started, started_work = perf_counter(), process_time()
     tell(f"{scene.name}: first grids", 0.0)
-    rung, strides = ladder.enter(plan.grids)
+    rung, strides = (
+        ladder.resume(foot)
+        if foot is not None and isinstance(foot, ladder.rungs)
+        else ladder.enter(plan.grids)
+    )
+    foot = rung
     while True:
         settled = _settle_figures(rung, plan)
         strides += settled.strides
@@ -86,12 +124,13 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
                 domain = domain_errors(
                     settled.reading, settled_wider.reading, ladder.convergence.window_limit
                 )
-                if max(domain[name] for name in JUDGED) > DOMAIN_SHARE * plan.accuracy:
+                seen = plan.aim.worst(domain, settled.reading.figures)
+                if seen > DOMAIN_SHARE * plan.accuracy:
                     left = ladder.convergence.wider_share
                     domain = {name: left * error for name, error in domain.items()}
                     rung, settled, readings = wider, settled_wider, [settled_wider.reading]
         estimates = _estimates(ladder, rung, readings, domain, settled, plan)
-        stop_reason = _stop_reason(rung, estimates, unsettled, plan)
+        stop_reason = _stop_reason(rung, settled, estimates, unsettled, plan)
         if stop_reason is not None:
             break
         size = " x ".join(str(count) for count in rung.grid.finer().shape)
@@ -108,7 +147,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     unit = _convolution_work(rung)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
-    return Solution(
+    solution = Solution(
         name=scene.name,
         kind=ladder.kind,
         **asdict(Place.of(scene)),
@@ -128,6 +167,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
         profile=outcome.profile,
     )
+    return solution, foot
 
 
 def _in_wider_window(
@@ -173,19 +213,20 @@ def _estimates(
 
 
 def _settle_figures(rung: Rung, plan: Plan) -> Settled:
-    return settle(rung, plan.tolerance, ALGEBRA_SHARE * plan.accuracy)
+    return settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
 
 
 def _stop_reason(
-    rung: Rung, estimates: Mapping[str, Estimate], unsettled: int, plan: Plan
+    rung: Rung, reached: Settled, estimates: Mapping[str, Estimate], unsettled: int, plan: Plan
 ) -> str | None:
     """Why the climb ends here, or None if it goes on."""
-    error = max(estimates[name].error for name in JUDGED)
+    figures = reached.reading.figures
+    error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
     settled = rung.film.balance.worst <= plan.tolerance
     resolved = estimates["film_min"].value > 0
     if settled and resolved and error <= plan.accuracy:
         return ACCURATE
-    domain = max(estimates[name].domain for name in JUDGED)
+    domain = plan.aim.worst({name: of.domain for name, of in estimates.items()}, figures)
     if np.isfinite(domain) and domain > plan.accuracy:
         return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
     last = rung.grid.finer().nodes > plan.largest_grid

@@ -121,7 +121,10 @@ def _tasks(
     """The scenes of one case of a sweep, checked and planned; nothing of that is kept."""
     try:
         case: Case = case_of(_with(content, values), f"{name}: {label(values)}", directory)
-        tasks = [Task(case, place, case.accuracy, effects) for place in case.places()]
+        tasks = [
+            Task(case, place, case.accuracy, effects or case.effects, case.quantities)
+            for place in case.places()
+        ]
         for task in tasks:
             _ = task.plan
     except ValueError as error:

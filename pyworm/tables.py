@@ -3,11 +3,13 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
-from pyworm.effects import Plan
+from pyworm.effects.judgement import Judgement
 from pyworm.line.scene import LineScene
-from pyworm.place import PLACE_NAMES
+from pyworm.place import PLACE_NAMES, Place
+from pyworm.planning import Plan
 from pyworm.scene import Scene
 from pyworm.scene_summary import scene_summary
 from pyworm.schema.case import PublishedValue
@@ -137,10 +139,11 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
         `Solution.summary()` of each one's solution.
     """
     heading, labels = _places(scenes)
-    table = Table(heading, title="All scenes", title_justify="left")
-    for heading in ("Dry\nMPa", "Largest\nMPa", "Central\nµm", "± %", "Minimum\nµm", "± %", "s"):
+    table = Table(title="All scenes", title_justify="left")
+    table.add_column(heading, no_wrap=True)
+    for heading in ("Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %", "s"):
         table.add_column(heading, justify="right")
-    table.add_column("Converged")
+    table.add_column("Con-\nver-\nged")
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
         table.add_row(
             label,
@@ -161,22 +164,22 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
 
     The error bar of the temperatures is the largest of the three.
     """
-    heated = all("temperature_max_C" in values for values in summaries)
+    heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
     table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
-    loss, unit, scale = _LOSSES[summaries[0]["kind"]]
-    headings = ["Friction", "± %", f"Loss\n{unit}"]
+    headings = ["Friction", "± %", "Loss"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
         table.add_column(heading, justify="right")
     for label, values in zip(labels, summaries, strict=True):
+        loss, unit, scale = _LOSSES[values["kind"]]
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
-            f"{values[loss] * scale:.4g}",
+            f"{values[loss] * scale:.4g} {unit}",
         ]
-        if heated:
+        if "temperature_max_C" in values:
             cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(label, *cells)
@@ -194,13 +197,16 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
     return scene_summary(scene)["hertz_pressure_max_Pa"]
 
 
-def _places(scenes: Sequence[Scene]) -> tuple[str, list[str]]:
+def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
     """What tells scenes of one case apart: what it is, and that of each."""
-    for heading, place in (("Phase", "phase"), ("Slide-\nroll\nratio", "slide_roll_ratio")):
-        places = [getattr(scene, place) for scene in scenes]
-        if None not in places:
-            return heading, [f"{of:g}" for of in places]
-    return "Scene", [scene.name for scene in scenes]
+    names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
+    if not names:
+        return "Scene", [scene.name for scene in scenes]
+    heading = "\n".join(name.replace("_roll_", "-\nroll\n") for name in names)
+    parts = [[getattr(one, name) for name in names] for one in scenes]
+    return heading.capitalize(), [
+        " ".join(of if isinstance(of, str) else f"{of:g}" for of in row) for row in parts
+    ]
 
 
 def published_for(
@@ -214,7 +220,7 @@ def published_for(
 
 
 def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
-    """A scene and what is planned for it."""
+    """A scene and how it is to be solved."""
     summary = scene_summary(scene)
     table = Table(title=_title(scene), title_justify="left")
     table.add_column("Scene")
@@ -222,10 +228,9 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     for label, key, scale, unit in _SCENE:
         if key in summary:
             table.add_row(*_quantity(label, summary[key], scale, unit))
+    table.add_row("Regime", plan.regime.name)
     table.add_section()
-    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} %")
-    for effect in plan.effects:
-        table.add_row(effect.name, f"{'on' if effect.on else 'off'}: {effect.reason}")
+    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
@@ -233,8 +238,38 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     return table
 
 
+def effects_table(effects: Sequence[Judgement], title: str) -> Table:
+    """Every effect, whether it is simulated, what leaving it out changes, and why it is on or off."""
+    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    table.add_column("Effect", no_wrap=True)
+    table.add_column("")
+    table.add_column("Indicator", justify="right", no_wrap=True)
+    quantities = next((tuple(effect.influence) for effect in effects if effect.influence), ())
+    for quantity in quantities:
+        table.add_column(QUANTITY_HEADINGS[quantity], justify="right", no_wrap=True)
+    table.add_column("Why")
+    for effect in effects:
+        table.add_row(
+            effect.name,
+            "on" if effect.on else "off",
+            "" if effect.indicator is None else f"{effect.indicator:.2g}",
+            *(_influence(effect.influence.get(quantity)) for quantity in quantities),
+            effect.reason,
+        )
+    return table
+
+
+QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Temp."}
+
+
+def _influence(share: float | None) -> str:
+    if share is None:
+        return ""
+    return ">100 %" if share > 1 else f"{share * 100:.2g} %"
+
+
 def _title(scene: Scene | LineScene) -> str:
-    return scene.name if scene.phase is None else f"Mesh phase {scene.phase:g}"
+    return scene.name if scene.phase is None else f"Mesh {Place.of(scene)}"
 
 
 def _value(value: float, unit: str, error: float | None = None) -> str:

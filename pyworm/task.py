@@ -13,9 +13,9 @@ import numpy as np
 
 import pyworm
 from pyworm.case import Case
-from pyworm.effects import Plan, plan
 from pyworm.line.scene import LineScene
 from pyworm.place import Place
+from pyworm.planning import Plan, plan
 from pyworm.result import FORMAT_VERSION, Result
 from pyworm.scene import Scene
 from pyworm.solver import Progress, solve
@@ -38,14 +38,17 @@ class Task:
         Which of its contacts.
     accuracy : float
         Relative error wanted [-].
-    effects : str or None
-        The model, one of `MODELS`; None for the most that the oil is known for.
+    effects : str
+        Which effects to simulate, as `pyworm.plan` takes it.
+    quantities : tuple of str or None
+        What is asked for, likewise.
     """
 
     case: Case
     place: Place
     accuracy: float
-    effects: str | None = None
+    effects: str = "auto"
+    quantities: tuple[str, ...] | None = None
 
     @cached_property
     def scene(self) -> Scene | LineScene:
@@ -55,7 +58,7 @@ class Task:
     @cached_property
     def plan(self) -> Plan:
         """How it is solved; ValueError if it cannot be planned so."""
-        return plan(self.scene, self.accuracy, self.effects)
+        return plan(self.scene, self.accuracy, self.effects, self.quantities)
 
     @property
     def identity(self) -> dict[str, Any]:
@@ -67,6 +70,7 @@ class Task:
             "place": self.place.given,
             "accuracy": self.accuracy,
             "effects": self.effects,
+            "quantities": self.quantities,
         }
 
     @cached_property
@@ -75,7 +79,7 @@ class Task:
         return sha256(json.dumps(self.identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]
 
     def __reduce__(self) -> tuple:
-        return Task, (self.case, self.place, self.accuracy, self.effects)
+        return Task, (self.case, self.place, self.accuracy, self.effects, self.quantities)
 
     def solved(self, progress: Progress | None = None) -> Result:
         """Solve the scene.

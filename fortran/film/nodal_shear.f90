@@ -77,9 +77,10 @@ contains
     shear%unsolved = shear%unsolved + failures
   end subroutine shear_columns
 
-  !> Fields of a contact's shear.
-  subroutine shear_fields(contact, field, stat)
+  !> Fields of a contact's shear; the flow factors, which cost more than all others, if wanted.
+  subroutine shear_fields(contact, factors_wanted, field, stat)
     type(point_contact), intent(in) :: contact
+    logical, intent(in) :: factors_wanted
     type(shear_field), intent(out) :: field
     integer, intent(out) :: stat
     type(shear_strip) :: shear
@@ -88,7 +89,8 @@ contains
       loading_y, relief_x, relief_y
     integer :: j, first, last, m
 
-    associate (nx => contact%grid%nx, ny => contact%grid%ny, levels => contact%shear%nodes%levels)
+    associate (nx => contact%grid%nx, ny => contact%grid%ny, levels => contact%shear%nodes%levels, &
+        faces => contact%shear%along_x)
       allocate (field%stress_x(nx, ny), field%stress_y(nx, ny), field%friction(nx, ny), field%rate(nx, ny), &
         field%along(nx, ny), field%across(nx, ny), source=0.0_wp)
       allocate (field%slip(nx, ny), source=0)
@@ -98,19 +100,20 @@ contains
         do first = 2, nx - 1, most_nodes
           last = min(first + most_nodes - 1, nx - 1)
           m = last - first + 1
-          shear%tau_x = 0
-          shear%tau_y = 0
+          shear%tau_x(:m) = (faces%stress_x(first - 1:last - 1, j) + faces%stress_x(first:last, j))/2
+          shear%tau_y(:m) = (faces%stress_y(first - 1:last - 1, j) + faces%stress_y(first:last, j))/2
           call shear_nodes(contact, first, last, j, shear, softening)
           call film_shear_rate(levels, shear, rate)
           call film_heat(levels, shear, heat, own, loading_x, loading_y, relief_x, relief_y)
-          call flow_factors(contact%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
           field%stress_x(first:last, j) = shear%tau_x(:m)
           field%stress_y(first:last, j) = shear%tau_y(:m)
           field%friction(first:last, j) = shear%film(:m)*matmul(heat(:m, :), levels%weight)
           field%rate(first:last, j) = maxval(rate(:m, :), dim=2)
+          field%slip(first:last, j) = shear%slip(:m)
+          if (.not. factors_wanted) cycle
+          call flow_factors(contact%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
           field%along(first:last, j) = along(:m)
           field%across(first:last, j) = across(:m)
-          field%slip(first:last, j) = shear%slip(:m)
         end do
       end do
     end associate

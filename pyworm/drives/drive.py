@@ -12,7 +12,11 @@ class Drive(Protocol):
     """A machine that makes contacts. It never solves them."""
 
     def scene(self, phase: float) -> Scene | LineScene:
-        """The lubricated contact at a phase of the mesh cycle, 0 to 1."""
+        """The lubricated contact at a phase of the mesh cycle, 0 to 1.
+
+        A drive whose contacts more than the phase tells apart takes the other names of `Place` that its
+        `[operation]` lists (`pyworm.case.MESH_PLACES`), too, and names its `sections`.
+        """
 
     def cycle_data(self) -> xr.Dataset:
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""

@@ -15,6 +15,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.bodies import Body, reduced_modulus
+from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.gear_data import line_of_action_data, with_friction
 from pyworm.drives.gear_gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_rating import GearRating, Surfaces, rate
@@ -262,7 +263,9 @@ class GearPairDrive:
 
         Body 1 is the pinion, x runs to its tip, y along the contact line.
         """
-        return self._line(phase) if self.contact == "line" else self._point(phase)
+        at = self._line if self.contact == "line" else self._point
+        base_speed = self.pinion_speed * self.teeth.cylinders[0].base
+        return with_film_rate(at, phase, base_speed / self.teeth.path_length)
 
     def _line(self, phase: float) -> LineScene:
         contact = self.contacts(phase)

@@ -13,6 +13,7 @@ import xarray as xr
 
 from pyworm.bodies import Body
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
+from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
 from pyworm.drives.tooth_boundary import WheelTooth, WormTooth, wheel_radius
@@ -232,6 +233,9 @@ class ZiWormDrive:
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
+        return with_film_rate(self._scene, phase, self.speed / abs(self.cycle.worm_rotation))
+
+    def _scene(self, phase: float) -> Scene:
         contact = self.contact(phase)
         return Scene(
             name=f"phase {phase:.2f}",

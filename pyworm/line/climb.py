@@ -7,13 +7,14 @@ import numpy as np
 
 from pyworm.accuracy import Reading
 from pyworm.climb import CONTACT_PRESSURE
-from pyworm.effects import Model
 from pyworm.kernels import LineFilm
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
-from pyworm.oils import NEWTONIAN
+from pyworm.oils import NEWTONIAN, Barus, Roelands
+from pyworm.planning import Model
+from pyworm.reading import newtonian_shear
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -47,6 +48,8 @@ class LineRung:
         Load for each length, what pressure beyond the grid carries included [N/m].
     film : kernels.LineFilm
         The kernel's film, in its present state.
+    newtonian : Barus, Roelands or None
+        Viscosity by which a film without levels is sheared; None where the oil's flow law is not known.
     """
 
     forcing: ClassVar[float] = 1e-3
@@ -57,6 +60,7 @@ class LineRung:
     sliding: float
     load: float
     film: LineFilm
+    newtonian: Barus | Roelands | None = None
 
     def model_errors(self) -> dict[str, float]:
         """None: Jaeger's line of heat is exact for a body of one velocity."""
@@ -75,17 +79,34 @@ class LineRung:
             self._shear_figures() | self._heat_figures(),
         )
 
+    def _shear(self) -> tuple[Array, Array, Array] | None:
+        """Stress on body 1 [Pa], heat of shearing [W/m2] and shear rate [1/s]; None of an unknown law."""
+        if self.film.levels:
+            shear = self.film.shear_fields()
+            return shear.stress, shear.friction, shear.rate
+        if self.newtonian is None:
+            return None
+        pressure = self.film.pressure
+        shear = newtonian_shear(
+            self.newtonian(pressure),
+            self.film.fields()[0],
+            (np.full(self.grid.nodes, self.sliding),),
+            (np.gradient(pressure, self.grid.dx),),
+        )
+        return shear.stress[0], shear.friction, shear.rate
+
     def _shear_figures(self) -> dict[str, float]:
-        if not self.film.levels:
+        shear = self._shear()
+        if shear is None:
             return {}
-        shear = self.film.shear_fields()
+        stress, friction_power, rate = shear
         within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
         # against the sliding; without any, friction has no direction, and no size
-        force = -np.sign(self.sliding) * float(shear.stress[within].sum()) * self.grid.dx
+        force = -np.sign(self.sliding) * float(stress[within].sum()) * self.grid.dx
         return {
             "friction_coefficient": force / self.load if self.sliding else 0.0,
-            "power_loss": float(shear.friction[within].sum()) * self.grid.dx,
-            "shear_rate_max": float(shear.rate[within].max()),
+            "power_loss": float(friction_power[within].sum()) * self.grid.dx,
+            "shear_rate_max": float(rate[within].max()),
         }
 
     def _heat_figures(self) -> dict[str, float]:
@@ -168,12 +189,13 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         np.full(grid.nodes, scene.entrainment),
         np.zeros(grid.nodes),
         grid.dx,
-        scene.reduced_modulus,
+        scene.bending_modulus,
         load,
         scene.oil,
         FLOOR_SHARE * size.film,
     )
-    return LineRung(grid, gap, covered, scene.sliding, scene.load, film)
+    newtonian = scene.oil.viscosity if scene.oil.flow == NEWTONIAN else None
+    return LineRung(grid, gap, covered, scene.sliding, scene.load, film, newtonian)
 
 
 def _prolonged(field: Array) -> Array:

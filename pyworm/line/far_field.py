@@ -83,4 +83,4 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
 def _deflection(scene: LineScene, at: Array, grid: LineGrid, pressure: Array) -> Array:
     """Deflection [m], up to a constant, beyond a grid; strips of pressure are lines from there."""
     distance = np.maximum(abs(at[:, None] - grid.x[None, :]), grid.dx / 2)
-    return -4 * grid.dx / (np.pi * scene.reduced_modulus) * np.log(distance) @ pressure
+    return -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure

@@ -9,12 +9,12 @@ import xarray as xr
 
 from pyworm import kernels
 from pyworm.accuracy import HEAT_FIGURES, Convergence
-from pyworm.effects import Plan
 from pyworm.ladder import Outcome, Stride, lead
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied, with_heat, with_shear
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
+from pyworm.planning import Plan
 from pyworm.variables import describe
 
 FIRST_TOLERANCE = 1e-4
@@ -69,6 +69,7 @@ class LineLadder:
     """
 
     kind: ClassVar[str] = "line"
+    rungs: ClassVar[type] = LineRung
 
     def __init__(self, scene: LineScene, plan: Plan):
         self._scene = scene
@@ -112,13 +113,24 @@ class LineLadder:
         for _ in range(SUPPLIES - 1):
             rung = supplied(scene, size, rung)
             strides += lead(rung, FIRST_TOLERANCE)
+        return rung, strides + self._complete(scene, rung)
+
+    def _complete(self, scene: LineScene, rung: LineRung) -> list[Stride]:
+        """Shear, then heat, for a Newtonian film of one temperature."""
+        strides: list[Stride] = []
         if self._model.levels:
             with_shear(scene, self._model, rung)
             strides += lead(rung, FIRST_TOLERANCE)
         if self._model.heated:
             with_heat(scene, rung)
             strides += lead(rung, FIRST_TOLERANCE)
-        return rung, strides
+        return strides
+
+    def resume(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
+        """The grid of a rung, from its film."""
+        again = supplied(self._scene, self._size, rung)
+        strides = self._complete(self._scene, again)
+        return self._like(again, supplied(self._scene, self._size, again)), strides
 
     def higher(self, rung: LineRung) -> LineRung:
         """Half the spacing."""

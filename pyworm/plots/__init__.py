@@ -17,6 +17,9 @@ from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.roller_cycle import draw_roller_cycle, draw_roller_sensitivity
+from pyworm.plots.roller_drive import draw_roller_drive
+from pyworm.plots.roller_regimes import draw_roller_regimes
 from pyworm.plots.style import write
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction, traction_curve
@@ -47,6 +50,12 @@ SCENE_PICTURES = {
 
 CYCLE_PICTURES = {
     "zi-worm": {"mesh_cycle": draw_cycle},
+    "roller-worm": {
+        "mesh_cycle_drive": draw_roller_drive,
+        "mesh_cycle_regimes": draw_roller_regimes,
+        "mesh_cycle": draw_roller_cycle,
+        "mesh_cycle_sensitivity": draw_roller_sensitivity,
+    },
     "gear-pair": {
         "film_and_temperature": draw_film_and_temperature,
         "line_of_action": draw_line_of_action,

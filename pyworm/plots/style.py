@@ -13,6 +13,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colorbar import Colorbar
 from matplotlib.figure import Figure
 
+from pyworm.place import Place
 from pyworm.plots.outline import signed_square
 from pyworm.solution import ZERO_CELSIUS, Solution
 
@@ -219,7 +220,7 @@ def heading(case_name: str, solution: Solution) -> str:
     """Case, phase or else scene, load, and a warning where the solution did not converge."""
     parts = [case_name]
     if solution.phase is not None:
-        parts.append(f"phase {solution.phase:.3g}")
+        parts.append(str(Place.of(solution)))
     elif solution.name != case_name:
         parts.append(solution.name)
     load, unit = solution.load, LOAD_UNITS[solution.kind]

@@ -73,7 +73,7 @@ def load_asked(path: str | Path) -> Asked:
 def asked_of(case: Case) -> Asked:
     """What a case that can be solved asks to be rated; CaseError if nothing can be."""
     if not isinstance(case.tables, RatedCase):
-        raise CaseError("one contact alone has no ratings; give a [drive] or [bearings.NAME]")
+        raise CaseError('only drives of kind "zi-worm" and "gear-pair" and bearings are rated')
     return Asked(case.name, case.directory, case.tables, case.drive)
 
 

@@ -1,12 +1,12 @@
 """What a result takes for granted: the effects left out, and what its drive assumes."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Sequence
 
 from pyworm.case import Case
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
-from pyworm.report.content import Block, Items, Section, Table
+from pyworm.effects.judgement import Judgement
+from pyworm.report.content import Items, Section, Table
 from pyworm.report.figures import place_of
 from pyworm.result import Result
 from pyworm.solution import ZERO_CELSIUS
@@ -14,34 +14,36 @@ from pyworm.solution import ZERO_CELSIUS
 
 def plan_section(result: Result) -> Section | None:
     """Which effects were simulated and why, once for all contacts that agree; None where none is told."""
-    tables: dict[tuple, list[str]] = {}
-    plans = result.provenance.get("plans", ())
-    for solution, plan in zip(result.solutions, plans, strict=False):
-        rows = tuple(
-            (effect["name"], "on" if effect["on"] else "off", _judged(effect))
-            for effect in plan["effects"]
-        )
-        tables.setdefault(rows, []).append(place_of(solution))
-    if not tables:
+    solutions = [of for of in result.solutions if of.effects]
+    if not solutions:
         return None
-    blocks: list[Block] = [
-        Table(
-            ("Effect", "", "Reason"),
-            rows,
-            title="" if len(tables) == 1 else f"At {'; '.join(places)}",
-        )
-        for rows, places in tables.items()
-    ]
-    wanted = plans[0]["accuracy"]
-    heading = f"Effects simulated and left out (accuracy asked for: {wanted * 100:g} %)"
-    return Section(heading, tuple(blocks))
+    rows = []
+    for effects in zip(*(of.effects for of in solutions), strict=True):
+        on = [place_of(of) for of, effect in zip(solutions, effects, strict=True) if effect.on]
+        where = "on" if len(on) == len(solutions) else f"on at {', '.join(on)}" if on else "off"
+        rows.append((effects[0].name, where, _reason(effects), _influence(effects)))
+    words = (
+        "Influence is the largest that leaving the effect out would have on what was asked for, at any "
+        "contact, judged by the solutions."
+    )
+    wanted = {plan["accuracy"] for plan in result.provenance.get("plans", ())}
+    asked = " and ".join(f"{share * 100:g} %" for share in sorted(wanted))
+    table = Table(("Effect", "", "Reason", "Influence"), tuple(rows), note=words)
+    return Section(f"Effects simulated and left out (accuracy asked for: {asked})", (table,))
 
 
-def _judged(effect: Mapping[str, Any]) -> str:
-    """Reason, and what leaving the effect out would change where that was estimated."""
-    influence = effect.get("influence") or {}
-    parts = [f"{name} {share * 100:.2g} %" for name, share in influence.items() if share]
-    return effect["reason"] + (f"; influence: {', '.join(parts)}" if parts else "")
+def _reason(effects: Sequence[Judgement]) -> str:
+    """Why an effect is on or off; every reason once where contacts differ."""
+    return "; ".join(dict.fromkeys(effect.reason for effect in effects))
+
+
+def _influence(effects: Sequence[Judgement]) -> str:
+    """Largest influence on each quantity over the contacts."""
+    largest: dict[str, float] = {}
+    for effect in effects:
+        for quantity, share in effect.influence.items():
+            largest[quantity] = max(share, largest.get(quantity, 0.0))
+    return ", ".join(f"{name} {share * 100:.2g} %" for name, share in largest.items())
 
 
 def assumptions_section(case: Case, result: Result) -> Section:
@@ -76,6 +78,8 @@ def _drive_items(case: Case) -> list[str]:
             "Shafts and teeth do not bend, but for the contact itself; no dynamic loads but by the load "
             "factor.",
         ]
+    if drive is not None:
+        return [f"The load is shared as operation.sharing = {case.tables.operation.sharing} says."]
     return ["One contact, with the curvature, velocities and load given."]
 
 

@@ -17,6 +17,7 @@ from pyworm.report.inputs import inputs_section
 from pyworm.report.pictures import contact_pictures, cycle_pictures
 from pyworm.report.sensitivity import sensitivity_section
 from pyworm.result import Result
+from pyworm.schema.rating import RatedCase
 
 
 def build_report(result: Result) -> Report:
@@ -55,7 +56,7 @@ def build_report(result: Result) -> Report:
 
 def _ratings_section(case: Case, result: Result) -> Section | None:
     """The ratings that the case asks for; None where it asks for none."""
-    if case.drive is None:
+    if not isinstance(case.tables, RatedCase):
         return None
     try:
         made = ratings(asked_of(case), result)

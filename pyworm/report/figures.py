@@ -1,11 +1,11 @@
 """The figures of a result with their error bars: at a glance, phase by phase, beside the printed ones."""
 
 from collections.abc import Callable
+from math import hypot
 from typing import Any
 
 from pyworm import units
 from pyworm.case import Case
-from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.place import Place
 from pyworm.ratings.loss import MeshLoss, mesh_loss
 from pyworm.report.content import Block, Section, Table, Words
@@ -14,14 +14,19 @@ from pyworm.scene_summary import scene_summary
 from pyworm.schema.case import PublishedValue
 from pyworm.solution import ZERO_CELSIUS, Estimate, Solution
 
-BODIES = {"zi-worm": ("worm", "wheel"), "gear-pair": ("pinion", "gear")}
+BODIES = {
+    "zi-worm": ("worm", "wheel"),
+    "gear-pair": ("pinion", "gear"),
+    "roller-worm": ("worm", "roller"),
+}
 """Kind of drive -> what its bodies are called."""
 
 
 def composite_roughness(case: Case) -> float | None:
     """Composite roughness of the flanks [m], where the case gives one."""
-    if isinstance(case.drive, GearPairDrive) and case.drive.surfaces is not None:
-        return case.drive.surfaces.composite_roughness
+    surfaces = getattr(case.tables, "surfaces", None)
+    if surfaces is not None:
+        return hypot(*(of for name, of in surfaces if name.endswith("_roughness")))
     table = getattr(case.tables, "worm_rating", None)
     return None if table is None else table.composite_roughness
 

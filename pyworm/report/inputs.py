@@ -8,7 +8,7 @@ from pyworm import units
 from pyworm.case import Case
 from pyworm.report.content import Section, Table
 
-_ELSEWHERE = {"title", "source", "published", "accuracy"}
+_ELSEWHERE = {"title", "source", "published", "accuracy", "effects", "quantities"}
 """Keys of case files that other sections tell."""
 
 _FIRST = ("operation", "drive", "contact", "motion", "surfaces", "bodies", "oil")

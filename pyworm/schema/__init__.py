@@ -11,10 +11,15 @@ from pydantic import BaseModel, create_model
 from pyworm.schema.case import CaseTable
 from pyworm.schema.contact import GapCase, LineCase, PointCase
 from pyworm.schema.gear_pair import GearPairCase
+from pyworm.schema.roller_worm import RollerWormCase
 from pyworm.schema.zi_worm import ZiWormCase
 
 CASES: dict[str, dict[str, type[CaseTable]]] = {
-    "drive": {"zi-worm": ZiWormCase, "gear-pair": GearPairCase},
+    "drive": {
+        "zi-worm": ZiWormCase,
+        "gear-pair": GearPairCase,
+        "roller-worm": RollerWormCase,
+    },
     "contact": {"point-contact": PointCase, "line-contact": LineCase, "gap": GapCase},
 }
 """Table that says what a case is about -> its kind -> what the file may say."""

@@ -13,7 +13,8 @@ from pyworm.schema.table import Table
 class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
-    Without a bulk temperature of its own a body is as warm as the oil at the inlet.
+    Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
+    mean square height, Rq.
     """
 
     youngs_modulus: units.Pressure
@@ -22,6 +23,7 @@ class BodyTable(Table):
     conductivity: units.Conductivity | None = None
     specific_heat: units.SpecificHeat | None = None
     bulk_temperature: units.Temperature | None = None
+    roughness: units.Length | None = None
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""

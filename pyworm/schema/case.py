@@ -1,12 +1,22 @@
 """What all case files say."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, ValidationInfo, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
 
 from pyworm import units
 from pyworm.schema.oil import OilTable
 from pyworm.schema.table import Table, Text
+
+Quantity = Literal["film", "friction", "temperature"]
+"""What a case asks of its contacts."""
+
+
+def _effects(text: str) -> str:
+    from pyworm.effects.choice import words
+
+    words(text)
+    return text
 
 
 class PublishedValue(Table):
@@ -36,6 +46,8 @@ class CaseTable(Table):
     title: Text
     source: Text
     accuracy: units.Share = 0.01
+    effects: Annotated[str, AfterValidator(_effects)] = "auto"
+    quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
     published: Published = Field(default_factory=dict)
 

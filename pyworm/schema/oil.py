@@ -191,13 +191,14 @@ class HeatTable(Table):
 
 
 class OilTable(Table):
-    """`[oil]`: the oil at its inlet temperature."""
+    """`[oil]`: the oil at its inlet temperature, and how thick a layer of it arrives if it is not plenty."""
 
     name: Text
     viscosity: Annotated[BarusTable | RoelandsTable, Field(discriminator="law")]
     density: Annotated[DensityTable | GeneralDensityTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
+    supply: units.Length | None = None
 
     @model_validator(mode="after")
     def _one_exponent_of_temperature(self):
@@ -217,4 +218,5 @@ class OilTable(Table):
             density=self.density.density(),
             flow=None if self.shear is None else FlowLaw(**dict(self.shear)),
             heat=None if self.heat is None else self.heat.heat(viscosity),
+            supply=self.supply,
         )

@@ -149,7 +149,7 @@ def test_scalars_alone_are_kept_as_they_are(reference, tmp_path):
 def test_a_key_tells_what_decides_a_solution_and_nothing_else(tmp_path):
     text = TRACTION.read_text()
 
-    def key(place=Place(slide_roll_ratio=0.5), accuracy=0.01, effects=None, **changes):  # noqa: B008
+    def key(place=Place(slide_roll_ratio=0.5), accuracy=0.01, effects="auto", **changes):  # noqa: B008
         changed = text
         for old, new in changes.values():
             assert old in changed

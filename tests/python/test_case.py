@@ -9,11 +9,11 @@ import pytest
 import xarray as xr
 
 from pyworm.case import load
-from pyworm.effects import plan
 from pyworm.formulas.hertz import hertz
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
 from pyworm.oils import FlowLaw, OilHeat, Roelands
+from pyworm.planning import plan
 from pyworm.sampled_gap import SampledGap, read_gap
 
 ROOT = Path(__file__).parents[2]
@@ -98,7 +98,7 @@ def test_spin_like_the_worms_is_that_of_the_mean_velocity():
 def test_sharif_case_holds_the_tables_of_the_paper():
     case = load(CASES / "zi_sharif_2001.toml")
     tables = case.tables
-    assert 0.5 in case.phases
+    assert 0.5 in case.mesh_places["phase"]
     assert tables.drive.worm.threads == 3
     assert tables.drive.wheel.teeth == 59
     assert tables.drive.hob.centre_distance == pytest.approx(305.62e-3)

@@ -228,14 +228,12 @@ def test_surfaces_that_entrain_nothing_are_refused():
 
 
 def test_a_gap_that_is_not_a_number_is_refused():
-    scene = circular(50, 10)
-    plan = pyworm.plan(scene)
-
     def broken(x, y):
         return np.where(x > 0, np.nan, x**2), np.ones(x.shape, bool)
 
+    scene = replace(circular(50, 10), gap=broken)
     with pytest.raises(KernelError):
-        pyworm.solve(replace(scene, gap=broken), plan)
+        pyworm.solve(scene, pyworm.plan(scene))
 
 
 def test_progress_is_told_and_rises():

@@ -9,6 +9,7 @@ import pytest
 import pyworm
 from pyworm.ladder import lead
 from pyworm.oils import NEWTONIAN, FlowLaw
+from pyworm.planning import Model
 from pyworm.point_ladder import PointLadder
 from pyworm.scene import RigidMotion
 
@@ -28,7 +29,7 @@ def ball(slide_roll_ratio=1.0, turn=0.0, **changes):
     return replace(scene, motions=motions, oil=oil)
 
 
-def solved(scene, accuracy=COARSE, effects=None):
+def solved(scene, accuracy=COARSE, effects="all"):
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
     assert solution.converged, solution.stop_reason
     return solution
@@ -39,9 +40,9 @@ def hot():
     return solved(ball())
 
 
-def settled(scene, effects):
-    """The film on the first grid of the figures, to a residual far below any wanted."""
-    plan = pyworm.plan(scene, COARSE, effects)
+def settled(scene, levels):
+    """The film of one temperature on the first grid of the figures, to a residual far below any wanted."""
+    plan = replace(pyworm.plan(scene, COARSE, "isothermal"), model=Model(levels))
     rung, _ = PointLadder(scene, plan).enter(plan.grids)
     lead(rung, 1e-9)
     return rung.film
@@ -50,7 +51,7 @@ def settled(scene, effects):
 def test_a_newtonian_oil_of_one_temperature_has_the_isothermal_film():
     """The sheared film's scheme in Newton's limit is that of the plain one, to the iteration's tolerance."""
     scene = ball(flow=NEWTONIAN)
-    plain, sheared = settled(scene, "isothermal"), settled(scene, "sheared")
+    plain, sheared = settled(scene, 0), settled(scene, 7)
     scale = plain.pressure.max()
     assert np.abs(sheared.pressure - plain.pressure).max() < 1e-6 * scale
     assert np.allclose(sheared.thickness(), plain.thickness(), rtol=1e-6)
@@ -61,8 +62,8 @@ def test_an_oil_whose_viscosity_stays_has_the_sheared_film():
     scene = ball()
     heat = replace(scene.oil.heat, viscosity_exponent=0.0, expansivity=0.0)
     scene = replace(scene, oil=replace(scene.oil, heat=heat))
-    sheared = solved(scene, effects="sheared").figures
-    heated = solved(scene, effects="thermal").figures
+    sheared = solved(scene, effects="all,-film-heating").figures
+    heated = solved(scene, effects="all").figures
     assert heated.film_central.value == pytest.approx(sheared.film_central.value, rel=2e-3)
     assert heated.film_min.value == pytest.approx(sheared.film_min.value, rel=2e-3)
     assert heated.temperature_max_film.value > scene.oil.heat.inlet_temperature + 5
@@ -125,7 +126,7 @@ def test_bodies_exchanged_give_the_film_mirrored_across(hot):
 
 
 def test_the_cheap_rung_is_near_the_full_model(hot):
-    cheap = solved(ball(), effects="mean-film").figures
+    cheap = solved(ball(), effects="all,-viscosity-across").figures
     assert cheap.film_central.value == pytest.approx(hot.figures.film_central.value, rel=0.05)
     assert cheap.friction_coefficient.value == pytest.approx(
         hot.figures.friction_coefficient.value, rel=0.1
@@ -177,11 +178,11 @@ def test_opposite_sliding_without_heat_is_refused():
 @pytest.mark.parametrize(
     ("oil", "effects", "said"),
     [
-        ({"flow": None, "heat": None}, "sheared", r"give \[oil.shear\]"),
-        ({"heat": None}, "thermal", r"give \[oil.heat\]"),
+        ({"flow": None, "heat": None}, "shear-thinning", "no flow law is given"),
+        ({"heat": None}, "all,film-heating", "how the oil takes heat is not given"),
     ],
 )
-def test_models_that_an_oil_is_not_known_well_enough_for(oil, effects, said):
+def test_effects_that_an_oil_is_not_known_well_enough_for(oil, effects, said):
     with pytest.raises(ValueError, match=said):
         pyworm.plan(ball(**oil), effects=effects)
 

@@ -10,6 +10,7 @@ import pyworm
 from pyworm.bodies import Body
 from pyworm.line.scene import LineScene, Parabola
 from pyworm.oils import NEWTONIAN, Barus, Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.planning import Model
 from pyworm.solution import ZERO_CELSIUS
 
 CASE = Path(__file__).parents[2] / "cases" / "line_thermal.toml"
@@ -30,7 +31,7 @@ SCENE = LineScene(
 )
 
 
-def solved(scene, effects=None, accuracy=0.01):
+def solved(scene, effects="all", accuracy=0.01):
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
     assert solution.converged, solution.stop_reason
     return solution
@@ -79,8 +80,11 @@ def test_all_heat_is_accounted_for(heated):
 
 
 def test_a_newtonian_oil_of_one_temperature_is_the_isothermal_film():
-    plain = solved(SCENE, "isothermal", 0.001)
-    sheared = solved(replace(SCENE, oil=replace(OIL, flow=NEWTONIAN)), "sheared", 0.001)
+    plan = pyworm.plan(SCENE, 0.001, "isothermal")
+    newtonian = replace(SCENE, oil=replace(OIL, flow=NEWTONIAN))
+    plain, sheared = (
+        pyworm.solve(newtonian, replace(plan, model=Model(levels))) for levels in (0, 7)
+    )
     assert np.array_equal(plain.fields.x, sheared.fields.x)
     assert np.allclose(sheared.fields.film, plain.fields.film, rtol=1e-6, atol=0)
     assert sheared.figures.film_min.value == pytest.approx(plain.figures.film_min.value, rel=1e-6)
@@ -90,10 +94,11 @@ def test_heat_that_changes_nothing_leaves_the_sheared_film():
     """Viscosity and density do not depend on temperature; both films in one window."""
     indifferent = replace(HEAT, viscosity_exponent=0.0, expansivity=0.0)
     scene = replace(SCENE, oil=replace(OIL, heat=indifferent))
-    plan = pyworm.plan(scene, 0.005, "thermal")
+    plan = pyworm.plan(scene, 0.005, "all")
     heated = pyworm.solve(scene, plan)
     sheared = pyworm.solve(
-        scene, replace(pyworm.plan(scene, 0.005, "sheared"), grids=plan.grids, wider_grids=())
+        scene,
+        replace(pyworm.plan(scene, 0.005, "all,-film-heating"), grids=plan.grids, wider_grids=()),
     )
     heated_film = heated.fields.film.interp(x=sheared.fields.x)
     assert heated.figures.temperature_max_film.value > INLET + 2
@@ -102,13 +107,16 @@ def test_heat_that_changes_nothing_leaves_the_sheared_film():
 
 
 def test_a_cold_film_is_the_sheared_one():
-    """A hundredth of the velocities heats nothing."""
+    """A hundredth of the velocities heats hardly; friction falls by some 5 % with each kelvin it does."""
     slow = replace(SCENE, velocities=(0.025, 0.015), load=5e4)
-    sheared, heated = (solved(slow, effects, 0.002).figures for effects in ("sheared", "thermal"))
-    assert heated.temperature_max_film.value < INLET + 0.2
+    sheared, heated = (
+        solved(slow, effects, 0.002).figures for effects in ("all,-film-heating", "all")
+    )
+    rise = heated.temperature_max_film.value - INLET
+    assert rise < 0.2
     for name in ("film_central", "film_min", "friction_coefficient"):
         one, other = getattr(sheared, name), getattr(heated, name)
-        assert one.value == pytest.approx(other.value, rel=one.error + other.error + 2e-3)
+        assert one.value == pytest.approx(other.value, rel=one.error + other.error + 0.05 * rise)
 
 
 def test_without_sliding_there_is_no_traction():
@@ -157,7 +165,7 @@ def test_traction_rises_and_falls_again_with_sliding():
 
 def test_eyring_friction_without_heat():
     """Where the film is even, tau = tau0 asinh(eta us / (tau0 h)) with the viscosity at its pressure."""
-    fields = solved(SCENE, "sheared").fields
+    fields = solved(SCENE, "all,-film-heating").fields
     x = fields.x.values
     middle = abs(x) < 3e-5
     eta = np.array([OIL.viscosity(float(p)) for p in fields.pressure.values[middle]])
@@ -167,7 +175,7 @@ def test_eyring_friction_without_heat():
 
 
 def test_a_parabola_of_temperature_is_near_the_whole_film(heated):
-    mean = solved(SCENE, "mean-film").figures
+    mean = solved(SCENE, "all,-viscosity-across").figures
     full = heated.figures
     assert mean.film_central.value == pytest.approx(full.film_central.value, rel=0.05)
     assert mean.friction_coefficient.value == pytest.approx(
@@ -185,7 +193,7 @@ def test_levels_across_the_film_suffice():
 def test_a_fast_film_is_led_to_its_speed():
     """Cold, it would be thrice as thick, and its pressure would heat it without bound."""
     fast = replace(SCENE, velocities=(36.0, 30.0))
-    cold, hot = (solved(fast, effects).figures for effects in ("isothermal", "thermal"))
+    cold, hot = (solved(fast, effects).figures for effects in ("isothermal", "all"))
     assert hot.film_central.value < 0.5 * cold.film_central.value
     assert abs(hot.heat_balance) < 0.01
 
@@ -217,15 +225,17 @@ def test_a_body_at_rest_has_no_steady_temperature(velocities, body):
     scene = replace(SCENE, velocities=velocities)
     with pytest.raises(ValueError, match=rf"body {body} is at rest \(0 m/s\)"):
         pyworm.plan(scene)
-    assert solved(scene, "sheared").figures.friction_coefficient.value > 0
+    assert solved(scene, "all,-film-heating").figures.friction_coefficient.value > 0
 
 
 def test_what_is_not_known_of_the_oil_is_not_simulated():
     plain = replace(SCENE, oil=Oil(Barus(0.04, 2e-8), Density.incompressible(870.0)))
-    assert pyworm.plan(plain).model.name == "isothermal"
-    assert pyworm.plan(replace(SCENE, oil=replace(OIL, heat=None))).model.name == "sheared"
-    with pytest.raises(ValueError, match=r"give \[oil\.heat\]"):
-        pyworm.plan(plain, effects="thermal")
+    assert pyworm.plan(plain, effects="all").model == Model()
+    sheared = pyworm.plan(replace(SCENE, oil=replace(OIL, heat=None)), effects="all").model
+    assert sheared.levels > 0
+    assert not sheared.heated
+    with pytest.raises(ValueError, match="how the oil takes heat is not given"):
+        pyworm.plan(plain, effects="film-heating")
 
 
 def test_the_inlet_temperature_is_told(heated):

@@ -1,0 +1,78 @@
+"""Rollers as surfaces of revolution: the profile that envelops the worm, and what a crown takes off it."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+Array = np.ndarray
+
+Shape = Literal["cylinder", "cone", "ball"]
+
+
+@dataclass(frozen=True)
+class Crown:
+    """What is taken off a roller's ends against the profile that enveloped the worm.
+
+    Beyond a straight middle part the radius falls by (|s| - straight/2)^2 / 2 radius. A roller without a
+    straight part is crowned all along.
+
+    Attributes
+    ----------
+    radius : float
+        Radius of the crown along the roller [m].
+    straight : float
+        Length of the middle part that is left as it is [m].
+    """
+
+    radius: float
+    straight: float = 0.0
+
+    def __call__(self, place: Array) -> Array:
+        """Taken off the radius [m] at a place along the axis [m] from the roller's middle."""
+        beyond = np.maximum(np.abs(place) - self.straight / 2, 0.0)
+        return beyond**2 / (2 * self.radius)
+
+
+@dataclass(frozen=True)
+class RollerProfile:
+    """Radius of a roller along its axis: rho(s), with s from the roller's middle [m].
+
+    Attributes
+    ----------
+    shape : str
+        "cylinder", "cone" or "ball".
+    radius : float
+        Radius in the middle [m].
+    length : float
+        Length along the axis [m]; of a ball the part between two planes.
+    half_angle : float
+        Angle of a cone's side to its axis [rad], positive where the radius grows with s.
+    crown : Crown or None
+        What is taken off the ends of the roller, but not of the tool that cuts the worm.
+    """
+
+    shape: Shape
+    radius: float
+    length: float
+    half_angle: float = 0.0
+    crown: Crown | None = None
+
+    def __call__(self, place: Array) -> tuple[Array, Array]:
+        """Radius [m] and angle gamma [rad] of the side to the axis, tan(gamma) = d rho/ds."""
+        place = np.asarray(place)
+        if self.shape == "ball":
+            radius = np.sqrt(self.radius**2 - place**2)
+            return radius, -np.arcsin(place / self.radius)
+        angle = self.half_angle if self.shape == "cone" else 0.0
+        return self.radius + place * np.tan(angle), np.full(np.shape(place), angle)
+
+    def turning(self, place: Array) -> Array:
+        """How the angle of the side changes along the axis, d gamma/ds [1/m]."""
+        if self.shape == "ball":
+            return -1 / np.sqrt(self.radius**2 - np.asarray(place) ** 2)
+        return np.zeros(np.shape(place))
+
+    def relief(self, place: Array) -> Array:
+        """What the crown takes off the radius [m]."""
+        return np.zeros(np.shape(place)) if self.crown is None else self.crown(np.asarray(place))

@@ -1,0 +1,79 @@
+"""The effects that a user asks for in words."""
+
+from pyworm.effects.catalogue import EFFECTS
+from pyworm.effects.effect import Contact
+
+OF_HEAT_AND_FLOW = frozenset(
+    {
+        "shear-thinning",
+        "limiting-stress",
+        "surface-heating",
+        "film-heating",
+        "viscosity-across",
+    }
+)
+"""What a Newtonian film of one temperature has none of."""
+
+
+SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
+
+GROUPS = ("all", "isothermal")
+"""Words for several effects."""
+
+
+def words(text: str) -> tuple[str, ...]:
+    """The words of a choice.
+
+    Raises
+    ------
+    ValueError
+        For one that means nothing.
+    """
+    said = tuple(part.strip() for part in text.split(","))
+    for word in said if text != "auto" else ():
+        if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
+            raise ValueError(
+                f"{word or 'nothing'} is none of auto, {', '.join(GROUPS)}, {', '.join(SIMULATED)}"
+            )
+    return said
+
+
+def chosen(scene: Contact, text: str) -> frozenset[str]:
+    """Names of the effects that words choose.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    text : str
+        With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a
+        Newtonian film of one temperature), names of effects, and names after a minus, which are taken away.
+
+    Raises
+    ------
+    ValueError
+        For a word that means nothing, and for an effect that is not simulated or the contact has none of.
+    """
+    whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
+    groups = {"all": whole, "isothermal": whole - OF_HEAT_AND_FLOW}
+    on: set[str] = set()
+    try:
+        said = words(text)
+    except ValueError as error:
+        raise ValueError(f"effects = {text}: {error}") from None
+    for word in said:
+        name = word.removeprefix("-")
+        if word.startswith("-"):
+            on -= groups.get(name) or _with_dependents(name)
+        elif name in groups:
+            on |= groups[name]
+        elif name in whole:
+            on |= {name, *SIMULATED[name].together}
+        else:
+            raise ValueError(f"effects = {text}: {name}: {SIMULATED[name].lacking(scene)}")
+    return frozenset(on & whole)
+
+
+def _with_dependents(name: str) -> set[str]:
+    """An effect and those that go only with it."""
+    return {name, *(effect.name for effect in EFFECTS if name in effect.together)}

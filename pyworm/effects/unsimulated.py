@@ -1,0 +1,89 @@
+"""Effects that the kernel does not simulate; their influence is told all the same, as far as it is known."""
+
+from math import exp
+
+from pyworm.effects.effect import Contact, Effect, Influence
+from pyworm.effects.sketch import Sketch
+
+# ---------------------------------------------------------------------------------------- starvation
+
+STARVATION_POWER = 2.0
+"""Exponent g of the law, below the 3 to 5 that were measured: it tells more than there is."""
+
+
+def _supply(sketch: Sketch) -> float:
+    """Oil that arrives, over the film that would leave it."""
+    return sketch.oil.supply / sketch.film_central
+
+
+def _by_starvation(sketch: Sketch) -> Influence:
+    share = _supply(sketch)
+    change = 1 - share / (1 + share**STARVATION_POWER) ** (1 / STARVATION_POWER)
+    return Influence(change, change, change)
+
+
+STARVATION = Effect(
+    name="starvation",
+    symbol="h_oil / h",
+    source="h/h_flooded = r/(1 + r^g)^(1/g), Chevalier, Lubrecht, Cann, Colin and Dalmaz (1998)",
+    indicator=_supply,
+    influence=_by_starvation,
+    without=None,
+    lacking=lambda scene: "flooded" if scene.oil.supply is None else None,
+)
+
+
+# ------------------------------------------------------------------------------------------- squeeze
+
+
+def _change_in_passing(sketch: Sketch) -> float:
+    """Relative change of the film while oil passes through the contact."""
+    return abs(sketch.scene.film_rate) * 2 * sketch.half_width / sketch.speed
+
+
+def _by_squeeze(sketch: Sketch) -> Influence:
+    change = _change_in_passing(sketch)
+    return Influence(change, change, change)
+
+
+SQUEEZE = Effect(
+    name="squeeze",
+    symbol="2 b/u d(ln h)/dt",
+    source="a film is as old as the oil in it: what it changes while oil passes",
+    indicator=_change_in_passing,
+    influence=_by_squeeze,
+    without=None,
+    lacking=lambda scene: "steady" if scene.film_rate is None else None,
+)
+
+
+# ----------------------------------------------------------------------------------------- roughness
+
+
+def _roughness(scene: Contact) -> float:
+    """Composite root mean square roughness [m]."""
+    return sum(body.roughness**2 for body in scene.bodies) ** 0.5
+
+
+def _thickness(sketch: Sketch) -> float:
+    """Specific film: minimum film over the composite roughness."""
+    return sketch.film_min / _roughness(sketch.scene)
+
+
+def _by_roughness(sketch: Sketch) -> Influence:
+    # Patir and Cheng (1978), isotropic: the pressure flow factor's 1 - 0.9 exp(-0.56 h/sigma)
+    change = 0.9 * exp(-0.56 * _thickness(sketch))
+    return Influence(change, change, change)
+
+
+ROUGHNESS = Effect(
+    name="roughness",
+    symbol="h / sigma",
+    source="Patir and Cheng (1978), pressure flow factor of isotropic surfaces",
+    indicator=_thickness,
+    influence=_by_roughness,
+    without=None,
+    lacking=lambda scene: (
+        "roughness not given" if None in [body.roughness for body in scene.bodies] else None
+    ),
+)

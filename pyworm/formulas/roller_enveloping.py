@@ -1,0 +1,109 @@
+"""Films of roller enveloping worm drives as their source prints them, and what it prints right.
+
+Source: "Elastohydrodynamic Lubrication Analysis of a Novel Roller Enveloping End Face Engagement Worm Gear
+Drive", of the school of X. Deng. It is kept under its own name so that its tables can be compared; films are
+not to be trusted. Its four film formulas are the line contact's of Hooke's chart, but
+
+- g_v and g_e lack their square roots (K. L. Johnson, J. Mech. Eng. Sci. 12 (1970) 9-16);
+- the powers of the rigid-piezoviscous and elastic-isoviscous films do not make a length;
+- its elastic-piezoviscous film, Dowson and Higginson's, already is the minimum, and is taken times 0.75;
+- the normal force has the cosine of the lead angle where its sine belongs.
+"""
+
+from dataclasses import dataclass
+from math import cos, sin
+
+import numpy as np
+
+MINIMUM_SHARE = 0.75
+"""What the source takes for minimum over central film."""
+
+
+@dataclass(frozen=True)
+class PrintedFilms:
+    """The source's four films with SI numbers put in; only the first and last are lengths [m].
+
+    Attributes
+    ----------
+    rigid_isoviscous, rigid_piezoviscous, elastic_isoviscous, elastic_piezoviscous : float or array
+        In the order of the source.
+    """
+
+    rigid_isoviscous: float | np.ndarray
+    rigid_piezoviscous: float | np.ndarray
+    elastic_isoviscous: float | np.ndarray
+    elastic_piezoviscous: float | np.ndarray
+
+
+def printed_films(
+    radius, load_per_length, reduced_modulus, speed, viscosity, alpha
+) -> PrintedFilms:
+    """The four films as printed.
+
+    Parameters
+    ----------
+    radius : float or array
+        R_v, one over the induced curvature [m].
+    load_per_length : float or array
+        w [N/m].
+    reduced_modulus : float
+        E' [Pa].
+    speed : float or array
+        u_jx, mean surface velocity across the contact line [m/s].
+    viscosity : float
+        eta0 [Pa s].
+    alpha : float
+        Pressure-viscosity coefficient [1/Pa].
+    """
+    r, w, e, eu, a = radius, load_per_length, reduced_modulus, viscosity * speed, alpha
+    return PrintedFilms(
+        rigid_isoviscous=4.9 * eu * r / w,
+        rigid_piezoviscous=1.66 * eu**0.67 * a**0.53 * r**0.67 / w**0.11,
+        elastic_isoviscous=3.01 * eu**0.80 * r**0.80 / (e**0.08 * w**0.04),
+        elastic_piezoviscous=2.65 * eu**0.70 * a**0.54 * r**0.43 / (e**0.03 * w**0.13),
+    )
+
+
+def printed_minimum(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
+    """The source's minimum film [m], 0.75 times its elastic-piezoviscous; arguments as `printed_films`."""
+    films = printed_films(radius, load_per_length, reduced_modulus, speed, viscosity, alpha)
+    return MINIMUM_SHARE * films.elastic_piezoviscous
+
+
+def printed_parameters(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
+    """The source's g_v and g_e, squares of Johnson's; arguments as `printed_films`."""
+    r, w, eu = radius, load_per_length, viscosity * speed
+    return alpha**2 * w**3 / (eu * r**2), w**2 / (eu * reduced_modulus * r)
+
+
+def printed_normal_force(
+    worm_torque: float, diameter: float, pressure_angle: float, lead_angle: float
+) -> float:
+    """The source's normal force [N], 2 T1 / (d1 cos(alpha_n) cos(lambda)).
+
+    Parameters
+    ----------
+    worm_torque : float
+        T1 [N m].
+    diameter : float
+        d1, of the worm at its throat [m].
+    pressure_angle, lead_angle : float
+        alpha_n and lambda [rad].
+    """
+    return 2 * worm_torque / (diameter * cos(pressure_angle) * cos(lead_angle))
+
+
+def normal_force(
+    worm_torque: float,
+    diameter: float,
+    pressure_angle: float,
+    lead_angle: float,
+    friction: float = 0.0,
+) -> float:
+    """The normal force [N] that balances a worm's torque on one contact at the throat.
+
+    2 T1 / {d1 [cos(alpha_n) sin(lambda) + mu cos(lambda)]}; arguments as `printed_normal_force`, friction the
+    coefficient mu of sliding along the thread [-].
+    """
+    share = cos(pressure_angle) * sin(lead_angle) + friction * cos(lead_angle)
+    return 2 * worm_torque / (diameter * share)

@@ -1,0 +1,36 @@
+"""Worm sections for the tests, around the drive of `cases/roller_ref.toml`."""
+
+from math import radians
+
+from pyworm.drives.roller_envelope import RollerEnvelope
+from pyworm.drives.roller_profile import RollerProfile
+from pyworm.drives.roller_section import WormSection
+
+CENTRE_DISTANCE = 0.16
+ROLLERS = 35
+
+
+def envelope(
+    shape="cylinder",
+    radius=6.5e-3,
+    throat=0.4,
+    tilt=0.0,
+    half_angle=0.0,
+    flank="driving",
+    hand=-1,
+    height=0.0,
+    crown=None,
+):
+    """The flank that rollers envelop; throat diameter over centre distance, angles in rad."""
+    profile = RollerProfile(shape, radius, 14e-3, half_angle, crown)
+    pitch_radius = CENTRE_DISTANCE * (1 - throat / 2)
+    seat = CENTRE_DISTANCE, pitch_radius, tilt, height
+    return RollerEnvelope(profile, float(ROLLERS), *seat, flank, hand)
+
+
+def section(name="left", outer=60.0, inner=5.0, **options):
+    """A section between two wheel angles [deg]."""
+    flank = {"left": "driving", "right": "idle"}[name]
+    ends = (inner, outer) if name == "left" else (-outer, -inner)
+    first, last = (radians(end) for end in ends)
+    return WormSection(name, envelope(flank=flank, **options), first, last, -6e-3, 6e-3, ROLLERS)

@@ -1,0 +1,219 @@
+"""Plans: what they leave out, what they say of it, and what solutions say of plans."""
+
+import json
+from dataclasses import replace
+from math import inf, isfinite
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from plan_scenes import STEEL, TRIALS, mineral, point
+from plans import trial
+
+import pyworm
+from pyworm.cli import CONVERGED, main
+from pyworm.effects.catalogue import EFFECTS
+from pyworm.effects.effect import QUANTITIES
+from pyworm.effects.sketch import sketch
+from pyworm.line.scene import LineScene
+from pyworm.oils import NEWTONIAN
+from pyworm.planning import planned
+from pyworm.scene import Paraboloid, RigidMotion
+
+BY_NAME = {effect.name: effect for effect in EFFECTS}
+
+
+def ball(sliding=0.2, speed=2.0, load=40.0, eta0=0.04, alpha=2e-8, **more):
+    """Steel on steel."""
+    velocities = ((speed * (1 + sliding / 2), 0.0), (speed * (1 - sliding / 2), 0.0))
+    oil = mineral(eta0, alpha, **more)
+    return point("ball", (0.01, 0.01), load, velocities, (STEEL, STEEL), oil)
+
+
+def judged(plan):
+    return {judgement.name: judgement for judgement in plan.effects}
+
+
+def test_names_are_unique_and_refer_to_each_other():
+    assert len(BY_NAME) == len(EFFECTS)
+    order = list(BY_NAME)
+    for effect in EFFECTS:
+        assert set(effect.together) <= set(BY_NAME)
+        assert effect.part_of is None or order.index(effect.part_of) < order.index(effect.name)
+
+
+def test_every_effect_is_judged_and_says_why():
+    plan = pyworm.plan(TRIALS["worm, phase 0.5"].scene(), 0.01)
+    assert list(judged(plan)) == list(BY_NAME)
+    assert all(judgement.reason for judgement in plan.effects)
+    assert {"real-gap", "varying-velocity", "film-heating", "shear-thinning"} <= plan.on
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    sliding=st.sampled_from([0.0, 0.01, 0.5]),
+    speed=st.floats(0.001, 20.0),
+    load=st.floats(0.1, 500.0),
+    eta0=st.floats(0.002, 2.0),
+    accuracy=st.sampled_from([0.001, 0.01, 0.05]),
+)
+def test_what_is_left_out_stays_within_the_accuracy(sliding, speed, load, eta0, accuracy):
+    scene = ball(sliding, speed, load, eta0)
+    plan = pyworm.plan(scene, accuracy)
+    left = [
+        judgement
+        for judgement in plan.effects
+        if not judgement.on
+        and judgement.influence
+        and BY_NAME[judgement.name].without is not None
+        and not judgement.reason.startswith("none without")
+    ]
+    for quantity in plan.quantities:
+        assert sum(judgement.influence[quantity] for judgement in left) <= accuracy * (1 + 1e-12)
+    assert all(
+        value >= 0 and not np.isnan(value)
+        for judgement in plan.effects
+        for value in judgement.influence.values()
+    )
+
+
+@settings(max_examples=30, deadline=None)
+@given(speed=st.floats(0.01, 10.0), sliding=st.floats(0.01, 1.0))
+def test_a_finer_accuracy_never_leaves_more_out(speed, sliding):
+    scene = ball(sliding, speed)
+    coarse, fine = (pyworm.plan(scene, accuracy).on for accuracy in (0.05, 0.002))
+    assert coarse <= fine
+
+
+def test_a_scene_is_simplified_by_what_is_off():
+    scene = TRIALS["worm, phase 0.5"].scene()
+    simple = pyworm.plan(scene, 0.01, "isothermal,-real-gap,-varying-velocity").simplified(scene)
+    assert simple.gap == Paraboloid(*scene.radii)
+    assert all(isinstance(motion, RigidMotion) and motion.spin == 0 for motion in simple.motions)
+    assert simple.oil.heat is None
+    bare = pyworm.plan(scene, 0.01, "second-dimension,real-gap,elastic-deflection").simplified(
+        scene
+    )
+    assert bare.oil.viscosity.alpha == 0
+    assert bare.oil.density.d1 == 0
+    assert not bare.rigid
+    assert pyworm.plan(scene, 0.01, "isothermal,-elastic-deflection").simplified(scene).rigid
+
+
+def test_a_long_contact_becomes_a_line_of_the_same_pressure():
+    scene = TRIALS["long roller"].scene()
+    simple = pyworm.plan(scene, 0.05, quantities=("film",)).simplified(scene)
+    assert isinstance(simple, LineScene)
+    assert sketch(simple).pressure_max == pytest.approx(sketch(scene).pressure_max)
+    assert simple.velocities == (1.05, 0.95)
+
+
+def test_flow_laws_lose_what_is_left_out_of_them():
+    scene = ball()
+    law = scene.oil.flow
+    unthinned = pyworm.plan(scene, 0.01, "all,-shear-thinning").simplified(scene).oil.flow
+    assert unthinned.stress_at(1e3, 1e8) == pytest.approx(1e3, rel=1e-6)
+    assert unthinned.stress_at(1e12, 1e8) == pytest.approx(law.limit_at(1e8), rel=1e-3)
+    unlimited = pyworm.plan(scene, 0.01, "all,-limiting-stress").simplified(scene).oil.flow
+    assert unlimited.stress_at(1e12, 1e8) > law.limit_at(1e8)
+    neither = pyworm.plan(scene, 0.01, "all,-shear-thinning,-limiting-stress").simplified(scene)
+    assert neither.oil.flow in (None, NEWTONIAN)
+
+
+def test_what_is_asked_decides():
+    """Thinning hardly touches the film of glass that slides a little, but makes its friction."""
+    motions = RigidMotion(0.052, 0.0), RigidMotion(0.048, 0.0)
+    scene = replace(TRIALS["glass, sliding a little"].scene(), motions=motions)
+    assert "shear-thinning" not in pyworm.plan(scene, 0.01, quantities=("film",)).on
+    assert "shear-thinning" in pyworm.plan(scene, 0.01, quantities=("film", "friction")).on
+
+
+def test_opposite_sliding_needs_heat_whatever_is_asked():
+    plan = pyworm.plan(TRIALS["opposite sliding"].scene(), 0.05, quantities=("film",))
+    assert {"film-heating", "surface-heating", "viscosity-across"} <= plan.on
+    assert judged(plan)["film-heating"].influence["film"] == inf
+
+
+def test_bodies_of_another_temperature_bring_heat_in():
+    scene = ball(sliding=0.0, speed=0.05)
+    warm = replace(STEEL, bulk_temperature=STEEL.bulk_temperature + 20)
+    assert "film-heating" not in pyworm.plan(scene, 0.01).on
+    assert "film-heating" in pyworm.plan(replace(scene, bodies=(STEEL, warm)), 0.01).on
+
+
+def test_a_solution_adds_what_its_plan_missed():
+    """A sketch that takes the film for a hundred times as thick sees no heat; the solution does."""
+    scene = ball(sliding=0.5)
+    seen = sketch(scene)
+    fooled = replace(
+        seen, film_central=100 * seen.film_central, sliding=1e-9, velocities=(1e9, 1e9)
+    )
+    plan = planned(scene, 0.05, QUANTITIES, replace(fooled, speed=1e-6))
+    assert "film-heating" not in plan.on
+    mended = pyworm.solve(scene, plan)
+    whole = pyworm.solve(scene, pyworm.plan(scene, 0.05, "all"))
+    assert mended.converged
+    assert {"film-heating", "shear-thinning"} <= {one.name for one in mended.effects if one.on}
+    for name in ("film_min", "film_central", "friction_coefficient", "temperature_max_film"):
+        one, other = getattr(mended.figures, name), getattr(whole.figures, name)
+        assert one.value == pytest.approx(other.value, rel=0.05), name
+
+
+def test_effects_asked_for_are_judged_but_not_revised():
+    scene = ball(sliding=0.5)
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.1, "isothermal", ("film",)))
+    heat = judged(solution)["film-heating"]
+    assert not heat.on
+    assert heat.reason == "not asked for"
+    assert heat.influence["film"] > 0.02
+
+
+def test_what_is_not_simulated_is_told_all_the_same():
+    rough = TRIALS["very rough"].scene()
+    roughness = judged(pyworm.plan(rough, 0.05))["roughness"]
+    assert not roughness.on
+    assert roughness.reason == "not simulated"
+    assert roughness.influence["film"] > 0.05
+    starved = judged(pyworm.plan(TRIALS["starved bearing"].scene(), 0.05))["starvation"]
+    assert 0 < starved.influence["film"] < 1
+    with pytest.raises(ValueError, match="roughness is none of"):
+        pyworm.plan(rough, effects="roughness")
+
+
+@pytest.mark.parametrize("accuracy", [0.01, 0.05])
+@pytest.mark.parametrize(
+    "name", ["rubber in water", "steel, rolling slowly", "gear, pitch point", "gear, tip"]
+)
+def test_automatic_plans_keep_the_accuracy(name, accuracy):
+    """The cheap ones of the suite that `benchmarks/plans.py` runs in full."""
+    row, left_out = trial(name, TRIALS[name], accuracy)
+    assert row["converged"]
+    assert row["worst"] <= accuracy
+    assert all(one["true"] <= accuracy for one in left_out)
+
+
+def test_friction_of_a_newtonian_film_is_read_without_levels():
+    """Where thinning changes nothing it is left out, and friction is that of eta us/h."""
+    scene = TRIALS["rubber in water"].scene()
+    plan = pyworm.plan(scene, 0.05)
+    assert plan.model.levels == 0
+    solution = pyworm.solve(scene, plan)
+    fields = solution.fields
+    within = fields.pressure > 0.01 * fields.pressure.max()
+    stress = scene.oil.viscosity.eta0 * fields.sliding_x / fields.film
+    cell = float(fields.x[1] - fields.x[0]) * float(fields.y[1] - fields.y[0])
+    force = float(stress.where(within, 0.0).sum()) * cell
+    assert solution.figures.friction_coefficient.value == pytest.approx(
+        force / scene.load, rel=1e-3
+    )
+    assert solution.figures.temperature_max_film is None
+
+
+def test_check_lists_effects_as_json(capsys):
+    assert main(["check", "cases/line_thermal.toml", "--json", "--accuracy", "5%"]) == CONVERGED
+    scene = json.loads(capsys.readouterr().out)["scenes"][0]
+    assert {effect["name"] for effect in scene["effects"]} == set(BY_NAME)
+    for effect in scene["effects"]:
+        assert set(effect) == {"name", "on", "indicator", "influence", "reason"}
+        assert all(value is None or isfinite(value) for value in effect["influence"].values())
