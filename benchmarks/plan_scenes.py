@@ -62,6 +62,12 @@ def worm(phase: float) -> Callable[[], Scene]:
     return lambda: pyworm.load(Path("cases/zi_sharif_2001.toml")).scene(phase)
 
 
+def roller(phase: float) -> Callable[[], LineScene]:
+    """A station of the roller drive's driving section."""
+    case = Path("cases/roller_ref.toml")
+    return lambda: pyworm.load(case).scene(section="left", phase=phase, station=0.5)
+
+
 @dataclass(frozen=True)
 class Trial:
     """A scene and what is asked of it."""
@@ -168,6 +174,9 @@ TRIALS: dict[str, Trial] = {
     "worm, phase 0.3": Trial(worm(0.3), ALL),
     "worm, phase 0.5": Trial(worm(0.5), ALL),
     "worm, phase 0.7": Trial(worm(0.7), ALL),
+    "roller, at the throat": Trial(roller(0.125), FILM),
+    "roller, half way": Trial(roller(0.5), FILM),
+    "roller, at the outer end": Trial(roller(0.875), FILM),
     "gear, pitch point": Trial(
         lambda: line(
             "gear, pitch point", 0.012, 2e5, (2.0, 2.0), (STEEL, STEEL), mineral(0.03, 1.8e-8)

@@ -15,6 +15,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.bodies import Body
+from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.roller_data import roller_cycle_data
 from pyworm.drives.roller_envelope import Array, LineContact, RollerEnvelope
 from pyworm.drives.roller_film import ClosedFilms, closed_films
@@ -300,16 +301,24 @@ class RollerWormDrive:
         ValueError
             The roller carries no load there.
         """
-        name = f"{section}, phase {phase:.3g}"
-        if station is None:
-            return self._whole(section, phase, name)
+        part = self.sections[section]
+
+        def at(phase: float) -> LineScene | Scene:
+            if station is None:
+                return self._whole(section, phase)
+            return self._station(section, phase, station)
+
+        return with_film_rate(at, phase, self.wheel_speed / (part.last - part.first))
+
+    def _station(self, section: str, phase: float, station: float) -> LineScene:
+        """The line contact at a share of a contact line."""
         state = self.state(section, phase, [station])
         load = float(state.load[0])
         if not load > 0:
             raise ValueError(f"station {station:g} of the contact line carries no load")
         radius = 1 / float(state.contact.curvature[0])
         return LineScene(
-            name=f"{name}, station {station:.3g}",
+            name=f"{section}, phase {phase:.3g}, station {station:.3g}",
             gap=Parabola(radius),
             radius=radius,
             velocities=(float(state.motion.worm[0, 0]), float(state.motion.roller[0, 0])),
@@ -321,7 +330,7 @@ class RollerWormDrive:
             station=station,
         )
 
-    def _whole(self, section: str, phase: float, name: str) -> Scene:
+    def _whole(self, section: str, phase: float) -> Scene:
         """A contact line with its ends, about the point of it where the crown took off least."""
         crown = self.rollers.profile.crown
         if crown is None:
@@ -346,7 +355,7 @@ class RollerWormDrive:
         end = max(part.highest, -part.lowest)
         along = end**2 / (2 * float(crown(np.array(end))))
         return Scene(
-            name=name,
+            name=f"{section}, phase {phase:.3g}",
             gap=RollerGap(frame),
             radii=(1 / float(contact.curvature), along),
             motions=motions,

@@ -25,6 +25,8 @@ POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
 LEAST_TO_CENTRAL = 0.6
 """Minimum over central film, as a rule, where no formula gives it."""
 
+SOLID = 100.0
+"""alpha p beyond which no oil flows, and exp(alpha p) is no number to judge by."""
 
 INLET_HEAT = 100.0
 """Heat of Poiseuille flow in the inlet, times h^2, over eta0 u^2."""
@@ -43,7 +45,8 @@ class Sketch:
     mean_share : float
         Mean over largest pressure [-].
     pressure_max : float
-        Largest pressure [Pa]; before it is known Hertz's, too high where a thick film spreads the load.
+        Largest pressure [Pa]; before it is known Hertz's, too high where a thick film spreads the load,
+        but none at which the oil is solid.
     film_central, film_min : float
         Films [m].
     speed, sliding : float
@@ -238,6 +241,12 @@ def sketch(scene: Scene | LineScene) -> Sketch:
     return _line(scene) if isinstance(scene, LineScene) else _point(scene)
 
 
+def _flowing(pressure: float, oil: Oil) -> float:
+    """A pressure [Pa], or the largest at which the oil still flows."""
+    alpha = oil.viscosity.alpha
+    return min(pressure, SOLID / alpha) if alpha > 0 else pressure
+
+
 def _resistance(body: Body, speed: float, half_width: float) -> float:
     """Rise of a surface by a flux of 1 W/m2 [m2 K/W]."""
     still = 1.5 * half_width / body.conductivity
@@ -260,7 +269,7 @@ def _point(scene: Scene) -> Sketch:
         half_width=along,
         half_length=across,
         mean_share=POINT_MEAN,
-        pressure_max=size.hertz.pressure_max,
+        pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
         film_central=size.film,
         film_min=LEAST_TO_CENTRAL * size.film,
         speed=size.groups.speed
@@ -283,7 +292,7 @@ def _line(scene: LineScene) -> Sketch:
         half_width=size.hertz.half_width,
         half_length=inf,
         mean_share=LINE_MEAN,
-        pressure_max=size.hertz.pressure_max,
+        pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
         film_central=size.film,
         film_min=0.8 * size.film,
         speed=abs(scene.entrainment),

@@ -108,12 +108,6 @@ RIGID_FILM, SPEED = 1e-6, 1.0
 LENGTH = (2 * RADIUS * RIGID_FILM) ** 0.5
 
 
-@pytest.fixture
-def rigid_bodies(monkeypatch):
-    """Let a modulus be that of no material: L goes with it."""
-    monkeypatch.setattr("pyworm.scales.MOST_PIEZOVISCOUS", np.inf)
-
-
 def reduced_pressure(angle):
     """Isoviscous pressure of a rigid film h0 / cos(angle)^2, x = sqrt(2 R h0) tan(angle) (Martin 1916)."""
     sines = np.sin(2 * angle) / 4
@@ -139,12 +133,12 @@ def rigid(stiffening):
         radius=RADIUS,
         velocities=(SPEED, SPEED),
         load=float((pressure / np.cos(angle) ** 2) @ weights) * half_span * LENGTH,
-        bodies=bodies(1e17),
+        bodies=bodies(MODULUS),
         oil=Oil(Barus(ETA0, alpha), Density.incompressible(870.0)),
+        rigid=True,
     )
 
 
-@pytest.mark.usefixtures("rigid_bodies")
 @pytest.mark.parametrize("stiffening", [0.0, 0.5, 0.95, 0.99])
 def test_rigid_films_are_exact_to_second_order(stiffening):
     films = [solution.figures.film_min.value for solution in on_grids(rigid(stiffening), 5)]
@@ -172,7 +166,6 @@ def test_rigid_isoviscous_film():
     assert rupture / LENGTH == pytest.approx(RUPTURE, abs=2e-3)
 
 
-@pytest.mark.usefixtures("rigid_bodies")
 def test_rigid_piezoviscous_film():
     """Blok: where the reduced pressure reaches 1/alpha, H_M = 1.0497 L^(2/3)."""
     stiffening = 0.99

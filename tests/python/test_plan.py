@@ -78,6 +78,13 @@ def test_what_is_left_out_stays_within_the_accuracy(sliding, speed, load, eta0, 
     )
 
 
+def test_estimates_are_numbers_where_hertz_would_make_the_oil_a_solid():
+    """A film that carries the load never sees Hertz's pressure, at which exp(alpha p) is no number."""
+    scene = replace(ball(), bodies=(replace(STEEL, youngs_modulus=1e19),) * 2)
+    for judgement in pyworm.plan(scene, 0.01).effects:
+        assert all(value >= 0 for value in judgement.influence.values()), judgement.name
+
+
 @settings(max_examples=30, deadline=None)
 @given(speed=st.floats(0.01, 10.0), sliding=st.floats(0.01, 1.0))
 def test_a_finer_accuracy_never_leaves_more_out(speed, sliding):

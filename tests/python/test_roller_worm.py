@@ -80,6 +80,17 @@ def test_a_station_is_a_line_contact_with_the_drive_s_figures(case):
     assert scene.velocities[0] == pytest.approx(1500 * pi / 30 * radius, rel=0.02)
 
 
+def test_the_film_s_rate_is_that_of_neighbouring_phases(case):
+    """Half a phase is half of the 55 degrees at 4.488 rad/s; the film rises all along the left section."""
+    scene = case.scene(section="left", phase=0.5, station=0.5)
+    films = [
+        float(case.drive.state("left", phase, [0.5]).films.central[0]) for phase in (0.495, 0.505)
+    ]
+    seconds = 0.01 * np.radians(55) / (1500 * pi / 30 / 35)
+    assert scene.film_rate == pytest.approx(np.log(films[1] / films[0]) / seconds, rel=0.05)
+    assert scene.film_rate > 0 > case.scene(section="right", phase=0.5, station=0.5).film_rate
+
+
 def test_without_stations_the_contact_line_is_solved_with_its_ends():
     scene = pyworm.load(CASES / "roller_crowned.toml").scene(section="left", phase=0.5)
     assert isinstance(scene, Scene) and scene.station is None
