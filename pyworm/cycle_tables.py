@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from rich.table import Table
 
-from pyworm.formulas.film_reduction import film_state
+from pyworm.formulas.wear_distress import regime
 
 _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
@@ -42,9 +42,14 @@ def ends_table(cycle: xr.Dataset) -> Table:
         numbers = [float(value(at)) for at in places]
         if np.isfinite(numbers).any():
             table.add_row(label, *(f"{number:{style}}" for number in numbers))
-    table.add_row("Lubrication", *(film_state(float(at["lambda_ratio"])) for at in places))
+    table.add_row("Lubrication", *(_lubrication(at) for at in places))
     table.add_row("Regime", *(_regime(cycle, at) for at in places))
     return table
+
+
+def _lubrication(at: xr.Dataset) -> str:
+    ratio = float(at["lambda_ratio"])
+    return "" if np.isnan(ratio) else regime(ratio)
 
 
 def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
