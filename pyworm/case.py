@@ -25,7 +25,11 @@ from pyworm.schema.rating import RATING_TABLES
 
 _NO_PHYSICS = {
     **dict.fromkeys(
-        ("title", "source", "published", "accuracy", "effects", "quantities", *RATING_TABLES), True
+        (
+            *("title", "source", "published", "assumed", "accuracy", "effects", "quantities"),
+            *RATING_TABLES,
+        ),
+        True,
     ),
     "operation": {"sections", "phases", "stations"},
     "motion": {"slide_roll_ratios"},

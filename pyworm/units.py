@@ -149,11 +149,11 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
     return float(whole.to(first.units).magnitude), unit
 
 
-_FINER = {"mm": "µm", "Pa s": "mPa s", "m^2/s": "mm^2/s"}
+_FINER = {"mm": "µm", "Pa s": "mPa s", "GPa": "MPa", "kN": "N", "kW": "W"}
 """Units shown for values below a twentieth of those of the examples."""
 
 
-_PRINTED = (("deg", "°"), ("^2", "²"), ("^3", "³"))
+_PRINTED = (("deg", "°"), ("^2", "²"), ("^3", "³"), ("um", "µm"))
 """Parts of units as written -> as printed."""
 
 

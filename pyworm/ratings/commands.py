@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 SHOWN_TEMPERATURES = (0, 20, 40, 60, 80, 100, 120)
 """Temperatures [degC] at which an oil is shown."""
 
-CHARTS = ("oil_viscosity.png", "oil_pressure_viscosity.png")
+CHARTED_GRADES = (100, 220, 460)
+"""Grades of every base stock that are drawn if no oils are named."""
 
 
 def add_rate(commands: argparse._SubParsersAction) -> None:
@@ -33,7 +34,7 @@ def add_rate(commands: argparse._SubParsersAction) -> None:
 
 def add_oil(commands: argparse._SubParsersAction) -> None:
     """The command `oil` and its own."""
-    oil = commands.add_parser("oil", help="oils: choose one for a case, show one, list all")
+    oil = commands.add_parser("oil", help="oils: choose one for a case, show, chart, list all")
     which = oil.add_subparsers(required=True, metavar="WHAT")
 
     choose = which.add_parser("choose", help="the oil for the drive of a case, step by step")
@@ -45,9 +46,15 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
     show.add_argument(
         "names", nargs="+", metavar="NAME", help='such as "PAG VG 460", or a TOML file'
     )
-    show.add_argument("--charts", type=Path, metavar="DIR", help="also draw charts there")
     show.add_argument("--json", action="store_true", help="one JSON object on standard output")
     show.set_defaults(command=_show)
+
+    chart = which.add_parser("chart", help="draw viscosity and alpha of oils over temperature")
+    chart.add_argument(
+        "names", nargs="*", metavar="NAME", help="as of show; by default some of every base stock"
+    )
+    chart.add_argument("--out", type=Path, default=Path(), metavar="DIR", help="default: here")
+    chart.set_defaults(command=_chart)
 
     every = which.add_parser("list", help="oils known by name")
     every.add_argument("--json", action="store_true", help="one JSON object on standard output")
@@ -56,6 +63,7 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
 def _rate(options: argparse.Namespace) -> int:
     from pyworm.ratings.asked import load_asked, ratings
+    from pyworm.schema.shown import assumptions
 
     asked = load_asked(options.case)
     result = None if options.result is None else _result_of(options.result, asked.name)
@@ -65,7 +73,13 @@ def _rate(options: argparse.Namespace) -> int:
             f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
     if options.json:
-        print_json({"case": asked.name, "ratings": [rating.summary() for rating in made]})
+        print_json(
+            {
+                "case": asked.name,
+                "ratings": [rating.summary() for rating in made],
+                "assumed": asked.tables.assumed,
+            }
+        )
         return 0
     from rich.console import Console
 
@@ -73,6 +87,10 @@ def _rate(options: argparse.Namespace) -> int:
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n", highlight=False)
     for rating in made:
         _print(console, rating)
+    if asked.tables.assumed:
+        console.print("Assumed, since the source does not give it:", highlight=False)
+    for what, why in assumptions(asked.tables).items():
+        console.print(f"  {what}: {why}", highlight=False, soft_wrap=True)
     return 0
 
 
@@ -134,30 +152,38 @@ def _show(options: argparse.Namespace) -> int:
     from pyworm.ratings.oils import oil_called
 
     oils = [oil_called(name, Path()) for name in options.names]
-    charts = [] if options.charts is None else _draw(oils, options.charts)
     if options.json:
-        print_json({"oils": [_properties(oil) for oil in oils], "charts": charts})
+        print_json({"oils": [_properties(oil) for oil in oils]})
         return 0
     from rich.console import Console
 
     console = Console()
     for oil in oils:
         _print_oil(console, oil)
-    for path in charts:
-        print(path)
     return 0
 
 
-def _draw(oils: "list[NamedOil]", directory: Path) -> list[str]:
+def _chart(options: argparse.Namespace) -> int:
+    from pyworm.named_oils import BASES
     from pyworm.output import check_writable, whole
     from pyworm.plots.oil import draw_pressure_viscosity, draw_viscosity
     from pyworm.plots.style import write
+    from pyworm.ratings.oils import oil_called
 
+    names = options.names or [f"{base} VG {grade}" for base in BASES for grade in CHARTED_GRADES]
+    oils = [oil_called(name, Path()) for name in names]
+    directory = options.out
     check_writable(directory)
+    charts = {
+        "oil_viscosity.png": draw_viscosity,
+        "oil_pressure_viscosity.png": draw_pressure_viscosity,
+    }
     with whole(directory) as aside:
-        for name, chart in zip(CHARTS, (draw_viscosity, draw_pressure_viscosity), strict=True):
+        for name, chart in charts.items():
             write(chart(oils), aside / name)
-    return [str(directory / name) for name in CHARTS]
+    for name in charts:
+        print(directory / name)
+    return 0
 
 
 def _properties(oil: "NamedOil") -> dict:

@@ -20,16 +20,17 @@ def oil_choice(asked: Asked) -> OilChoice:
     CaseError
         The case does not say what the oil is to do, or no oil does it.
     """
-    table = asked.tables.oil_choice
-    if table is None:
-        raise CaseError(f"{asked.name}: [oil_choice] is missing; it says what the oil is to do")
     try:
-        return choose_oil(_duty(asked, table))
+        return choose_oil(oil_duty(asked))
     except ValueError as error:
         raise CaseError(f"{asked.name}: {error}") from error
 
 
-def _duty(asked: Asked, table: OilChoiceTable) -> Duty:
+def oil_duty(asked: Asked) -> Duty:
+    """What the oil has to do in the drive of a case; ValueError where the case does not say it."""
+    table = asked.tables.oil_choice
+    if table is None:
+        raise CaseError("[oil_choice] is missing; it says what the oil is to do")
     common = {
         "name": asked.tables.title,
         **table.model_dump(exclude={"composite_roughness"}),
@@ -45,7 +46,7 @@ def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:
         raise CaseError("oil_choice.composite_roughness is missing")
     a, speed = duty.gear.centre_distance, duty.worm_speed
     return {
-        "film": worm_film(duty.gear, speed, duty.torque, duty.reduced_modulus),
+        "film": worm_film(duty.gear, speed, duty.torque, duty.reduced_modulus, table.base),
         "roughness": table.composite_roughness,
         "tables": (
             gear_oil.agma_worm(a, speed, table.ambient_temperature),

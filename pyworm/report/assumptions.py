@@ -9,7 +9,9 @@ from pyworm.effects.judgement import Judgement
 from pyworm.report.content import Items, Section, Table
 from pyworm.report.figures import place_of
 from pyworm.result import Result
-from pyworm.solution import ZERO_CELSIUS
+from pyworm.schema.shown import assumptions
+from pyworm.solution import ZERO_CELSIUS, Solution
+from pyworm.tables import influence_share
 
 
 def plan_section(result: Result) -> Section | None:
@@ -21,7 +23,7 @@ def plan_section(result: Result) -> Section | None:
     for effects in zip(*(of.effects for of in solutions), strict=True):
         on = [place_of(of) for of, effect in zip(solutions, effects, strict=True) if effect.on]
         where = "on" if len(on) == len(solutions) else f"on at {', '.join(on)}" if on else "off"
-        rows.append((effects[0].name, where, _reason(effects), _influence(effects)))
+        rows.append((effects[0].name, where, _reason(solutions, effects), _influence(effects)))
     words = (
         "Influence is the largest that leaving the effect out would have on what was asked for, at any "
         "contact, judged by the solutions."
@@ -32,9 +34,13 @@ def plan_section(result: Result) -> Section | None:
     return Section(f"Effects simulated and left out (accuracy asked for: {asked})", (table,))
 
 
-def _reason(effects: Sequence[Judgement]) -> str:
-    """Why an effect is on or off; every reason once where contacts differ."""
-    return "; ".join(dict.fromkeys(effect.reason for effect in effects))
+def _reason(solutions: Sequence[Solution], effects: Sequence[Judgement]) -> str:
+    """Why an effect is on or off; where contacts differ, that of the one where it counts most."""
+    if len({effect.reason for effect in effects}) == 1:
+        return effects[0].reason
+    weights = [max(effect.influence.values(), default=0.0) for effect in effects]
+    most = weights.index(max(weights))
+    return f"{effects[most].reason} at {place_of(solutions[most])}"
 
 
 def _influence(effects: Sequence[Judgement]) -> str:
@@ -43,13 +49,13 @@ def _influence(effects: Sequence[Judgement]) -> str:
     for effect in effects:
         for quantity, share in effect.influence.items():
             largest[quantity] = max(share, largest.get(quantity, 0.0))
-    return ", ".join(f"{name} {share * 100:.2g} %" for name, share in largest.items())
+    return ", ".join(f"{name} {influence_share(share)}" for name, share in largest.items())
 
 
 def assumptions_section(case: Case, result: Result) -> Section:
-    """What was assumed, said by the models; assumed numbers are marked in the case file."""
-    items = [
-        "Numbers of the inputs that the source does not give are marked as assumed in the case file.",
+    """What was assumed: numbers that the source does not give, and what the models take for granted."""
+    items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
+    items += [
         "Smooth flanks, an inlet full of oil, and at each phase a film that has had time to settle.",
     ]
     items += _drive_items(case)

@@ -1,14 +1,14 @@
 """The inputs of a case in workshop units, a table for each of its parts."""
 
-from typing import Any, get_args
+from typing import Any
 
 from pydantic import BaseModel
 
-from pyworm import units
 from pyworm.case import Case
 from pyworm.report.content import Section, Table
+from pyworm.schema.shown import shown
 
-_ELSEWHERE = {"title", "source", "published", "accuracy", "effects", "quantities"}
+_ELSEWHERE = {"title", "source", "published", "assumed", "accuracy", "effects", "quantities"}
 """Keys of case files that other sections tell."""
 
 _FIRST = ("operation", "drive", "contact", "motion", "surfaces", "bodies", "oil")
@@ -32,44 +32,18 @@ def _tables(name: str, part: Any, field: Any = None) -> list[Table]:
     if isinstance(part, dict):
         return [table for key, one in part.items() for table in _tables(f"{name}.{key}", one)]
     if not isinstance(part, BaseModel):
-        return [Table(("", ""), ((_label(name), _value(part, field)),))]
+        return [Table(("", ""), ((_label(name), shown(part, field)),))]
     rows, inner = [], []
     for key, one in type(part).model_fields.items():
         value = getattr(part, key)
         if isinstance(value, BaseModel | dict):
             inner += _tables(f"{name}.{key}", value)
         elif value is not None:
-            rows.append((_label(key), _value(value, one)))
+            rows.append((_label(key), shown(value, one)))
     own = [Table(("", ""), tuple(rows), title=_label(name.replace(".", ": ")))] if rows else []
     return own + inner
 
 
 def _label(key: str) -> str:
-    words = key.replace("_", " ")
+    words = key.replace("_", " ").replace("youngs", "Young's").replace("poisson", "Poisson's")
     return words[0].upper() + words[1:]
-
-
-def _value(value: Any, field: Any) -> str:
-    kind = None if field is None else _kind([*field.metadata, field.annotation])
-    if isinstance(value, tuple | list):
-        return ", ".join(_plain(one, kind) for one in value)
-    return _plain(value, kind)
-
-
-def _plain(value: Any, kind: units.Kind | None) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, float | int):
-        return f"{value:.6g}" if kind is None else units.shown(value, kind)
-    return str(value)
-
-
-def _kind(hints: list[Any]) -> units.Kind | None:
-    """What a field measures, wherever in its annotation that stands."""
-    for hint in hints:
-        if isinstance(hint, units.Kind):
-            return hint
-        found = _kind([*get_args(hint), *getattr(hint, "__metadata__", ())])
-        if found is not None:
-            return found
-    return None

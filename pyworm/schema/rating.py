@@ -8,7 +8,7 @@ from pyworm import units
 from pyworm.formulas.bearing_life import Direction, Elements
 from pyworm.formulas.worm_standard import OilKind
 from pyworm.named_oils import Base
-from pyworm.schema.case import CaseTable, Published
+from pyworm.schema.case import CaseTable, FileTable, Published
 from pyworm.schema.table import Count, Number, PositiveNumber, Table, Text
 
 _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
@@ -132,12 +132,9 @@ class RatedCase(CaseTable):
     oil_choice: OilChoiceTable | None = None
 
 
-class RatingCase(Table):
+class RatingCase(FileTable):
     """A case file that asks for ratings only, with nothing to be solved."""
 
-    title: Text
-    source: Text
-    published: Published = Field(default_factory=dict)
     bearings: dict[str, BearingTable] = Field(default_factory=dict)
     worm_gear: WormGearTable | None = None
     worm_rating: WormRatingTable | None = None
