@@ -23,9 +23,9 @@ _FIGURES = (
     ("modification", "Life modification a_ISO", "modification", 1.0, ""),
     ("reliability_factor", "Reliability factor a1", "reliability_factor", 1.0, ""),
     ("basic_life_rev", "Basic life L10", "basic_life", 1 / REVOLUTIONS, "Mrev"),
-    ("basic_life_h", "  in hours", "basic_hours", 1.0, "h"),
+    ("basic_life_h", "Basic life L10h", "basic_hours", 1.0, "h"),
     ("modified_life_rev", "Modified life L_nm", "modified_life", 1 / REVOLUTIONS, "Mrev"),
-    ("modified_life_h", "  in hours", "modified_hours", 1.0, "h"),
+    ("modified_life_h", "Modified life L_nmh", "modified_hours", 1.0, "h"),
 )
 
 _PRINTED_IN = {"basic_hours": 3600.0, "modified_hours": 3600.0}

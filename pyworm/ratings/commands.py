@@ -198,10 +198,18 @@ def _properties(oil: "NamedOil") -> dict:
         "kinematic_viscosity_m2_s": [float(oil.kinematic_viscosity(at)) for at in kelvin],
         "viscosity_Pa_s": [float(oil.viscosity(at)) for at in kelvin],
         "density_kg_m3": [float(oil.density(at)) for at in kelvin],
-        "pressure_viscosity_1_Pa": [float(oil.alpha(at)) for at in kelvin],
+        "pressure_viscosity_1_Pa": [_alpha(oil, at) for at in kelvin],
         "specific_heat_J_kgK": oil.stock.specific_heat,
         "sources": oil.stock.sources,
     }
+
+
+def _alpha(oil: "NamedOil", temperature: float) -> float | None:
+    """Pressure-viscosity coefficient [1/Pa]; None where the oil is too thick for its law."""
+    try:
+        return float(oil.alpha(temperature))
+    except ValueError:
+        return None
 
 
 def _print_oil(console, oil: "NamedOil") -> None:
@@ -222,7 +230,11 @@ def _print_oil(console, oil: "NamedOil") -> None:
     ):
         celsius, nu, eta, rho, alpha = row
         table.add_row(
-            f"{celsius}", f"{nu * 1e6:.4g}", f"{eta * 1e3:.4g}", f"{rho:.0f}", f"{alpha * 1e9:.1f}"
+            f"{celsius}",
+            f"{nu * 1e6:.4g}",
+            f"{eta * 1e3:.4g}",
+            f"{rho:.0f}",
+            "" if alpha is None else f"{alpha * 1e9:.1f}",
         )
     console.print(table)
     console.print(f"Viscosity: {oil.source}", highlight=False)

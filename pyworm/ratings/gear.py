@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from pyworm.case_error import CaseError
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
@@ -24,7 +23,7 @@ def rate_gear_pair(
     published: dict[str, PublishedValue],
     result: Result | None = None,
 ) -> tuple[Rating, ...]:
-    """Ratings of a gear pair along its line of action, and of its oil supply.
+    """Ratings of a gear pair's oil supply and, where its flanks are known, along its line of action.
 
     Parameters
     ----------
@@ -39,16 +38,13 @@ def rate_gear_pair(
 
     Raises
     ------
-    CaseError
-        Nothing is known of the flanks.
     ValueError
         What lies outside the formulas.
     """
+    supply = _supply(drive, table)
     if drive.surfaces is None:
-        raise CaseError(
-            "[surfaces] is missing: gears are rated by the roughness and friction it gives"
-        )
-    return _teeth(drive, table, published, result), _supply(drive, table)
+        return (supply,)
+    return _teeth(drive, table, published, result), supply
 
 
 def _teeth(

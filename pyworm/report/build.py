@@ -2,6 +2,8 @@
 
 from pyworm.case import Case, case_again
 from pyworm.case_error import CaseError
+from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.ratings.asked import asked_of, ratings
 from pyworm.ratings.rating import Rating
 from pyworm.report.assumptions import assumptions_section, plan_section, provenance_section
@@ -37,11 +39,12 @@ def build_report(result: Result) -> Report:
         f"{name} could not be solved: {reason}"
         for name, reason in result.provenance.get("failed", {}).items()
     )
+    made, not_rated = _rated(case, result)
     sections = (
-        glance_section(case, result),
+        glance_section(case, result, made),
         film_section(case, result),
         heat_section(case, result),
-        _ratings_section(case, result),
+        _ratings_section(made, not_rated),
         printed_section(case, result),
         sensitivity_section(case, result),
         cycle_pictures(result),
@@ -54,17 +57,35 @@ def build_report(result: Result) -> Report:
     return Report(case.title, case.source, warnings, tuple(s for s in sections if s is not None))
 
 
-def _ratings_section(case: Case, result: Result) -> Section | None:
-    """The ratings that the case asks for; None where it asks for none."""
+def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, ...]]:
+    """The ratings of a case, and what is not rated for which reason."""
     if not isinstance(case.tables, RatedCase):
-        return None
+        kinds = "drives of kind zi-worm and gear-pair"
+        return (), (f"Gears, scuffing and bearings: only {kinds} are rated.",)
     try:
         made = ratings(asked_of(case), result)
     except CaseError as error:
-        return Section("Ratings", (Words(f"Not rated: {error}."),))
-    if not made:
-        return None
-    return Section("Ratings", tuple(block for rating in made for block in _rating_blocks(rating)))
+        return (), (f"Not rated: {error}.",)
+    missing = []
+    if isinstance(case.drive, ZiWormDrive):
+        if case.tables.worm_rating is None:
+            missing.append("Worm gear: the case has no [worm_rating].")
+        missing.append(
+            "Scuffing: the closed forms are those of steel on steel, a worm gear has a bronze wheel."
+        )
+    if isinstance(case.drive, GearPairDrive) and case.drive.surfaces is None:
+        missing.append("Gear teeth, scuffing: the case says nothing of [surfaces].")
+    if not case.tables.bearings:
+        missing.append("Bearings: the case has no [bearings.NAME].")
+    return made, tuple(missing)
+
+
+def _ratings_section(made: tuple[Rating, ...], not_rated: tuple[str, ...]) -> Section:
+    """The ratings that the case asks for, and what is not rated."""
+    blocks = [block for rating in made for block in _rating_blocks(rating)]
+    if not_rated:
+        blocks += [Words("Not rated:"), Items(not_rated)]
+    return Section("Ratings: gears, scuffing, bearings", tuple(blocks))
 
 
 def _rating_blocks(rating: Rating) -> list[Block]:

@@ -6,8 +6,10 @@ from typing import Any
 
 from pyworm import units
 from pyworm.case import Case
+from pyworm.formulas.wear_distress import FULL_FILM, regime
 from pyworm.place import Place
 from pyworm.ratings.loss import MeshLoss, mesh_loss
+from pyworm.ratings.rating import Rating
 from pyworm.report.content import Block, Section, Table, Words
 from pyworm.result import Result
 from pyworm.scene_summary import scene_summary
@@ -20,6 +22,18 @@ BODIES = {
     "roller-worm": ("worm", "roller"),
 }
 """Kind of drive -> what its bodies are called."""
+
+
+DECIDE = (
+    "wear_probability",
+    "scuffing_probability",
+    "scuffing_risk",
+    "pitting_safety",
+    "wear_depth_m",
+    "temperature_safety",
+    "modified_life_h",
+)
+"""Keys of rated figures that are told at a glance."""
 
 
 def composite_roughness(case: Case) -> float | None:
@@ -36,8 +50,8 @@ def place_of(solution: Solution) -> str:
     return str(Place.of(solution)) or solution.name
 
 
-def glance_section(case: Case, result: Result) -> Section:
-    """The few figures that decide, each at the contact where it is worst."""
+def glance_section(case: Case, result: Result, made: tuple[Rating, ...]) -> Section:
+    """The few figures that decide, each at the contact where it is worst; of the ratings those in `DECIDE`."""
     solutions = result.solutions
     rows = [
         _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
@@ -62,10 +76,30 @@ def glance_section(case: Case, result: Result) -> Section:
     loss = mesh_loss(case.drive, solutions)
     if loss is not None:
         rows += _loss_rows(loss)
+    rows += [
+        (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
+        for rating in made
+        for figure in rating.figures
+        if figure.key in DECIDE
+    ]
     note = "± is the error of the solution of the model, not of the model or of the inputs."
     if loss is not None:
         note += f" Loss: {loss.words}."
-    return Section("At a glance", (Table(("", "Value", "Where"), tuple(rows), note=note),))
+    blocks: list[Block] = [Table(("", "Value", "Where"), tuple(rows), note=note)]
+    if roughness is not None:
+        blocks.append(Words(_lubrication(film.value / roughness)))
+    return Section("At a glance", tuple(blocks))
+
+
+def _lubrication(ratio: float) -> str:
+    """What a specific film means for the figures beside it."""
+    said = f"Where the film is thinnest, lubrication is {regime(ratio)} (lambda = {ratio:.3g})"
+    if ratio >= FULL_FILM:
+        return f"{said}: the flanks are apart."
+    return (
+        f"{said}. Simulated flanks are smooth: where roughness carries load, friction, loss and temperatures "
+        "are above those simulated."
+    )
 
 
 def _worst(
