@@ -98,8 +98,8 @@ def line_film(
     return FilmLaw(
         film,
         "minimum film of a line contact, Dowson and Higginson (1968)",
-        "h = 2.65 R U^0.70 G^0.54 W^-0.13, U = eta u/(E' R), G = alpha E', W = w/(E' R), at the thinnest place "
-        f"of the line of action with R = {radius * 1e3:.3g} mm, u = {speed:.3g} m/s, "
+        "h = 2.65 R U^0.70 G^0.54 W^-0.13, U = eta u/(E' R), G = alpha E', W = w/(E' R), at the thinnest "
+        f"place of the line of action with R = {radius * 1e3:.3g} mm, u = {speed:.3g} m/s, "
         f"w = {load_per_length * 1e-3:.0f} N/mm, E' = {reduced_modulus * 1e-9:.0f} GPa",
     )
 
@@ -124,8 +124,8 @@ def worm_film(
         film,
         "mean minimum film of a worm gear, methods of DIN 3996",
         "h = 21 h* alpha^0.6 eta^0.7 n^0.7 a^1.39 E^0.03/T^0.13 um (alpha in m2/N, eta in Pa s) with h* = "
-        f"{gear.film_parameter:.4f}, n = {worm_speed * 30 / pi:.0f} rpm, a = {gear.centre_distance * 1e3:.1f} "
-        f"mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, T = {torque:.0f} N m",
+        f"{gear.film_parameter:.4f}, n = {worm_speed * 30 / pi:.0f} rpm, "
+        f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, T = {torque:.0f} N m",
         alpha=PRESSURE_VISCOSITY.get(base),
     )
 
@@ -469,8 +469,8 @@ def _backwards_step(duty: Duty, needed: float | None) -> Step:
     index = named_oil(f"{duty.base} VG {duty.sump_grade}").viscosity_index
     title = "Backwards to the oil"
     given = (
-        f"{duty.film.words}. At teeth of {bulk - ZERO_CELSIUS:.0f} degC and with {duty.base} oil of viscosity "
-        f"index {index:.0f}"
+        f"{duty.film.words}. At teeth of {bulk - ZERO_CELSIUS:.0f} degC and with {duty.base} oil of "
+        f"viscosity index {index:.0f}"
     )
     if needed is None:
         return Step(

@@ -266,7 +266,9 @@ def influence_share(share: float | None) -> str:
     """What leaving an effect out changes; nothing where that is not known."""
     if share is None:
         return ""
-    return ">100 %" if share > 1 else f"{share * 100:.2g} %"
+    if share > 1:
+        return ">100 %"
+    return f"{share * 100:.0f} %" if share > 0.1 else f"{share * 100:.2g} %"
 
 
 def _title(scene: Scene | LineScene) -> str:

@@ -190,7 +190,7 @@ def rate_worm_table(
         words.append("Not self-locking: the wheel can drive the worm.")
     return Rating(
         key="worm",
-        title="Worm gear: standard and simulation" if simulated else "Worm gear by the standard",
+        title="Worm gear",
         source=rated.source,
         columns=("standard", "simulation") if simulated else ("standard",),
         figures=tuple(figures),

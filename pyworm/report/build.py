@@ -59,6 +59,8 @@ def build_report(result: Result) -> Report:
 
 def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, ...]]:
     """The ratings of a case, and what is not rated for which reason."""
+    if case.drive is None:
+        return (), ()
     if not isinstance(case.tables, RatedCase):
         kinds = "drives of kind zi-worm and gear-pair"
         return (), (f"Gears, scuffing and bearings: only {kinds} are rated.",)
@@ -80,8 +82,10 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
     return made, tuple(missing)
 
 
-def _ratings_section(made: tuple[Rating, ...], not_rated: tuple[str, ...]) -> Section:
-    """The ratings that the case asks for, and what is not rated."""
+def _ratings_section(made: tuple[Rating, ...], not_rated: tuple[str, ...]) -> Section | None:
+    """The ratings that the case asks for, and what is not rated; None of a contact without a drive."""
+    if not made and not not_rated:
+        return None
     blocks = [block for rating in made for block in _rating_blocks(rating)]
     if not_rated:
         blocks += [Words("Not rated:"), Items(not_rated)]

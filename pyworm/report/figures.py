@@ -14,6 +14,7 @@ from pyworm.report.content import Block, Section, Table, Words
 from pyworm.result import Result
 from pyworm.scene_summary import scene_summary
 from pyworm.schema.case import PublishedValue
+from pyworm.schema.contact import GapCase
 from pyworm.solution import ZERO_CELSIUS, Estimate, Solution
 
 BODIES = {
@@ -51,7 +52,7 @@ def place_of(solution: Solution) -> str:
 
 
 def glance_section(case: Case, result: Result, made: tuple[Rating, ...]) -> Section:
-    """The few figures that decide, each at the contact where it is worst; of the ratings those in `DECIDE`."""
+    """The few figures that decide, each at the contact where it is worst; ratings in `DECIDE`."""
     solutions = result.solutions
     rows = [
         _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
@@ -179,15 +180,21 @@ def _without_empty(table: Table) -> Table:
 
 
 def _load(solution: Solution) -> str:
-    unit = "kN" if solution.kind == "point" else "kN/m"
-    return f"{solution.load / 1e3:.4g} {unit}"
+    unit = "N" if solution.kind == "point" else "N/m"
+    if solution.load < 1e3:
+        return f"{solution.load:.4g} {unit}"
+    return f"{solution.load / 1e3:.4g} k{unit}"
+
+
+def _scene_summary(case: Case, solution: Solution) -> dict[str, Any]:
+    """What the scene alone says of itself; nothing of a gap, whose file the result does not keep."""
+    if isinstance(case.tables, GapCase):
+        return {}
+    return scene_summary(case.scene(**Place.of(solution).given))
 
 
 def _hertz(case: Case, solution: Solution) -> float | None:
-    try:
-        return scene_summary(case.scene(**Place.of(solution).given))["hertz_pressure_max_Pa"]
-    except OSError:  # a gap whose file is elsewhere
-        return None
+    return _scene_summary(case, solution).get("hertz_pressure_max_Pa")
 
 
 def _converged(solution: Solution) -> str:
@@ -260,7 +267,7 @@ def _known(case: Case, solution: Solution) -> dict[str, tuple[float, str]]:
     """Figures of a contact by the names that `[published]` has for them, each with its SI unit."""
     summary = solution.summary()
     known: dict[str, tuple[float, str]] = {}
-    for key, value in {**scene_summary(case.scene(**Place.of(solution).given)), **summary}.items():
+    for key, value in {**_scene_summary(case, solution), **summary}.items():
         for suffix, unit in _UNITS.items():
             if key.endswith(suffix) and isinstance(value, float):
                 known[key.removesuffix(suffix)] = value, unit

@@ -31,6 +31,9 @@ _CAPTIONS = {
     "temperature": "Temperatures",
     "across_film": "Across the film at its hottest point",
     "mesh_cycle": "Mesh cycle",
+    "mesh_cycle_drive": "The drive: rollers, worm flanks and contact lines",
+    "mesh_cycle_regimes": "Regimes of lubrication over the mesh cycle",
+    "mesh_cycle_sensitivity": "What the film is sensitive to",
     "film_and_temperature": "Film and contact temperature along the line of action",
     "line_of_action": "Load, pressure, speeds and sliding along the line of action",
 }

@@ -258,4 +258,6 @@ def _misalignment_words(case: Case) -> list[str]:
             "Misalignment by K_Hbeta of ISO 6336-1 with a mesh stiffness of 17 N/(mm µm), without crowning: "
             "1 + c F/(2 w), or 2 [c F/(2 w)]^(1/2) where the contact does not reach over the whole face."
         ]
+    if case.drive is not None:
+        return ["How misalignment changes the contacts of this drive is not known in closed form."]
     return []

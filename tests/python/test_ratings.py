@@ -22,7 +22,7 @@ from test_bad_input import changed, refusal
 import pyworm
 from pyworm.case import checked
 from pyworm.cli import main
-from pyworm.ratings.asked import Asked, asked_of, load_asked, ratings
+from pyworm.ratings.asked import Asked, asked_of, ratings
 from pyworm.ratings.bearing import bearing_life
 from pyworm.ratings.worm import standard_rating, worm_duty_of_table
 from pyworm.result import Result
@@ -130,7 +130,7 @@ def test_worm_gear_of_sharif_2001_by_the_standards_own_units(capsys):
     assert worm["film_parameter"] == pytest.approx(shape, rel=1e-12)
     # polyglycol VG 460 on flanks of 63.02 degC: log10 log10(nu + 0.7) = 5.7612 - 2.1381 log10 T
     kelvin = worm["bulk_temperature_C"] + 273.15
-    nu = 10 ** 10 ** (5.7612 - 2.1381 * np.log10(kelvin)) - 0.7
+    nu = 10**10 ** (5.7612 - 2.1381 * np.log10(kelvin)) - 0.7
     eta = nu * 1e-6 * 1059 * (1 - 7.1e-4 * (kelvin - 288.15))
     film = 21 * shape * 1.3e-8**0.6 * eta**0.7 * 1500**0.7 * 304.8**1.39 * 170810**0.03
     assert worm["film_m"] == pytest.approx(film / 6690**0.13 * 1e-6, rel=2e-3)
@@ -160,7 +160,7 @@ def test_the_drive_makes_the_same_worm_gear_as_its_table(capsys):
 
 
 def test_errichellos_teeth_beside_his_figures(capsys):
-    """2.1 microinch, 0.073, 439 degF, 418 degF, 63 %, above 95 %; the film of the assumed gears is 13 % thicker."""
+    """2.1 microinch, 0.073, 439 and 418 degF, 63 %, above 95 %; the assumed gears have 13 % more film."""
     teeth = rated(capsys, "errichello_speed_increaser")["gear teeth"]
     ours, printed = teeth["closed form"], teeth["printed"]
     assert printed["film_min_m"] == pytest.approx(2.1 * MICROINCH)
@@ -247,9 +247,7 @@ def test_rate_with_a_result_file(tmp_path, capsys, worm_case):
     path = worm_result(worm_case).save(tmp_path / "result.nc")
     worm = said(capsys, "rate", CASES / "zi_sharif_2001.toml", "--result", path)["ratings"][0]
     assert {"standard", "simulation"} <= set(worm)
-    error = refusal(
-        ["rate", str(CASES / "oil_zi.toml"), "--result", str(path)], tmp_path, capsys
-    )
+    error = refusal(["rate", str(CASES / "oil_zi.toml"), "--result", str(path)], tmp_path, capsys)
     assert "is a result of the case zi_sharif_2001, not of oil_zi" in error
 
 
@@ -296,7 +294,9 @@ def test_worm_films_thin_with_heat_and_load_and_grow_with_speed(sump, rise, spee
     heavy = worm_standard(sump, worm_speed=speed, torque=6690 * more)
     assert heavy.film < base.film and heavy.mean_pressure > base.mean_pressure
     assert heavy.pitting_safety < base.pitting_safety
-    assert worm_standard(sump, worm_speed=speed * more).forward_efficiency >= base.forward_efficiency
+    assert (
+        worm_standard(sump, worm_speed=speed * more).forward_efficiency >= base.forward_efficiency
+    )
 
 
 # -------------------------------------------------------------------------------------- refusals
@@ -325,7 +325,12 @@ def refuse(tmp_path, monkeypatch, capsys):
         (BEARING, '"600 rpm"', '"600 m/s"', "must be a speed of rotation"),
         (BEARING, '"85 mm" # ', '"85 m" # ', "mean diameter of the bearing = 85 m"),
         (BEARING, '"90 kN"', '"30 kN"', "holds up to half of the dynamic load rating, 15000 N"),
-        (BEARING, "contamination = 0.6", "contamination = 6", "contamination = 6: must be at most 1"),
+        (
+            BEARING,
+            "contamination = 0.6",
+            "contamination = 6",
+            "contamination = 6: must be at most 1",
+        ),
         (BEARING, '"roller"', '"needle"', 'elements = "needle": must be "ball" or "roller"'),
         (WORM, '"6.69 kN m"', '"6.69 kN"', "worm_gear.wheel_torque"),
         (WORM, '"304.8 mm"', '"304.8 cm"', "centre distance = 3.048 m"),
