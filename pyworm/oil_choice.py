@@ -125,7 +125,8 @@ def worm_film(
         "mean minimum film of a worm gear, methods of DIN 3996",
         "h = 21 h* alpha^0.6 eta^0.7 n^0.7 a^1.39 E^0.03/T^0.13 um (alpha in m2/N, eta in Pa s) with h* = "
         f"{gear.film_parameter:.4f}, n = {worm_speed * 30 / pi:.0f} rpm, "
-        f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, T = {torque:.0f} N m",
+        f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, "
+        f"T = {torque:.0f} N m",
         alpha=PRESSURE_VISCOSITY.get(base),
     )
 
