@@ -7,7 +7,11 @@ from pyworm.case import Case, case_of, checked, read_toml
 from pyworm.case_error import CaseError
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.effects.sketch import sketch
+from pyworm.line.scene import LineScene
+from pyworm.place import Place
 from pyworm.ratings.bearing import rate_bearing_table
+from pyworm.ratings.films import rate_films
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.worm import (
@@ -17,7 +21,9 @@ from pyworm.ratings.worm import (
     worm_duty_of_table,
 )
 from pyworm.result import Result
+from pyworm.scene import Scene
 from pyworm.schema.rating import RATING_TABLES, RatedCase, RatingCase
+from pyworm.solution import Solution
 
 
 @dataclass(frozen=True)
@@ -48,6 +54,23 @@ class Asked:
             return worm_duty_of_drive(self.drive)
         table = getattr(self.tables, "worm_gear", None)
         return None if table is None else worm_duty_of_table(table)
+
+    @property
+    def composite_roughness(self) -> float | None:
+        """Of the flanks [m], where it is known."""
+        if isinstance(self.drive, GearPairDrive):
+            return None if self.drive.surfaces is None else self.drive.surfaces.composite_roughness
+        table = getattr(self.tables, "worm_rating", None)
+        return None if table is None else table.composite_roughness
+
+
+def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
+    """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
+    if result is not None:
+        solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
+        return asked.drive.scene(**Place.of(solution).given), solution
+    scenes = [asked.drive.scene(phase) for phase in asked.tables.operation.phases]
+    return min(scenes, key=lambda scene: sketch(scene).film_central), None
 
 
 def load_asked(path: str | Path) -> Asked:
@@ -103,6 +126,9 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
             )
         if isinstance(drive, GearPairDrive):
             made += rate_gear_pair(drive, tables.gear_rating, tables.published, result)
+        if drive is not None:
+            scene, solution = _thinnest(asked, result)
+            made.append(rate_films(scene, asked.composite_roughness, solution))
         made += [
             rate_bearing_table(name, table, asked.directory)
             for name, table in tables.bearings.items()

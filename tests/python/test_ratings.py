@@ -1,6 +1,7 @@
 """`pyworm rate` and `pyworm oil`: against the sources' numbers, trends, the contract of JSON, refusals."""
 
 import json
+import re
 import tomllib
 from dataclasses import replace
 from math import atan, pi, tan
@@ -29,9 +30,9 @@ from pyworm.result import Result
 from pyworm.schema.rating import BearingTable, RatingCase
 
 CASES = Path(__file__).parents[2] / "cases"
-BEARING, WORM, INCREASER, DRIVE = (
+BEARING, WORM, INCREASER = (
     (CASES / f"{name}.toml").read_text()
-    for name in ("bearing_nu2210", "oil_zi", "errichello_speed_increaser", "zi_sharif_2001")
+    for name in ("bearing_nu2210", "oil_zi", "errichello_speed_increaser")
 )
 MICROINCH, FAHRENHEIT = 25.4e-9, 1 / 1.8
 
@@ -58,8 +59,8 @@ def rated(capsys, name):
     [
         ("bearing_nu2210", ["bearing vg_220", "bearing vg_460"]),
         ("oil_zi", ["worm", "bearing worm_shaft"]),
-        ("zi_sharif_2001", ["worm", "bearing worm_shaft"]),
-        ("errichello_speed_increaser", ["gear teeth", "gear oil supply"]),
+        ("zi_sharif_2001", ["worm", "films", "bearing worm_shaft"]),
+        ("errichello_speed_increaser", ["gear teeth", "gear oil supply", "films"]),
     ],
 )
 def test_shipped_cases_are_rated(capsys, name, keys):
@@ -70,7 +71,9 @@ def test_shipped_cases_are_rated(capsys, name, keys):
     for rating in content["ratings"]:
         assert rating["source"] and rating["title"]
         columns = set(rating) - {"rating", "title", "source", "words"}
-        assert columns <= {"computed", "standard", "simulation", "printed", "closed form"}
+        assert columns <= {
+            "computed", "standard", "simulation", "printed", "closed form", "central film", "minimum film"
+        }  # fmt: skip
         for column in columns:
             numbers = [v for v in rating[column].values() if not isinstance(v, str)]
             assert numbers and all(np.isfinite(numbers))
@@ -243,6 +246,34 @@ def test_gears_of_constant_friction_lose_it_times_their_loss_factor():
     assert beside["efficiency"] == pytest.approx(1 - case.drive.loss_factor * friction)
 
 
+def test_film_formulas_stand_beside_the_thinnest_film_solved(worm_case):
+    result = worm_result(worm_case)
+    thin = min(result.solutions, key=lambda of: of.figures.film_min.value)
+    films = ratings(asked_of(worm_case), result)[1]
+    assert films.title == f"Films by formula at phase {thin.phase}"
+    summary = films.summary()
+    assert summary["central film"]["simulated_m"] == thin.figures.film_central.value
+    assert summary["minimum film"]["simulated_m"] == thin.figures.film_min.value
+    assert any("outside 1 to 8 where all but Nijenbanning" in words for words in films.words)
+
+
+def test_film_formulas_of_errichellos_thinnest_listed_contact(capsys):
+    """Dowson and Higginson by hand from the curvature, speed, load and oil at phase 0.13."""
+    films = rated(capsys, "errichello_speed_increaser")["films"]
+    scene = pyworm.load(CASES / "errichello_speed_increaser.toml").scene(phase=0.13)
+    modulus = 207e9 / (1 - 0.3**2)
+    u = 6.6e-3 * sum(scene.velocities) / 2 / (modulus * scene.radius)
+    g, w = 1.02e-4 / 6894.757 * modulus, scene.load / (modulus * scene.radius)
+    least = 2.65 * scene.radius * u**0.7 * g**0.54 * w**-0.13
+    assert films["minimum film"]["dowson_higginson_m"] == pytest.approx(least, rel=1e-4)
+    central = 3.06 * scene.radius * u**0.69 * g**0.56 * w**-0.10
+    assert films["central film"]["dowson_toyoda_m"] == pytest.approx(central, rel=1e-4)
+    assert "moes_m" in films["central film"] and "moes_m" in films["minimum film"]
+    heat = next(words for words in films["words"] if words.startswith("Heating of the inlet"))
+    shares = [float(share) for share in re.findall(r"([0-9.]+) \(", heat.split("film: ")[1])]
+    assert len(shares) == 3 and all(0.97 < share < 1 for share in shares)
+
+
 def test_rate_with_a_result_file(tmp_path, capsys, worm_case):
     path = worm_result(worm_case).save(tmp_path / "result.nc")
     worm = said(capsys, "rate", CASES / "zi_sharif_2001.toml", "--result", path)["ratings"][0]
@@ -364,7 +395,7 @@ def test_rate_says_what_it_misses(refuse):
     sphere = (CASES / "point_m20_l10.toml").read_text()
     assert 'drives of kind "zi-worm" and "gear-pair" and bearings are rated' in refuse(sphere)
     assert "[drive], [bearings.NAME] or [worm_gear]" in refuse('title = "?"\nsource = "?"')
-    plain = DRIVE[: DRIVE.index("# For the standards of worm gears")]
+    plain = WORM[: WORM.index("[worm_rating]")]
     assert "give [worm_rating] or [bearings.NAME]" in refuse(plain)
     assert "[oil_choice] is missing" in refuse(BEARING, "oil", "choose")
 
@@ -376,7 +407,9 @@ def test_nothing_can_be_solved_of_ratings_alone(refuse):
 def test_gears_of_unknown_flanks_have_their_oil_supply_only():
     case = pyworm.load(CASES / "errichello_speed_increaser.toml")
     bare = Asked(case.name, case.directory, case.tables, replace(case.drive, surfaces=None))
-    assert [rating.key for rating in ratings(bare)] == ["gear oil supply"]
+    oil, films = ratings(bare)
+    assert (oil.key, films.key) == ("gear oil supply", "films")
+    assert "lambda" not in " ".join(films.words)
 
 
 # ------------------------------------------------------------------------------------------- oils
