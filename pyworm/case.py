@@ -1,6 +1,5 @@
 """A case: what the user wrote, checked in full before any work starts."""
 
-import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,6 +21,7 @@ from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
 from pyworm.schema.contact import GapCase, PointCase
 from pyworm.schema.rating import RATING_TABLES
+from pyworm.toml_file import read_toml
 
 _NO_PHYSICS = {
     **dict.fromkeys(
@@ -275,18 +275,6 @@ def _said(table: dict[str, Any]) -> dict[str, Any]:
         for key, value in table.items()
         if value is not None
     }
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """What stands in a TOML file; CaseError if nothing can be read there."""
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise CaseError(f"{path}: no such file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise CaseError(f"{path}: cannot be read ({error})") from None
-    except tomllib.TOMLDecodeError as error:
-        raise CaseError(f"{path}: not a TOML file: {error}") from None
 
 
 def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from pyworm.case import Case, case_of, checked, read_toml
+from pyworm.case import Case, case_of, checked
 from pyworm.case_error import CaseError
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
@@ -24,6 +24,7 @@ from pyworm.result import Result
 from pyworm.scene import Scene
 from pyworm.schema.rating import RATING_TABLES, RatedCase, RatingCase
 from pyworm.solution import Solution
+from pyworm.toml_file import read_toml
 
 
 @dataclass(frozen=True)
@@ -54,14 +55,6 @@ class Asked:
             return worm_duty_of_drive(self.drive)
         table = getattr(self.tables, "worm_gear", None)
         return None if table is None else worm_duty_of_table(table)
-
-    @property
-    def composite_roughness(self) -> float | None:
-        """Of the flanks [m], where it is known."""
-        if isinstance(self.drive, GearPairDrive):
-            return None if self.drive.surfaces is None else self.drive.surfaces.composite_roughness
-        table = getattr(self.tables, "worm_rating", None)
-        return None if table is None else table.composite_roughness
 
 
 def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
@@ -128,7 +121,7 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
             made += rate_gear_pair(drive, tables.gear_rating, tables.published, result)
         if drive is not None:
             scene, solution = _thinnest(asked, result)
-            made.append(rate_films(scene, asked.composite_roughness, solution))
+            made.append(rate_films(scene, solution))
         made += [
             rate_bearing_table(name, table, asked.directory)
             for name, table in tables.bearings.items()

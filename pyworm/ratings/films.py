@@ -30,17 +30,13 @@ ROUND, SLENDER = 1.0, 8.0
 """Ellipticities k between which the regressions of point contacts hold."""
 
 
-def rate_films(
-    scene: Scene | LineScene, roughness: float | None, solution: Solution | None = None
-) -> Rating:
+def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
     """Every film formula at a contact, side by side with the simulated film.
 
     Parameters
     ----------
     scene : Scene or LineScene
         The contact.
-    roughness : float or None
-        Composite roughness [m], if known.
     solution : Solution, optional
         The same contact solved.
     """
@@ -56,6 +52,7 @@ def rate_films(
         figures.append(RatedFigure("simulated_m", "Simulated", simulated, 1e6, "µm"))
     least = [float(of.minimum) for _, of in films.values() if of.minimum is not None]
     words = [_groups(seen.groups), "Formulas: isothermal, smooth, fully supplied."]
+    roughness = scene.composite_roughness
     if roughness is not None:
         ratios = sorted(one / roughness for one in least)
         words.append(

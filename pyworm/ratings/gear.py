@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from pyworm.bodies import composite_roughness
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
@@ -23,7 +24,7 @@ def rate_gear_pair(
     published: dict[str, PublishedValue],
     result: Result | None = None,
 ) -> tuple[Rating, ...]:
-    """Ratings of a gear pair's oil supply and, where its flanks are known, along its line of action.
+    """Ratings of a gear pair along its line of action, as far as its flanks are known, and of its oil supply.
 
     Parameters
     ----------
@@ -41,10 +42,7 @@ def rate_gear_pair(
     ValueError
         What lies outside the formulas.
     """
-    supply = _supply(drive, table)
-    if drive.surfaces is None:
-        return (supply,)
-    return _teeth(drive, table, published, result), supply
+    return _teeth(drive, table, published, result), _supply(drive, table)
 
 
 def _teeth(
@@ -55,24 +53,24 @@ def _teeth(
 ) -> Rating:
     phases = drive.cycle_phases()
     rated = drive.rating(drive.contacts(phases))
-    roughness, speed = drive.surfaces.composite_roughness, drive.pitch_line_velocity
-    wear = rate_wear(rated.film_min, roughness, speed)
+    thin = int(np.argmin(rated.film_min))
     closed = {
-        "pitch_line_velocity_m_s": speed,
-        "film_min_m": float(rated.film_min[wear.worst]),
-        "film_min_phase": float(phases[wear.worst]),
-        "composite_roughness_m": roughness,
-        "specific_film": wear.specific_film_min,
-        "regime": wear.regime,
-        "wear_probability": wear.probability,
+        "pitch_line_velocity_m_s": drive.pitch_line_velocity,
+        "film_min_m": float(rated.film_min[thin]),
+        "film_min_phase": float(phases[thin]),
+        **_wear(drive, float(rated.film_min[thin])),
         "hertz_pressure_Pa": float(rated.hertz_pressure.max()),
         "loss_factor": drive.loss_factor,
-        "friction": drive.surfaces.friction_coefficient,
-        "loss_W": drive.power * drive.loss_factor * drive.surfaces.friction_coefficient,
-        "efficiency": 1 - drive.loss_factor * drive.surfaces.friction_coefficient,
     }
-    limit = _scuffing_temperature(drive, table)
+    if drive.surfaces is not None:
+        friction = drive.surfaces.friction_coefficient
+        closed |= {
+            "friction": friction,
+            "loss_W": drive.power * drive.loss_factor * friction,
+            "efficiency": 1 - drive.loss_factor * friction,
+        }
     if rated.contact_temperature is not None:
+        limit = _scuffing_temperature(drive, table)
         hot = int(np.argmax(rated.contact_temperature))
         closed |= {
             "flash_temperature_K": float(rated.flash_temperature[hot]),
@@ -154,19 +152,30 @@ def _scuffing(contact: float, limit: float | None) -> dict[str, float | str]:
     }
 
 
+def _wear(drive: GearPairDrive, film: float) -> dict[str, float | str]:
+    """Specific film and wear of a least film [m]; nothing where the roughness is not known."""
+    roughness = composite_roughness(*drive.bodies)
+    if roughness is None:
+        return {}
+    wear = rate_wear(film, roughness, drive.pitch_line_velocity)
+    return {
+        "composite_roughness_m": roughness,
+        "specific_film": wear.specific_film_min,
+        "regime": wear.regime,
+        "wear_probability": wear.probability,
+    }
+
+
 def _simulated(
     drive: GearPairDrive, solutions: tuple[Solution, ...]
 ) -> dict[str, float | str | None]:
     """The same figures of the solved contacts."""
     thin = min(solutions, key=lambda solution: solution.figures.film_min.value)
-    roughness, film = drive.surfaces.composite_roughness, thin.figures.film_min.value
-    wear = rate_wear(film, roughness, drive.pitch_line_velocity)
+    film = thin.figures.film_min.value
     said: dict[str, float | str | None] = {
         "film_min_m": film,
         "film_min_phase": thin.phase,
-        "specific_film": wear.specific_film_min,
-        "regime": wear.regime,
-        "wear_probability": wear.probability,
+        **_wear(drive, film),
         "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
     }
     lost = mesh_loss(drive, solutions)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from pyworm.bodies import composite_roughness
 from pyworm.case_error import CaseError
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.formulas import gear_oil
@@ -33,7 +34,7 @@ def oil_duty(asked: Asked) -> Duty:
         raise CaseError("[oil_choice] is missing; it says what the oil is to do")
     common = {
         "name": asked.tables.title,
-        **table.model_dump(exclude={"composite_roughness"}),
+        **table.model_dump(),
         **_bearing(asked.tables.bearings),
     }
     if isinstance(asked.drive, GearPairDrive):
@@ -42,12 +43,10 @@ def oil_duty(asked: Asked) -> Duty:
 
 
 def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:
-    if table.composite_roughness is None:
-        raise CaseError("oil_choice.composite_roughness is missing")
     a, speed = duty.gear.centre_distance, duty.worm_speed
     return {
         "film": worm_film(duty.gear, speed, duty.torque, duty.reduced_modulus, table.base),
-        "roughness": table.composite_roughness,
+        "roughness": duty.composite_roughness,
         "tables": (
             gear_oil.agma_worm(a, speed, table.ambient_temperature),
             gear_oil.worm_table(a, speed, table.sump_temperature, synthetic=table.base == "PAG"),
@@ -57,11 +56,9 @@ def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:
 
 def _gear_pair(drive: GearPairDrive, table: OilChoiceTable) -> dict:
     """The thinnest film along the line of action is what counts."""
-    roughness = table.composite_roughness
+    roughness = composite_roughness(*drive.bodies)
     if roughness is None:
-        if drive.surfaces is None:
-            raise CaseError("oil_choice.composite_roughness is missing, and so is [surfaces]")
-        roughness = drive.surfaces.composite_roughness
+        raise CaseError("bodies.pinion.roughness or bodies.gear.roughness is missing")
     phases = drive.cycle_phases()
     contacts = drive.contacts(phases)
     rated = drive.rating(contacts)

@@ -9,7 +9,7 @@ import numpy as np
 from pyworm.bodies import reduced_modulus
 from pyworm.case_error import CaseError
 from pyworm.drives.zi_worm import ZiWormDrive
-from pyworm.formulas.wear_distress import regime
+from pyworm.formulas.wear_distress import composite_roughness, regime, specific_film
 from pyworm.formulas.worm_standard import (
     OIL_KINDS,
     PITTING_STRENGTH,
@@ -23,6 +23,9 @@ from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.result import Result
 from pyworm.schema.rating import WormGearTable, WormRatingTable
 from pyworm.solution import ZERO_CELSIUS
+
+MEAN_TO_RMS = 0.8
+"""Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +42,8 @@ class WormDuty:
         On the wheel [N m].
     reduced_modulus : float
         [Pa].
+    roughness : tuple of float
+        Root mean square heights of worm and wheel, Rq [m].
     words : tuple of str
         How it was derived.
     """
@@ -47,7 +52,13 @@ class WormDuty:
     worm_speed: float
     torque: float
     reduced_modulus: float
+    roughness: tuple[float, float]
     words: tuple[str, ...] = ()
+
+    @property
+    def composite_roughness(self) -> float:
+        """Of both flanks [m]."""
+        return composite_roughness(*self.roughness)
 
 
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
@@ -65,16 +76,23 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
         worm_speed=table.worm_speed,
         torque=table.wheel_torque,
         reduced_modulus=table.reduced_modulus,
+        roughness=(table.worm_roughness, table.wheel_roughness),
     )
 
 
 def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
-    """A ZI drive as the standards see it.
+    """A ZI drive as the standards see it; CaseError where the roughness of its flanks is not known.
 
     The module is the axial pitch over pi; the diameter factor is that by which the pitch cylinders,
     without profile shift, touch. The torque is that of the drive's load on every tooth in contact, on
     average over the mesh cycle.
     """
+    roughness = tuple(body.roughness for body in drive.bodies)
+    for name, height in zip(("worm", "wheel"), roughness, strict=True):
+        if height is None:
+            raise CaseError(
+                f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
+            )
     module = drive.worm.axial_pitch / pi
     factor = 2 * drive.centre_distance / module - drive.wheel.teeth
     gear = WormGear(
@@ -91,6 +109,7 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
         worm_speed=drive.speed,
         torque=drive.load * arm * teeth,
         reduced_modulus=reduced_modulus(*drive.bodies),
+        roughness=roughness,
         words=(
             f"Derived from the drive: axial module {module * 1e3:.3f} mm, diameter factor {factor:.2f} "
             f"without profile shift; wheel torque of {drive.load / 1e3:.3g} kN on each of {teeth:.2f} "
@@ -125,7 +144,7 @@ def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> 
             worm_speed=duty.worm_speed,
             torque=duty.torque,
             reduced_modulus=duty.reduced_modulus,
-            roughness=table.worm_roughness,
+            roughness=MEAN_TO_RMS * duty.roughness[0],
             material_factor=table.material_factor,
             pitting_strength=strength,
             life=None if table.life is None else table.life / 3600,
@@ -163,10 +182,10 @@ def rate_worm_table(
         Its solved mesh phases.
     """
     rated = standard_rating(table, duty, directory)
-    simulated = {} if result is None or drive is None else _simulated(duty, drive, table, result)
+    simulated = {} if result is None or drive is None else _simulated(duty, drive, result)
     oil = oil_called(table.oil, directory)
     figures = []
-    for key, label, value, scale, unit in _rows(table, duty, rated):
+    for key, label, value, scale, unit in _rows(duty, rated):
         if value is not None or key in simulated:
             others = (simulated.get(key),) if simulated else ()
             figures.append(RatedFigure(key, label, (value, *others), scale, unit))
@@ -180,6 +199,11 @@ def rate_worm_table(
             "inlet temperature, viscosity and pressure-viscosity coefficient. Simulated flanks are "
             "smooth: where lambda is not well above 1, friction and loss are larger than it says."
         )
+    worm, wheel = (height * 1e6 for height in duty.roughness)
+    words.append(
+        f"Roughness Rq {worm:.3g} µm of the worm and {wheel:.3g} µm of the wheel, "
+        f"{duty.composite_roughness * 1e6:.3g} µm together; Ra of the worm taken as {MEAN_TO_RMS:g} Rq."
+    )
     words.append(
         f"{oil.name}: {oil.viscosity(rated.bulk_temperature) * 1e3:.0f} mPa s on the wheel's flanks of "
         f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
@@ -198,11 +222,9 @@ def rate_worm_table(
     )
 
 
-def _rows(table: WormRatingTable, duty: WormDuty, rated: WormRating) -> list[tuple]:
+def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
     """Key, label, the standard's value, scale and unit of every row."""
-    ratio = None
-    if table.composite_roughness is not None:
-        ratio = rated.film / table.composite_roughness
+    ratio = float(specific_film(rated.film, duty.composite_roughness))
     bulk = None if rated.bulk_temperature is None else rated.bulk_temperature - ZERO_CELSIUS
     return [
         ("wheel_torque_Nm", "Wheel torque T2", duty.torque, 1e-3, "kN m"),
@@ -211,7 +233,7 @@ def _rows(table: WormRatingTable, duty: WormDuty, rated: WormRating) -> list[tup
         ("film_m", "Mean minimum film h_min,m", rated.film, 1e6, "µm"),
         ("film_central_m", "Central film", None, 1e6, "µm"),
         ("specific_film", "Specific film lambda", ratio, 1.0, ""),
-        ("regime", "Lubrication", None if ratio is None else regime(ratio), 1.0, ""),
+        ("regime", "Lubrication", regime(ratio), 1.0, ""),
         ("mean_pressure_Pa", "Mean contact stress sigma_Hm", rated.mean_pressure, 1e-6, "MPa"),
         ("pressure_max_Pa", "Largest pressure of the film", None, 1e-6, "MPa"),
         ("friction", "Tooth friction mu_zm", rated.friction, 1.0, ""),
@@ -227,23 +249,21 @@ def _rows(table: WormRatingTable, duty: WormDuty, rated: WormRating) -> list[tup
     ]
 
 
-def _simulated(
-    duty: WormDuty, drive: ZiWormDrive, table: WormRatingTable, result: Result
-) -> dict[str, float | str]:
+def _simulated(duty: WormDuty, drive: ZiWormDrive, result: Result) -> dict[str, float | str]:
     """The same figures of the solved phases, means over these."""
     solutions = result.solutions
     figures = [solution.figures for solution in solutions]
     film = float(np.mean([of.film_min.value for of in figures]))
+    ratio = float(specific_film(film, duty.composite_roughness))
     said: dict[str, float | str] = {
         "wheel_torque_Nm": duty.torque,
         "film_m": film,
         "film_central_m": float(np.mean([of.film_central.value for of in figures])),
         "pressure_max_Pa": float(max(of.pressure_max.value for of in figures)),
         "sliding_speed_m_s": _sliding(solutions),
+        "specific_film": ratio,
+        "regime": regime(ratio),
     }
-    if table.composite_roughness is not None:
-        said["specific_film"] = film / table.composite_roughness
-        said["regime"] = regime(said["specific_film"])
     lost = mesh_loss(drive, solutions)
     if lost is not None:
         said |= {

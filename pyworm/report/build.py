@@ -76,7 +76,7 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
             "Scuffing: the closed forms are those of steel on steel, a worm gear has a bronze wheel."
         )
     if isinstance(case.drive, GearPairDrive) and case.drive.surfaces is None:
-        missing.append("Gear teeth, scuffing: the case says nothing of [surfaces].")
+        missing.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
     if not case.tables.bearings:
         missing.append("Bearings: the case has no [bearings.NAME].")
     return made, tuple(missing)

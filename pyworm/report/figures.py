@@ -1,7 +1,6 @@
 """The figures of a result with their error bars: at a glance, phase by phase, beside the printed ones."""
 
 from collections.abc import Callable
-from math import hypot
 from typing import Any
 
 from pyworm import units
@@ -37,13 +36,9 @@ DECIDE = (
 """Keys of rated figures that are told at a glance."""
 
 
-def composite_roughness(case: Case) -> float | None:
-    """Composite roughness of the flanks [m], where the case gives one."""
-    surfaces = getattr(case.tables, "surfaces", None)
-    if surfaces is not None:
-        return hypot(*(of for name, of in surfaces if name.endswith("_roughness")))
-    table = getattr(case.tables, "worm_rating", None)
-    return None if table is None else table.composite_roughness
+def composite_roughness(result: Result) -> float | None:
+    """Composite roughness of the surfaces [m], where it is known."""
+    return result.solutions[0].composite_roughness
 
 
 def place_of(solution: Solution) -> str:
@@ -59,7 +54,7 @@ def glance_section(case: Case, result: Result, made: tuple[Rating, ...]) -> Sect
         _worst("Thinnest central film", solutions, min, lambda of: of.film_central, 1e6, "µm"),
         _worst("Largest pressure", solutions, max, lambda of: of.pressure_max, 1e-6, "MPa"),
     ]
-    roughness = composite_roughness(case)
+    roughness = composite_roughness(result)
     if roughness is not None:
         thin = min(solutions, key=lambda of: of.figures.film_min.value)
         film = thin.figures.film_min
@@ -141,7 +136,7 @@ def temperature(figure: Estimate, inlet: float) -> str:
 
 def film_section(case: Case, result: Result) -> Section:
     """Load, pressure and film of every contact."""
-    roughness = composite_roughness(case)
+    roughness = composite_roughness(result)
     head = ["", "Load", "Hertz", "Dry contact", "Largest pressure", "Central film", "Minimum film"]
     head += ["which is"] + (["lambda"] if roughness else []) + ["Converged"]
     rows = []
@@ -275,9 +270,8 @@ def _known(case: Case, solution: Solution) -> dict[str, tuple[float, str]]:
         known["friction_coefficient"] = summary["friction_coefficient"], ""
     for place, celsius in summary.get("temperature_max_C", {}).items():
         known[f"temperature_max_{place}"] = celsius + ZERO_CELSIUS, "K"
-    roughness = composite_roughness(case)
-    if roughness is not None:
-        known["specific_film"] = solution.figures.film_min.value / roughness, ""
+    if "specific_film" in summary:
+        known["specific_film"] = summary["specific_film"], ""
     return known
 
 

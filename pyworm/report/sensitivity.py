@@ -75,7 +75,7 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
     if isinstance(case.tables, GapCase):
         return None
     found = variations(case, result)
-    roughness = composite_roughness(case)
+    roughness = composite_roughness(result)
     least = min(of.figures.film_min.value for of in result.solutions)
     rows = [("as it is", f"{least * 1e6:.3g} µm", "", *_lambda(least, roughness), "", "")]
     rows += [

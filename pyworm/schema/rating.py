@@ -8,6 +8,7 @@ from pyworm import units
 from pyworm.formulas.bearing_life import Direction, Elements
 from pyworm.formulas.worm_standard import OilKind
 from pyworm.named_oils import Base
+from pyworm.schema.bodies import Roughness
 from pyworm.schema.case import CaseTable, FileTable, Published
 from pyworm.schema.table import Count, Number, PositiveNumber, Table, Text
 
@@ -56,14 +57,10 @@ class BearingTable(Table):
 
 
 class OilChoiceTable(Table):
-    """`[oil_choice]`: what an oil is to do (`pyworm.oil_choice.Duty`); the drive says the rest.
-
-    Without a composite roughness that of the drive's `[surfaces]` is taken.
-    """
+    """`[oil_choice]`: what an oil is to do (`pyworm.oil_choice.Duty`); drive and bodies say the rest."""
 
     base: Base
     specific_film: PositiveNumber
-    composite_roughness: units.Length | None = None
     ambient_temperature: units.Temperature
     sump_temperature: units.Temperature
     sump_grade: Count
@@ -83,8 +80,6 @@ class WormRatingTable(Table):
     oil: Text
     sump_temperature: units.Temperature
     temperature_limit: units.Temperature | None = None
-    worm_roughness: units.Length
-    composite_roughness: units.Length | None = None
     material_factor: PositiveNumber = 1.0
     wheel_material: Literal["CuSn12Ni2", "CuSn12"] | None = None
     life: units.Duration | None = None
@@ -94,7 +89,7 @@ class WormRatingTable(Table):
 
 
 class GearRatingTable(Table):
-    """`[gear_rating]`: how a pair of gears is oiled; the rest stands in its drive and in `[surfaces]`."""
+    """`[gear_rating]`: how a pair of gears is oiled; drive, bodies and `[surfaces]` say the rest."""
 
     viscosity_40: units.KinematicViscosity | None = None
     anti_scuff: bool = False
@@ -111,7 +106,7 @@ class GearRatingTable(Table):
 
 
 class WormGearTable(Table):
-    """`[worm_gear]`: a worm gear as the standards see it, where no drive is given."""
+    """`[worm_gear]`: a worm gear as the standards see it, where no drive is given; roughness as Rq."""
 
     centre_distance: units.Length
     starts: Count
@@ -123,6 +118,8 @@ class WormGearTable(Table):
     worm_speed: units.Speed
     wheel_torque: units.Torque
     reduced_modulus: units.Pressure
+    worm_roughness: Roughness
+    wheel_roughness: Roughness
 
 
 class RatedCase(CaseTable):

@@ -86,7 +86,7 @@ def test_what_is_assumed_is_told_with_its_value_and_reason(capsys, name):
     assert main(["rate", str(CASES / f"{name}.toml")]) == 0
     text = capsys.readouterr().out
     assert all(reason in text for reason in assumed.values())
-    lines = {"oil_zi": "worm_rating.composite_roughness = 0.58 µm: 0.3 um of the worm"}
+    lines = {"oil_zi": "worm_gear.worm_roughness = 0.3 µm: a ground worm"}
     assert lines.get(name, "drive.module = 5.08 mm: normal diametral pitch 5") in text
 
 
@@ -137,11 +137,11 @@ def test_worm_gear_of_sharif_2001_by_the_standards_own_units(capsys):
     eta = nu * 1e-6 * 1059 * (1 - 7.1e-4 * (kelvin - 288.15))
     film = 21 * shape * 1.3e-8**0.6 * eta**0.7 * 1500**0.7 * 304.8**1.39 * 170810**0.03
     assert worm["film_m"] == pytest.approx(film / 6690**0.13 * 1e-6, rel=2e-3)
-    assert worm["specific_film"] == pytest.approx(worm["film_m"] / 0.58e-6)
+    assert worm["specific_film"] == pytest.approx(worm["film_m"] / 0.34**0.5 * 1e6)
     speed = worm["sliding_speed_m_s"]
     assert speed == pytest.approx(pi * 70.05e-3 * 25 / np.cos(atan(z1 / q)), rel=1e-3)
     friction = (0.02 + 0.02 / (speed + 0.2) ** 0.97) * (100 / 304.8 * 0.07 / shape) ** 0.5
-    assert worm["friction"] == pytest.approx(friction * (0.4 / 0.5) ** 0.25, rel=1e-9)
+    assert worm["friction"] == pytest.approx(friction * (0.8 * 0.3 / 0.5) ** 0.25, rel=1e-9)
     lead = atan(z1 / q)
     forward = tan(lead) / tan(lead + atan(worm["friction"]))
     assert worm["efficiency"] == pytest.approx(forward)
@@ -217,7 +217,7 @@ def test_the_simulation_stands_beside_the_standard(worm_case):
     films = [solution.figures.film_min.value for solution in result.solutions]
     losses = [solution.figures.power_loss.value for solution in result.solutions]
     assert beside["film_m"] == pytest.approx(np.mean(films))
-    assert beside["specific_film"] == pytest.approx(np.mean(films) / 0.58e-6)
+    assert beside["specific_film"] == pytest.approx(np.mean(films) / 0.34**0.5 * 1e6)
     teeth = worm_case.drive.mean_teeth_in_contact
     assert beside["loss_W"] == pytest.approx(np.mean(losses) * teeth)
     # energy: what the worm puts in less the loss is the wheel's torque times its speed
@@ -366,7 +366,7 @@ def refuse(tmp_path, monkeypatch, capsys):
         (WORM, '"6.69 kN m"', '"6.69 kN"', "worm_gear.wheel_torque"),
         (WORM, '"304.8 mm"', '"304.8 cm"', "centre distance = 3.048 m"),
         (WORM, '"9.145 mm"', '"9.145 um"', "module = 9.145e-06 m"),
-        (WORM, '"0.4 um"', '"0.4 mm"', "roughness Ra = 0.0004 m"),
+        (WORM, '"0.3 um"', '"0.3 mm"', 'worm_gear.worm_roughness = "0.3 mm": must be a root mean'),
         (WORM, '"170.81 GPa"', '"170.81 MPa"', "reduced modulus = 1.7081e+08 Pa"),
         (WORM, '"25000 h"', '"25000"', "worm_rating.life"),
         (INCREASER, '"30 psi"', '"30 N"', "gear_rating.feed_pressure"),
@@ -400,15 +400,25 @@ def test_rate_says_what_it_misses(refuse):
     assert "[oil_choice] is missing" in refuse(BEARING, "oil", "choose")
 
 
+def test_worms_of_unknown_flanks_are_not_rated(refuse):
+    drive = (CASES / "zi_sharif_2001.toml").read_text()
+    rough = 'bodies.wheel.roughness = "a run-in wheel"\n'
+    smooth = changed(drive, ('roughness = "0.5 um"\n', ""), (rough, ""))
+    assert "bodies.wheel.roughness is missing; the standards' friction" in refuse(smooth)
+
+
 def test_nothing_can_be_solved_of_ratings_alone(refuse):
     assert "ratings only; pyworm rate shows them" in refuse(BEARING, "run")
 
 
-def test_gears_of_unknown_flanks_have_their_oil_supply_only():
+def test_gears_of_unknown_flanks_are_rated_without_them():
     case = pyworm.load(CASES / "errichello_speed_increaser.toml")
-    bare = Asked(case.name, case.directory, case.tables, replace(case.drive, surfaces=None))
-    oil, films = ratings(bare)
-    assert (oil.key, films.key) == ("gear oil supply", "films")
+    bodies = tuple(replace(body, roughness=None) for body in case.drive.bodies)
+    unknown = replace(case.drive, surfaces=None, bodies=bodies)
+    teeth, _, films = ratings(Asked(case.name, case.directory, case.tables, unknown))
+    known = teeth.summary()["closed form"]
+    assert {"film_min_m", "hertz_pressure_Pa", "loss_factor"} <= set(known)
+    assert not {"specific_film", "friction", "contact_temperature_C"} & set(known)
     assert "lambda" not in " ".join(films.words)
 
 
