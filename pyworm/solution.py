@@ -6,6 +6,7 @@ from typing import Literal
 import xarray as xr
 
 from pyworm.effects.judgement import Judgement
+from pyworm.formulas.regimes import Regime
 from pyworm.place import Place
 
 ZERO_CELSIUS = 273.15
@@ -166,6 +167,8 @@ class Solution:
         Why the solver stopped.
     figures : Figures
         Scalars.
+    regime : Regime
+        The regime of lubrication by the chart.
     fields : xarray.Dataset
         Fields over (y, x) in SI with units: gap, covered, dry_pressure, pressure, film,
         entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was looked at also
@@ -200,6 +203,7 @@ class Solution:
     converged: bool
     stop_reason: str
     figures: Figures
+    regime: Regime
     fields: xr.Dataset
     history: xr.Dataset
     cost: Cost
@@ -238,6 +242,7 @@ class Solution:
             **self._heat_summary(),
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
+            "regime": self.regime.name,
             "grid": [self.fields.sizes[axis] for axis in ("x", "y") if axis in self.fields.sizes],
             "residual": figures.residual,
             "load_error": figures.load_error,

@@ -161,6 +161,7 @@ def _climb(
             residual=rung.film.balance.residual,
             **outcome.figures,
         ),
+        regime=plan.regime,
         fields=outcome.fields,
         history=_history(strides, "xy"[: len(rung.grid.shape)]),
         cost=Cost(seconds, work / unit, unit),

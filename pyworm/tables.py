@@ -238,7 +238,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     for label, key, scale, unit in _SCENE:
         if key in summary:
             table.add_row(*_quantity(label, summary[key], scale, unit))
-    table.add_row("Regime", plan.regime.name)
+    table.add_row("Regime", ", ".join(filter(None, (plan.regime.name, plan.regime.doubt))))
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
     for grid in plan.grids:
@@ -276,9 +276,7 @@ def influence_share(share: float | None) -> str:
     """What leaving an effect out changes; nothing where that is not known."""
     if share is None:
         return ""
-    if share > 1:
-        return ">100 %"
-    return f"{share * 100:.0f} %" if share > 0.1 else f"{share * 100:.2g} %"
+    return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"
 
 
 def _title(scene: Scene | LineScene) -> str:

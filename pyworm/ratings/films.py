@@ -3,7 +3,7 @@
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
-from pyworm.formulas.regimes import line_regime, point_regime
+from pyworm.formulas.regimes import POINT_RANGE, line_regime, point_regime
 from pyworm.line.scene import LineScene
 from pyworm.place import Place
 from pyworm.ratings.rating import RatedFigure, Rating
@@ -25,9 +25,6 @@ _LINE = {
     "dowson_toyoda": ("Dowson and Toyoda 1979", film.dowson_toyoda),
     "moes": ("Moes 2000", film.moes_line),
 }
-
-ROUND, SLENDER = 1.0, 8.0
-"""Ellipticities k between which the regressions of point contacts hold."""
 
 
 def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
@@ -85,9 +82,10 @@ def _groups(groups: PointGroups | LineGroups) -> str:
     if isinstance(groups, LineGroups):
         return f"{said}; {line_regime(groups).name}."
     said += f", ellipticity k = {groups.ellipticity:.3g} across over along the entrainment"
-    if not ROUND <= groups.ellipticity <= SLENDER:
+    least, most = POINT_RANGE
+    if not least <= groups.ellipticity <= most:
         others = "all but Nijenbanning, Venner and Moes'"
-        return f"{said}, outside {ROUND:g} to {SLENDER:g} where {others} formulas hold."
+        return f"{said}, outside {least} to {most} where {others} formulas hold."
     return f"{said}; {point_regime(groups).name}."
 
 

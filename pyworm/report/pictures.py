@@ -5,6 +5,7 @@ from io import BytesIO
 from matplotlib.figure import Figure
 
 from pyworm.plots import CYCLE_PICTURES, SCENE_PICTURES, SHOWS
+from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.report.content import Picture, Section
 from pyworm.report.figures import place_of
@@ -51,11 +52,11 @@ def cycle_pictures(result: Result) -> Section | None:
 
 
 def contact_pictures(result: Result) -> Section:
-    """Pictures of the contacts: all of that with the thinnest film, the most telling ones of the others."""
+    """Regimes of all contacts; all pictures of that with the thinnest film, the most telling of the others."""
     solutions = result.solutions
     thin = min(solutions, key=lambda of: of.figures.film_min.value)
     shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
-    pictures: list[Picture] = []
+    pictures = [Picture("Contacts on the chart of regimes", png(draw_regimes(result)))]
     for solution in shown:
         names = SCENE_PICTURES[solution.kind] if solution is thin else KEY_PICTURES[solution.kind]
         pictures += [

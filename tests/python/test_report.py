@@ -251,7 +251,7 @@ def test_what_was_assumed_is_told_with_values(worm, increaser):
 
 def test_the_plan_tells_what_was_left_out(worm):
     plan = rows(worm[1], SECTIONS[9])
-    assert plan["film-heating"] == ("on", "more than 2 %", "film >100 %, friction 40 %")
+    assert plan["film-heating"] == ("on", "more than 2 %", "film >99 %, friction 40 %")
     assert plan["squeeze"] == ("off", "not simulated", "film 2.4 %, friction 1 %")
 
 
