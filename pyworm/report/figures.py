@@ -237,8 +237,8 @@ def printed_section(case: Case, result: Result) -> Section | None:
         rows = tuple(
             (
                 name.replace("_", " "),
-                _degrees(printed.text),
-                _degrees(units.shown_like(*known[name], printed.text)),
+                _printed(printed.text),
+                _printed(units.shown_like(*known[name], printed.text)),
             )
             for name, printed in case.published.items()
             if name in known
@@ -249,8 +249,9 @@ def printed_section(case: Case, result: Result) -> Section | None:
     return Section("Beside the source's figures", tuple(blocks)) if blocks else None
 
 
-def _degrees(text: str) -> str:
-    return text.replace("degC", "°C").replace("degF", "°F")
+def _printed(text: str) -> str:
+    """A quantity as written in a case file, as print has it."""
+    return text.replace("degC", "°C").replace("degF", "°F").replace("uin", "µin")
 
 
 def _is_meant(published: dict[str, PublishedValue], solution: Solution) -> bool:

@@ -311,7 +311,7 @@ def test_gears_answer_to_oil_and_misalignment(increaser):
     )
     assert found["oil 10 K warmer"].film_ratio < 1 < found["oil 10 K cooler"].film_ratio
     (uneven,) = [one for one in found.values() if one.label.startswith("flank lines")]
-    # K_Hbeta = 1 + c F/(2 w) with 17 N/(mm um), 10 um and 711 N/mm without the load factor of 2.25
+    # K_Hbeta = 1 + c F/(2 w) with 17 N/(mm um) and 10 um
     drive = case.drive
     factor = 1 + 17e9 * 10e-6 / (2 * drive.normal_force / drive.teeth.face_width)
     assert uneven.pressure_ratio == pytest.approx(factor**0.5)
