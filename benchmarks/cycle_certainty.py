@@ -1,8 +1,9 @@
 """How much time buys how much certainty of a whole mesh cycle: the ZI worm drive.
 
-The least film and the mean power loss over the cycle, from 3, 5 and 9 phases, solved to 5 and 1 %: their
-errors against 9 phases at 1 %, over the processor time of all phases. What was solved is kept in
-results/accuracy/cycle.csv, and the next run goes on from there.
+The least film and the mean power loss over the cycle, from the middle phase alone and from 3, 5 and 9 phases, with
+all effects that 5 and 1 % call for and, to 5 %, without heat and rheology: their errors against 9 phases at 1 %, over
+the processor time of all phases. What was solved is kept in results/accuracy/cycle.csv, and the next run goes on
+from there.
 """
 
 import csv

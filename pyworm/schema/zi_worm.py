@@ -6,7 +6,7 @@ from pydantic import Field
 
 from pyworm import units
 from pyworm.schema.bodies import Bodies, BodyTable
-from pyworm.schema.case import CaseTable
+from pyworm.schema.rating import RatedCase, WormRatingTable
 from pyworm.schema.table import Count, Phase, Table
 
 
@@ -69,9 +69,10 @@ class OperationTable(Table):
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
 
-class ZiWormCase(CaseTable):
+class ZiWormCase(RatedCase):
     """A case file about a ZI worm drive."""
 
     drive: ZiWormTable
     operation: OperationTable
     bodies: WormBodies
+    worm_rating: WormRatingTable | None = None
