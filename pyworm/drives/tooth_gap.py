@@ -20,6 +20,8 @@ def _surface(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
 class ToothGap:
     """Undeformed gap between the teeth over the tangent plane, along the common normal.
 
+    Without relief it is zero at the contact point.
+
     Attributes
     ----------
     contact : ToothContact
@@ -36,18 +38,20 @@ class ToothGap:
         """Gap [m], continued beyond the teeth, and where both teeth exist."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         covered = np.ones(x.shape, dtype=bool)
-        heights = []
+        heights, taken_off = [], 0.0
         for flank, tooth in (
             (self.contact.worm_height, self.worm_tooth),
             (self.contact.wheel_height, self.wheel_tooth),
         ):
             height, _, exists = flank.solve(x, y)
             covered &= exists
-            for margin in tooth.margins(_surface(self.contact, x, y, height)).values():
+            surface = _surface(self.contact, x, y, height)
+            for margin in tooth.margins(surface).values():
                 # a contact point at a tooth's very edge still lies on it
                 covered &= margin > -1e-12
             heights.append(height)
-        return heights[1] - heights[0], covered
+            taken_off = taken_off + tooth.taken_off(surface)
+        return heights[1] - heights[0] + taken_off, covered
 
 
 @dataclass(frozen=True)

@@ -4,21 +4,31 @@ Lengths in m, angles in rad.  Of the redundant entries of a design table the geo
 base radius; base lead angle and axial pitch must agree with them within a table's rounding.
 """
 
-from dataclasses import dataclass, fields
-from functools import cached_property
-from math import atan2, degrees, isfinite, pi
+from dataclasses import dataclass, fields, replace
+from functools import cached_property, lru_cache
+from math import atan2, degrees, floor, isfinite, pi
 
 import numpy as np
 import xarray as xr
 
-from pyworm.bodies import Body
+from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
-from pyworm.drives.tooth_boundary import WheelTooth, WormTooth, wheel_radius
+from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.tooth_gap import ToothGap, ToothMotion
 from pyworm.drives.zi_data import mesh_cycle_data, tooth_data
+from pyworm.drives.zi_load import (
+    BEYOND,
+    Arms,
+    Shaft,
+    SharedLoad,
+    ToothSprings,
+    Transmission,
+    share,
+    tooth_springs,
+)
 from pyworm.oils import Oil
 from pyworm.scene import Scene
 
@@ -43,6 +53,8 @@ class Worm:
         Distance of neighbouring threads along the axis, and advance in one turn [m].
     base_lead_angle : float
         Lead angle on the base cylinder [rad].
+    tip_relief : TipRelief
+        What is taken off the flank towards its tip.
     """
 
     threads: int
@@ -52,6 +64,7 @@ class Worm:
     axial_pitch: float
     lead: float
     base_lead_angle: float
+    tip_relief: TipRelief = NO_RELIEF
 
 
 @dataclass(frozen=True)
@@ -64,12 +77,15 @@ class Wheel:
         Number of teeth.
     face_width, tip_radius, throat_radius : float
         Width along the axis, radius of the tip cylinder, tip radius in the mid-plane [m].
+    tip_relief : TipRelief
+        What is taken off the flank towards tip and throat.
     """
 
     teeth: int
     face_width: float
     tip_radius: float
     throat_radius: float
+    tip_relief: TipRelief = NO_RELIEF
 
 
 @dataclass(frozen=True)
@@ -135,12 +151,14 @@ class ZiWormDrive:
         Distance of worm and wheel axes [m].
     speed : float
         Speed of the worm [rad/s].
-    load : float
-        Normal load on the tooth [N].
+    load : float or Transmission
+        Normal load on the tooth [N], or the torque that the teeth in mesh share.
     bodies : tuple of Body
         Worm and wheel.
     oil : Oil
         The oil.
+    driver : str
+        "worm", or "wheel": the drive runs back under its load, on the same flanks.
     """
 
     worm: Worm
@@ -148,9 +166,10 @@ class ZiWormDrive:
     hob: Hob
     centre_distance: float
     speed: float
-    load: float
+    load: float | Transmission
     bodies: tuple[Body, Body]
     oil: Oil
+    driver: Shaft = "worm"
 
     def __post_init__(self) -> None:
         _check_values(self)
@@ -162,6 +181,21 @@ class ZiWormDrive:
     def ratio(self) -> float:
         """Mean speed of the wheel by that of the worm, threads / teeth."""
         return self.worm.threads / self.wheel.teeth
+
+    @property
+    def rotation(self) -> float:
+        """Speed of the worm [rad/s], positive from phase 0 to phase 1, negative the other way."""
+        return self.speed if self.driver == "worm" else -self.speed
+
+    @property
+    def phases_per_second(self) -> float:
+        """How fast the mesh cycle passes [1/s]."""
+        return self.rotation / abs(self.cycle.worm_rotation)
+
+    @property
+    def pitch(self) -> float:
+        """Phases between neighbouring tooth pairs; its inverse is the contact ratio."""
+        return 2 * pi / self.worm.threads / abs(self.cycle.worm_rotation)
 
     @cached_property
     def worm_flank(self) -> Helicoid:
@@ -178,14 +212,15 @@ class ZiWormDrive:
     @cached_property
     def worm_tooth(self) -> WormTooth:
         """Where the worm's thread ends."""
-        return WormTooth(self.worm_flank, self.worm.root_radius, self.worm.tip_radius)
+        worm = self.worm
+        return WormTooth(self.worm_flank, worm.root_radius, worm.tip_radius, worm.tip_relief)
 
     @cached_property
     def wheel_tooth(self) -> WheelTooth:
         """Where the wheel's tooth ends."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
-        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius)
+        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, wheel.tip_relief)
 
     @cached_property
     def cycle(self) -> MeshCycle:
@@ -196,7 +231,7 @@ class ZiWormDrive:
         """The unloaded tooth contact at a phase of the mesh cycle, 0 to 1."""
         if not 0 <= phase <= 1:
             raise ValueError(f"phase is {phase:.6g}; a tooth pair touches from phase 0 to phase 1")
-        return self.cycle.contact(phase, self.speed)
+        return self.cycle.contact(phase, self.rotation)
 
     def mesh_cycle(self, count: int = 21) -> tuple[ToothContact, ...]:
         """Contacts at equal steps of the worm's rotation from where the teeth meet to where they part."""
@@ -208,26 +243,80 @@ class ZiWormDrive:
 
     def motions(self, contact: ToothContact) -> tuple[ToothMotion, ToothMotion]:
         """Surface velocities of worm and wheel relative to the contact point."""
-        worm_turn = np.array([0.0, 0.0, self.speed])
-        wheel_turn = np.array([0.0, -self.cycle.speed_ratio * self.speed, 0.0])
+        worm_turn, wheel_turn = self._turns
         worm_axis, wheel_axis = self.worm_flank.axis_point, np.zeros(3)
         return (
             ToothMotion(contact, contact.worm_height, worm_axis, worm_turn),
             ToothMotion(contact, contact.wheel_height, wheel_axis, wheel_turn),
         )
 
+    @property
+    def _turns(self) -> tuple[Array, Array]:
+        """Angular velocities of worm and wheel, each (3,) [rad/s]."""
+        wheel = np.array([0.0, -self.cycle.speed_ratio, 0.0])
+        return self.rotation * self.worm_flank.axes[:, 2], self.rotation * wheel
+
+    def sliding(self, phases: Array) -> Array:
+        """Velocity of the worm against the wheel at contact points [m/s], (3, phases)."""
+        point = self.cycle.points(phases)
+        worm_turn, wheel_turn = self._turns
+        on_worm = np.cross(worm_turn, point - self.worm_flank.axis_point[:, None], axisb=0, axisc=0)
+        return on_worm - np.cross(wheel_turn, point, axisb=0, axisc=0)
+
+    def arms(self, phases: Array) -> Arms:
+        """Moment arms of the forces between the teeth at some phases."""
+        point = self.cycle.points(phases)
+        normal = np.broadcast_to(-self.cycle.line.direction[:, None], point.shape)
+        sliding = self.sliding(phases)
+        sliding = sliding / np.linalg.norm(sliding, axis=0)
+        on_worm = point - self.worm_flank.axis_point[:, None]
+
+        def about(arm: Array, force: Array, axis: Array) -> Array:
+            return axis @ np.cross(arm, force, axis=0)
+
+        worm_axis, wheel_axis = self.worm_flank.axes[:, 2], np.array([0.0, -1.0, 0.0])
+        return Arms(
+            worm_normal=about(on_worm, normal, worm_axis),
+            wheel_normal=about(point, normal, wheel_axis),
+            worm_sliding=about(on_worm, sliding, worm_axis),
+            wheel_sliding=about(point, sliding, wheel_axis),
+        )
+
+    def shared(self, phase: float) -> SharedLoad:
+        """Normal loads of all tooth pairs while one of them is at a phase."""
+        first = -floor((phase + BEYOND) / self.pitch)
+        last = floor((1 + BEYOND - phase) / self.pitch)
+        phases = phase + self.pitch * np.arange(first, last + 1)
+        if not isinstance(self.load, Transmission):
+            forces = np.where((phases >= 0) & (phases <= 1), self.load, 0.0)
+            return SharedLoad(phases, forces, 0.0)
+        ahead = self.cycle.transmission_error(phases)
+        arms = self.arms(phases).of(self.load.shaft, self.load.friction)
+        lever = self.wheel_flank.lever
+        springs = None if self.load.sharing == "equal" else self.springs
+        return share(self.load, phases, arms, lever, ahead.max() - ahead, springs)
+
+    @property
+    def springs(self) -> ToothSprings:
+        """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
+        still = replace(self.load, sharing="elastic", friction=0.0)
+        return _springs(replace(self, load=still, speed=1.0, driver="worm"))
+
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return with_film_rate(self._scene, phase, self.speed / abs(self.cycle.worm_rotation))
+        return with_film_rate(self._scene, phase, self.phases_per_second)
 
     def _scene(self, phase: float) -> Scene:
         contact = self.contact(phase)
+        load = self.shared(phase).force(phase)
+        if load == 0:
+            raise ValueError("the tooth pair carries no load there, its neighbours carry all")
         return Scene(
             name=f"phase {phase:.2f}",
             gap=self.gap(contact),
             radii=contact.radii,
             motions=self.motions(contact),
-            load=self.load,
+            load=load,
             bodies=self.bodies,
             oil=self.oil,
             phase=phase,
@@ -284,14 +373,36 @@ class ZiWormDrive:
         return ToothOutline(seen(rim, x), seen(rim, y), seen(path, x), seen(path, y))
 
 
+@lru_cache(maxsize=2)
+def _springs(drive: ZiWormDrive) -> ToothSprings:
+    """Compliance by all that decides it; kept, since processes make a drive anew for each of its scenes."""
+    whole = drive.load.torque / float(drive.arms(np.array([0.5])).of(drive.load.shaft, 0.0)[0])
+    return tooth_springs(
+        gap_at=lambda phase: drive.gap(drive.cycle.contact(phase)),
+        radii_at=lambda phase: drive.cycle.contact(phase).radii,
+        reduced_modulus=reduced_modulus(*drive.bodies),
+        whole_load=whole,
+        stiffness=drive.load.stiffness,
+        longest=drive.wheel.face_width,
+    )
+
+
 def _check_values(drive: ZiWormDrive) -> None:
     """Counts and sizes: finite, and positive where nothing else makes sense."""
     signed = {"hob.swivel", "hob.axial_shift"}
     entries: dict[str, float] = {}
     for part in ("worm", "wheel", "hob"):
         table = getattr(drive, part)
-        entries.update({f"{part}.{f.name}": getattr(table, f.name) for f in fields(table)})
-    entries.update({key: getattr(drive, key) for key in ("centre_distance", "speed", "load")})
+        entries.update(
+            {
+                f"{part}.{f.name}": getattr(table, f.name)
+                for f in fields(table)
+                if f.name != "tip_relief"
+            }
+        )
+    entries.update({key: getattr(drive, key) for key in ("centre_distance", "speed")})
+    if not isinstance(drive.load, Transmission):
+        entries["load"] = drive.load
     for key, value in entries.items():
         if not isfinite(value):
             raise ValueError(f"{key} is {value}; a finite number is needed")
@@ -321,6 +432,17 @@ def _check_table(drive: ZiWormDrive) -> None:
             raise ValueError(
                 f"{name}.tip_radius is {screw.tip_radius * 1e3:.2f} mm; it must be above "
                 f"{name}.root_radius, {screw.root_radius * 1e3:.2f} mm"
+            )
+    heights = {
+        "worm": drive.worm.tip_radius - drive.worm.root_radius,
+        "wheel": drive.hob.tip_radius - drive.hob.root_radius,
+    }
+    for name, height in heights.items():
+        relief = getattr(drive, name).tip_relief
+        if relief.amount > 0 and not 0 < relief.length < height:
+            raise ValueError(
+                f"{name}.tip_relief_length is {relief.length * 1e3:.4g} mm; it must lie between 0 and the "
+                f"tooth's height, {height * 1e3:.4g} mm"
             )
     if drive.wheel.tip_radius < drive.wheel.throat_radius:
         raise ValueError(

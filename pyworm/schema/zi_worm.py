@@ -2,12 +2,16 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from pyworm import units
+from pyworm.drives.torque_balance import Sharing
+from pyworm.drives.zi_load import Shaft
 from pyworm.schema.bodies import Bodies, BodyTable
 from pyworm.schema.case import CaseTable
 from pyworm.schema.table import Count, Phase, Table
+
+Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
 
 
 class WormBodies(Bodies):
@@ -15,6 +19,13 @@ class WormBodies(Bodies):
 
     worm: BodyTable
     wheel: BodyTable
+
+
+class _Relieved(Table):
+    """What worm and wheel share: a relief of the tips, beginning that far below them."""
+
+    tip_relief: units.LengthOrZero = 0.0
+    tip_relief_length: units.LengthOrZero = 0.0
 
 
 class _Helicoid(Table):
@@ -28,13 +39,13 @@ class _Helicoid(Table):
     base_lead_angle: units.Angle
 
 
-class WormTable(_Helicoid):
+class WormTable(_Helicoid, _Relieved):
     """`[drive.worm]`."""
 
     threads: Count
 
 
-class WheelTable(Table):
+class WheelTable(_Relieved):
     """`[drive.wheel]`."""
 
     teeth: Count
@@ -56,17 +67,55 @@ class ZiWormTable(Table):
 
     kind: Literal["zi-worm"]
     centre_distance: units.Length
+    stiffness: units.Stiffness | None = None
     worm: WormTable
     wheel: WheelTable
     hob: HobTable
 
 
 class OperationTable(Table):
-    """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved."""
+    """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved.
 
-    worm_speed: units.Speed
-    load: units.Force
+    The load is the normal load of the tooth, or what the teeth in mesh share: a torque of either shaft, or
+    the power of the driving one. `friction` is that of the teeth in the balance of torques; left out, it is
+    found.
+    """
+
+    worm_speed: units.Speed | None = None
+    wheel_speed: units.Speed | None = None
+    driver: Shaft = "worm"
+    load: units.Force | None = None
+    worm_torque: units.Torque | None = None
+    wheel_torque: units.Torque | None = None
+    power: units.Power | None = None
+    sharing: Sharing | None = None
+    friction: Friction | None = None
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _one_speed(self):
+        if (self.worm_speed is None) == (self.wheel_speed is None):
+            raise ValueError("give either worm_speed or wheel_speed, one of the two")
+        return self
+
+    @model_validator(mode="after")
+    def _one_load(self):
+        given = [name for name in LOADS if getattr(self, name) is not None]
+        if len(given) != 1:
+            but = f", not {' and '.join(given)}" if given else ""
+            raise ValueError(f"give one of {', '.join(LOADS)}{but}")
+        if self.load is not None:
+            for name in ("sharing", "friction"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f"{name} means nothing with the load of one tooth, give a torque or a power instead "
+                        "of load"
+                    )
+        return self
+
+
+LOADS = ("load", "worm_torque", "wheel_torque", "power")
+"""Keys of `[operation]` of which one says what the teeth carry."""
 
 
 class ZiWormCase(CaseTable):
@@ -75,3 +124,12 @@ class ZiWormCase(CaseTable):
     drive: ZiWormTable
     operation: OperationTable
     bodies: WormBodies
+
+    @model_validator(mode="after")
+    def _stiffness_with_sharing(self):
+        if self.drive.stiffness is not None and self.operation.load is not None:
+            raise ValueError(
+                "drive.stiffness means nothing with operation.load, the load of one tooth; give a torque "
+                "or a power instead"
+            )
+        return self
