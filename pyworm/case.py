@@ -20,6 +20,7 @@ from pyworm.scene import Scene
 from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
 from pyworm.schema.contact import GapCase, PointCase
+from pyworm.schema.zi_worm import ZiWormCase
 
 _NO_PHYSICS = {
     **dict.fromkeys(("title", "source", "published", "accuracy", "effects", "quantities"), True),
@@ -116,6 +117,19 @@ class Case:
             content = (self.directory / self.tables.contact.file).read_bytes()
             tables["contact"]["file"] = sha256(content).hexdigest()
         return tables
+
+    @property
+    def friction_left_open(self) -> bool:
+        """Whether its teeth's loads depend on a friction that is to be found."""
+        operation = getattr(self.tables, "operation", None)
+        wants = isinstance(self.tables, ZiWormCase) and operation.load is None
+        return wants and operation.friction is None
+
+    def with_friction(self, friction: float) -> "Case":
+        """The case with a friction of its teeth in the balance of torques [-]."""
+        operation = self.tables.operation.model_copy(update={"friction": friction})
+        tables = self.tables.model_copy(update={"operation": operation})
+        return Case(self.name, self.directory, tables)
 
     def __reduce__(self) -> tuple:
         # A drive is made again where the case goes, rather than sent along; files must be found from there.

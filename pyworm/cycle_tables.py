@@ -1,4 +1,4 @@
-"""Tables of a whole mesh cycle by closed forms, for people; they read a result's cycle and nothing else."""
+"""Tables of a whole mesh cycle, for people; they read a result's cycle, or its figures, and nothing else."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,9 @@ import numpy as np
 import xarray as xr
 from rich.table import Table
 
+from pyworm.drive_cycle import DriveCycle, Extreme
 from pyworm.formulas.film_reduction import film_state
+from pyworm.solution import ZERO_CELSIUS
 
 _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
@@ -57,3 +59,48 @@ def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
 
 CYCLE_TABLES: dict[str, Callable[[xr.Dataset], Table]] = {"roller-worm": ends_table}
 """Kind of drive -> table of its whole mesh cycle."""
+
+
+def cycle_table(cycle: DriveCycle) -> Table:
+    """A drive's mesh cycle: extremes with phase and place on the wheel's flank, loss and efficiency."""
+    title = f"Whole mesh cycle, from {len(cycle.phases)} phases"
+    if cycle.left_out:
+        title += f" ({', '.join(f'{phase:g}' for phase in cycle.left_out)} not converged, left out)"
+    table = Table("Figure", title=title, title_justify="left")
+    for heading in ("Value", "Phase", "Along the\nface / mm", "Radius\n/ mm"):
+        table.add_column(heading, justify="right")
+
+    def extreme(label: str, one: Extreme, scale: float, unit: str, offset: float = 0.0) -> None:
+        value = f"{(one.value - offset) * scale:.4g} {unit} ± {_two(one.error * scale)}"
+        place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
+        table.add_row(label, value, f"{one.phase:g}", *place)
+
+    extreme("Least film", cycle.film_min, 1e6, "µm")
+    extreme("Largest pressure", cycle.pressure_max, 1e-6, "MPa")
+    for name, label in (("body_1", "worm"), ("body_2", "wheel"), ("film", "film")):
+        if name in cycle.temperatures:
+            label = f"Largest temperature, {label}"
+            extreme(label, cycle.temperatures[name], 1.0, "°C", ZERO_CELSIUS)
+    if cycle.lambda_min is not None:
+        extreme("Least lambda", cycle.lambda_min, 1.0, "")
+    loss = cycle.loss
+    if loss is not None:
+        table.add_section()
+        table.add_row("Loss of all teeth", f"{loss.power:.4g} W ± {_two(loss.error)}")
+        table.add_row("  by the scenes' errors", f"{_two(loss.scene_error)} W")
+        table.add_row("  by the phases", f"{_two(loss.phase_error)} W")
+        table.add_row("  by friction at the ends", f"{_two(loss.end_error)} W")
+        table.add_row(
+            "Mean friction", f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
+        )
+        table.add_row("Torque of the wheel", f"{loss.wheel_torque:.5g} N m")
+        table.add_row("Torque of the worm", f"{loss.worm_torque:.4g} N m")
+        bar = f"± {loss.efficiency_error * 100:.2g}"
+        table.add_row("Efficiency of the teeth", f"{loss.efficiency * 100:.2f} % {bar}")
+        table.add_row("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}")
+    return table
+
+
+def _two(value: float) -> str:
+    """Two digits, without an exponent."""
+    return f"{float(f'{value:.2g}'):g}"

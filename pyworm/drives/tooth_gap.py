@@ -10,7 +10,7 @@ from pyworm.drives.tangent_gap import FlankHeight
 from pyworm.drives.tooth_boundary import WheelTooth, WormTooth
 
 
-def _surface(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
+def surface_points(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
     """Points in the drive frame, (3, ...) [m], above places of the tangent plane."""
     parts = zip(contact.point, *contact.axes, strict=True)
     return np.stack([o + x * ex + y * ey + height * ez for o, ex, ey, ez in parts])
@@ -45,7 +45,7 @@ class ToothGap:
         ):
             height, _, exists = flank.solve(x, y)
             covered &= exists
-            surface = _surface(self.contact, x, y, height)
+            surface = surface_points(self.contact, x, y, height)
             for margin in tooth.margins(surface).values():
                 # a contact point at a tooth's very edge still lies on it
                 covered &= margin > -1e-12
@@ -78,7 +78,7 @@ class ToothMotion:
     def velocity(self, x: Array, y: Array) -> Array:
         """Velocity [m/s] along x, y and the common normal, (3, ...)."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-        point = _surface(self.contact, x, y, self.flank.solve(x, y)[0])
+        point = surface_points(self.contact, x, y, self.flank.solve(x, y)[0])
         arm = np.moveaxis(point, 0, -1) - self.axis_point
         velocity = np.cross(self.rotation, arm) - self.contact.velocity
         return np.moveaxis(velocity @ self.contact.axes.T, -1, 0)

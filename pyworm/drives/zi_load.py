@@ -1,13 +1,13 @@
 """How the tooth pairs of a ZI worm drive share its torque.
 
-Worm and wheel are rigid but for their contacts and, if a stiffness is given, thread and tooth. The wheel
-turns by Theta against the worm beyond the first unloaded touch. Every flank normal has the same lever about
-the wheel's axis, so the pair k approaches by
+Worm and wheel are rigid but for their contacts and, if a stiffness is given, thread and tooth. The load turns
+the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. Every flank normal has the
+same lever about the wheel's axis, so the pair k approaches by
 
-    delta_k = lever (Theta - lag_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness,             (1)
+    delta_k = lever (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness,           (1)
 
-lag_k being how far the wheel would lag behind the first touch if pair k alone led it (the transmission
-error). The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a
+ahead_k being how far the wheel would be ahead if pair k alone led it, without load (the transmission error).
+The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a
 little beyond, rest on a tooth's edge. Theta is where the moments of all pairs balance the torque, friction
 included: the sliding drags the wheel's tooth along with the worm by friction F_k, so that about an axis
 
@@ -158,7 +158,7 @@ class SharedLoad:
     forces : ndarray
         Normal load of each [N], (pairs,).
     turn : float
-        Theta, the wheel's turn by the load [rad]; 0 with equal shares.
+        Theta, how far the wheel is behind its ideal angle [rad]; 0 with equal shares.
     """
 
     phases: Array
@@ -268,7 +268,7 @@ def share(
     phases: Array,
     arms: Array,
     lever: float,
-    lags: Array,
+    ahead: Array,
     springs: ToothSprings | None,
 ) -> SharedLoad:
     """Share a torque among tooth pairs.
@@ -283,8 +283,8 @@ def share(
         Torque for each normal load [m], (pairs,): `Arms.of`.
     lever : float
         Of every flank normal about the wheel's axis [m].
-    lags : ndarray
-        How far the wheel would lag behind the first touch if each pair alone led it [rad], (pairs,).
+    ahead : ndarray
+        How far the wheel would be ahead of its ideal angle if each pair alone led it [rad], (pairs,).
     springs : ToothSprings or None
         The pairs' compliance; None with equal shares.
     """
@@ -296,11 +296,14 @@ def share(
     pairs = [springs.at(phase) for phase in phases]
 
     def forces(turn: float) -> Array:
-        approaches = lever * (turn - lags)
+        approaches = lever * (turn + ahead)
         return np.array([pair.load(of) for pair, of in zip(pairs, approaches, strict=True)])
 
-    def excess(turn: float) -> float:
-        return float(np.sum(arms * forces(turn))) - transmission.torque
+    first_touch = -float(ahead.max())
 
-    turn = rising_root(excess, float(springs.approaches[:, -1].min()) / lever)
+    def excess(further: float) -> float:
+        return float(np.sum(arms * forces(first_touch + further))) - transmission.torque
+
+    guess = float(springs.approaches[:, -1].min()) / lever
+    turn = first_touch + rising_root(excess, guess)
     return SharedLoad(phases, forces(turn), turn)

@@ -5,7 +5,7 @@ base radius; base lead angle and axial pitch must agree with them within a table
 """
 
 from dataclasses import dataclass, fields, replace
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from math import atan2, degrees, floor, isfinite, pi
 
 import numpy as np
@@ -17,8 +17,8 @@ from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
 from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
-from pyworm.drives.tooth_gap import ToothGap, ToothMotion
-from pyworm.drives.zi_data import mesh_cycle_data, tooth_data
+from pyworm.drives.tooth_gap import ToothGap, ToothMotion, surface_points
+from pyworm.drives.zi_data import loaded_cycle_data, mesh_cycle_data, tooth_data
 from pyworm.drives.zi_load import (
     BEYOND,
     Arms,
@@ -294,7 +294,7 @@ class ZiWormDrive:
         arms = self.arms(phases).of(self.load.shaft, self.load.friction)
         lever = self.wheel_flank.lever
         springs = None if self.load.sharing == "equal" else self.springs
-        return share(self.load, phases, arms, lever, ahead.max() - ahead, springs)
+        return share(self.load, phases, arms, lever, ahead, springs)
 
     @property
     def springs(self) -> ToothSprings:
@@ -322,13 +322,33 @@ class ZiWormDrive:
             phase=phase,
         )
 
+    @property
+    def friction(self) -> float:
+        """Friction by which the forces are balanced [-]."""
+        return self.load.friction if isinstance(self.load, Transmission) else 0.0
+
+    def flank_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
+        """Place on the wheel's flank over points of a tangent plane, the same at all wheel angles.
+
+        Returns
+        -------
+        tuple of ndarray
+            Along the face from its middle, and distance from the wheel's axis [m].
+        """
+        point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
+        return point[1], wheel_radius(point)
+
     def cycle_data(self) -> xr.Dataset:
-        """The unloaded mesh cycle for the result."""
-        return mesh_cycle_data(self.mesh_cycle())
+        """The mesh cycle for the result, without load and with it."""
+        beyond = BEYOND if isinstance(self.load, Transmission) else 0.0
+        loaded = loaded_cycle_data(self, beyond)
+        return mesh_cycle_data(self.mesh_cycle()).merge(loaded, combine_attrs="no_conflicts")
 
     def scene_data(self, scene: Scene) -> xr.Dataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
-        return tooth_data(self.tooth_outline(self.contact(scene.phase)), scene.gap)
+        contact = self.contact(scene.phase)
+        place = partial(self.flank_place, contact)
+        return tooth_data(self.tooth_outline(contact), scene.gap, place)
 
     def tooth_outline(self, contact: ToothContact, count: int = 60) -> ToothOutline:
         """Outline of the wheel tooth and path of contact seen along the contact's normal.

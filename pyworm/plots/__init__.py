@@ -9,6 +9,7 @@ from pyworm.plots.across_film import draw_across_film
 from pyworm.plots.cycle import draw_cycle
 from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
+from pyworm.plots.flank import draw_flank
 from pyworm.plots.friction import draw_friction
 from pyworm.plots.gap import draw_gap
 from pyworm.plots.gear_pair import draw_film_and_temperature, draw_line_of_action
@@ -17,6 +18,7 @@ from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.regime_path import draw_regime_path
 from pyworm.plots.roller_cycle import draw_roller_cycle, draw_roller_sensitivity
 from pyworm.plots.roller_drive import draw_roller_drive
 from pyworm.plots.roller_regimes import draw_roller_regimes
@@ -49,7 +51,11 @@ SCENE_PICTURES = {
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
 CYCLE_PICTURES = {
-    "zi-worm": {"mesh_cycle": draw_cycle},
+    "zi-worm": {
+        "mesh_cycle": draw_cycle,
+        "mesh_cycle_flank": draw_flank,
+        "mesh_cycle_regimes": draw_regime_path,
+    },
     "roller-worm": {
         "mesh_cycle_drive": draw_roller_drive,
         "mesh_cycle_regimes": draw_roller_regimes,
@@ -61,7 +67,8 @@ CYCLE_PICTURES = {
         "line_of_action": draw_line_of_action,
     },
 }
-"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result."""
+"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result, which returns
+None where too few phases are solved for it."""
 
 SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
@@ -102,7 +109,9 @@ def draw(
     written = [path for paths in drawn for path in paths]
     if result.mesh_cycle is not None:
         for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            written.append(write(cycle(result), directory / f"{name}.png"))
+            figure = cycle(result)
+            if figure is not None:
+                written.append(write(figure, directory / f"{name}.png"))
     if traction_curve(result):
         written.append(write(draw_traction(result), directory / "traction.png"))
     return written

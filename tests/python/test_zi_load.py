@@ -101,11 +101,11 @@ def test_pairs_that_lag_carry_less_and_soft_teeth_share_more_evenly():
         rows = np.tile(rigid + loads / stiffness, (2, 1))
         return ToothSprings(np.array([-1.0, 2.0]), loads, np.zeros(2), rows)
 
-    phases, arms, lags = np.array([0.2, 0.7]), np.full(2, 0.24), np.array([0.0, 2e-5])
+    phases, arms, ahead = np.array([0.2, 0.7]), np.full(2, 0.24), np.array([1e-5, -1e-5])
     parts = []
     for stiffness in (np.inf, 5e8):
         shared = share(
-            Transmission(1e3, "wheel"), phases, arms, 0.24, lags, springs(stiffness)
+            Transmission(1e3, "wheel"), phases, arms, 0.24, ahead, springs(stiffness)
         ).forces
         assert arms @ shared == pytest.approx(1e3)
         parts.append(shared[1] / shared[0])
