@@ -157,8 +157,6 @@ class RollerWormDrive:
         Worm and rollers.
     oil : Oil
         The oil.
-    roughness : tuple of float
-        Of worm and rollers, rms [m].
     """
 
     worm: RollerWorm
@@ -171,7 +169,6 @@ class RollerWormDrive:
     rolling: Spinning
     bodies: tuple[Body, Body]
     oil: Oil
-    roughness: tuple[float, float]
 
     def __post_init__(self) -> None:
         _check(self)
@@ -280,9 +277,7 @@ class RollerWormDrive:
             contact=contact,
             load=load,
             motion=motion,
-            films=closed_films(
-                contact.curvature, load, motion, self.bodies, self.oil, self.roughness
-            ),
+            films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
         )
 
     def scene(self, section: str, phase: float, station: float | None = None) -> LineScene | Scene:

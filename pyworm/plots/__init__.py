@@ -18,7 +18,7 @@ from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
-from pyworm.plots.regime_path import draw_regime_path
+from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.roller_cycle import draw_roller_cycle, draw_roller_sensitivity
 from pyworm.plots.roller_drive import draw_roller_drive
 from pyworm.plots.roller_regimes import draw_roller_regimes
@@ -54,7 +54,6 @@ CYCLE_PICTURES = {
     "zi-worm": {
         "mesh_cycle": draw_cycle,
         "mesh_cycle_flank": draw_flank,
-        "mesh_cycle_regimes": draw_regime_path,
     },
     "roller-worm": {
         "mesh_cycle_drive": draw_roller_drive,
@@ -97,7 +96,7 @@ def draw(
     Returns
     -------
     list of Path
-        The files, scene by scene, the mesh cycle or the traction curve last.
+        The files, scene by scene, those of the whole result last.
     """
     if not isinstance(result, Result):
         result = open_result(result)
@@ -112,6 +111,8 @@ def draw(
             figure = cycle(result)
             if figure is not None:
                 written.append(write(figure, directory / f"{name}.png"))
+    if result.solutions:
+        written.append(write(draw_regimes(result), directory / "regimes.png"))
     if traction_curve(result):
         written.append(write(draw_traction(result), directory / "traction.png"))
     return written
