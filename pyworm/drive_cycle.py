@@ -11,7 +11,6 @@ and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + fricti
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import hypot
 
 import numpy as np
 import xarray as xr
@@ -180,7 +179,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
             name: _extreme(good, f"temperature_max_{name}", max)
             for name in (("body_1", "body_2", "film") if heated else ())
         },
-        lambda_min=_lambda(film, result.case),
+        lambda_min=_lambda(film, good[0].composite_roughness),
         loss=(
             _loss(cycle, good) if all(one.figures.power_loss is not None for one in good) else None
         ),
@@ -225,12 +224,11 @@ def flank_place(solution: Solution, x: Array, y: Array) -> tuple:
     return tuple(float(place) if np.ndim(x) == 0 else place for place in places)
 
 
-def _lambda(film: Extreme, case: dict) -> Extreme | None:
-    """Least film over the composite roughness of worm and wheel."""
-    rough = [case["bodies"][name].get("roughness") for name in ("worm", "wheel")]
-    if None in rough:
+def _lambda(film: Extreme, roughness: float | None) -> Extreme | None:
+    """Least film over the composite roughness of worm and wheel [m]."""
+    if roughness is None:
         return None
-    return replace(film, value=film.value / hypot(*rough), error=film.error / hypot(*rough))
+    return replace(film, value=film.value / roughness, error=film.error / roughness)
 
 
 def _loss(cycle: xr.Dataset, good: list[Solution]) -> Loss:
