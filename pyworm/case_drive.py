@@ -14,7 +14,7 @@ from pyworm.drives.roller_motion import FREE_OF_FRICTION, Pin
 from pyworm.drives.roller_profile import Crown, RollerProfile
 from pyworm.drives.roller_worm import Rollers, RollerWorm, RollerWormDrive
 from pyworm.drives.zi_load import Transmission
-from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
+from pyworm.drives.zi_worm import Assembly, Hob, Wheel, Worm, ZiWormDrive
 from pyworm.schema.case import CaseTable
 from pyworm.schema.gear_pair import GearPairCase, GearTable
 from pyworm.schema.roller_worm import RollerWormCase
@@ -53,6 +53,7 @@ def _zi_worm(tables: ZiWormCase) -> ZiWormDrive:
         load=operation.load or _transmission(tables, speed, ratio),
         bodies=tables.bodies.pair(oil),
         oil=oil,
+        assembly=Assembly(**dict(tables.drive.assembly)),
         driver=operation.driver,
     )
 

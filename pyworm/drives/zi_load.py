@@ -193,38 +193,62 @@ def tooth_springs(
     phases, separations, approaches = [], [], []
     for phase in SPRING_PHASES:
         radii = radii_at(float(np.clip(phase, 0, 1)))
-        size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], whole_load, reduced_modulus)
-        sides = [
-            min(share * axis, longest)
-            for share, axis in zip(HALF_SIDES, (size.semi_axis_x, size.semi_axis_y), strict=True)
-        ]
-        gap = gap_at(float(phase))
-        x, y = _window((0.0, 0.0), sides, SEARCH_CELLS)
-        height, covered = gap(*np.meshgrid(x, y, indexing="ij"))
-        if not covered.any():
+        placed = placed_gap(gap_at(float(phase)), radii, whole_load, reduced_modulus, longest)
+        if placed is None:
             continue
-        i, j = np.unravel_index(np.argmin(np.where(covered, height, inf)), height.shape)
-        x, y = _window((x[i], y[j]), sides, CELLS)
-        height, covered = gap(*np.meshgrid(x, y, indexing="ij"))
         phases.append(phase)
-        separations.append(max(float(height[covered].min()), 0.0))
-        pressure = covered.astype(float)
+        separations.append(max(float(placed.gap[placed.covered].min()), 0.0))
+        pressure = placed.covered.astype(float)
         row = []
         for load in loads[::-1]:
-            dry = kernels.dry_contact(
-                height,
-                covered,
-                x[1] - x[0],
-                y[1] - y[0],
-                reduced_modulus,
-                load,
-                pressure,
-                DRY_TOLERANCE,
-            )
+            dry = placed.pressed(load, reduced_modulus, pressure)
             pressure = dry.pressure
             row.append(dry.approach + load / stiffness)
         approaches.append(row[::-1])
     return ToothSprings(np.array(phases), loads, np.array(separations), np.array(approaches))
+
+
+@dataclass(frozen=True)
+class PlacedGap:
+    """A tooth pair's gap on a grid about the place where it is least.
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Nodes along the axes of the tangent plane [m].
+    gap, covered : ndarray
+        Undeformed gap [m] and where both teeth exist, (x, y).
+    """
+
+    x: Array
+    y: Array
+    gap: Array
+    covered: Array
+
+    def pressed(self, load: float, reduced_modulus: float, guess: Array) -> kernels.DryContact:
+        """The dry contact under a load [N], from a first guess of the pressure."""
+        steps = self.x[1] - self.x[0], self.y[1] - self.y[0]
+        return kernels.dry_contact(
+            self.gap, self.covered, *steps, reduced_modulus, load, guess, DRY_TOLERANCE
+        )
+
+
+def placed_gap(
+    gap: Gap, radii: tuple[float, float], load: float, reduced_modulus: float, longest: float
+) -> PlacedGap | None:
+    """A gap where a load [N] presses it, arguments as of `tooth_springs`; None where no teeth are."""
+    size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
+    sides = [
+        min(share * axis, longest)
+        for share, axis in zip(HALF_SIDES, (size.semi_axis_x, size.semi_axis_y), strict=True)
+    ]
+    x, y = _window((0.0, 0.0), sides, SEARCH_CELLS)
+    height, covered = gap(*np.meshgrid(x, y, indexing="ij"))
+    if not covered.any():
+        return None
+    i, j = np.unravel_index(np.argmin(np.where(covered, height, inf)), height.shape)
+    x, y = _window((x[i], y[j]), sides, CELLS)
+    return PlacedGap(x, y, *gap(*np.meshgrid(x, y, indexing="ij")))
 
 
 def _window(middle: tuple[float, float], sides: list[float], cells: tuple[int, int]) -> list[Array]:

@@ -29,6 +29,7 @@ from pyworm.drives.zi_load import (
     share,
     tooth_springs,
 )
+from pyworm.drives.zi_sensitivity import sensitivity_data
 from pyworm.oils import Oil
 from pyworm.scene import Scene
 
@@ -122,6 +123,28 @@ class Hob:
 
 
 @dataclass(frozen=True)
+class Assembly:
+    """How worm and wheel were put together, as differences from the design.
+
+    Attributes
+    ----------
+    centre_distance : float
+        Distance of the axes beyond the design's [m].
+    axial_shift : float
+        Shift of the worm along the wheel's axis [m], positive to the side where the worm's threads leave.
+    shaft_angle : float
+        Turn of the worm's axis about the line of centres [rad], positive as the hob's swivel.
+    """
+
+    centre_distance: float = 0.0
+    axial_shift: float = 0.0
+    shaft_angle: float = 0.0
+
+
+AS_DESIGNED = Assembly()
+
+
+@dataclass(frozen=True)
 class ToothOutline:
     """The wheel tooth and the path of contact on it, projected on a contact's tangent plane [m].
 
@@ -157,6 +180,8 @@ class ZiWormDrive:
         Worm and wheel.
     oil : Oil
         The oil.
+    assembly : Assembly
+        Errors of the assembly.
     driver : str
         "worm", or "wheel": the drive runs back under its load, on the same flanks.
     """
@@ -169,6 +194,7 @@ class ZiWormDrive:
     load: float | Transmission
     bodies: tuple[Body, Body]
     oil: Oil
+    assembly: Assembly = AS_DESIGNED
     driver: Shaft = "worm"
 
     def __post_init__(self) -> None:
@@ -197,10 +223,17 @@ class ZiWormDrive:
         """Phases between neighbouring tooth pairs; its inverse is the contact ratio."""
         return 2 * pi / self.worm.threads / abs(self.cycle.worm_rotation)
 
+    @property
+    def axes_distance(self) -> float:
+        """Distance of worm and wheel axes as assembled [m]."""
+        return self.centre_distance + self.assembly.centre_distance
+
     @cached_property
     def worm_flank(self) -> Helicoid:
         """The worm's helicoid in its running seat."""
-        return Helicoid(self.worm.base_radius, self.worm.lead, self.centre_distance)
+        errors = self.assembly
+        seat = self.axes_distance, errors.shaft_angle, errors.axial_shift
+        return Helicoid(self.worm.base_radius, self.worm.lead, *seat)
 
     @cached_property
     def wheel_flank(self) -> WheelFlank:
@@ -307,10 +340,14 @@ class ZiWormDrive:
         return with_film_rate(self._scene, phase, self.phases_per_second)
 
     def _scene(self, phase: float) -> Scene:
-        contact = self.contact(phase)
         load = self.shared(phase).force(phase)
         if load == 0:
             raise ValueError("the tooth pair carries no load there, its neighbours carry all")
+        return self.scene_under(load, phase)
+
+    def scene_under(self, load: float, phase: float) -> Scene:
+        """The contact at a phase under a normal load [N], as it stands."""
+        contact = self.contact(phase)
         return Scene(
             name=f"phase {phase:.2f}",
             gap=self.gap(contact),
@@ -341,8 +378,23 @@ class ZiWormDrive:
     def cycle_data(self) -> xr.Dataset:
         """The mesh cycle for the result, without load and with it."""
         beyond = BEYOND if isinstance(self.load, Transmission) else 0.0
-        loaded = loaded_cycle_data(self, beyond)
-        return mesh_cycle_data(self.mesh_cycle()).merge(loaded, combine_attrs="no_conflicts")
+        parts = loaded_cycle_data(self, beyond), sensitivity_data(self)
+        data = mesh_cycle_data(self.mesh_cycle())
+        for part in parts:
+            data = data.merge(part, combine_attrs="no_conflicts")
+        return data
+
+    def varied(self, name: str, change: float) -> "ZiWormDrive":
+        """The drive with a difference in one entry of a table, "assembly.axial_shift" or "hob.swivel".
+
+        Raises
+        ------
+        ValueError
+            There is no such drive.
+        """
+        part, key = name.split(".")
+        table = getattr(self, part)
+        return replace(self, **{part: replace(table, **{key: getattr(table, key) + change})})
 
     def scene_data(self, scene: Scene) -> xr.Dataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
@@ -410,8 +462,9 @@ def _springs(drive: ZiWormDrive) -> ToothSprings:
 def _check_values(drive: ZiWormDrive) -> None:
     """Counts and sizes: finite, and positive where nothing else makes sense."""
     signed = {"hob.swivel", "hob.axial_shift"}
+    signed |= {f"assembly.{f.name}" for f in fields(drive.assembly)}
     entries: dict[str, float] = {}
-    for part in ("worm", "wheel", "hob"):
+    for part in ("worm", "wheel", "hob", "assembly"):
         table = getattr(drive, part)
         entries.update(
             {
@@ -484,9 +537,10 @@ def _check_fit(drive: ZiWormDrive) -> None:
     floor = hob.centre_distance - hob.tip_radius
     lowest = max(worm.tip_radius + floor, worm.root_radius + wheel.throat_radius)
     highest = worm.tip_radius + wheel.throat_radius
-    if not lowest <= drive.centre_distance < highest:
+    if not lowest <= drive.axes_distance < highest:
+        with_error = " with assembly.centre_distance" if drive.assembly.centre_distance else ""
         raise ValueError(
-            f"centre_distance is {drive.centre_distance * 1e3:.2f} mm; it must lie from "
+            f"centre_distance{with_error} is {drive.axes_distance * 1e3:.2f} mm; it must lie from "
             f"{lowest * 1e3:.2f} mm, where a tip touches a root, to {highest * 1e3:.2f} mm, where the "
             "teeth no longer reach each other"
         )

@@ -62,6 +62,14 @@ class HobTable(_Helicoid):
     axial_shift: units.Offset
 
 
+class AssemblyTable(Table):
+    """`[drive.assembly]`: how the drive was put together, as differences from the design."""
+
+    centre_distance: units.Offset = 0.0
+    axial_shift: units.Offset = 0.0
+    shaft_angle: units.Tilt = 0.0
+
+
 class ZiWormTable(Table):
     """`[drive]`, kind = "zi-worm"."""
 
@@ -71,6 +79,7 @@ class ZiWormTable(Table):
     worm: WormTable
     wheel: WheelTable
     hob: HobTable
+    assembly: AssemblyTable = AssemblyTable()
 
 
 class OperationTable(Table):
