@@ -10,6 +10,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from pyworm import units
 from pyworm.case_error import CaseError, sentence
 from pyworm.contact_scene import contact_scene
 from pyworm.drives.drive import Drive
@@ -19,11 +20,18 @@ from pyworm.scene import Scene
 from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
 from pyworm.schema.contact import GapCase, PointCase
+from pyworm.schema.rating import RATING_TABLES
 from pyworm.schema.zi_worm import ZiWormCase
 from pyworm.toml_file import read_toml
 
 _NO_PHYSICS = {
-    **dict.fromkeys(("title", "source", "published", "accuracy", "effects", "quantities"), True),
+    **dict.fromkeys(
+        (
+            *("title", "source", "published", "assumed", "accuracy", "effects", "quantities"),
+            *RATING_TABLES,
+        ),
+        True,
+    ),
     "operation": {"sections", "phases", "stations"},
     "motion": {"slide_roll_ratios"},
 }
@@ -260,18 +268,46 @@ def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     return case
 
 
-def _tables(data: dict[str, Any]) -> CaseTable:
-    """A case file in SI, read as what it says it is."""
+def case_again(resolved: dict[str, Any]) -> Case:
+    """The case of a result, from what that keeps of it (`Case.resolved`).
+
+    Files that it names are no longer found.
+
+    Raises
+    ------
+    CaseError
+        It is none that this version knows.
+    """
+    tables = {key: value for key, value in resolved.items() if key != "name"}
+    return Case(resolved.get("name", ""), Path(), _tables(_said(tables), units.SI))
+
+
+def _said(table: dict[str, Any]) -> dict[str, Any]:
+    """A table of a case without the keys that nothing was said about."""
+    return {
+        key: _said(value) if isinstance(value, dict) else value
+        for key, value in table.items()
+        if value is not None
+    }
+
+
+def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
+    """A case file in SI, read as what it says it is; context as of `checked`."""
+    if not {"drive", "contact"} & data.keys() and set(RATING_TABLES) & data.keys():
+        raise CaseError("gives nothing to be solved, ratings only; pyworm rate shows them")
     if ("drive" in data) == ("contact" in data):
         raise CaseError("give either a [drive] or a [contact], one of the two")
     about = "drive" if "drive" in data else "contact"
     kind = getattr(checked(kind_model(about), data), about).kind
-    return checked(CASES[about][kind], data)
+    return checked(CASES[about][kind], data, context)
 
 
-def checked(model: type[BaseModel], data: dict[str, Any]) -> Any:
-    """What a file holds, read as a model; CaseError with the sentence about what is wrong first."""
+def checked(model: type[BaseModel], data: dict[str, Any], context: str | None = None) -> Any:
+    """What a file holds, read as a model; CaseError with the sentence about what is wrong first.
+
+    With the context `units.SI` it holds numbers in SI instead of quantities with units.
+    """
     try:
-        return model.model_validate(data)
+        return model.model_validate(data, context=context)
     except ValidationError as error:
         raise CaseError(sentence(error, model, data)) from None

@@ -6,19 +6,20 @@ marked).
 """
 
 import argparse
-import json
-import math
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from pyworm.case import Case, load
 from pyworm.case_error import CaseError
+from pyworm.json_output import print_json
 from pyworm.output import check_writable, whole
 from pyworm.place import PLACE_NAMES
+from pyworm.ratings.commands import add_oil, add_rate
+from pyworm.report.command import add_report
 from pyworm.units import SHARE, parse
 from pyworm.workers import WorkerDiedError
 
@@ -148,6 +149,10 @@ def _parser() -> argparse.ArgumentParser:
     plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")
     plot.set_defaults(command=_plot)
 
+    add_report(commands)
+    add_rate(commands)
+    add_oil(commands)
+
     doctor = commands.add_parser("doctor", help="check the installation")
     doctor.set_defaults(command=_doctor)
     return parser
@@ -196,7 +201,7 @@ def _run(options: argparse.Namespace) -> int:
     failed = result.provenance["failed"]
     cycle = drive_cycle(result)
     if options.json:
-        _print_json(
+        print_json(
             {
                 "case": case.name,
                 "scenes": summaries,
@@ -254,7 +259,7 @@ def _check(options: argparse.Namespace) -> int:
             }
             for task in tasks
         ]
-        _print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
+        print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
@@ -292,7 +297,7 @@ def _sweep(options: argparse.Namespace) -> int:
     with whole(directory) as aside:
         draw_sweep(result, aside / SWEEP_PICTURE)
     if options.json:
-        _print_json(
+        print_json(
             {
                 "sweep": result.name,
                 "scenes": rows(result),
@@ -408,23 +413,3 @@ def _progress() -> Iterator[Callable[[str, float], None] | None]:
             bar.update(task, description=message, completed=share)
 
         yield show
-
-
-def _print_json(content: dict[str, Any]) -> None:
-    print(json.dumps(_finite(content), indent=2, default=_plain))
-
-
-def _finite(content: Any) -> Any:
-    """Replace NaN and infinity, which JSON has no words for, by null."""
-    if isinstance(content, dict):
-        return {key: _finite(value) for key, value in content.items()}
-    if isinstance(content, list | tuple):
-        return [_finite(value) for value in content]
-    if isinstance(content, float) and not math.isfinite(content):
-        return None
-    return content
-
-
-def _plain(value: Any) -> Any:
-    """Turn numpy scalars into numbers."""
-    return value.item()

@@ -181,7 +181,9 @@ def drive_cycle(result: Result) -> DriveCycle | None:
         },
         lambda_min=_lambda(film, good[0].composite_roughness),
         loss=(
-            _loss(cycle, good) if all(one.figures.power_loss is not None for one in good) else None
+            cycle_loss(cycle, good)
+            if all(one.figures.power_loss is not None for one in good)
+            else None
         ),
     )
 
@@ -231,7 +233,16 @@ def _lambda(film: Extreme, roughness: float | None) -> Extreme | None:
     return replace(film, value=film.value / roughness, error=film.error / roughness)
 
 
-def _loss(cycle: xr.Dataset, good: list[Solution]) -> Loss:
+def cycle_loss(cycle: xr.Dataset, good: list[Solution]) -> Loss:
+    """Loss of all teeth, equation 1.
+
+    Parameters
+    ----------
+    cycle : xarray.Dataset
+        A drive's mesh cycle under load.
+    good : list of Solution
+        Converged solutions with friction, in the order of their phases.
+    """
     phases = cycle["load_phase"].values
     load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values
     solved = np.array([one.phase for one in good])

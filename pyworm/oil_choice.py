@@ -6,6 +6,7 @@ drawing.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import pi
 from textwrap import fill
 
 from scipy.optimize import brentq
@@ -15,7 +16,7 @@ from pyworm.formulas import gear_oil, scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.gear_oil import TableAdvice
 from pyworm.formulas.ranges import positive, within
-from pyworm.formulas.worm_standard import WormGear, minimum_film
+from pyworm.formulas.worm_standard import PRESSURE_VISCOSITY, WormGear, minimum_film
 from pyworm.named_oils import (
     ISO_GRADES,
     Base,
@@ -49,11 +50,26 @@ class FilmLaw:
     film : callable
         Of dynamic viscosity [Pa s] and pressure-viscosity coefficient [1/Pa]; the minimum film [m].
     source : str
-        The formula.
+        The formula's.
+    words : str
+        The formula, with the numbers of all but the oil.
+    alpha : float or None
+        The pressure-viscosity coefficient [1/Pa] that the formula has for the base stock; None where it takes
+        the oil's own.
     """
 
     film: Callable[[float, float], float]
     source: str
+    words: str
+    alpha: float | None = None
+
+    def of(self, oil: NamedOil, temperature: float) -> float:
+        """The film [m] of an oil on teeth of a temperature [K]."""
+        return self.film(float(oil.viscosity(temperature)), self.alpha_of(oil, temperature))
+
+    def alpha_of(self, oil: NamedOil, temperature: float) -> float:
+        """The pressure-viscosity coefficient [1/Pa] that the formula takes."""
+        return float(oil.alpha(temperature)) if self.alpha is None else self.alpha
 
 
 def line_film(
@@ -79,10 +95,18 @@ def line_film(
         )
         return float(films.dowson_higginson(groups).minimum)
 
-    return FilmLaw(film, "minimum film of a line contact, Dowson and Higginson (1968)")
+    return FilmLaw(
+        film,
+        "minimum film of a line contact, Dowson and Higginson (1968)",
+        "h = 2.65 R U^0.70 G^0.54 W^-0.13, U = eta u/(E' R), G = alpha E', W = w/(E' R), at the thinnest "
+        f"place of the line of action with R = {radius * 1e3:.3g} mm, u = {speed:.3g} m/s, "
+        f"w = {load_per_length * 1e-3:.0f} N/mm, E' = {reduced_modulus * 1e-9:.0f} GPa",
+    )
 
 
-def worm_film(gear: WormGear, worm_speed: float, torque: float, reduced_modulus: float) -> FilmLaw:
+def worm_film(
+    gear: WormGear, worm_speed: float, torque: float, reduced_modulus: float, base: Base
+) -> FilmLaw:
     """The mean minimum film of a worm gear by the standards; arguments as of `worm_standard.rate_worm`."""
 
     def film(viscosity: float, alpha: float) -> float:
@@ -96,7 +120,15 @@ def worm_film(gear: WormGear, worm_speed: float, torque: float, reduced_modulus:
             torque,
         )
 
-    return FilmLaw(film, "mean minimum film of a worm gear, methods of DIN 3996")
+    return FilmLaw(
+        film,
+        "mean minimum film of a worm gear, methods of DIN 3996",
+        "h = 21 h* alpha^0.6 eta^0.7 n^0.7 a^1.39 E^0.03/T^0.13 um (alpha in m2/N, eta in Pa s) with h* = "
+        f"{gear.film_parameter:.4f}, n = {worm_speed * 30 / pi:.0f} rpm, "
+        f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, "
+        f"T = {torque:.0f} N m",
+        alpha=PRESSURE_VISCOSITY.get(base),
+    )
 
 
 @dataclass(frozen=True)
@@ -345,7 +377,7 @@ def _row(duty: Duty, grade: int) -> GradeRow:
     coldest = duty.ambient_temperature + (1 - share) * rise
     sump = brentq(lambda sump: duty.ambient_temperature + rise * heat(sump) - sump, coldest, 499.0)
     bulk = sump + duty.bulk_excess
-    film = duty.film.film(float(oil.viscosity(bulk)), float(oil.alpha(bulk)))
+    film = duty.film.of(oil, bulk)
     return GradeRow(
         grade=grade,
         sump_temperature=sump,
@@ -366,8 +398,7 @@ def _kappa(duty: Duty, viscosity: float) -> float | None:
 
 def _film_at(duty: Duty, oil: NamedOil) -> float:
     """Film [m] of an oil on teeth of the temperature of reference."""
-    bulk = duty.sump_temperature + duty.bulk_excess
-    return duty.film.film(float(oil.viscosity(bulk)), float(oil.alpha(bulk)))
+    return duty.film.of(oil, duty.sump_temperature + duty.bulk_excess)
 
 
 def _viscosity_needed(duty: Duty) -> float | None:
@@ -431,29 +462,33 @@ def _film_step(duty: Duty) -> Step:
         f"lambda = {duty.specific_film:g} over a composite roughness of {duty.roughness * 1e6:.3g} um asks "
         f"for a minimum film of {wanted * 1e6:.3g} um. Below 1 the teeth rest on their roughness, from "
         "3 on the film keeps them apart.",
-        duty.film.source,
     )
 
 
 def _backwards_step(duty: Duty, needed: float | None) -> Step:
-    bulk = duty.sump_temperature + duty.bulk_excess - ZERO_CELSIUS
+    bulk = duty.sump_temperature + duty.bulk_excess
     index = named_oil(f"{duty.base} VG {duty.sump_grade}").viscosity_index
     title = "Backwards to the oil"
-    given = f"At teeth of {bulk:.0f} degC and with {duty.base} oil of viscosity index {index:.0f}"
+    given = (
+        f"{duty.film.words}. At teeth of {bulk - ZERO_CELSIUS:.0f} degC and with {duty.base} oil of "
+        f"viscosity index {index:.0f}"
+    )
     if needed is None:
         return Step(
             title,
             f"{given} no oil up to {THICKEST / MILLIMETRE_SQUARED:.0f} mm2/s at 40 degC makes this film.",
+            duty.film.source,
         )
     oil = oil_from_index("", duty.base, needed, index)
-    hot = oil.kinematic_viscosity(bulk + ZERO_CELSIUS) / MILLIMETRE_SQUARED
-    alpha = oil.alpha(bulk + ZERO_CELSIUS) * 1e9
+    hot = oil.kinematic_viscosity(bulk) / MILLIMETRE_SQUARED
+    alpha = duty.film.alpha_of(oil, bulk) * 1e9
     millimetres = needed / MILLIMETRE_SQUARED
     beyond = ", thicker than any gear oil" if millimetres > 1.1 * ISO_GRADES[-1] else ""
     return Step(
         title,
-        f"{given} the film needs {hot:.3g} mm2/s on the teeth (pressure-viscosity coefficient {alpha:.3g} "
-        f"1/GPa), which is {millimetres:.0f} mm2/s at 40 degC{beyond}.",
+        f"{given} the film needs {hot:.3g} mm2/s or {oil.viscosity(bulk) * 1e3:.3g} mPa s on the teeth "
+        f"(alpha = {alpha:.3g} 1/GPa), which is {millimetres:.0f} mm2/s at 40 degC{beyond}.",
+        duty.film.source,
     )
 
 

@@ -263,7 +263,7 @@ def effects_table(effects: Sequence[Judgement], title: str) -> Table:
             effect.name,
             "on" if effect.on else "off",
             "" if effect.indicator is None else f"{effect.indicator:.2g}",
-            *(_influence(effect.influence.get(quantity)) for quantity in quantities),
+            *(influence_share(effect.influence.get(quantity)) for quantity in quantities),
             effect.reason,
         )
     return table
@@ -272,7 +272,8 @@ def effects_table(effects: Sequence[Judgement], title: str) -> Table:
 QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Temp."}
 
 
-def _influence(share: float | None) -> str:
+def influence_share(share: float | None) -> str:
+    """What leaving an effect out changes; nothing where that is not known."""
     if share is None:
         return ""
     return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Literal
 
-from pydantic import PlainValidator
+from pydantic import PlainValidator, ValidationInfo
 
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*")
 
@@ -44,6 +44,9 @@ class Kind:
 
 
 SHARE = Kind("a share", "", "1 %")
+
+SI = "SI"
+"""Context of validation in which values are plain numbers in SI, as a checked case leaves them."""
 
 
 @cache
@@ -146,10 +149,54 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
     return float(whole.to(first.units).magnitude), unit
 
 
+_FINER = {"mm": "µm", "Pa s": "mPa s", "GPa": "MPa", "kN": "N", "kW": "W"}
+"""Units shown for values below a twentieth of those of the examples."""
+
+
+_PRINTED = (("deg", "°"), ("^2", "²"), ("^3", "³"), ("um", "µm"))
+"""Parts of units as written -> as printed."""
+
+
+def shown(value: float, kind: Kind) -> str:
+    """A value in SI as people write it: in the unit of its kind's example, or a finer one."""
+    unit = kind.unit if kind.unit == "" else _QUANTITY.fullmatch(kind.example)[2]
+    if kind.unit == "":
+        return f"{value * 100:.4g} %"
+    number = _in(value, kind.unit, unit)
+    if abs(number) < 0.05 and number != 0 and unit in _FINER:
+        unit = _FINER[unit]
+        number = _in(value, kind.unit, unit)
+    for plain, printed in _PRINTED:
+        unit = unit.replace(plain, printed)
+    return f"{number:.5g} {unit}"
+
+
+def shown_like(value: float, unit: str, text: str) -> str:
+    """A value in an SI unit as another quantity, given as text, is written."""
+    own = _QUANTITY.fullmatch(text)[2]
+    if not own:
+        return f"{value:.4g}"
+    return f"{_in(value, unit, own.replace('°', 'deg')):.4g} {own}"
+
+
+def _in(value: float, unit: str, other: str) -> float:
+    return float(_registry().Quantity(value, unit).to(other).magnitude)
+
+
 def quantity(noun: str, unit: str, example: str, sign: str = "positive"):
     """Make the pydantic type of a dimensional key; arguments as of `Kind`."""
-    kind = Kind(noun, unit, example, sign)
-    return Annotated[float, PlainValidator(lambda value: parse(value, kind))]
+    return _quantity(Kind(noun, unit, example, sign))
+
+
+def _quantity(kind: Kind):
+    def read(value: object, info: ValidationInfo) -> float:
+        if info.context != SI:
+            return parse(value, kind)
+        if not isinstance(value, float | int):
+            raise ValueError(f"must be {kind.noun} as a number in SI")
+        return value
+
+    return Annotated[float, PlainValidator(read), kind]
 
 
 Length = quantity("a length", "m", "305 mm")
@@ -187,4 +234,7 @@ TemperatureCoefficientOrZero = quantity(
 TemperatureCoefficientAnySign = quantity("a temperature coefficient", "1/K", "3.4e-4 1/K", "any")
 Conductivity = quantity("a thermal conductivity", "W/(m K)", "47 W/(m K)")
 SpecificHeat = quantity("a specific heat", "J/(kg K)", "477 J/(kg K)")
-Share = Annotated[float, PlainValidator(lambda value: parse(value, SHARE))]
+TemperatureDifference = quantity("a temperature difference", "K", "15 K", sign="not negative")
+KinematicViscosity = quantity("a kinematic viscosity", "m^2/s", "220 mm^2/s")
+Duration = quantity("a duration", "s", "25000 h")
+Share = _quantity(SHARE)

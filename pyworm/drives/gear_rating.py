@@ -11,6 +11,7 @@ import numpy as np
 
 from pyworm.bodies import Body, composite_roughness, reduced_modulus
 from pyworm.formulas.film import dowson_higginson, dowson_toyoda, line_groups
+from pyworm.formulas.scuffing import effusivity, flash_temperature
 from pyworm.formulas.wear_distress import specific_film
 from pyworm.oils import Oil
 
@@ -105,28 +106,14 @@ def rate(
         return GearRating(**rating)
     rating["scuffing_temperature"] = surfaces.scuffing_temperature
     if oil.heat is not None:
-        flash = _flash_temperature(
-            surfaces.friction_coefficient * contacts.unit_load,
+        flash = flash_temperature(
+            surfaces.friction_coefficient,
+            contacts.unit_load,
+            contacts.pinion_velocity,
+            contacts.gear_velocity,
+            *(effusivity(body.conductivity, body.density, body.specific_heat) for body in bodies),
             half_width,
-            (contacts.pinion_velocity, contacts.gear_velocity),
-            bodies,
         )
         bulk = sum(body.bulk_temperature for body in bodies) / 2
         rating |= {"flash_temperature": flash, "contact_temperature": bulk + flash}
     return GearRating(**rating)
-
-
-def _flash_temperature(
-    friction: Array, half_width: Array, velocities: tuple[Array, Array], bodies: tuple[Body, Body]
-) -> Array:
-    """Blok's rise of both surfaces [K] under a friction force for each length [N/m].
-
-    0.80 f |v1 - v2| / [(B1 v1^(1/2) + B2 v2^(1/2)) b^(1/2)], B = (k rho c)^(1/2), b the half width of the
-    contact (as AGMA 925-A03 has it).
-    """
-    taken_up = sum(
-        np.sqrt(body.conductivity * body.density * body.specific_heat * velocity)
-        for body, velocity in zip(bodies, velocities, strict=True)
-    )
-    sliding = np.abs(velocities[0] - velocities[1])
-    return 0.80 * friction * sliding / (taken_up * np.sqrt(half_width))

@@ -8,7 +8,6 @@ from pyworm.bodies import Body, composite_roughness, reduced_modulus
 from pyworm.drives.roller_envelope import Array
 from pyworm.drives.roller_motion import LineMotion
 from pyworm.formulas.film import dowson_higginson, line_groups, moes_line
-from pyworm.formulas.film_reduction import wilson_sheu
 from pyworm.formulas.regimes import (
     ISOVISCOUS_ELASTIC,
     ISOVISCOUS_RIGID,
@@ -17,6 +16,7 @@ from pyworm.formulas.regimes import (
     line_regime,
 )
 from pyworm.formulas.roller_enveloping import printed_films, printed_minimum, printed_parameters
+from pyworm.formulas.thermal_reduction import thermal_loading, wilson_sheu
 from pyworm.formulas.wear_distress import specific_film
 from pyworm.oils import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE, Oil, Roelands
 
@@ -127,7 +127,7 @@ def _specific_film(film: Array, bodies: tuple[Body, Body]) -> Array:
 
 
 def _heated_share(oil: Oil, motion: LineMotion) -> Array:
-    """Wilson and Sheu's reduction of the film."""
+    """Wilson and Sheu's reduction of the film; that of simple sliding where the surfaces part ways."""
     first, second = motion.worm[0], motion.roller[0]
     if oil.heat is None:
         return np.full(first.shape, np.nan)
@@ -135,4 +135,8 @@ def _heated_share(oil: Oil, motion: LineMotion) -> Array:
     if isinstance(oil.viscosity, Roelands):
         log_rise = np.log(oil.viscosity.eta0) + ROELANDS_POLE_LOG
         beta *= log_rise / (oil.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE)
-    return wilson_sheu(oil.viscosity.eta0, beta, oil.heat.conductivity, first, second)
+    speed = np.abs(first + second) / 2
+    loading = thermal_loading(oil.viscosity.eta0, beta, speed, oil.heat.conductivity)
+    sliding = np.abs(first - second)
+    ratio = np.divide(sliding, speed, out=np.full_like(speed, 2.0), where=sliding < 2 * speed)
+    return wilson_sheu(loading, ratio)

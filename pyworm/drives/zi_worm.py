@@ -266,6 +266,30 @@ class ZiWormDrive:
             raise ValueError(f"phase is {phase:.6g}; a tooth pair touches from phase 0 to phase 1")
         return self.cycle.contact(phase, self.rotation)
 
+    @property
+    def mean_teeth_in_contact(self) -> float:
+        """Teeth in contact, on average: worm angle of a mesh cycle over that of a pitch [-]."""
+        turned = self.contact(1.0).worm_angle - self.contact(0.0).worm_angle
+        return turned * self.worm.threads / (2 * pi)
+
+    @property
+    def load_arm(self) -> float:
+        """Torque on the wheel over the normal load of a tooth, without friction [m].
+
+        The same at every phase: the line of action is the same line in space.
+        """
+        contact = self.contact(0.5)
+        return float(abs(np.cross(contact.point, contact.normal)[1]))
+
+    @property
+    def wheel_torque(self) -> float:
+        """Torque of the wheel [N m], of a tooth load the mean over the mesh cycle without friction."""
+        if not isinstance(self.load, Transmission):
+            return self.load * self.load_arm * self.mean_teeth_in_contact
+        arms = self.arms(np.array([0.5]))
+        own, wheel = (arms.of(shaft, self.friction)[0] for shaft in (self.load.shaft, "wheel"))
+        return self.load.torque * float(wheel / own)
+
     def mesh_cycle(self, count: int = 21) -> tuple[ToothContact, ...]:
         """Contacts at equal steps of the worm's rotation from where the teeth meet to where they part."""
         return tuple(self.contact(float(phase)) for phase in np.linspace(0, 1, count))

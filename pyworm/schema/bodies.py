@@ -17,6 +17,10 @@ def _as_surfaces_have(height: float) -> float:
     return height
 
 
+Roughness = Annotated[units.Length, AfterValidator(_as_surfaces_have)]
+"""Root mean square height Rq of a surface."""
+
+
 class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
@@ -30,7 +34,7 @@ class BodyTable(Table):
     conductivity: units.Conductivity | None = None
     specific_heat: units.SpecificHeat | None = None
     bulk_temperature: units.Temperature | None = None
-    roughness: Annotated[units.Length, AfterValidator(_as_surfaces_have)] | None = None
+    roughness: Roughness | None = None
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
 
 from pyworm import units
 from pyworm.schema.oil import OilTable
@@ -27,7 +27,9 @@ class PublishedValue(Table):
     unit: str
 
 
-def _published(value: Any) -> PublishedValue:
+def _published(value: Any, info: ValidationInfo) -> PublishedValue:
+    if info.context == units.SI:
+        return PublishedValue.model_validate(value)
     if isinstance(value, float | int) and not isinstance(value, bool):
         return PublishedValue(text=f"{value:g}", value=value, unit="")
     number, unit = units.parse_any(value)
@@ -38,16 +40,50 @@ Published = dict[str, Annotated[PublishedValue, BeforeValidator(_published)]]
 """`[published]`: free names; those that a result has too are shown beside it."""
 
 
-class CaseTable(Table):
-    """What all case files say; each kind has its own `bodies` besides."""
+def _flat(reasons: Any, at: str = "") -> Any:
+    """Reasons of tables within tables, each by its dotted key."""
+    if not isinstance(reasons, dict):
+        return reasons
+    flat = {}
+    for key, reason in reasons.items():
+        name = f"{at}.{key}" if at else key
+        flat |= _flat(reason, name) if isinstance(reason, dict) else {name: reason}
+    return flat
+
+
+class FileTable(Table):
+    """What all files say.
+
+    `[assumed]` has the keys of values that the source does not give, and why they are what they are.
+    """
 
     title: Text
     source: Text
+    published: Published = Field(default_factory=dict)
+    assumed: Annotated[dict[str, Text], BeforeValidator(_flat)] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _only_what_is_given_is_assumed(self):
+        for key in self.assumed:
+            if self.at(key) is None:
+                raise ValueError(f"assumed.{key} means nothing: the file does not give {key}")
+        return self
+
+    def at(self, key: str) -> Any:
+        """The value at a dotted key; None where nothing is said."""
+        value: Any = self
+        for part in key.split("."):
+            value = dict(value).get(part) if isinstance(value, Table | dict) else None
+        return value
+
+
+class CaseTable(FileTable):
+    """What all case files say; each kind has its own `bodies` besides."""
+
     accuracy: units.Share = 0.01
     effects: Annotated[str, AfterValidator(_effects)] = "auto"
     quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
-    published: Published = Field(default_factory=dict)
 
     @model_validator(mode="after")
     def _bodies_take_heat_with_the_oil(self):

@@ -6,7 +6,7 @@ from pydantic import Field, model_validator
 
 from pyworm import units
 from pyworm.schema.bodies import Bodies, BodyTable
-from pyworm.schema.case import CaseTable
+from pyworm.schema.rating import GearRatingTable, RatedCase
 from pyworm.schema.table import Count, Number, NumberOrZero, Phase, PositiveNumber, Table
 
 
@@ -65,13 +65,14 @@ class SurfacesTable(Table):
     scuffing_temperature: units.Temperature | None = None
 
 
-class GearPairCase(CaseTable):
+class GearPairCase(RatedCase):
     """A case file about a pair of gears."""
 
     drive: GearPairTable
     operation: GearOperationTable
     bodies: GearBodies
     surfaces: SurfacesTable | None = None
+    gear_rating: GearRatingTable = Field(default_factory=GearRatingTable)
 
     @model_validator(mode="after")
     def _scuffing_with_heat(self):

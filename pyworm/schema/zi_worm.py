@@ -8,7 +8,7 @@ from pyworm import units
 from pyworm.drives.torque_balance import Sharing
 from pyworm.drives.zi_load import Shaft
 from pyworm.schema.bodies import Bodies, BodyTable
-from pyworm.schema.case import CaseTable
+from pyworm.schema.rating import RatedCase, WormRatingTable
 from pyworm.schema.table import Count, Phase, Table
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
@@ -127,12 +127,13 @@ LOADS = ("load", "worm_torque", "wheel_torque", "power")
 """Keys of `[operation]` of which one says what the teeth carry."""
 
 
-class ZiWormCase(CaseTable):
+class ZiWormCase(RatedCase):
     """A case file about a ZI worm drive."""
 
     drive: ZiWormTable
     operation: OperationTable
     bodies: WormBodies
+    worm_rating: WormRatingTable | None = None
 
     @model_validator(mode="after")
     def _stiffness_with_sharing(self):

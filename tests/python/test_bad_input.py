@@ -60,7 +60,7 @@ def refuse(tmp_path, monkeypatch, capsys):
         ('load = "14 kN"', 'lod = "14 kN"', "operation.lod: no such key; did you mean load?"),
         ("[drive.hob]", "[drive.hub]", "drive.hub: no such key; did you mean hob?"),
         ("[oil.viscosity]", "[oil.viscosity]\nzz = 1", "oil.viscosity.zz: no such key; did you"),
-        ("title =", "colour =", "colour: no such key; valid keys are accuracy, bodies, drive"),
+        ("title =", "colour =", "colour: no such key; valid keys are accuracy, assumed, bearings"),
         ('load = "14 kN"', "", "operation: give one of load, worm_torque, wheel_torque, power"),
         ('load = "14 kN"', 'load = "14 kN"\npower = "9 kW"', "power, not load and power"),
         (

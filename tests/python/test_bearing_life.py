@@ -60,6 +60,8 @@ def test_reference_viscosity_against_the_misprints_of_the_bearing_example(
     """The source prints 27.6 for 600 rpm and 85 mm, which is 65 mm's, and lacks n^-0.5 above 1000 rpm."""
     nu1 = reference_viscosity(rpm * RPM, millimetres * 1e-3)
     assert nu1 / MM2 == pytest.approx(expected, abs=0.06)
+    if rpm >= 1000:
+        assert nu1 / MM2 * rpm**0.5 == pytest.approx(488, abs=0.5)  # what the source's form gives
 
 
 @pytest.mark.parametrize(
@@ -83,6 +85,14 @@ def test_nu2210_recomputed_with_the_sources_kappa(kappa, expected):
     """0.80 and 1.52 stand for 22/27.6 and 42/27.6."""
     exact = {0.80: 22 / 27.6, 1.52: 42 / 27.6}[kappa]
     assert life_modification(exact, 0.342, "roller") == pytest.approx(expected, abs=2e-3)
+
+
+@pytest.mark.parametrize(("kappa", "k", "own"), [(0.80, 0.19087, 40.4), (1.52, 0.071739, 43.4)])
+def test_the_sources_modification_follows_from_neither_formula(kappa, k, own):
+    """It prints 1.14 and 1.75; its own formula, e_C misplaced and another exponent, has 40.4 and 43.4."""
+    printed_formula = 0.1 * (1 - (1.5859 - 1.2348 * 0.6) * (11.4 / 20) ** 0.4) ** -5.38 * kappa**k
+    assert printed_formula == pytest.approx(own, rel=2e-3)
+    assert life_modification(kappa, 0.342, "roller") < 1.5
 
 
 @pytest.mark.parametrize(

@@ -14,11 +14,14 @@ from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
 from pyworm.oils import FlowLaw, OilHeat, Roelands
 from pyworm.planning import plan
+from pyworm.ratings.asked import load_asked, ratings
 from pyworm.sampled_gap import SampledGap, read_gap
 
 ROOT = Path(__file__).parents[2]
 CASES = ROOT / "cases"
-SHIPPED = sorted(CASES.glob("*.toml"))
+FILES = sorted(CASES.glob("*.toml"))
+RATINGS = [path for path in FILES if not re.search(r"(?m)^\[(drive|contact)\]", path.read_text())]
+SHIPPED = [path for path in FILES if path not in RATINGS]
 CONTACTS = [path for path in SHIPPED if "[drive]" not in path.read_text()]
 LINES = [path for path in CONTACTS if path.stem.startswith("line")]
 POINTS = [path for path in CONTACTS if path not in LINES]
@@ -42,6 +45,14 @@ def test_every_shipped_case_is_right(path):
     assert case.name == path.stem
     assert case.title and case.source
     assert json.loads(json.dumps(case.resolved)) == case.resolved
+
+
+@pytest.mark.parametrize("path", RATINGS, ids=lambda path: path.stem)
+def test_every_shipped_file_of_ratings_is_rated(path):
+    asked = load_asked(path)
+    assert asked.name == path.stem
+    assert asked.tables.title and asked.tables.source
+    assert ratings(asked)
 
 
 SINGLE = [path for path in CONTACTS if path.stem != "traction_steel"]

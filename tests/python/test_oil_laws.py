@@ -48,6 +48,23 @@ def test_viscosities_worked_from_the_tables_of_gearpie(name, viscosities):
         )
 
 
+@pytest.mark.parametrize(
+    ("base", "density_15", "fall"),
+    [("mineral", 902, 5.8e-4), ("PAO", 859, 5.5e-4), ("ester", 915, 8.1e-4), ("PAG", 1059, 7.1e-4)],
+)
+def test_densities_of_gearpie(base, density_15, fall):
+    oil = named_oil(f"{base} VG 220")
+    assert oil.density(15 + C) == pytest.approx(density_15)
+    assert oil.density(60 + C) == pytest.approx(density_15 * (1 - 45 * fall))
+
+
+def test_heat_of_a_mineral_oil_of_gearpie():
+    """k = 120 (1 - 0.0005 T/3)/rho and 2307 J/(kg K): at 60 degC 120 x 0.99/902."""
+    oil = named_oil("mineral VG 100")
+    assert oil.conductivity(60 + C) == pytest.approx(0.1317, abs=5e-5)
+    assert oil.stock.specific_heat == 2307
+
+
 def test_the_two_oils_of_the_bearing_example_fit_no_base_stock():
     """The source prints 22 and 42 mm2/s at 100 degC for VG 220 and VG 460 of one family."""
     for base in BASES:

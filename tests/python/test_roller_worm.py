@@ -18,7 +18,6 @@ from pyworm.cli import main
 from pyworm.cycle_tables import ends_table
 from pyworm.drives.roller_film import closed_films
 from pyworm.formulas.film import dowson_higginson, line_groups
-from pyworm.formulas.film_reduction import wilson_sheu
 from pyworm.formulas.roller_enveloping import (
     normal_force,
     printed_films,
@@ -204,16 +203,6 @@ def test_normal_forces_with_cosine_and_sine():
     # the wheel's torque on its arm, where the thread leans by the lead angle
     assert right * cos(lead) == pytest.approx(35 * 31.83 / 0.128, rel=1e-6)
     assert normal_force(31.83, 0.064, 0.3, lead, 0.05) < right / (cos(0.3) * sin(lead)) * sin(lead)
-
-
-def test_heat_takes_little_from_a_slow_film_and_more_where_surfaces_slide():
-    slow = wilson_sheu(0.08, 0.04, 0.14, 0.05, 0.05)
-    fast = wilson_sheu(0.08, 0.04, 0.14, 10.0, 10.0)
-    sliding = wilson_sheu(0.08, 0.04, 0.14, 20.0, 0.0)
-    assert 1 > slow > 0.98 > fast > sliding
-    loading = 0.08 * 0.04 * 100 / 0.14
-    assert fast == pytest.approx(1 / (1 + 0.241 * loading**0.64))
-    assert sliding == pytest.approx(1 / (1 + 0.241 * 15.8 * loading**0.64))
 
 
 @pytest.mark.parametrize(

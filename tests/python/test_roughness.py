@@ -81,13 +81,7 @@ def test_every_drive_s_scenes_carry_its_roughness_and_plans_judge_it(name, tmp_p
 
 
 def test_a_worm_drive_s_roughness_is_judged_too(tmp_path):
-    path = written(
-        tmp_path,
-        "zi_sharif_2001",
-        ("[bodies.worm]", '[bodies.worm]\nroughness = "0.3 um"'),
-        ("[bodies.wheel]", '[bodies.wheel]\nroughness = "0.5 um"'),
-    )
-    scene = pyworm.load(path).scene(phase=0.5)
+    scene = pyworm.load(written(tmp_path, "zi_sharif_2001")).scene(phase=0.5)
     assert scene.composite_roughness == pytest.approx(hypot(0.3e-6, 0.5e-6), rel=1e-12)
     plan = pyworm.plan(scene)
     assert judged(plan).indicator == pytest.approx(sketch(scene).film_min / hypot(0.3e-6, 0.5e-6))

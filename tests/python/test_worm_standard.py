@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pyworm.bodies import Body, reduced_modulus
 from pyworm.formulas.worm_standard import (
     OIL_KINDS,
     PITTING_STRENGTH,
@@ -46,8 +47,24 @@ DUTY = {
     "roughness": 0.5e-6,
 }
 
+WHEELS = {
+    "CuSn12": (88300, 0.35, 140144),
+    "CuSn12Ni2": (98100, 0.35, 150622),
+    "CuAl10Fe5Ni5": (122600, 0.35, 174053),
+    "EN-GJS-400": (175000, 0.3, 209790),
+    "EN-GJL-250": (98100, 0.3, 146955),
+}
+"""Wheel material of DIN 3996 -> modulus [N/mm2], Poisson's ratio, E_red against a steel worm [N/mm2]."""
+
 leads = st.floats(0.03, 0.8)
 frictions = st.floats(0.005, 0.1)
+
+
+@pytest.mark.parametrize(("modulus", "poisson", "reduced"), WHEELS.values(), ids=WHEELS)
+def test_reduced_moduli_of_din_3996(modulus, poisson, reduced):
+    """The standard's E_red is the reduced modulus of Dowson and Higginson."""
+    worm, wheel = Body(210e9, 0.3), Body(modulus * 1e6, poisson)
+    assert reduced_modulus(worm, wheel) == pytest.approx(reduced * 1e6, abs=0.6e6)
 
 
 def test_parameters_of_the_reference_gear():

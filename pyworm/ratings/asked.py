@@ -1,0 +1,131 @@
+"""What a case file asks to be rated, and its ratings."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from pyworm.case import Case, case_of, checked
+from pyworm.case_error import CaseError
+from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.effects.sketch import sketch
+from pyworm.line.scene import LineScene
+from pyworm.place import Place
+from pyworm.ratings.bearing import rate_bearing_table
+from pyworm.ratings.films import rate_films
+from pyworm.ratings.gear import rate_gear_pair
+from pyworm.ratings.rating import Rating
+from pyworm.ratings.worm import (
+    WormDuty,
+    rate_worm_table,
+    worm_duty_of_drive,
+    worm_duty_of_table,
+)
+from pyworm.result import Result
+from pyworm.scene import Scene
+from pyworm.schema.rating import RATING_TABLES, RatedCase, RatingCase
+from pyworm.solution import Solution
+from pyworm.toml_file import read_toml
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A case file with something to be rated.
+
+    Attributes
+    ----------
+    name : str
+        File name without its ending.
+    directory : Path
+        Where it lies; files that it names are relative to it.
+    tables : RatedCase or RatingCase
+        The file, in SI.
+    drive : ZiWormDrive, GearPairDrive or None
+        Its drive, if it has one that can be rated.
+    """
+
+    name: str
+    directory: Path
+    tables: RatedCase | RatingCase
+    drive: ZiWormDrive | GearPairDrive | None = None
+
+    @property
+    def worm_duty(self) -> WormDuty | None:
+        """Its worm gear as the standards see it, if it has one."""
+        if isinstance(self.drive, ZiWormDrive):
+            return worm_duty_of_drive(self.drive)
+        table = getattr(self.tables, "worm_gear", None)
+        return None if table is None else worm_duty_of_table(table)
+
+
+def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
+    """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
+    if result is not None:
+        solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
+        return asked.drive.scene(**Place.of(solution).given), solution
+    scenes = [asked.drive.scene(phase) for phase in asked.tables.operation.phases]
+    return min(scenes, key=lambda scene: sketch(scene).film_central), None
+
+
+def load_asked(path: str | Path) -> Asked:
+    """Read a case file for its ratings.
+
+    Raises
+    ------
+    CaseError
+        Whatever is wrong first, in one sentence.
+    """
+    path = Path(path)
+    data = read_toml(path)
+    try:
+        if "drive" in data or "contact" in data:
+            return asked_of(case_of(data, path.stem, path.parent))
+        if not any(name in data for name in RATING_TABLES):
+            raise CaseError("give a [drive], [bearings.NAME] or [worm_gear] to be rated")
+        return Asked(path.stem, path.parent, checked(RatingCase, data))
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+
+
+def asked_of(case: Case) -> Asked:
+    """What a case that can be solved asks to be rated; CaseError if nothing can be."""
+    if not isinstance(case.tables, RatedCase):
+        raise CaseError('only drives of kind "zi-worm" and "gear-pair" and bearings are rated')
+    return Asked(case.name, case.directory, case.tables, case.drive)
+
+
+def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
+    """Every rating that a case asks for; none if it asks for none.
+
+    Parameters
+    ----------
+    asked : Asked
+        The case.
+    result : Result, optional
+        Solved contacts of its drive, shown beside.
+
+    Raises
+    ------
+    CaseError
+        What lies outside the methods, in one sentence.
+    """
+    tables, drive = asked.tables, asked.drive
+    made: list[Rating] = []
+    try:
+        worm_rating = getattr(tables, "worm_rating", None)
+        if worm_rating is not None:
+            worm = drive if isinstance(drive, ZiWormDrive) else None
+            made.append(
+                rate_worm_table(worm_rating, asked.worm_duty, asked.directory, worm, result)
+            )
+        if isinstance(drive, GearPairDrive):
+            made += rate_gear_pair(drive, tables.gear_rating, tables.published, result)
+        if drive is not None:
+            scene, solution = _thinnest(asked, result)
+            made.append(rate_films(scene, solution))
+        made += [
+            rate_bearing_table(name, table, asked.directory)
+            for name, table in tables.bearings.items()
+        ]
+    except ValueError as error:
+        raise CaseError(f"{asked.name}: {error}") from error
+    return tuple(made)

@@ -1,0 +1,111 @@
+"""What each film formula says of one contact, and what heating of its inlet takes from it."""
+
+from pyworm.effects.sketch import Sketch, sketch
+from pyworm.formulas import film, thermal_reduction
+from pyworm.formulas.film import Film, LineGroups, PointGroups
+from pyworm.formulas.regimes import POINT_RANGE, line_regime, point_regime
+from pyworm.line.scene import LineScene
+from pyworm.place import Place
+from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.scene import Scene
+from pyworm.solution import Solution
+
+_POINT = {
+    "hamrock_dowson": ("Hamrock and Dowson 1977", film.hamrock_dowson),
+    "chittenden": ("Chittenden et al. 1985", film.chittenden),
+    "nijenbanning_venner_moes": (
+        "Nijenbanning, Venner and Moes 1994",
+        film.nijenbanning_venner_moes,
+    ),
+    "masjedi_khonsari": ("Masjedi and Khonsari 2015", film.masjedi_khonsari),
+}
+
+_LINE = {
+    "dowson_higginson": ("Dowson and Higginson 1968", film.dowson_higginson),
+    "dowson_toyoda": ("Dowson and Toyoda 1979", film.dowson_toyoda),
+    "moes": ("Moes 2000", film.moes_line),
+}
+
+
+def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
+    """Every film formula at a contact, side by side with the simulated film.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    solution : Solution, optional
+        The same contact solved.
+    """
+    seen = sketch(scene)
+    formulas = _LINE if isinstance(scene, LineScene) else _POINT
+    films = {key: (label, formula(seen.groups)) for key, (label, formula) in formulas.items()}
+    figures = [
+        RatedFigure(f"{key}_m", label, _both(of), 1e6, "µm") for key, (label, of) in films.items()
+    ]
+    if solution is not None:
+        found = solution.figures
+        simulated = found.film_central.value, found.film_min.value
+        figures.append(RatedFigure("simulated_m", "Simulated", simulated, 1e6, "µm"))
+    least = [float(of.minimum) for _, of in films.values() if of.minimum is not None]
+    words = [_groups(seen.groups), "Formulas: isothermal, smooth, fully supplied."]
+    roughness = scene.composite_roughness
+    if roughness is not None:
+        ratios = sorted(one / roughness for one in least)
+        words.append(
+            f"lambda by the minimum films of the formulas: {ratios[0]:.3g} to {ratios[-1]:.3g} "
+            f"(composite roughness {roughness * 1e6:.3g} µm)."
+        )
+    if scene.oil.heat is not None and seen.speed > 0:
+        words.append(_heated(seen))
+    return Rating(
+        key="films",
+        title=f"Films by formula at {Place.of(scene)}",
+        source=", ".join(label for label, _ in films.values()),
+        columns=("central film", "minimum film"),
+        figures=tuple(figures),
+        words=tuple(words),
+    )
+
+
+def _both(found: Film) -> tuple[float | None, float | None]:
+    central, minimum = found.central, found.minimum
+    return (
+        None if central is None else float(central),
+        None if minimum is None else float(minimum),
+    )
+
+
+def _groups(groups: PointGroups | LineGroups) -> str:
+    """Where the contact stands among contacts."""
+    said = f"Moes' M = {groups.moes_m:.3g}, L = {groups.moes_l:.3g}"
+    if isinstance(groups, LineGroups):
+        return f"{said}; {line_regime(groups).name}."
+    said += f", ellipticity k = {groups.ellipticity:.3g} across over along the entrainment"
+    least, most = POINT_RANGE
+    if not least <= groups.ellipticity <= most:
+        others = "all but Nijenbanning, Venner and Moes'"
+        return f"{said}, outside {least} to {most} where {others} formulas hold."
+    return f"{said}; {point_regime(groups).name}."
+
+
+def _heated(seen: Sketch) -> str:
+    """What shear in the inlet leaves of the film; Hsu and Lee's formula is for lines only."""
+    groups = seen.groups
+    loading = thermal_reduction.thermal_loading(
+        seen.oil.viscosity.eta0, seen.inlet_beta, seen.speed, seen.oil.heat.conductivity
+    )
+    ratio = min(seen.sliding / seen.speed, 2.0)
+    left = {"Wilson and Sheu": thermal_reduction.wilson_sheu(loading, ratio)}
+    pressed = seen.pressure_max / seen.scene.reduced_modulus
+    if 13.2 * pressed * loading**0.42 < 1:  # beyond it his formula ends
+        left["Gupta"] = thermal_reduction.gupta(loading, ratio, pressed)
+    if isinstance(groups, LineGroups):
+        left["Hsu and Lee"] = thermal_reduction.hsu_lee(
+            loading, ratio, groups.material, groups.load
+        )
+    shares = ", ".join(f"{share:.2g} ({source})" for source, share in left.items())
+    return (
+        f"Heating of the inlet (loading L = {loading:.2g}, slide-roll ratio {ratio:.2g}) leaves of the film: "
+        f"{shares}."
+    )

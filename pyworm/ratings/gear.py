@@ -1,0 +1,232 @@
+"""Gear pairs by AGMA's closed forms: specific film, wear, scuffing, oil flow, the simulation beside."""
+
+import numpy as np
+
+from pyworm.bodies import composite_roughness
+from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.formulas import gear_oil, scuffing
+from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
+from pyworm.formulas.wear_distress import rate_wear
+from pyworm.ratings.loss import mesh_loss
+from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.result import Result
+from pyworm.schema.case import PublishedValue
+from pyworm.schema.rating import GearRatingTable
+from pyworm.solution import ZERO_CELSIUS, Solution
+
+LITRES_PER_MINUTE = 6e4
+"""From m3/s to l/min."""
+
+
+def rate_gear_pair(
+    drive: GearPairDrive,
+    table: GearRatingTable,
+    published: dict[str, PublishedValue],
+    result: Result | None = None,
+) -> tuple[Rating, ...]:
+    """Ratings of a gear pair along its line of action, as far as its flanks are known, and of its oil supply.
+
+    Parameters
+    ----------
+    drive : GearPairDrive
+        The gears.
+    table : GearRatingTable
+        How they are oiled.
+    published : dict
+        What the case's source prints, shown beside under the same names.
+    result : Result, optional
+        Solved contacts of the same gears, shown beside.
+
+    Raises
+    ------
+    ValueError
+        What lies outside the formulas.
+    """
+    return _teeth(drive, table, published, result), _supply(drive, table)
+
+
+def _teeth(
+    drive: GearPairDrive,
+    table: GearRatingTable,
+    published: dict[str, PublishedValue],
+    result: Result | None,
+) -> Rating:
+    phases = drive.cycle_phases()
+    rated = drive.rating(drive.contacts(phases))
+    thin = int(np.argmin(rated.film_min))
+    closed = {
+        "pitch_line_velocity_m_s": drive.pitch_line_velocity,
+        "film_min_m": float(rated.film_min[thin]),
+        "film_min_phase": float(phases[thin]),
+        **_wear(drive, float(rated.film_min[thin])),
+        "hertz_pressure_Pa": float(rated.hertz_pressure.max()),
+        "loss_factor": drive.loss_factor,
+    }
+    if drive.surfaces is not None:
+        friction = drive.surfaces.friction_coefficient
+        closed |= {
+            "friction": friction,
+            "loss_W": drive.power * drive.loss_factor * friction,
+            "efficiency": 1 - drive.loss_factor * friction,
+        }
+    if rated.contact_temperature is not None:
+        limit = _scuffing_temperature(drive, table)
+        hot = int(np.argmax(rated.contact_temperature))
+        closed |= {
+            "flash_temperature_K": float(rated.flash_temperature[hot]),
+            "contact_temperature_C": float(rated.contact_temperature[hot]) - ZERO_CELSIUS,
+            "contact_temperature_phase": float(phases[hot]),
+        } | _scuffing(float(rated.contact_temperature[hot]), limit)
+    printed = {
+        key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
+    }
+    simulated = {} if result is None else _simulated(drive, result.solutions)
+    columns = {"closed form": closed, "simulation": simulated, "printed": printed}
+    columns = {name: values for name, values in columns.items() if values}
+    figures = tuple(
+        RatedFigure(key, label, tuple(of.get(key) for of in columns.values()), scale, unit)
+        for key, label, _, scale, unit in _TEETH
+        if any(of.get(key) is not None for of in columns.values())
+    )
+    words = ["Phase 0 is the start of the pinion's active profile, 1 its end, at the tip."]
+    if simulated:
+        words.append(
+            "The simulation covers the solved phases only; between them its friction is interpolated. "
+            "Its flanks are smooth: where lambda is below 1 the roughness rubs besides, so that its "
+            "friction, loss and temperatures are the least there can be. Scuffing is not judged by "
+            "them, since the scuffing temperature belongs to Blok's formula with the friction of the "
+            "closed form."
+        )
+    return Rating(
+        key="gear teeth",
+        title="Gear teeth: film, wear and scuffing",
+        source=f"Dowson and Higginson; {WEAR_SOURCE}; {scuffing.SOURCE}",
+        columns=tuple(columns),
+        figures=figures,
+        words=tuple(words),
+    )
+
+
+# Key, label, name under [published], scale to the unit shown, unit
+_TEETH = (
+    ("pitch_line_velocity_m_s", "Pitch line velocity", "pitch_line_velocity", 1.0, "m/s"),
+    ("film_min_m", "Least film", "film_min", 1e6, "µm"),
+    ("film_min_phase", "  at phase", None, 1.0, ""),
+    ("composite_roughness_m", "Composite roughness", None, 1e6, "µm"),
+    ("specific_film", "Specific film lambda", "specific_film", 1.0, ""),
+    ("regime", "Lubrication", None, 1.0, ""),
+    ("wear_probability", "Probability of wear distress", "wear_probability", 100.0, "%"),
+    ("hertz_pressure_Pa", "Largest Hertz pressure", "hertz_pressure_max", 1e-6, "MPa"),
+    ("loss_factor", "Loss factor H_V", None, 1.0, ""),
+    ("friction", "Mean friction", None, 1.0, ""),
+    ("loss_W", "Loss between the teeth", None, 1.0, "W"),
+    ("efficiency", "Efficiency of the teeth", None, 100.0, "%"),
+    ("flash_temperature_K", "Largest flash temperature", None, 1.0, "K"),
+    ("contact_temperature_C", "Largest contact temperature", "contact_temperature", 1.0, "°C"),
+    ("contact_temperature_phase", "  at phase", None, 1.0, ""),
+    ("scuffing_temperature_C", "Mean scuffing temperature", "scuffing_temperature", 1.0, "°C"),
+    ("scuffing_probability", "Probability of scuffing", "scuffing_probability", 100.0, "%"),
+    ("scuffing_risk", "Risk of scuffing", None, 1.0, ""),
+)
+
+
+def _as_shown(printed: PublishedValue, key: str) -> float:
+    return printed.value - ZERO_CELSIUS if key.endswith("_C") else printed.value
+
+
+def _scuffing_temperature(drive: GearPairDrive, table: GearRatingTable) -> float | None:
+    """Mean scuffing temperature [K]: the case's own, or by the oil's viscosity."""
+    if drive.surfaces.scuffing_temperature is not None or table.viscosity_40 is None:
+        return drive.surfaces.scuffing_temperature
+    return float(scuffing.scuffing_temperature(table.viscosity_40, table.anti_scuff))
+
+
+def _scuffing(contact: float, limit: float | None) -> dict[str, float | str]:
+    if limit is None:
+        return {}
+    probability = float(scuffing.scuffing_probability(contact, limit))
+    return {
+        "scuffing_temperature_C": limit - ZERO_CELSIUS,
+        "scuffing_probability": probability,
+        "scuffing_risk": scuffing.risk(probability),
+    }
+
+
+def _wear(drive: GearPairDrive, film: float) -> dict[str, float | str]:
+    """Specific film and wear of a least film [m]; nothing where the roughness is not known."""
+    roughness = composite_roughness(*drive.bodies)
+    if roughness is None:
+        return {}
+    wear = rate_wear(film, roughness, drive.pitch_line_velocity)
+    return {
+        "composite_roughness_m": roughness,
+        "specific_film": wear.specific_film_min,
+        "regime": wear.regime,
+        "wear_probability": wear.probability,
+    }
+
+
+def _simulated(
+    drive: GearPairDrive, solutions: tuple[Solution, ...]
+) -> dict[str, float | str | None]:
+    """The same figures of the solved contacts."""
+    thin = min(solutions, key=lambda solution: solution.figures.film_min.value)
+    film = thin.figures.film_min.value
+    said: dict[str, float | str | None] = {
+        "film_min_m": film,
+        "film_min_phase": thin.phase,
+        **_wear(drive, film),
+        "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
+    }
+    lost = mesh_loss(drive, solutions)
+    if lost is not None:
+        said |= {
+            "friction": lost.friction,
+            "loss_W": lost.loss,
+            "efficiency": lost.efficiency,
+        }
+    if all(of.figures.temperature_max_body_1 is not None for of in solutions):
+        hottest, phase = max((_surface(of), of.phase) for of in solutions)
+        said |= {
+            "contact_temperature_C": hottest - ZERO_CELSIUS,
+            "contact_temperature_phase": phase,
+        }
+    return said
+
+
+def _surface(solution: Solution) -> float:
+    figures = solution.figures
+    return max(figures.temperature_max_body_1.value, figures.temperature_max_body_2.value)
+
+
+def _supply(drive: GearPairDrive, table: GearRatingTable) -> Rating:
+    """Viscosity by speed, oil flow and jets."""
+    speed = drive.pitch_line_velocity
+    wanted = gear_oil.pitch_line_viscosity(speed)
+    figures = [
+        ("viscosity_40_m2_s", "Viscosity at 40 °C by speed", wanted, 1e6, "mm²/s"),
+        ("nearest_grade", "  nearest ISO VG", gear_oil.nearest_grade(wanted), 1.0, ""),
+    ]
+    for word, (_, use) in gear_oil.FLOWS.items():
+        flow = gear_oil.oil_flow(drive.power, word)
+        label = f"Oil flow, {word} ({use})"
+        figures.append((f"flow_{word}_m3_s", label, flow, LITRES_PER_MINUTE, "l/min"))
+    words = [f"Oil is brought by {gear_oil.application_method(speed)}."]
+    if table.flow is not None:
+        flow = gear_oil.oil_flow(drive.power, table.flow)
+        density = drive.oil.density.rho0
+        jets = gear_oil.oil_jets(flow, table.feed_pressure, density, table.jets)
+        figures += [
+            ("jets", f"Jets, {table.flow} flow", jets.number, 1.0, ""),
+            ("jet_diameter_m", "  diameter", jets.diameter, 1e3, "mm"),
+            ("jet_velocity_m_s", "  velocity", jets.velocity, 1.0, "m/s"),
+        ]
+        words += [f"{advice[0].upper()}{advice[1:]}." for advice in jets.advice]
+    return Rating(
+        key="gear oil supply",
+        title="Gear oil: viscosity and flow",
+        source=gear_oil.SOURCE,
+        columns=("computed",),
+        figures=tuple(RatedFigure(key, label, (of,), *how) for key, label, of, *how in figures),
+        words=tuple(words),
+    )

@@ -1,0 +1,88 @@
+"""A rating: figures of one thing by closed forms, side by side with others of the same figures."""
+
+from dataclasses import dataclass
+from typing import Any
+
+Value = float | int | str | None
+
+
+@dataclass(frozen=True)
+class RatedFigure:
+    """One figure of a rating.
+
+    Attributes
+    ----------
+    key : str
+        Its name where programs read it, unit at the end, SI but for temperatures in degC.
+    label : str
+        Its name for people.
+    values : tuple
+        One for each column of the rating, in the unit of the key; None where a column has none.
+    scale : float
+        From that unit to the one shown.
+    unit : str
+        Unit shown.
+    """
+
+    key: str
+    label: str
+    values: tuple[Value, ...]
+    scale: float = 1.0
+    unit: str = ""
+
+    def shown(self, column: int) -> str:
+        """The value of a column as people read it."""
+        value = self.values[column] if column < len(self.values) else None
+        if value is None:
+            return ""
+        if isinstance(value, str):
+            return value
+        return f"{_short(value * self.scale)} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True)
+class Rating:
+    """Figures of one thing.
+
+    Attributes
+    ----------
+    key, title : str
+        Its name for programs and for people.
+    source : str
+        Where its formulas come from.
+    columns : tuple of str
+        Where the values come from: "computed", "printed", "simulated".
+    figures : tuple of RatedFigure
+        The figures.
+    words : tuple of str
+        What they mean, and what was assumed.
+    """
+
+    key: str
+    title: str
+    source: str
+    columns: tuple[str, ...]
+    figures: tuple[RatedFigure, ...]
+    words: tuple[str, ...] = ()
+
+    def summary(self) -> dict[str, Any]:
+        """The rating as one object, column by column."""
+        return {
+            "rating": self.key,
+            "title": self.title,
+            "source": self.source,
+            **{
+                column: {
+                    figure.key: figure.values[number]
+                    for figure in self.figures
+                    if number < len(figure.values) and figure.values[number] is not None
+                }
+                for number, column in enumerate(self.columns)
+            },
+            "words": list(self.words),
+        }
+
+
+def _short(value: float) -> str:
+    """Four digits, without exponent where that is short."""
+    return f"{value:.0f}" if 1e4 <= abs(value) < 1e7 else f"{value:.4g}"

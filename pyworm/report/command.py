@@ -1,0 +1,36 @@
+"""`pyworm report`."""
+
+import argparse
+from pathlib import Path
+
+from pyworm.case_error import CaseError
+
+
+def add_report(commands: argparse._SubParsersAction) -> None:
+    """The command `report`."""
+    report = commands.add_parser("report", help="write a results file as one HTML page")
+    report.add_argument("result", type=Path, metavar="RESULT")
+    report.add_argument("--out", type=Path, metavar="FILE.html", help="default: beside the results")
+    report.set_defaults(command=_report)
+
+
+def _report(options: argparse.Namespace) -> int:
+    from pyworm.output import check_writable, whole_file
+    from pyworm.report.build import build_report
+    from pyworm.report.page import render
+    from pyworm.result import open_result
+
+    path = options.out or options.result.with_name("report.html")
+    if path.is_dir():
+        raise CaseError(f"--out {path}: is a directory, a file such as report.html is needed")
+    check_writable(path.parent)
+    try:
+        result = open_result(options.result)
+    except (FileNotFoundError, ValueError) as error:
+        raise CaseError(str(error)) from error
+    page = render(build_report(result))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as partial:
+        partial.write_text(page, encoding="utf-8")
+    print(path)
+    return 0

@@ -1,0 +1,84 @@
+"""Pictures of a result for its report, as PNG in memory."""
+
+from io import BytesIO
+
+from matplotlib.figure import Figure
+
+from pyworm.plots import CYCLE_PICTURES, SCENE_PICTURES, SHOWS
+from pyworm.plots.regimes import draw_regimes
+from pyworm.plots.traction import draw_traction, traction_curve
+from pyworm.report.content import Picture, Section
+from pyworm.report.figures import place_of
+from pyworm.result import Result
+from pyworm.solution import Solution
+
+DOTS_PER_INCH = 100
+"""Fewer than of pictures in files: a report holds them all."""
+
+KEY_PICTURES = {"point": ("film", "temperature"), "line": ("profiles", "temperature")}
+"""Kind of contact -> pictures shown of every contact; of the one with the thinnest film all are."""
+
+MOST_CONTACTS = 12
+"""Contacts beyond which only the one with the thinnest film is shown."""
+
+_CAPTIONS = {
+    "gap": "Undeformed gap",
+    "pressure": "Pressure",
+    "film": "Film thickness",
+    "entrainment": "Entrainment",
+    "profiles": "Film and pressure along the contact",
+    "history": "How the solution converged",
+    "friction": "Friction",
+    "temperature": "Temperatures",
+    "across_film": "Across the film at its hottest point",
+    "mesh_cycle": "Mesh cycle",
+    "mesh_cycle_flank": "The wheel's flank after a mesh cycle",
+    "mesh_cycle_drive": "The drive: rollers, worm flanks and contact lines",
+    "mesh_cycle_regimes": "Regimes of lubrication over the mesh cycle",
+    "mesh_cycle_sensitivity": "What the film is sensitive to",
+    "film_and_temperature": "Film and contact temperature along the line of action",
+    "line_of_action": "Load, pressure, speeds and sliding along the line of action",
+}
+
+
+def cycle_pictures(result: Result) -> Section | None:
+    """Pictures of the whole mesh cycle or traction curve; None where there are none."""
+    pictures = []
+    if result.mesh_cycle is not None:
+        for name, draw in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
+            figure = draw(result)
+            if figure is not None:
+                pictures.append(Picture(_CAPTIONS.get(name, name), png(figure)))
+    if traction_curve(result):
+        pictures.append(Picture("Traction curve", png(draw_traction(result))))
+    return Section("The whole cycle", tuple(pictures)) if pictures else None
+
+
+def contact_pictures(result: Result) -> Section:
+    """Regimes of all; all pictures of that with the thinnest film, the most telling of the others."""
+    solutions = result.solutions
+    thin = min(solutions, key=lambda of: of.figures.film_min.value)
+    shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
+    pictures = [Picture("Contacts on the chart of regimes", png(draw_regimes(result)))]
+    for solution in shown:
+        names = SCENE_PICTURES[solution.kind] if solution is thin else KEY_PICTURES[solution.kind]
+        pictures += [
+            _picture(result.case_name, solution, name) for name in names if _has(solution, name)
+        ]
+    return Section("Contacts", tuple(pictures))
+
+
+def _has(solution: Solution, name: str) -> bool:
+    return name not in SHOWS or SHOWS[name](solution) is not None
+
+
+def _picture(case_name: str, solution: Solution, name: str) -> Picture:
+    drawn = SCENE_PICTURES[solution.kind][name](case_name, solution)
+    return Picture(f"{_CAPTIONS.get(name, name)}, {place_of(solution)}", png(drawn))
+
+
+def png(figure: Figure) -> bytes:
+    """A figure as PNG."""
+    content = BytesIO()
+    figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
+    return content.getvalue()

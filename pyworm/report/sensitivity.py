@@ -1,0 +1,263 @@
+"""How film and pressure answer to oil grade, temperature and misalignment, by closed forms.
+
+Each variation changes the closed-form film of every solved contact; the simulated film is taken to change by
+the same share. Nothing is solved again.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import exp, log
+
+from pyworm.case import Case
+from pyworm.case_error import CaseError
+from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.line.scales import line_scales
+from pyworm.line.scene import LineScene
+from pyworm.oils import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE, Barus, Oil, Roelands
+from pyworm.place import Place
+from pyworm.report.content import Block, Section, Table, Words
+from pyworm.report.figures import composite_roughness
+from pyworm.result import Result
+from pyworm.scales import scales
+from pyworm.scene import Scene
+from pyworm.schema.contact import GapCase
+
+GRADE_STEP = 10 ** (1 / 6)
+"""Ratio of the viscosities at 40 degC of neighbouring grades of ISO 3448, on average."""
+
+WARMER = 10.0
+"""Change of the oil's temperature [K]."""
+
+SHIFT = 0.1e-3
+"""Error of mounting of a worm drive [m]."""
+
+TILT = 1e-3
+"""Error of the shaft angle of a worm drive [rad]: 0.1 mm over 100 mm."""
+
+LEAD_ERROR = 10e-6
+"""Deviation of the flank lines of a gear pair over the face width [m]."""
+
+MESH_STIFFNESS = 0.85 * 20e9
+"""Stiffness of the teeth of steel spur gears, for each width, against an uneven load [N/m2].
+
+0.85 of 20 N/(mm um), the usual value of ISO 6336-1 (method C), from memory.
+"""
+
+Contact = Scene | LineScene
+
+
+@dataclass(frozen=True)
+class Variation:
+    """One thing changed.
+
+    Attributes
+    ----------
+    label : str
+        What.
+    film : float
+        Least film of all contacts that follows [m].
+    film_ratio, pressure_ratio : float
+        Film there and largest Hertz pressure of all contacts over what they were [-].
+    note : str
+        What else it does.
+    """
+
+    label: str
+    film: float
+    film_ratio: float
+    pressure_ratio: float
+    note: str = ""
+
+
+def sensitivity_section(case: Case, result: Result) -> Section | None:
+    """The variations of a case as a table; None for a gap whose file the result does not keep."""
+    if isinstance(case.tables, GapCase):
+        return None
+    found = variations(case, result)
+    roughness = composite_roughness(result)
+    least = min(of.figures.film_min.value for of in result.solutions)
+    rows = [("as it is", f"{least * 1e6:.3g} µm", "", *_lambda(least, roughness), "", "")]
+    rows += [
+        (
+            one.label,
+            f"{one.film * 1e6:.3g} µm",
+            _change(one.film_ratio),
+            *_lambda(one.film, roughness),
+            _change(one.pressure_ratio),
+            one.note,
+        )
+        for one in found
+    ]
+    head = ("", "Least film", "change", *(("lambda",) if roughness else ()), "Hertz pressure", "")
+    words = (
+        "By closed forms, not solved again: the film of Nijenbanning, Venner and Moes (point) or of Moes "
+        "(line contact) at each solved contact, the simulated film changed by the same share. One grade "
+        f"is a factor of {GRADE_STEP:.2f} in viscosity at one temperature; temperatures are those of the "
+        "oil at the inlet, by the case's own law of viscosity."
+    )
+    blocks: list[Block] = [Table(head, tuple(rows)), Words(words)]
+    blocks += [Words(of) for of in _misalignment_words(case)]
+    return Section("Sensitivity", tuple(blocks))
+
+
+def _change(ratio: float) -> str:
+    """A change in percent; nothing where there is none."""
+    return "" if abs(ratio - 1) < 1e-9 else f"{(ratio - 1) * 100:+.1f} %"
+
+
+def _lambda(film: float, roughness: float | None) -> tuple[str, ...]:
+    return (f"{film / roughness:.3g}",) if roughness else ()
+
+
+def variations(case: Case, result: Result) -> list[Variation]:
+    """Film and pressure of every variation that the case knows enough for."""
+    scenes = [case.scene(**Place.of(of).given) for of in result.solutions]
+    films = [of.figures.film_min.value for of in result.solutions]
+
+    def with_oil(label: str, change: Callable[[Oil], Oil]) -> Variation:
+        return _variation(label, scenes, films, [replace(s, oil=change(s.oil)) for s in scenes])
+
+    found = [
+        with_oil("one grade thinner", lambda oil: thickened(oil, 1 / GRADE_STEP)),
+        with_oil("one grade thicker", lambda oil: thickened(oil, GRADE_STEP)),
+    ]
+    if scenes[0].oil.heat is not None:
+        found += [
+            with_oil(f"oil {WARMER:g} K cooler", lambda oil: warmed(oil, -WARMER)),
+            with_oil(f"oil {WARMER:g} K warmer", lambda oil: warmed(oil, WARMER)),
+        ]
+    if isinstance(case.drive, ZiWormDrive):
+        found += _worm_misaligned(case.drive, result, scenes, films)
+    if isinstance(case.drive, GearPairDrive):
+        found += _gears_misaligned(case.drive, scenes, films)
+    return found
+
+
+def _variation(
+    label: str, before: list[Contact], films: list[float], after: list[Contact], note: str = ""
+) -> Variation:
+    """What changed contacts make of the films of those that were solved."""
+    shares = [
+        _closed_form(new)[0] / _closed_form(old)[0] for old, new in zip(before, after, strict=True)
+    ]
+    changed = [film * share for film, share in zip(films, shares, strict=True)]
+    worst = changed.index(min(changed))
+    pressures = [max(_closed_form(scene)[1] for scene in scenes) for scenes in (before, after)]
+    return Variation(
+        label=label,
+        film=changed[worst],
+        film_ratio=changed[worst] / min(films),
+        pressure_ratio=pressures[1] / pressures[0],
+        note=note,
+    )
+
+
+def _closed_form(scene: Contact) -> tuple[float, float]:
+    """Film [m] and largest pressure [Pa] of a contact in closed form."""
+    sizes = line_scales(scene) if isinstance(scene, LineScene) else scales(scene)
+    return sizes.film, sizes.hertz.pressure_max
+
+
+def thickened(oil: Oil, ratio: float) -> Oil:
+    """The oil with another viscosity at ambient pressure, alpha being kept."""
+    law = oil.viscosity
+    if isinstance(law, Barus):
+        return replace(oil, viscosity=Barus(law.eta0 * ratio, law.alpha))
+    return replace(oil, viscosity=Roelands.from_alpha(law.eta0 * ratio, law.alpha, law.p0))
+
+
+def warmed(oil: Oil, rise: float) -> Oil:
+    """The oil as it is at another inlet temperature, by its own laws.
+
+    Roelands: ln eta + 9.67 falls as the distance from the pole of temperature to the power -s0, at every
+    pressure, so that z stays what it is.
+    """
+    law, heat = oil.viscosity, oil.heat
+    inlet = heat.inlet_temperature + rise
+    if isinstance(law, Barus):
+        thinner = Barus(law.eta0 * exp(-heat.viscosity_exponent * rise), law.alpha)
+    else:
+        share = (inlet - ROELANDS_POLE_TEMPERATURE) / (
+            heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
+        )
+        span = (log(law.eta0) + ROELANDS_POLE_LOG) * share**-heat.viscosity_exponent
+        thinner = Roelands(exp(span - ROELANDS_POLE_LOG), law.z, law.p0)
+    return replace(oil, viscosity=thinner)
+
+
+def _worm_misaligned(
+    drive: ZiWormDrive, result: Result, scenes: list[Contact], films: list[float]
+) -> list[Variation]:
+    """A ZI drive mounted wrongly: its contacts move over the tooth and change their curvature."""
+    hob = drive.hob
+    mounted: list[tuple[str, Callable[[float], ZiWormDrive], float]] = [
+        (
+            "centre distance {0:+.1f} mm",
+            lambda by: replace(drive, centre_distance=drive.centre_distance + by),
+            SHIFT,
+        ),
+        (
+            "wheel shifted {0:+.1f} mm along its axis",
+            lambda by: replace(drive, hob=replace(hob, axial_shift=hob.axial_shift + by)),
+            SHIFT,
+        ),
+        (
+            "shaft angle {0:+.1f} mrad (as a swivel of the hob)",
+            lambda by: replace(drive, hob=replace(hob, swivel=hob.swivel + by)),
+            TILT,
+        ),
+    ]
+    found = []
+    for label, moved, size in mounted:
+        for by in (-size, size):
+            called = label.format(by * 1e3)
+            try:
+                other = moved(by)
+                after = [other.scene(of.phase) for of in result.solutions]
+            except ValueError as error:
+                raise CaseError(f"{called}: {error}") from error
+            found.append(_variation(called, scenes, films, after, _moved(drive, other)))
+    return found
+
+
+def _moved(drive: ZiWormDrive, other: ZiWormDrive) -> str:
+    """Where the contact at mid-mesh goes, and its relative radii."""
+    before, after = drive.contact(0.5), other.contact(0.5)
+    across = (after.point[1] - before.point[1]) * 1e3
+    long_radius, short_radius = max(after.radii), min(after.radii)
+    return (
+        f"at mid-mesh the contact moves {across:+.1f} mm along the wheel's axis; radii "
+        f"{long_radius:.2f} m, {short_radius * 1e3:.1f} mm"
+    )
+
+
+def _gears_misaligned(
+    drive: GearPairDrive, scenes: list[Contact], films: list[float]
+) -> list[Variation]:
+    """Flanks that are not parallel: the load grows linearly over the face."""
+    if not all(isinstance(scene, LineScene) for scene in scenes):
+        return []
+    mean = drive.normal_force / drive.teeth.face_width
+    excess = MESH_STIFFNESS * LEAD_ERROR / (2 * mean)
+    factor = 1 + excess if excess <= 1 else 2 * excess**0.5
+    after = [replace(scene, load=scene.load * factor) for scene in scenes]
+    label = f"flank lines {LEAD_ERROR * 1e6:g} µm apart over the face"
+    note = f"load at one end {factor:.2f} times the mean (K_Hbeta)"
+    return [_variation(label, scenes, films, after, note)]
+
+
+def _misalignment_words(case: Case) -> list[str]:
+    if isinstance(case.drive, ZiWormDrive):
+        return [
+            "Misalignment by the drive's own geometry: the unloaded contact is found again, at the same "
+            "phases of its new mesh cycle; the load of the tooth stays."
+        ]
+    if isinstance(case.drive, GearPairDrive):
+        return [
+            "Misalignment by K_Hbeta of ISO 6336-1 with a mesh stiffness of 17 N/(mm µm), without crowning: "
+            "1 + c F/(2 w), or 2 [c F/(2 w)]^(1/2) where the contact does not reach over the whole face."
+        ]
+    if case.drive is not None:
+        return ["How misalignment changes the contacts of this drive is not known in closed form."]
+    return []
