@@ -127,17 +127,28 @@ class Case:
         return tables
 
     @property
-    def friction_left_open(self) -> bool:
-        """Whether its teeth's loads depend on a friction that is to be found."""
-        operation = getattr(self.tables, "operation", None)
-        wants = isinstance(self.tables, ZiWormCase) and operation.load is None
-        return wants and operation.friction is None
+    def left_open(self) -> dict[str, str]:
+        """What its solution is to find that it depends on itself: table -> key in it.
 
-    def with_friction(self, friction: float) -> "Case":
-        """The case with a friction of its teeth in the balance of torques [-]."""
-        operation = self.tables.operation.model_copy(update={"friction": friction})
-        tables = self.tables.model_copy(update={"operation": operation})
-        return Case(self.name, self.directory, tables)
+        The friction in the balance of torques, and the loss between the teeth in the balance of heat.
+        """
+        if not isinstance(self.tables, ZiWormCase) or self.tables.operation.load is not None:
+            return {}
+        known = {"operation": "friction", "cooling": "tooth_loss"}
+        return {
+            table: key
+            for table, key in known.items()
+            if getattr(self.tables, table) is not None
+            and getattr(getattr(self.tables, table), key) is None
+        }
+
+    def with_found(self, found: dict[str, dict[str, float]]) -> "Case":
+        """The case with values of its tables in place of its own: table -> key -> value."""
+        tables = {
+            name: getattr(self.tables, name).model_copy(update=values)
+            for name, values in found.items()
+        }
+        return Case(self.name, self.directory, self.tables.model_copy(update=tables))
 
     def __reduce__(self) -> tuple:
         # A drive is made again where the case goes, rather than sent along; files must be found from there.

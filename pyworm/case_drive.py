@@ -19,6 +19,7 @@ from pyworm.schema.case import CaseTable
 from pyworm.schema.gear_pair import GearPairCase, GearTable
 from pyworm.schema.roller_worm import RollerWormCase
 from pyworm.schema.zi_worm import WheelTable, WormTable, ZiWormCase
+from pyworm.thermal_balance import drive_temperatures
 
 
 def case_drive(tables: CaseTable) -> Drive:
@@ -42,8 +43,15 @@ def case_drive(tables: CaseTable) -> Drive:
 
 def _zi_worm(tables: ZiWormCase) -> ZiWormDrive:
     oil, operation = tables.oil.oil(), tables.operation
+    bodies = tables.bodies.pair(oil)
     ratio = tables.drive.worm.threads / tables.drive.wheel.teeth
     speed = operation.worm_speed or operation.wheel_speed / ratio
+    if tables.cooling is not None:
+        loss = tables.cooling.tooth_loss
+        if loss is None:
+            loss = _first_loss(_transmission(tables, speed, ratio), speed, ratio)
+        warm = drive_temperatures(tables.cooling, tables.drive, speed, loss)
+        oil, bodies = warm.oil(oil), warm.bodies(bodies)
     return ZiWormDrive(
         worm=Worm(**_relieved(tables.drive.worm)),
         wheel=Wheel(**_relieved(tables.drive.wheel)),
@@ -51,7 +59,7 @@ def _zi_worm(tables: ZiWormCase) -> ZiWormDrive:
         centre_distance=tables.drive.centre_distance,
         speed=speed,
         load=operation.load or _transmission(tables, speed, ratio),
-        bodies=tables.bodies.pair(oil),
+        bodies=bodies,
         oil=oil,
         assembly=Assembly(**dict(tables.drive.assembly)),
         driver=operation.driver,
@@ -82,6 +90,15 @@ def _transmission(tables: ZiWormCase, worm_speed: float, ratio: float) -> Transm
         stiffness=tables.drive.stiffness or inf,
     )
 
+
+def _first_loss(transmission: Transmission, worm_speed: float, ratio: float) -> float:
+    """Loss between the teeth before it is known [W]."""
+    speed = worm_speed if transmission.shaft == "worm" else worm_speed * ratio
+    return FIRST_LOSS * transmission.torque * speed
+
+
+FIRST_LOSS = 0.03
+"""Share of the power that is lost between worm teeth before it is known."""
 
 FIRST_FRICTION = 0.01
 """Friction of worm teeth in the balance of torques before it is known."""

@@ -130,6 +130,13 @@ def cycle_table(cycle: DriveCycle) -> Table:
         if name in cycle.temperatures:
             label = f"Largest temperature, {label}"
             extreme(label, cycle.temperatures[name], 1.0, "°C", ZERO_CELSIUS)
+    for name, label in (
+        ("sump", "Oil in the sump"),
+        ("worm", "Bulk of the worm"),
+        ("wheel", "Bulk of the wheel"),
+    ):
+        if name in cycle.bulk:
+            table.add_row(label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C")
     if cycle.lambda_min is not None:
         extreme("Least lambda", cycle.lambda_min, 1.0, "")
     loss = cycle.loss

@@ -105,6 +105,9 @@ class DriveCycle:
         Least film over composite roughness [-]; None where a roughness is not known.
     loss : Loss or None
         None where the shear of the film was not looked at.
+    bulk : dict of str to float
+        Temperatures of "sump", "worm" and "wheel" that the films were solved with [K]; empty where heat was
+        not simulated.
     """
 
     phases: tuple[float, ...]
@@ -114,6 +117,7 @@ class DriveCycle:
     temperatures: dict[str, Extreme]
     lambda_min: Extreme | None
     loss: Loss | None
+    bulk: dict[str, float]
 
     def summary(self) -> dict:
         """All of it as one object, units in the keys."""
@@ -127,6 +131,7 @@ class DriveCycle:
                 name: _told(replace(one, value=one.value - ZERO_CELSIUS), "C")
                 for name, one in self.temperatures.items()
             },
+            "bulk_temperature_C": {name: of - ZERO_CELSIUS for name, of in self.bulk.items()},
             "lambda_min": self.lambda_min and _told(self.lambda_min, ""),
             **(
                 {}
@@ -178,6 +183,10 @@ def drive_cycle(result: Result) -> DriveCycle | None:
         temperatures={
             name: _extreme(good, f"temperature_max_{name}", max)
             for name in (("body_1", "body_2", "film") if heated else ())
+        },
+        bulk={
+            name: float(cycle.attrs[f"{name}_temperature"])
+            for name in (("sump", "worm", "wheel") if heated else ())
         },
         lambda_min=_lambda(film, good[0].composite_roughness),
         loss=(

@@ -67,6 +67,14 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
     shared = [drive.shared(float(phase)) for phase in phases]
     loads = [one.force(float(phase)) for one, phase in zip(shared, phases, strict=True)]
     radius, face = drive.wheel_tooth.rim(60)
+    warm = {}
+    if drive.oil.heat is not None:
+        worm, wheel = (body.bulk_temperature for body in drive.bodies)
+        warm = {
+            "sump_temperature": drive.oil.heat.inlet_temperature,
+            "worm_temperature": worm,
+            "wheel_temperature": wheel,
+        }
     return describe(
         xr.Dataset(
             {
@@ -85,6 +93,7 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
                 "wheel_speed": drive.speed * drive.cycle.speed_ratio,
                 "driver": drive.driver,
                 "friction_assumed": drive.friction,
+                **warm,
             },
         )
     )

@@ -9,7 +9,7 @@ from pyworm.drives.torque_balance import Sharing
 from pyworm.drives.zi_load import Shaft
 from pyworm.schema.bodies import Bodies, BodyTable
 from pyworm.schema.rating import RatedCase, WormRatingTable
-from pyworm.schema.table import Count, Phase, Table
+from pyworm.schema.table import Count, Phase, PositiveNumber, Table
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
 
@@ -127,6 +127,23 @@ LOADS = ("load", "worm_torque", "wheel_torque", "power")
 """Keys of `[operation]` of which one says what the teeth carry."""
 
 
+class CoolingTable(Table):
+    """`[cooling]`: what makes the temperatures of oil and bodies, which then are found and not given.
+
+    `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
+    them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
+    `worm_excess` says how much warmer the worm's bulk is than the wheel's. `tooth_loss` is the loss between
+    the teeth for which all this is struck; left out, it is found.
+    """
+
+    ambient_temperature: units.Temperature
+    conductance: units.ThermalConductance
+    other_loss: units.PowerOrZero = 0.0
+    immersion: PositiveNumber = 1.0
+    worm_excess: units.Warmth = 0.0
+    tooth_loss: units.Power | None = None
+
+
 class ZiWormCase(RatedCase):
     """A case file about a ZI worm drive."""
 
@@ -134,6 +151,20 @@ class ZiWormCase(RatedCase):
     operation: OperationTable
     bodies: WormBodies
     worm_rating: WormRatingTable | None = None
+    cooling: CoolingTable | None = None
+
+    @model_validator(mode="after")
+    def _cooling_of_what_warms(self):
+        if self.cooling is None:
+            return self
+        if self.oil.heat is None or self.operation.load is not None:
+            raise ValueError(
+                "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load"
+            )
+        for name, body in self.bodies:
+            if body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing with [cooling]")
+        return self
 
     @model_validator(mode="after")
     def _stiffness_with_sharing(self):

@@ -75,6 +75,11 @@ def refuse(tmp_path, monkeypatch, capsys):
             "drive.stiffness means nothing with",
         ),
         (
+            "[bodies.worm]",
+            '[cooling]\nambient_temperature = "20 degC"\nconductance = "40 W/K"\n[bodies.worm]',
+            "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load",
+        ),
+        (
             "threads = 3",
             'threads = 3\ntip_relief = "20 um"',
             "drive.worm.tip_relief_length is 0 mm; it must lie between 0 and the tooth's height, 18.98 mm",
