@@ -7,8 +7,8 @@ the flank without gaps.
 **Supply.** Oil comes into the contact where the entrainment crosses the outline of the dry contact inwards;
 the speed at which it does, normal to the outline, is what a film further in lives on. Where the streamline
 of the entrainment through a place came in at less than `FAILURE` of the entrainment's mean speed, or came
-in nowhere, entrainment along the contact fails (Sharif et al. 2001, section 6, explain their band of thin
-film so).
+in nowhere, entrainment fails the contact (Sharif et al. 2001, section 6, explain their band of thin film
+so).
 """
 
 from itertools import pairwise
@@ -36,7 +36,7 @@ CELL = 0.25e-3
 LOADED_SHARE = 0.05
 """Share of the cycle's largest pressure above which a place counts as in contact."""
 
-FAILURE = 0.1
+FAILURE = 0.2
 """Speed at which oil comes in, over the mean speed of the entrainment, below which the entrainment fails."""
 
 _LARGEST, _LEAST = ("pressure", "temperature_body_2", "temperature_middle"), ("film", "supply")
