@@ -106,6 +106,16 @@ def open_result(path: str | os.PathLike) -> Result:
     )
 
 
+def case_in(path: Path) -> dict | None:
+    """The case of a results file, without reading what came out; None if there is no such file."""
+    try:
+        with xr.open_dataset(path, engine="h5netcdf") as root:
+            known = root.attrs.get("format") == FORMAT
+            return json.loads(root.attrs["case"]) if known else None
+    except OSError:
+        return None
+
+
 def _groups(result: Result) -> dict[str, xr.Dataset]:
     groups = {
         "/": xr.Dataset(

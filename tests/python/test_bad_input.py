@@ -61,7 +61,29 @@ def refuse(tmp_path, monkeypatch, capsys):
         ("[drive.hob]", "[drive.hub]", "drive.hub: no such key; did you mean hob?"),
         ("[oil.viscosity]", "[oil.viscosity]\nzz = 1", "oil.viscosity.zz: no such key; did you"),
         ("title =", "colour =", "colour: no such key; valid keys are accuracy, assumed, bearings"),
-        ('load = "14 kN"', "", "operation.load is missing"),
+        ('load = "14 kN"', "", "operation: give one of load, worm_torque, wheel_torque, power"),
+        ('load = "14 kN"', 'load = "14 kN"\npower = "9 kW"', "power, not load and power"),
+        (
+            'load = "14 kN"',
+            'load = "14 kN"\nfriction = 0.01',
+            "friction means nothing with the load",
+        ),
+        ('"14 kN"', '"14 kN"\nwheel_speed = "9 rpm"', "give either worm_speed or wheel_speed"),
+        (
+            "[drive.worm]",
+            'stiffness = "1 N/um"\n[drive.worm]',
+            "drive.stiffness means nothing with",
+        ),
+        (
+            "[bodies.worm]",
+            '[cooling]\nambient_temperature = "20 degC"\nconductance = "40 W/K"\n[bodies.worm]',
+            "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load",
+        ),
+        (
+            "threads = 3",
+            'threads = 3\ntip_relief = "20 um"',
+            "drive.worm.tip_relief_length is 0 mm; it must lie between 0 and the tooth's height, 18.98 mm",
+        ),
         ('kind = "zi-worm"', "", "drive.kind is missing"),
         ('law = "roelands"', "", "oil.viscosity.law is missing"),
         # wrong units, wrong values
