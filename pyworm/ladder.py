@@ -187,8 +187,8 @@ class Ladder(Protocol):
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film, on which the contact was solved with fewer effects."""
 
-    def higher(self, rung: Rung) -> Rung:
-        """Half the spacing over the same window, entered from the present film."""
+    def higher(self, rung: Rung) -> tuple[Rung, list[Stride]]:
+        """Half the spacing over the same window, entered from the present film if that is any good."""
 
     def outcome(self, rung: Rung) -> Outcome:
         """What the last rung shows."""

@@ -136,12 +136,13 @@ def _climb(
         size = " x ".join(str(count) for count in rung.grid.finer().shape)
         tell(f"{scene.name}: {size}", 1 - 0.7 ** (len(readings) + 1))
         try:
-            rung = ladder.higher(rung)
+            rung, steps = ladder.higher(rung)
         except KernelError as error:
             if error.status != NO_MEMORY:
                 raise
             stop_reason = f"there is not enough memory for {size} nodes"
             break
+        strides += steps
     seconds, work = perf_counter() - started, process_time() - started_work
 
     unit = _convolution_work(rung)
@@ -177,7 +178,8 @@ def _in_wider_window(
     rung, strides = ladder.enter(plan.wider_grids)
     for _ in range(refinements):
         strides += lead(rung, plan.tolerance)
-        rung = ladder.higher(rung)
+        rung, steps = ladder.higher(rung)
+        strides += steps
     settled = _settle_figures(rung, plan)
     return rung, settled, [*strides, *settled.strides]
 
