@@ -1,6 +1,7 @@
 """A point contact as the solver sees it."""
 
 from collections.abc import Sequence
+from math import nan
 from typing import Any, ClassVar
 
 import numpy as np
@@ -269,4 +270,6 @@ def _heat_balance(rung: Rung) -> float:
     """What both bodies take up and oil carries away, less the heat of shearing, over that."""
     heat = rung.film.heat_fields()
     friction = heat.friction.sum()
+    if not friction > 0:  # of a film that was cooled down, where heat found none
+        return nan
     return float((heat.flux.sum() + heat.carried.sum() - friction) / friction)

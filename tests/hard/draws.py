@@ -8,7 +8,7 @@ nothing but the seed, its kind and its number.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import cos, exp, log, pi, sin, sqrt
+from math import cos, exp, log, pi, sin
 from typing import Any
 
 import numpy as np
@@ -24,9 +24,9 @@ MOST_SPIN = 0.2
 """Largest spin drawn, as a velocity at the end of the contact's long axis over the entrainment."""
 
 LEAST_SPINNING = 10.0
-"""Moes' M below which no spin is drawn: around an ellipse that spins in a thick film the pressure far out falls
-with the square of the distance only, so that its load has no end but that of the bodies. The solver marks
-such films (`docs/hard_cases.md`); they are not hard, they are no property of the contact."""
+"""Moes' M below which no spin is drawn: around an ellipse that spins in a thick film the pressure far out
+falls with the square of the distance only, so that its load has no end but that of the bodies. The solver
+marks such films (`docs/hard_cases.md`); they are not hard, they are no property of the contact."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,8 @@ LIMITS = {
     "film": Range(5e-9, 50e-6),
     "strain": Range(0.0, 0.02),
 }
-"""What a drawn scene must keep to: `strain` is the Hertz pressure over the reduced modulus, 4.5 GPa in steel."""
+"""What a drawn scene must keep to: `strain` is the Hertz pressure over the reduced modulus, 0.02 in steel
+at 4.5 GPa."""
 
 HOT_RANGES = RANGES | {
     "hertz_pressure": Range(0.1e9, 3e9),

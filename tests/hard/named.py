@@ -148,18 +148,21 @@ SAMPLES, HALF_SIDE = 241, 1.2e-3
 
 
 def _sampled(
-    title: str, gap: Callable[[np.ndarray, np.ndarray], np.ndarray], load: float, name: str
-):
-    """A case about a sampled gap, with the arrays that its file holds."""
+    title: str,
+    gap: Callable[[np.ndarray, np.ndarray], np.ndarray],
+    load: float,
+    name: str,
+    **more: Any,
+) -> Callable[[Path], dict[str, Any]]:
+    """What makes the case of a sampled gap, its arrays written into a directory."""
 
     def make(directory: Path) -> dict[str, Any]:
         axis = np.linspace(-HALF_SIDE, HALF_SIDE, SAMPLES)
         x, y = np.meshgrid(axis, axis)
         step = axis[1] - axis[0]
         np.savez(directory / name, gap=gap(x, y), dx=step, dy=step)
-        tables = contact(title, load, (1.0, 0.0))
-        tables["contact"] = {"kind": "gap", "file": name, "load": f"{load:g} N"}
-        return tables
+        about = {"kind": "gap", "file": name, "load": f"{load:g} N"}
+        return contact(title, load, (1.0, 0.0), contact=about, **more)
 
     return make
 
@@ -189,6 +192,21 @@ GAPS = {
         lambda x, y: _ball(x, y) - 25e-9 * np.cos(2 * pi * x / 1e-4),
         20.0,
         "ripple.npz",
+    ),
+    # around surfaces without ends the load of a film of pure spin has none either
+    "pure-spin": _sampled(
+        "Pure spin of an elliptic contact whose bodies end",
+        lambda x, y: np.where(
+            np.hypot(x, y) < HALF_SIDE / 1.5, x**2 / (4 * RADIUS) + y**2 / (2 * RADIUS), np.nan
+        ),
+        1.0,
+        "pure_spin.npz",
+        motion={
+            "velocity_1": ["0 m/s", "0 m/s"],
+            "velocity_2": ["0 m/s", "0 m/s"],
+            "spin_1": "2000 rad/s",
+            "spin_2": "2000 rad/s",
+        },
     ),
     "step": _sampled(
         "A step of 200 nm across the entrainment",
@@ -227,18 +245,17 @@ ISOTHERMAL: dict[str, dict[str, Any]] = {
         for name, radii in (("30", (RADIUS, 1.9)), ("1-over-30", (1.9, RADIUS)))
         for way, velocity in (("x", (1.0, 0.0)), ("y", (0.0, 1.0)), ("oblique", (0.7, 0.7)))
     },
-    "pure-spin": pressed(
-        0.5e9, radii=(RADIUS, 0.2), velocity_1=(0.0, 0.0), spins=(800.0, 800.0), title="Pure spin"
-    ),
     "bronze-steel": pressed(0.5e9, bodies=(BRONZE, STEEL), title="Bronze on steel"),
     "polymer-steel": pressed(0.05e9, bodies=(POLYMER, STEEL), title="Polymer on steel"),
     "near-zero-speed": pressed(0.5e9, 1e-5, eta0=1.0, title="Hardly any speed"),
-    "near-zero-load": contact("Hardly any load", 1e-5, (0.1, 0.0)),
+    "near-zero-load": contact("Hardly any load", 1e-3, (0.01, 0.0)),
 }
 """Name -> case file."""
 
 HOT: dict[str, dict[str, Any]] = {
-    **{f"slide-roll-{ratio:g}": sliding(ratio) for ratio in (0, 2, 20)},
+    **{f"slide-roll-{ratio:g}": sliding(ratio) for ratio in (0, 2)},
+    "slide-roll-20": sliding(20.0, mean=0.3),
+    "slide-roll-20-fast": sliding(20.0, title="40 m/s of sliding at 1 GPa"),
     "opposite-sliding": sliding(
         0.0,
         0.5e9,
@@ -250,7 +267,8 @@ HOT: dict[str, dict[str, Any]] = {
         0.5, oil__shear__stress="0.1 MPa", title="Eyring stress far below the contact's stresses"
     ),
     "eyring-far-above": sliding(
-        0.5,
+        0.02,
+        0.4e9,
         oil__shear__stress="500 MPa",
         oil__shear__limit="500 MPa",
         title="Eyring stress far above the contact's stresses",
