@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from pyworm.formulas import wear_distress
+
 
 @dataclass(frozen=True)
 class Body:
@@ -19,7 +21,8 @@ class Body:
     bulk_temperature : float or None
         Temperature far below the surface and of the surface before the contact [K]; needed with them.
     roughness : float or None
-        Root mean square height of the surface, Rq [m]; None if it is not known.
+        Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
+        arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally.
     """
 
     youngs_modulus: float
@@ -35,3 +38,16 @@ def reduced_modulus(body_1: Body, body_2: Body) -> float:
     """Reduced modulus E' [Pa], 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Dowson and Higginson)."""
     compliance = sum((1 - body.poisson_ratio**2) / body.youngs_modulus for body in (body_1, body_2))
     return 2 / compliance
+
+
+def composite_roughness(body_1: Body, body_2: Body) -> float | None:
+    """Root mean square of both surfaces' heights together [m]; None if one is not known.
+
+    Raises
+    ------
+    ValueError
+        No roughness of surfaces in contact (`wear_distress.composite_roughness`).
+    """
+    if body_1.roughness is None or body_2.roughness is None:
+        return None
+    return wear_distress.composite_roughness(body_1.roughness, body_2.roughness)

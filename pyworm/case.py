@@ -1,6 +1,5 @@
 """A case: what the user wrote, checked in full before any work starts."""
 
-import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,6 +19,7 @@ from pyworm.scene import Scene
 from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
 from pyworm.schema.contact import GapCase, PointCase
+from pyworm.toml_file import read_toml
 
 _NO_PHYSICS = {
     **dict.fromkeys(("title", "source", "published", "accuracy", "effects", "quantities"), True),
@@ -244,18 +244,6 @@ def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     case = Case(name, directory, _tables(data))
     list(case.scenes())  # the drive must mesh and the gap file must hold a gap
     return case
-
-
-def read_toml(path: Path) -> dict[str, Any]:
-    """What stands in a TOML file; CaseError if nothing can be read there."""
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise CaseError(f"{path}: no such file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise CaseError(f"{path}: cannot be read ({error})") from None
-    except tomllib.TOMLDecodeError as error:
-        raise CaseError(f"{path}: not a TOML file: {error}") from None
 
 
 def _tables(data: dict[str, Any]) -> CaseTable:

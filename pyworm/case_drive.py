@@ -71,7 +71,6 @@ def _roller_worm(tables: RollerWormCase) -> RollerWormDrive:
             pin=FREE_OF_FRICTION if rollers.pin is None else Pin(**dict(rollers.pin)),
             stiffness=rollers.stiffness or inf,
         ),
-        roughness=(tables.surfaces.worm_roughness, tables.surfaces.roller_roughness),
         centre_distance=tables.drive.centre_distance,
         speed=operation.worm_speed,
         torque=operation.torque,
@@ -108,12 +107,7 @@ def _gear_pair(tables: GearPairCase) -> GearPairDrive:
             for gear in (table.pinion, table.gear)
         ),
         lead_crowning=table.lead_crowning,
-        surfaces=surfaces
-        and Surfaces(
-            (surfaces.pinion_roughness, surfaces.gear_roughness),
-            surfaces.friction_coefficient,
-            surfaces.scuffing_temperature,
-        ),
+        surfaces=surfaces and Surfaces(**dict(surfaces)),
     )
 
 

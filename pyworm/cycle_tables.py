@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from rich.table import Table
 
-from pyworm.formulas.film_reduction import film_state
+from pyworm.formulas.wear_distress import regime
 
 _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
@@ -20,7 +20,7 @@ _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
     ("Minimum film / µm", lambda at: at["formula_film_min"] * 1e6, ".3f"),
     ("  by the source's formula", lambda at: at["printed_film_min"] * 1e6, ".3f"),
     ("  left by heat, share", lambda at: at["heated_share"], ".2f"),
-    ("Lambda ratio", lambda at: at["lambda_ratio"], ".2f"),
+    ("Specific film lambda", lambda at: at["specific_film"], ".2f"),
 )
 """Label, number at the middle of a contact line, its format."""
 
@@ -42,7 +42,9 @@ def ends_table(cycle: xr.Dataset) -> Table:
         numbers = [float(value(at)) for at in places]
         if np.isfinite(numbers).any():
             table.add_row(label, *(f"{number:{style}}" for number in numbers))
-    table.add_row("Lubrication", *(film_state(float(at["lambda_ratio"])) for at in places))
+    specific = [float(at["specific_film"]) for at in places]
+    if np.isfinite(specific).any():
+        table.add_row("Lubrication", *("" if np.isnan(one) else regime(one) for one in specific))
     table.add_row("Regime", *(_regime(cycle, at) for at in places))
     return table
 
@@ -52,7 +54,7 @@ def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
     if np.isnan(number):
         return ""
     viscous, elastic = str(cycle["regime"].values[int(number)]).split("-")
-    return f"{elastic},\n{viscous}"
+    return f"{elastic},\n{viscous.removesuffix('viscous')}-\nviscous"
 
 
 CYCLE_TABLES: dict[str, Callable[[xr.Dataset], Table]] = {"roller-worm": ends_table}

@@ -5,12 +5,12 @@ from two viscosities, from a viscosity index, or from a file.
 """
 
 import re
-import tomllib
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from functools import cache
 from math import log
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
@@ -20,10 +20,11 @@ from pyworm.formulas import oil_laws
 from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.ranges import Values
 from pyworm.oils import Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.toml_file import read_toml
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
 
-BASES: tuple[Base, ...] = ("mineral", "PAO", "ester", "PAG")
+BASES: tuple[Base, ...] = get_args(Base)
 """Base stocks in the table."""
 
 GRADE_TOLERANCE = 0.11
@@ -35,7 +36,7 @@ DEGREES_40, DEGREES_100 = 313.15, 373.15
 MILLIMETRE_SQUARED = 1e-6
 """1 mm2/s [m2/s]."""
 
-_NAME = re.compile(r"(mineral|PAO|ester|PAG)\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
+_NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
 
 _TABLE = Path(__file__).with_name("data") / "oils.toml"
 
@@ -252,9 +253,12 @@ def named_oil(name: str) -> NamedOil:
     """
     match = _NAME.fullmatch(name.strip())
     if match is None or int(match[2]) not in ISO_GRADES:
+        near = get_close_matches(name, names(), n=3)
+        listed = " or ".join(f'"{one}"' for one in near)
+        meant = f"; did you mean {listed}?" if near else ""
         raise ValueError(
             f'oil "{name}": must be a base stock ({", ".join(BASES)}) and a grade '
-            f'(VG {", ".join(map(str, ISO_GRADES))}), such as "PAG VG 460"'
+            f'(VG {", ".join(map(str, ISO_GRADES))}), such as "PAG VG 460"{meant}'
         )
     stock, grade = base_stock(match[1]), int(match[2])
     called = f"{stock.name} VG {grade}"
@@ -316,7 +320,7 @@ def read_oil(path: str | Path) -> NamedOil:
     CaseError
         Whatever is wrong first, in one sentence.
     """
-    data = _read(Path(path))
+    data = read_toml(Path(path))
     try:
         table = _OilTable.model_validate(data)
         if table.viscosity_100 is not None:
@@ -346,7 +350,7 @@ class _Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class _HeatTable(_Table):
+class HeatCourseTable(_Table):
     """Keys of `OilHeat` that say how heat constants follow pressure and temperature."""
 
     expansivity_decay: units.PressureCoefficientOrZero = 0.0
@@ -375,7 +379,7 @@ class _StockTable(_Table):
     limiting_coefficient: _Fraction | None = None
     eyring_stress: units.Stress | None = None
     limiting_stress: units.Stress | None = None
-    heat: _HeatTable = _HeatTable()
+    heat: HeatCourseTable = HeatCourseTable()
 
     @model_validator(mode="after")
     def _stresses_in_pairs(self):
@@ -432,21 +436,10 @@ class _OilTable(_StockTable):
         return self
 
 
-def _read(path: Path) -> dict:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise CaseError(f"{path}: no such file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise CaseError(f"{path}: cannot be read ({error})") from None
-    except tomllib.TOMLDecodeError as error:
-        raise CaseError(f"{path}: not a TOML file: {error}") from None
-
-
 @cache
 def _stocks() -> dict[Base, BaseStock]:
     """The table, checked: every oil of it has the viscosity that its grade says."""
-    data = _read(_TABLE)
+    data = read_toml(_TABLE)
     stocks = {}
     for base in BASES:
         table = _BaseStockTable.model_validate(data[base])

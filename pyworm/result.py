@@ -25,7 +25,7 @@ from pyworm.output import whole_file
 from pyworm.solution import Solution
 
 FORMAT = "pyworm result"
-FORMAT_VERSION = 3
+FORMAT_VERSION = 4
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from math import inf
 
 import numpy as np
 
-from pyworm.bodies import Body, reduced_modulus
+from pyworm.bodies import Body, composite_roughness, reduced_modulus
 from pyworm.oils import Oil
 
 Array = np.ndarray
@@ -119,6 +119,11 @@ class Scene:
     def reduced_modulus(self) -> float:
         """Reduced modulus E' of the two bodies [Pa]."""
         return reduced_modulus(*self.bodies)
+
+    @property
+    def composite_roughness(self) -> float | None:
+        """Root mean square height of both surfaces together [m]; None if it is not known."""
+        return composite_roughness(*self.bodies)
 
     def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Mean surface velocity components [m/s] at (x, y)."""

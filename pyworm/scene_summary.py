@@ -16,11 +16,13 @@ from pyworm.scene import Scene
 
 
 def scene_summary(scene: Scene | LineScene) -> dict[str, Any]:
-    """The scene with the Hertz contact of its radii."""
+    """The scene with the Hertz contact of its radii; what is not known of its surfaces has no key."""
+    roughness = scene.composite_roughness
     return {
         "name": scene.name,
         **asdict(Place.of(scene)),
         "reduced_modulus_Pa": scene.reduced_modulus,
+        **({} if roughness is None else {"composite_roughness_m": roughness}),
         **_SUMMARIES[type(scene)](scene),
     }
 

@@ -6,6 +6,7 @@ from typing import Literal
 import xarray as xr
 
 from pyworm.effects.judgement import Judgement
+from pyworm.formulas.regimes import Regime
 from pyworm.place import Place
 
 ZERO_CELSIUS = 273.15
@@ -166,6 +167,8 @@ class Solution:
         Why the solver stopped.
     figures : Figures
         Scalars.
+    regime : Regime
+        The regime of lubrication by the chart.
     fields : xarray.Dataset
         Fields over (y, x) in SI with units: gap, covered, dry_pressure, pressure, film,
         entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was looked at also
@@ -183,6 +186,8 @@ class Solution:
         Place on a traction curve [-].
     section, station : str or None, float or None
         Section of a worm that has two, and place along the contact line, 0 to 1.
+    composite_roughness : float or None
+        Root mean square height of both surfaces together [m]; None if it is not known.
     profile : xarray.Dataset or None
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
@@ -198,6 +203,7 @@ class Solution:
     converged: bool
     stop_reason: str
     figures: Figures
+    regime: Regime
     fields: xr.Dataset
     history: xr.Dataset
     cost: Cost
@@ -205,6 +211,7 @@ class Solution:
     slide_roll_ratio: float | None = None
     section: str | None = None
     station: float | None = None
+    composite_roughness: float | None = None
     profile: xr.Dataset | None = None
     effects: tuple[Judgement, ...] = ()
 
@@ -213,7 +220,8 @@ class Solution:
 
         Places and grids are lists with an entry for each direction, [x, y] or [x]; temperatures are objects
         with an entry for each body and the film. What a line contact does not have (its own minimum at the
-        exit, a dry contact other than Hertz's) and what was not simulated has no key.
+        exit, a dry contact other than Hertz's), what was not simulated and what is not known of the surfaces
+        has no key.
         """
         figures = self.figures
         return {
@@ -228,11 +236,13 @@ class Solution:
             "film_min_kind": figures.film_min_kind,
             **_flat("film_central", "m", figures.film_central),
             **_flat("pressure_max", "Pa", figures.pressure_max),
+            **self._surface_summary(),
             **self._point_summary(),
             **self._shear_summary(),
             **self._heat_summary(),
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
+            "regime": self.regime.name,
             "grid": [self.fields.sizes[axis] for axis in ("x", "y") if axis in self.fields.sizes],
             "residual": figures.residual,
             "load_error": figures.load_error,
@@ -240,6 +250,17 @@ class Solution:
             "effects": [effect.name for effect in self.effects if effect.on],
             "seconds": self.cost.seconds,
             "convolutions": self.cost.convolutions,
+        }
+
+    def _surface_summary(self) -> dict[str, float]:
+        """What the film is to the surfaces' heights, with the error bar of the film."""
+        if self.composite_roughness is None:
+            return {}
+        film = self.figures.film_min
+        return {
+            "composite_roughness_m": self.composite_roughness,
+            "specific_film": film.value / self.composite_roughness,
+            "specific_film_error": film.error,
         }
 
     def _point_summary(self) -> dict[str, float]:

@@ -170,10 +170,12 @@ def _climb(
             residual=rung.film.balance.residual,
             **outcome.figures,
         ),
+        regime=plan.regime,
         fields=outcome.fields,
         history=_history(strides, "xy"[: len(rung.grid.shape)]),
         cost=Cost(seconds, work / unit, unit),
         inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
+        composite_roughness=scene.composite_roughness,
         profile=outcome.profile,
     )
     return solution, foot

@@ -10,10 +10,11 @@ from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
-from pyworm.case import Case, case_of, checked, read_toml
+from pyworm.case import Case, case_of, checked
 from pyworm.case_error import CaseError, toml
 from pyworm.schema.sweep import SweepTable, Value
 from pyworm.task import Task
+from pyworm.toml_file import read_toml
 
 _STEP = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
 """A table's key, and places in lists after it."""

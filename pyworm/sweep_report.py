@@ -22,6 +22,7 @@ _FIGURES = (
     ("±\n%", "film_central_error", 100, ".2g"),
     ("h min\nµm", "film_min_m", 1e6, ".4g"),
     ("±\n%", "film_min_error", 100, ".2g"),
+    ("lambda", "specific_film", 1, ".3g"),
     ("Friction", "friction_coefficient", 1, ".3g"),
     ("Film\n°C", "temperature_max_C_film", 1, ".1f"),
 )

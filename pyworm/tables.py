@@ -20,6 +20,7 @@ _SCENE = (
     ("Load per length", "load_per_length_N_m", 1e-3, "kN/m"),
     ("Relative radius", "radii_m", 1e3, "mm"),
     ("Reduced modulus", "reduced_modulus_Pa", 1e-9, "GPa"),
+    ("Composite roughness", "composite_roughness_m", 1e6, "µm"),
     ("Entrainment", "entrainment_m_per_s", 1.0, "m/s"),
     ("Sliding", "sliding_m_per_s", 1.0, "m/s"),
     ("Hertz: length", "hertz_length_m", 1e3, "mm"),
@@ -46,6 +47,8 @@ _FIGURES = (
     ("Minimum film", "film_min_m", 1e6, "µm", "film_min_error", "film_min"),
     ("Minimum film on the centre line", "film_exit_min_m", 1e6, "µm", None, "film_exit_min"),
     ("  along it at", "film_exit_min_at_m", 1e3, "mm", None, "film_exit_min_at"),
+    ("Composite roughness", "composite_roughness_m", 1e6, "µm", None, "composite_roughness"),
+    ("Specific film lambda", "specific_film", 1.0, "", "specific_film_error", "specific_film"),
     (
         "Friction coefficient",
         "friction_coefficient",
@@ -82,6 +85,9 @@ _FIGURES = (
     ("Convolutions", "convolutions", 1.0, "", None, None),
 )
 
+
+SLENDER = {"box": SIMPLE_HEAD, "padding": (0, 1, 0, 0)}
+"""The look of tables with a row a scene, whose columns must share a terminal's width."""
 
 HOT_PLACES = {"body_1": "body 1", "body_2": "body 2", "film": "the film"}
 """Key of a largest temperature in summaries -> what it is of."""
@@ -129,7 +135,7 @@ def figures_table(
 
 
 def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
-    """The figures by which scenes are compared, a row a scene.
+    """The figures by which scenes are compared, a row a scene; the specific film where roughness is known.
 
     Parameters
     ----------
@@ -139,9 +145,11 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
         `Solution.summary()` of each one's solution.
     """
     heading, labels = _places(scenes)
-    table = Table(title="All scenes", title_justify="left")
+    table = Table(title="All scenes", title_justify="left", **SLENDER)
     table.add_column(heading, no_wrap=True)
-    for heading in ("Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %", "s"):
+    rough = all("specific_film" in values for values in summaries)
+    headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
+    for heading in (*headings, *(["lambda"] if rough else []), "s"):
         table.add_column(heading, justify="right")
     table.add_column("Con-\nver-\nged")
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
@@ -153,6 +161,7 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
             f"{values['film_central_error'] * 100:.2g}",
             f"{values['film_min_m'] * 1e6:.4g}",
             f"{values['film_min_error'] * 100:.2g}",
+            *([f"{values['specific_film']:.3g}"] if rough else []),
             f"{values['seconds']:.1f}",
             "yes" if values["converged"] else "NO",
         )
@@ -166,7 +175,8 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     """
     heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
-    table = Table(heading, title="Friction and heat of all scenes", title_justify="left")
+    title = "Friction and heat of all scenes"
+    table = Table(heading, title=title, title_justify="left", **SLENDER)
     headings = ["Friction", "± %", "Loss"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
@@ -228,7 +238,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     for label, key, scale, unit in _SCENE:
         if key in summary:
             table.add_row(*_quantity(label, summary[key], scale, unit))
-    table.add_row("Regime", plan.regime.name)
+    table.add_row("Regime", ", ".join(filter(None, (plan.regime.name, plan.regime.doubt))))
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
     for grid in plan.grids:
@@ -265,7 +275,7 @@ QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Tem
 def _influence(share: float | None) -> str:
     if share is None:
         return ""
-    return ">100 %" if share > 1 else f"{share * 100:.2g} %"
+    return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"
 
 
 def _title(scene: Scene | LineScene) -> str:

@@ -81,7 +81,7 @@ VARIABLES = {
     "film_by_regime": ("m", "minimum film by the formula of each regime"),
     "printed_film_by_regime": ("1", "the source's formula of each regime with SI numbers"),
     "heated_share": ("1", "film heated in the inlet over the isothermal one (Wilson and Sheu)"),
-    "lambda_ratio": ("1", "minimum film over composite roughness"),
+    "specific_film": ("1", "lambda, minimum film over composite roughness"),
     "flank": ("m", "worm flank in the axes of the drive"),
     "roller_surface": ("m", "rollers in the axes of the drive"),
     "contact_line": ("m", "contact line of a roller in mesh in the axes of the drive"),
@@ -110,7 +110,7 @@ VARIABLES = {
     "closed_form_hertz_pressure": ("Pa", "largest pressure of the dry contact"),
     "closed_form_film_central": ("m", "central film by Dowson and Toyoda"),
     "closed_form_film_min": ("m", "minimum film by Dowson and Higginson"),
-    "closed_form_specific_film": ("1", "that minimum film over the composite roughness"),
+    "closed_form_specific_film": ("1", "lambda, that minimum film over the composite roughness"),
     "closed_form_flash_temperature": ("K", "Blok's flash temperature, a rise over the bulk's"),
     "closed_form_contact_temperature": ("K", "bulk temperature and Blok's flash temperature"),
 }

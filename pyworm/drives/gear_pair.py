@@ -145,7 +145,7 @@ class GearPairDrive:
     lead_crowning : float
         How much of both flanks together is taken off at the ends of the face [m].
     surfaces : Surfaces or None
-        What the closed forms of lubrication and scuffing need beside; None if not known.
+        What the closed forms of friction and scuffing need beside; None if not known.
     """
 
     teeth: InvolutePair

@@ -5,13 +5,13 @@ scenes.
 """
 
 from dataclasses import dataclass
-from math import hypot
 from typing import Any
 
 import numpy as np
 
-from pyworm.bodies import Body, reduced_modulus
+from pyworm.bodies import Body, composite_roughness, reduced_modulus
 from pyworm.formulas.film import dowson_higginson, dowson_toyoda, line_groups
+from pyworm.formulas.wear_distress import specific_film
 from pyworm.oils import Oil
 
 Array = np.ndarray
@@ -23,22 +23,14 @@ class Surfaces:
 
     Attributes
     ----------
-    roughness : tuple of float
-        Root mean square roughness of pinion and gear [m].
     friction_coefficient : float
         Mean coefficient of friction of Blok's flash temperature [-].
     scuffing_temperature : float or None
         Mean scuffing temperature of the oil [K]; None if not known.
     """
 
-    roughness: tuple[float, float]
     friction_coefficient: float
     scuffing_temperature: float | None = None
-
-    @property
-    def composite_roughness(self) -> float:
-        """(R1^2 + R2^2)^(1/2) [m]."""
-        return hypot(*self.roughness)
 
 
 @dataclass(frozen=True)
@@ -54,7 +46,7 @@ class GearRating:
     film_min : float
         Least film by Dowson and Higginson [m].
     specific_film : float or None
-        Least film over composite roughness [-]; None without surfaces.
+        Least film over composite roughness [-]; None if that is not known.
     flash_temperature : float or None
         Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat.
     contact_temperature : float or None
@@ -87,7 +79,7 @@ def rate(
     oil : Oil
         The oil as it enters the contacts.
     surfaces : Surfaces or None
-        Roughness and friction.
+        Friction.
     """
     modulus = reduced_modulus(*bodies)
     half_width = np.sqrt(8 * contacts.unit_load * contacts.radius / (np.pi * modulus))
@@ -106,9 +98,11 @@ def rate(
         "film_central": dowson_toyoda(groups).central,
         "film_min": least,
     }
+    roughness = composite_roughness(*bodies)
+    if roughness is not None:
+        rating["specific_film"] = specific_film(least, roughness)
     if surfaces is None:
         return GearRating(**rating)
-    rating["specific_film"] = least / surfaces.composite_roughness
     rating["scuffing_temperature"] = surfaces.scuffing_temperature
     if oil.heat is not None:
         flash = _flash_temperature(

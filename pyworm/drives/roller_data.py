@@ -76,7 +76,7 @@ def roller_cycle_data(drive: Any) -> xr.Dataset:
                 "formula_film_central": point(lambda s: s.films.central),
                 "printed_film_min": point(lambda s: s.films.printed_minimum),
                 "heated_share": point(lambda s: s.films.heated_share),
-                "lambda_ratio": point(lambda s: s.films.lambda_ratio),
+                "specific_film": point(lambda s: s.films.specific_film),
                 "film_by_regime": regime(lambda s: s.films.by_regime),
                 "printed_film_by_regime": regime(lambda s: s.films.printed),
                 **_flanks(drive),

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyworm.bodies import Body, reduced_modulus
+from pyworm.bodies import Body, composite_roughness, reduced_modulus
 from pyworm.drives.roller_envelope import Array
 from pyworm.drives.roller_motion import LineMotion
 from pyworm.formulas.film import dowson_higginson, line_groups, moes_line
-from pyworm.formulas.film_reduction import lambda_ratio, wilson_sheu
+from pyworm.formulas.film_reduction import wilson_sheu
 from pyworm.formulas.regimes import (
     ISOVISCOUS_ELASTIC,
     ISOVISCOUS_RIGID,
@@ -17,6 +17,7 @@ from pyworm.formulas.regimes import (
     line_regime,
 )
 from pyworm.formulas.roller_enveloping import printed_films, printed_minimum, printed_parameters
+from pyworm.formulas.wear_distress import specific_film
 from pyworm.oils import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE, Oil, Roelands
 
 REGIMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
@@ -45,8 +46,9 @@ class ClosedFilms:
         The source's four films as printed, (4, ...), in the order of `REGIMES`.
     heated_share : ndarray
         Wilson and Sheu's film over the isothermal one; NaN where nothing is known of the oil's heat.
-    lambda_ratio : ndarray
-        Dowson and Higginson's minimum film, heated if known, over the composite roughness [-].
+    specific_film : ndarray
+        Dowson and Higginson's minimum film, heated if known, over the composite roughness [-]; NaN where that
+        is not known.
     """
 
     g_v: Array
@@ -60,7 +62,7 @@ class ClosedFilms:
     printed_minimum: Array
     printed: Array
     heated_share: Array
-    lambda_ratio: Array
+    specific_film: Array
 
 
 def closed_films(
@@ -69,7 +71,6 @@ def closed_films(
     motion: LineMotion,
     bodies: tuple[Body, Body],
     oil: Oil,
-    roughness: tuple[float, float],
 ) -> ClosedFilms:
     """Films at contacts with an induced curvature [1/m] under a load for each length [N/m].
 
@@ -115,8 +116,14 @@ def closed_films(
             ]
         ),
         heated_share=heated,
-        lambda_ratio=lambda_ratio(minimum * warm, *roughness),
+        specific_film=_specific_film(minimum * warm, bodies),
     )
+
+
+def _specific_film(film: Array, bodies: tuple[Body, Body]) -> Array:
+    """Films over the composite roughness."""
+    roughness = composite_roughness(*bodies)
+    return np.full(film.shape, np.nan) if roughness is None else specific_film(film, roughness)
 
 
 def _heated_share(oil: Oil, motion: LineMotion) -> Array:

@@ -156,8 +156,6 @@ class RollerWormDrive:
         Worm and rollers.
     oil : Oil
         The oil.
-    roughness : tuple of float
-        Of worm and rollers, rms [m].
     """
 
     worm: RollerWorm
@@ -170,7 +168,6 @@ class RollerWormDrive:
     rolling: Spinning
     bodies: tuple[Body, Body]
     oil: Oil
-    roughness: tuple[float, float]
 
     def __post_init__(self) -> None:
         _check(self)
@@ -279,9 +276,7 @@ class RollerWormDrive:
             contact=contact,
             load=load,
             motion=motion,
-            films=closed_films(
-                contact.curvature, load, motion, self.bodies, self.oil, self.roughness
-            ),
+            films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
         )
 
     def scene(self, section: str, phase: float, station: float | None = None) -> LineScene | Scene:

@@ -64,6 +64,8 @@ class Effect:
         Why a contact has none of it, or why it cannot be told; None where it has.
     together : tuple of str
         Effects without which it is not simulated.
+    eased_by : tuple of str
+        Effects that are kept beside it: they cost nothing more there and make it easier to solve.
     part_of : str or None
         An effect earlier in the catalogue without which there is nothing of it.
     """
@@ -76,4 +78,5 @@ class Effect:
     without: Callable[[Contact], Contact] | None
     lacking: Callable[[Contact], str | None] = lambda scene: None
     together: tuple[str, ...] = ()
+    eased_by: tuple[str, ...] = ()
     part_of: str | None = None

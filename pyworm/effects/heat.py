@@ -177,5 +177,6 @@ VISCOSITY_ACROSS = Effect(
     without=lambda scene: scene,
     lacking=_unknown,
     together=("film-heating", "surface-heating"),
+    eased_by=("shear-thinning",),  # which keeps hot layers from taking all the shear
     part_of="film-heating",
 )

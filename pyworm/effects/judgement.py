@@ -113,11 +113,11 @@ def _percent(share: float) -> str:
 
 
 def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:
-    """Switch on what an effect that is on cannot do without."""
+    """Switch on what an effect that is on cannot do without, and what eases it."""
     if not judgements[effect.name].on:
         return
-    for name in effect.together:
-        other = judgements[name]
-        if not other.on and other.indicator is not None:
-            reason = f"goes with {effect.name}"
-            judgements[name] = replace(other, on=True, reason=reason)
+    for verb, names in (("goes with", effect.together), ("eases", effect.eased_by)):
+        for name in names:
+            other = judgements[name]
+            if not other.on and other.indicator is not None:
+                judgements[name] = replace(other, on=True, reason=f"{verb} {effect.name}")

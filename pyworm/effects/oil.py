@@ -174,4 +174,5 @@ LIMITING_STRESS = Effect(
     influence=lambda sketch: unlike(sketch, _unlimited(sketch.oil.flow)),
     without=_flowing(_unlimited, _limits),
     lacking=_lacking(_limits, "limiting stress"),
+    eased_by=("shear-thinning",),  # which rounds the corner of the limit
 )

@@ -2,7 +2,7 @@
 
 from math import exp
 
-from pyworm.effects.effect import Contact, Effect, Influence
+from pyworm.effects.effect import Effect, Influence
 from pyworm.effects.sketch import Sketch
 
 # ---------------------------------------------------------------------------------------- starvation
@@ -60,14 +60,9 @@ SQUEEZE = Effect(
 # ----------------------------------------------------------------------------------------- roughness
 
 
-def _roughness(scene: Contact) -> float:
-    """Composite root mean square roughness [m]."""
-    return sum(body.roughness**2 for body in scene.bodies) ** 0.5
-
-
 def _thickness(sketch: Sketch) -> float:
     """Specific film: minimum film over the composite roughness."""
-    return sketch.film_min / _roughness(sketch.scene)
+    return sketch.film_min / sketch.scene.composite_roughness
 
 
 def _by_roughness(sketch: Sketch) -> Influence:
@@ -83,7 +78,5 @@ ROUGHNESS = Effect(
     indicator=_thickness,
     influence=_by_roughness,
     without=None,
-    lacking=lambda scene: (
-        "roughness not given" if None in [body.roughness for body in scene.bodies] else None
-    ),
+    lacking=lambda scene: "roughness not given" if scene.composite_roughness is None else None,
 )

@@ -1,11 +1,6 @@
-"""What heat takes from a film, and whether what is left keeps rough surfaces apart."""
-
-from math import hypot
+"""What heat takes from a film."""
 
 import numpy as np
-
-FULL_FILM, BOUNDARY = 3.0, 1.0
-"""Lambda ratios above which surfaces are apart, and below which asperities carry most of the load."""
 
 
 def wilson_sheu(viscosity, temperature_coefficient, conductivity, velocity_1, velocity_2):
@@ -31,15 +26,3 @@ def wilson_sheu(viscosity, temperature_coefficient, conductivity, velocity_1, ve
     loading = viscosity * temperature_coefficient * mean**2 / conductivity
     ratio = np.abs(velocity_1 - velocity_2) / (2 * mean)
     return 1 / (1 + 0.241 * (1 + 14.8 * ratio**0.83) * loading**0.64)
-
-
-def lambda_ratio(film, roughness_1: float, roughness_2: float):
-    """Lambda: minimum film over the composite rms roughness, sqrt(sigma1^2 + sigma2^2) [-]; all in m."""
-    return film / hypot(roughness_1, roughness_2)
-
-
-def film_state(ratio: float) -> str:
-    """What a lambda ratio means: "full" above 3, "mixed" above 1, else "boundary"."""
-    if ratio > FULL_FILM:
-        return "full"
-    return "mixed" if ratio > BOUNDARY else "boundary"

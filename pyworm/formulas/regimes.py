@@ -15,11 +15,15 @@ from dataclasses import dataclass
 from math import atan, exp, sqrt
 
 from pyworm.formulas.film import LineGroups, PointGroups
+from pyworm.formulas.hertz import ellipticity
 
 ISOVISCOUS_RIGID = "isoviscous-rigid"
 PIEZOVISCOUS_RIGID = "piezoviscous-rigid"
 ISOVISCOUS_ELASTIC = "isoviscous-elastic"
 PIEZOVISCOUS_ELASTIC = "piezoviscous-elastic"
+
+POINT_RANGE = (1, 8)
+"""Ellipticities for which Hamrock and Dowson's chart was made."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +38,25 @@ class Regime:
         Minimum film each regime's formula gives [m].
     parameters : dict of str to float
         Coordinates on the chart of regimes: "viscosity" (g_V) and "elasticity" (g_E) [-].
+    ratio : float or None
+        Relative radius along the entrainment over that across, which a chart of points is drawn for [-];
+        None of a line contact, whose chart is one.
     """
 
     name: str
     film_by_regime: dict[str, float]
     parameters: dict[str, float]
+    ratio: float | None = None
+
+    @property
+    def doubt(self) -> str:
+        """What is to be known of the chart here; empty within its range."""
+        if self.ratio is None:
+            return ""
+        k, (least, most) = ellipticity(1 / self.ratio), POINT_RANGE
+        return (
+            "" if least <= k <= most else f"charted for ellipticity {least} to {most}, here {k:.2g}"
+        )
 
 
 def point_regime(groups: PointGroups) -> Regime:
@@ -59,15 +77,28 @@ def point_regime(groups: PointGroups) -> Regime:
     """
     u, w = groups.speed, groups.load
     viscosity, elasticity = groups.material * w**3 / u**2, w ** (8 / 3) / u**2
-    r, k = 1 / groups.ratio, groups.ellipticity
+    films = point_films(viscosity, elasticity, groups.ratio)
+    return _regime(films, groups.radius * (u / w) ** 2, viscosity, elasticity, groups.ratio)
+
+
+def point_films(viscosity: float, elasticity: float, ratio: float) -> dict[str, float]:
+    """Film of each regime, H = (h/R) (W/U)^2, by the formulas of `point_regime`.
+
+    Parameters
+    ----------
+    viscosity, elasticity : float or array
+        g_V and g_E [-].
+    ratio : float
+        D, relative radius along the entrainment over that across [-].
+    """
+    r, k = 1 / ratio, ellipticity(1 / ratio)
     side = 1 - exp(-0.68 * k)
-    films = {
+    return {
         ISOVISCOUS_RIGID: 128 * r * (1 + 2 / (3 * r)) ** -2 * (0.131 * atan(r / 2) + 1.683) ** 2,
         PIEZOVISCOUS_RIGID: 1.66 * viscosity ** (2 / 3) * side,
         ISOVISCOUS_ELASTIC: 8.70 * elasticity**0.67 * (1 - 0.85 * exp(-0.31 * k)),
         PIEZOVISCOUS_ELASTIC: 3.42 * viscosity**0.49 * elasticity**0.17 * side,
     }
-    return _judge(films, groups.radius * (u / w) ** 2, viscosity, elasticity)
 
 
 def line_regime(groups: LineGroups) -> Regime:
@@ -91,21 +122,43 @@ def line_regime(groups: LineGroups) -> Regime:
     """
     u, w = groups.speed, groups.load
     viscosity, elasticity = groups.material * sqrt(w**3 / u), w / sqrt(u)
-    films = {
+    return _regime(line_films(viscosity, elasticity), groups.radius * u / w, viscosity, elasticity)
+
+
+def line_films(viscosity: float, elasticity: float) -> dict[str, float]:
+    """Film of each regime, H = (h/R) (W/U), by the formulas of `line_regime`.
+
+    Parameters
+    ----------
+    viscosity, elasticity : float or array
+        g_V and g_E [-].
+    """
+    return {
         ISOVISCOUS_RIGID: 4.9,
         PIEZOVISCOUS_RIGID: 1.666 * viscosity ** (2 / 3),
         ISOVISCOUS_ELASTIC: 3.10 * elasticity**0.8,
         PIEZOVISCOUS_ELASTIC: 1.665 * viscosity**0.75 * elasticity**-0.25,
     }
-    return _judge(films, groups.radius * u / w, viscosity, elasticity)
 
 
-def _judge(films: dict[str, float], unit: float, viscosity: float, elasticity: float) -> Regime:
-    """The regime by the rule of this module, from dimensionless films and their unit [m]."""
+def prevailing(films: dict[str, float]) -> str:
+    """The regime by the rule of this module, from the film of each."""
     isoviscous = max(ISOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, key=films.__getitem__)
     piezoviscous = min(PIEZOVISCOUS_RIGID, PIEZOVISCOUS_ELASTIC, key=films.__getitem__)
+    return max(isoviscous, piezoviscous, key=films.__getitem__)
+
+
+def _regime(
+    films: dict[str, float],
+    unit: float,
+    viscosity: float,
+    elasticity: float,
+    ratio: float | None = None,
+) -> Regime:
+    """The regime of dimensionless films with their unit [m]."""
     return Regime(
-        name=max(isoviscous, piezoviscous, key=films.__getitem__),
+        name=prevailing(films),
         film_by_regime={name: unit * film for name, film in films.items()},
         parameters={"viscosity": viscosity, "elasticity": elasticity},
+        ratio=ratio,
     )

@@ -17,6 +17,7 @@ from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.roller_cycle import draw_roller_cycle, draw_roller_sensitivity
 from pyworm.plots.roller_drive import draw_roller_drive
 from pyworm.plots.roller_regimes import draw_roller_regimes
@@ -90,7 +91,7 @@ def draw(
     Returns
     -------
     list of Path
-        The files, scene by scene, the mesh cycle or the traction curve last.
+        The files, scene by scene, those of the whole result last.
     """
     if not isinstance(result, Result):
         result = open_result(result)
@@ -103,6 +104,8 @@ def draw(
     if result.mesh_cycle is not None:
         for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
             written.append(write(cycle(result), directory / f"{name}.png"))
+    if result.solutions:
+        written.append(write(draw_regimes(result), directory / "regimes.png"))
     if traction_curve(result):
         written.append(write(draw_traction(result), directory / "traction.png"))
     return written

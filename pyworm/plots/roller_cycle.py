@@ -5,6 +5,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.formulas.wear_distress import BOUNDARY, FULL_FILM
 from pyworm.plots.roller_drive import SECTION_COLOURS
 from pyworm.plots.style import MICRO, MILLI, new_figure
 from pyworm.result import Result
@@ -14,7 +15,7 @@ RPM = 30 / np.pi
 
 
 def draw_roller_cycle(result: Result) -> Figure:
-    """Film, load, velocities and lambda ratio over the wheel angle of a roller."""
+    """Film, load, velocities and specific film over the wheel angle of a roller."""
     cycle = result.mesh_cycle
     figure = new_figure(9, 11, f"{result.case_name}  ·  a roller's way through both sections")
     axes = figure.subplots(4, sharex=True)
@@ -115,30 +116,34 @@ def _draw_motion(axes: Axes, cycle: xr.Dataset) -> None:
 
 
 def _draw_lambda(axes: Axes, cycle: xr.Dataset) -> None:
-    """Lambda ratio of the closed form along the whole line, and what heat takes from the film."""
+    """Specific film of the closed form along the whole line, and what heat takes from the film."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():
         way = cycle.sel(section=section)
         angle = np.degrees(way["wheel_angle"])
-        ratio = way["lambda_ratio"]
+        ratio = way["specific_film"]
         axes.fill_between(
             angle, ratio.min("station"), ratio.max("station"), color=colour, alpha=0.4, lw=0
         )
         other.plot(angle, way["heated_share"].mean("station"), color=colour, ls="--")
-    for limit, name in ((3.0, "full film above"), (1.0, "boundary below")):
-        axes.axhline(limit, color="0.4", lw=0.8)
-        axes.text(
-            0.01,
-            limit,
-            name,
-            size=8,
-            color="0.4",
-            va="bottom",
-            transform=axes.get_yaxis_transform(),
-        )
+    if np.isnan(cycle["specific_film"]).all():
+        axes.set_yticks([])
+        axes.text(0.01, 0.05, "roughness not given", color="0.4", transform=axes.transAxes)
+    else:
+        for limit, name in ((FULL_FILM, "full film above"), (BOUNDARY, "boundary below")):
+            axes.axhline(limit, color="0.4", lw=0.8)
+            axes.text(
+                0.01,
+                limit,
+                name,
+                size=8,
+                color="0.4",
+                va="bottom",
+                transform=axes.get_yaxis_transform(),
+            )
     axes.set_ylim(bottom=0)
     other.set_ylim(0, 1.05)
-    axes.set_ylabel("lambda ratio")
+    axes.set_ylabel("specific film lambda")
     other.set_ylabel("film left by heat\n(Wilson and Sheu, dashed)")
 
 

@@ -2,19 +2,26 @@
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from pyworm import units
 from pyworm.bodies import Body
+from pyworm.formulas.wear_distress import FINEST, ROUGHEST
 from pyworm.oils import Oil
 from pyworm.schema.table import Table
+
+
+def _as_surfaces_have(height: float) -> float:
+    if not FINEST <= height <= ROUGHEST:
+        raise ValueError('must be a root mean square height, 0.1 nm to 0.1 mm, such as "0.4 um"')
+    return height
 
 
 class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
     Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
-    mean square height, Rq.
+    mean square height Rq, not Ra, which is about 0.8 Rq.
     """
 
     youngs_modulus: units.Pressure
@@ -23,7 +30,7 @@ class BodyTable(Table):
     conductivity: units.Conductivity | None = None
     specific_heat: units.SpecificHeat | None = None
     bulk_temperature: units.Temperature | None = None
-    roughness: units.Length | None = None
+    roughness: Annotated[units.Length, AfterValidator(_as_surfaces_have)] | None = None
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""

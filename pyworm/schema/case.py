@@ -51,10 +51,13 @@ class CaseTable(Table):
 
     @model_validator(mode="after")
     def _bodies_take_heat_with_the_oil(self):
+        named = "" if self.oil.temperature is None else f" of {self.oil.name}"
         for name, body in self.bodies:
             for key in ("density", "conductivity", "specific_heat"):
                 if self.oil.heat is not None and getattr(body, key) is None:
-                    raise ValueError(f"bodies.{name}.{key} is missing; [oil.heat] asks for it")
+                    raise ValueError(
+                        f"bodies.{name}.{key} is missing; [oil.heat]{named} asks for it"
+                    )
             if self.oil.heat is None and body.bulk_temperature is not None:
                 raise ValueError(f"bodies.{name}.bulk_temperature means nothing without [oil.heat]")
         return self

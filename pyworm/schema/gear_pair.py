@@ -59,10 +59,8 @@ class GearOperationTable(Table):
 
 
 class SurfacesTable(Table):
-    """`[surfaces]`: what the closed forms of lubrication and scuffing need; roughness as root mean square."""
+    """`[surfaces]`: what the closed forms of friction and scuffing need."""
 
-    pinion_roughness: units.Length
-    gear_roughness: units.Length
     friction_coefficient: PositiveNumber
     scuffing_temperature: units.Temperature | None = None
 

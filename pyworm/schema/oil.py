@@ -1,10 +1,11 @@
 """`[oil]`: the lubricant of a case."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
 from pyworm import units
+from pyworm.named_oils import HeatCourseTable, names
 from pyworm.oils import (
     ROELANDS_POLE_TEMPERATURE,
     ROELANDS_PRESSURE,
@@ -15,6 +16,7 @@ from pyworm.oils import (
     OilHeat,
     Roelands,
 )
+from pyworm.schema.oil_by_name import spelled_out
 from pyworm.schema.table import NumberOrZero, PositiveNumber, Table, Text
 
 
@@ -149,7 +151,7 @@ ShearTable = NewtonianTable | EyringTable | BairWinerTable | LimitedEyringTable 
 """`[oil.shear]`: how the oil shears; the laws are those of `FlowLaw`."""
 
 
-class HeatTable(Table):
+class HeatTable(HeatCourseTable):
     """`[oil.heat]`: how the oil takes heat; the laws are those of `OilHeat`.
 
     How viscosity falls with temperature is given by the exponent `s0` of Roelands' law or by its slope `beta`
@@ -162,14 +164,6 @@ class HeatTable(Table):
     conductivity: units.Conductivity
     specific_heat: units.SpecificHeat
     expansivity: units.TemperatureCoefficientOrZero = 0.0
-    expansivity_decay: units.PressureCoefficientOrZero = 0.0
-    conductivity_c1: units.PressureCoefficientOrZero = 0.0
-    conductivity_c2: units.PressureCoefficientOrZero = 0.0
-    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
-    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
-    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
-    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
-    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
 
     @field_validator("inlet_temperature")
     @classmethod
@@ -191,14 +185,28 @@ class HeatTable(Table):
 
 
 class OilTable(Table):
-    """`[oil]`: the oil at its inlet temperature, and how thick a layer of it arrives if it is not plenty."""
+    """`[oil]`: the oil at its inlet temperature, and how thick a layer of it arrives if it is not plenty.
+
+    With a temperature beside it the name is that of an oil in `pyworm/data/oils.toml`, whose numbers there
+    fill in the tables. A checked case holds these numbers, and has no need of the temperature any more.
+    """
 
     name: Text
+    temperature: units.Temperature | None = Field(default=None, exclude=True)
     viscosity: Annotated[BarusTable | RoelandsTable, Field(discriminator="law")]
     density: Annotated[DensityTable | GeneralDensityTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
     supply: units.Length | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _by_name(cls, table: Any) -> Any:
+        if not isinstance(table, dict):
+            return table
+        # A known name alone lacks its temperature rather than the tables.
+        bare = table.keys() == {"name"} and table["name"] in names()
+        return spelled_out(table) if "temperature" in table or bare else table
 
     @model_validator(mode="after")
     def _one_exponent_of_temperature(self):

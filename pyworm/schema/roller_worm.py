@@ -109,20 +109,12 @@ class RollerOperationTable(Table):
         return self.worm_torque or self.power / self.worm_speed
 
 
-class RollerSurfacesTable(Table):
-    """`[surfaces]`: roughness as root mean square."""
-
-    worm_roughness: units.Length
-    roller_roughness: units.Length
-
-
 class RollerWormCase(CaseTable):
     """A case file about a roller enveloping worm drive."""
 
     drive: RollerDriveTable
     operation: RollerOperationTable
     bodies: RollerBodies
-    surfaces: RollerSurfacesTable
 
     @model_validator(mode="after")
     def _free_rollers_need_a_flow_law(self):

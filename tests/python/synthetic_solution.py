@@ -8,7 +8,9 @@ import xarray as xr
 from scipy.interpolate import RegularGridInterpolator
 
 from pyworm.drives.zi_data import mesh_cycle_data
+from pyworm.formulas.film import line_groups, point_groups
 from pyworm.formulas.hertz import hertz, hertz_line
+from pyworm.formulas.regimes import line_regime, point_regime
 from pyworm.result import Result
 from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
 from pyworm.variables import describe
@@ -99,6 +101,7 @@ def make_solution(
         converged=converged,
         stop_reason="residual below its tolerance" if converged else "too many iterations",
         figures=figures,
+        regime=point_regime(point_groups(*radii, load, reduced_modulus, speed, 0.04, 2.2e-8)),
         fields=fields,
         history=make_history(),
         cost=Cost(seconds=2.5, convolutions=311.5),
@@ -147,6 +150,7 @@ def make_line_solution(load=183e3, film_central=175e-9, phase=None, converged=Tr
             mass_error=1e-7,
             residual=2e-7,
         ),
+        regime=line_regime(line_groups(0.01, load, 226e9, 0.46, 0.04, 2.2e-8)),
         fields=fields,
         history=make_history().drop_vars("points_y"),
         cost=Cost(seconds=0.05, convolutions=2000.0),

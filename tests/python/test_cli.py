@@ -85,6 +85,7 @@ def test_a_line_contact_runs_like_a_point_contact(tmp_path, capsys):
     assert scene["film_min_error"] < 0.01
     assert len(scene["film_min_at_m"]) == len(scene["grid"]) == 1
     assert sorted(path.name for path in out.iterdir()) == [
+        "regimes.png",
         "result.nc",
         "scene_000_history.png",
         "scene_000_profiles.png",

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pyworm
+from pyworm.bodies import Body
 from pyworm.case_error import CaseError
 from pyworm.cli import main
 from pyworm.drives.gear_gap import Flank
@@ -22,6 +23,8 @@ from pyworm.result import Result, open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 SPUR_TEXT = (CASES / "spur_pair.toml").read_text()
+STEEL = Body(206e9, 0.3)
+"""Steel of which no roughness is known, nor how it takes heat."""
 
 
 @pytest.fixture(scope="module")
@@ -398,8 +401,10 @@ def test_the_rating_by_hand(spur):
 def test_a_case_without_surfaces_or_heat_has_films_only(spur):
     phases = np.array([0.3, 0.6])
     bare = replace(spur, surfaces=None)
-    assert bare.rating(bare.contacts(phases)).specific_film is None
     assert "closed_form_flash_temperature" not in bare.cycle_data()
+    smooth = replace(spur, bodies=tuple(replace(body, roughness=None) for body in spur.bodies))
+    assert smooth.rating(smooth.contacts(phases)).specific_film is None
+    assert "closed_form_specific_film" not in smooth.cycle_data()
     cold = replace(spur, oil=replace(spur.oil, heat=None))
     rating = cold.rating(cold.contacts(phases))
     assert rating.specific_film is not None
@@ -555,7 +560,7 @@ def test_the_line_of_action_shows_loads_and_sliding(solved, increaser):
 
 
 def test_a_pair_without_surfaces_has_films_alone(spur):
-    bare = replace(spur, surfaces=None)
+    bare = replace(spur, surfaces=None, bodies=(STEEL, STEEL))
     result = Result("bare", {}, (), bare.cycle_data(), {})
     (film,) = draw_film_and_temperature(result).axes
     assert film.get_ylabel() == "film / µm"

@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 from math import inf, isfinite
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -224,3 +225,21 @@ def test_check_lists_effects_as_json(capsys):
     for effect in scene["effects"]:
         assert set(effect) == {"name", "on", "indicator", "influence", "reason"}
         assert all(value is None or isfinite(value) for value in effect["influence"].values())
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "zi_sharif_2001.toml --phase 0.5",
+        "roller_ref.toml --section left --phase 0.5 --station 0.5 "
+        "--effects auto --quantities film --accuracy 5%",
+    ],
+)
+def test_the_readme_shows_what_check_prints(arguments, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "112")
+    assert main(["check", *f"cases/{arguments}".split()]) == CONVERGED
+    rows = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    shown = [line for line in rows if line.partition(" ")[0] in BY_NAME]
+    assert len(shown) == len(EFFECTS)
+    readme = Path("README.md").read_text()
+    assert "\n".join(shown) in readme

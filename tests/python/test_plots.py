@@ -1,13 +1,16 @@
 """Pictures: all are drawn, and they show what their scales and outlines claim."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 import xarray as xr
 from hypothesis import given
 from hypothesis import strategies as st
+from matplotlib.collections import QuadMesh
 from matplotlib.contour import ContourSet
+from matplotlib.figure import Figure
 from matplotlib.image import imread
 from matplotlib.quiver import Quiver
 from matplotlib.text import Text
@@ -24,6 +27,7 @@ from synthetic_solution import (
 )
 
 from pyworm.formulas.hertz import hertz, hertz_line
+from pyworm.formulas.regimes import line_films, point_films, prevailing
 from pyworm.plots import draw
 from pyworm.plots.across_film import draw_across_film
 from pyworm.plots.cycle import draw_cycle
@@ -37,6 +41,7 @@ from pyworm.plots.line_profiles import draw_line_profiles
 from pyworm.plots.outline import signed_square
 from pyworm.plots.pressure import draw_pressure
 from pyworm.plots.profiles import draw_profiles
+from pyworm.plots.regimes import SHORT, draw_chart, draw_regimes
 from pyworm.plots.style import Window, contact_window, heading
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction
@@ -69,7 +74,7 @@ def test_all_pictures_of_a_file(tmp_path):
     file = result.save(tmp_path / "result.nc")
     written = draw(file, tmp_path / "pictures" / "here")
     expected = [f"scene_{i:03d}_{name}.png" for i in range(2) for name in SCENE_NAMES]
-    assert [path.name for path in written] == [*expected, "mesh_cycle.png"]
+    assert [path.name for path in written] == [*expected, "mesh_cycle.png", "regimes.png"]
     for path in written:
         pixels = imread(path)[..., :3]
         assert min(pixels.shape[:2]) > 400
@@ -90,7 +95,7 @@ def test_all_pictures_of_a_file(tmp_path):
 )
 def test_every_shape_draws_without_warnings(solution, tmp_path):
     written = draw(Result("shape", {}, (with_heat(solution),), None, {}), tmp_path)
-    assert len(written) == len(SCENE_NAMES + HEAT_NAMES)
+    assert len(written) == len([*SCENE_NAMES, *HEAT_NAMES, "regimes"])
 
 
 def test_film_scale_ends_at_three_central_films(circle):
@@ -171,7 +176,30 @@ def test_a_line_contact_has_profiles_and_a_history(tmp_path):
     solutions = (make_line_solution(), make_line_solution(converged=False))
     written = draw(Result("lines", {}, solutions, None, {}), tmp_path)
     expected = [f"scene_{i:03d}_{name}.png" for i in range(2) for name in LINE_NAMES]
-    assert [path.name for path in written] == expected
+    assert [path.name for path in written] == [*expected, "regimes.png"]
+
+
+def test_contacts_stand_on_the_chart_of_their_kind():
+    point, line = make_solution(), make_line_solution()
+    figure = draw_regimes(Result("both", {}, (point, line), None, {}))
+    for axes, solution in zip(figure.axes, (point, line), strict=True):
+        (place,) = (curve.get_xydata()[0] for curve in axes.lines)
+        parameters = solution.regime.parameters
+        assert tuple(place) == (parameters["elasticity"], parameters["viscosity"])
+    assert "ellipticity 1 " in texts(figure)
+
+
+@pytest.mark.parametrize("films", [line_films, partial(point_films, ratio=0.2)])
+def test_the_chart_shades_the_regime_that_prevails(films):
+    axes = Figure().subplots()
+    draw_chart(axes, films, np.array([0.3, 300.0]), np.array([0.3, 1e5]))
+    (shades,) = (artist for artist in axes.collections if isinstance(artist, QuadMesh))
+    corners = shades.get_coordinates()
+    for row, column in np.random.default_rng(3).integers(1, 299, (200, 2)):
+        # the corners of a cell lie about the place it was judged at
+        ge, gv = np.sqrt(corners[row, column] * corners[row + 1, column + 1])
+        near = {prevailing(films(gv * a, ge * b)) for a in (0.9, 1.1) for b in (0.9, 1.1)}
+        assert list(SHORT)[int(shades.get_array()[row, column])] in near
 
 
 def test_a_line_profile_has_hertz_dashed_and_shows_the_contact():
@@ -274,6 +302,7 @@ def test_only_what_was_simulated_is_drawn(tmp_path, monkeypatch, hot):
         *(f"scene_001_{name}.png" for name in [*SCENE_NAMES, "friction"]),
         *(f"scene_002_{name}.png" for name in LINE_NAMES + HEAT_NAMES),
         *(f"scene_003_{name}.png" for name in [*LINE_NAMES, "friction"]),
+        "regimes.png",
     ]
     assert [path.name for path in written] == expected
 
@@ -422,4 +451,4 @@ def test_only_a_sweep_whose_shear_was_simulated_is_a_traction_curve(tmp_path, mo
     single = tuple(replace(of, slide_roll_ratio=None) for of in curve)
     for solutions, names in ((curve, ["traction.png"]), (plain, []), (single, [])):
         written = draw(Result("ball", {}, solutions, None, {}), tmp_path)
-        assert [path.name for path in written] == names
+        assert [path.name for path in written] == ["regimes.png", *names]

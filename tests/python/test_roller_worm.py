@@ -1,20 +1,24 @@
 """The roller enveloping drive from its case file to scenes, closed forms, refusals and pictures."""
 
 import json
+from dataclasses import replace
+from io import StringIO
 from itertools import pairwise
 from math import atan, cos, pi, sin
 from pathlib import Path
 
 import numpy as np
 import pytest
+from rich.console import Console
 
 import pyworm
 from pyworm.case import Case
 from pyworm.case_error import CaseError
 from pyworm.cli import main
 from pyworm.cycle_tables import ends_table
+from pyworm.drives.roller_film import closed_films
 from pyworm.formulas.film import dowson_higginson, line_groups
-from pyworm.formulas.film_reduction import film_state, lambda_ratio, wilson_sheu
+from pyworm.formulas.film_reduction import wilson_sheu
 from pyworm.formulas.roller_enveloping import (
     normal_force,
     printed_films,
@@ -47,6 +51,12 @@ def changed(*changes):
         assert old in text
         text = text.replace(old, new, 1)
     return text
+
+
+def printed(table):
+    console = Console(file=StringIO(), width=80)
+    console.print(table)
+    return console.file.getvalue()
 
 
 def refused(tmp_path, text) -> str:
@@ -134,10 +144,31 @@ def test_films_of_the_cycle_are_the_formulas(case, cycle):
     )
     composite = np.hypot(0.4e-6, 0.2e-6)
     warm = float(at["formula_film_min"] * at["heated_share"])
-    assert float(at["lambda_ratio"]) == pytest.approx(warm / composite, rel=1e-9)
+    assert float(at["specific_film"]) == pytest.approx(warm / composite, rel=1e-9)
     assert float(at["elasticity_parameter"]) == pytest.approx(np.sqrt(2) * groups.moes_m, rel=1e-3)
     viscous = np.sqrt(2) * groups.moes_m**1.5 * groups.moes_l
     assert float(at["viscosity_parameter"]) == pytest.approx(viscous, rel=1e-3)
+
+
+def test_closed_forms_go_without_roughness(case):
+    drive = case.drive
+    state = drive.state("left", 0.5, [0.2, 0.8])
+    given = state.contact.curvature, state.load, state.motion
+    smooth = tuple(replace(body, roughness=None) for body in drive.bodies)
+    bare = closed_films(*given, smooth, drive.oil)
+    assert np.isnan(bare.specific_film).all()
+    assert bare.minimum == pytest.approx(state.films.minimum, rel=0)
+    unloaded = closed_films(given[0], 0 * given[1], given[2], drive.bodies, drive.oil)
+    assert np.isnan(unloaded.specific_film).all()
+
+
+def test_the_table_of_a_cycle_without_roughness_tells_nothing_of_it(cycle):
+    said = printed(ends_table(cycle))
+    assert "Specific film lambda" in said and "mixed" in said
+    assert "…" not in said
+    bare = printed(ends_table(cycle.assign(specific_film=np.nan * cycle["specific_film"])))
+    assert "Minimum film" in bare
+    assert "lambda" not in bare and "Lubrication" not in bare
 
 
 def test_both_sections_carry_what_the_torques_ask(case, cycle):
@@ -183,11 +214,6 @@ def test_heat_takes_little_from_a_slow_film_and_more_where_surfaces_slide():
     loading = 0.08 * 0.04 * 100 / 0.14
     assert fast == pytest.approx(1 / (1 + 0.241 * loading**0.64))
     assert sliding == pytest.approx(1 / (1 + 0.241 * 15.8 * loading**0.64))
-
-
-def test_lambda_tells_full_mixed_and_boundary():
-    assert lambda_ratio(1e-6, 0.3e-6, 0.4e-6) == pytest.approx(2)
-    assert [film_state(ratio) for ratio in (3.5, 2.0, 0.5)] == ["full", "mixed", "boundary"]
 
 
 @pytest.mark.parametrize(
