@@ -14,21 +14,25 @@ module interruption
     !> Take and give back the lock of the interpreter (Python's C interface, "Non-Python created threads").
     integer(c_int) function ensure_python() bind(c, name="PyGILState_Ensure")
       import :: c_int
+      implicit none(type, external)
     end function ensure_python
 
     subroutine release_python(state) bind(c, name="PyGILState_Release")
       import :: c_int
+      implicit none(type, external)
       integer(c_int), value :: state
     end subroutine release_python
 
     !> Lets Python handle signals that came in; not zero if a handler raised an exception.
     integer(c_int) function check_signals() bind(c, name="PyErr_CheckSignals")
       import :: c_int
+      implicit none(type, external)
     end function check_signals
 
     !> The exception that is set in this thread, or null.
     type(c_ptr) function exception_set() bind(c, name="PyErr_Occurred")
       import :: c_ptr
+      implicit none(type, external)
     end function exception_set
   end interface
 

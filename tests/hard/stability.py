@@ -43,8 +43,8 @@ ALIKE = 1e-4
 """Relative difference that first guesses may leave on one grid."""
 
 BENT = 0.5
-"""Largest kink: by how much more a curve's slope, in decades over decades, may change at one point than it does
-beside it on average."""
+"""Largest kink: by how much more a curve's slope, in decades over decades, may change at one point than on
+average beside it."""
 
 
 def scene_of(tables: dict[str, Any], name: str = "stability") -> Scene:
