@@ -45,6 +45,10 @@ class Kind:
 
 SHARE = Kind("a share", "", "1 %")
 
+SMALLEST, LARGEST = 1e-24, 1e24
+"""Sizes in SI between which every value of a case lies that is not zero. Beyond, products of powers of values
+overflow."""
+
 
 @cache
 def _registry():
@@ -96,6 +100,8 @@ def parse(text: str, kind: Kind) -> float:
     allowed, wanted = _SIGNS[kind.sign]
     if not (math.isfinite(value) and allowed(value)):
         raise ValueError(f'must be {kind.noun} {wanted}, such as "{kind.example}"')
+    if value and not SMALLEST <= abs(value) <= LARGEST:
+        raise ValueError(f'must be {kind.noun} of a size that there is, such as "{kind.example}"')
     return value
 
 

@@ -23,7 +23,7 @@ POISSON_RATIO = 0.3
 MOST_SPIN = 0.2
 """Largest spin drawn, as a velocity at the end of the contact's long axis over the entrainment."""
 
-LEAST_SPINNING = 10.0
+LEAST_SPINNING = 50.0
 """Moes' M below which no spin is drawn: around an ellipse that spins in a thick film the pressure far out
 falls with the square of the distance only, so that its load has no end but that of the bodies. The solver
 marks such films (`docs/hard_cases.md`); they are not hard, they are no property of the contact."""
