@@ -66,8 +66,10 @@ class Result:
             for group in tree.subtree
             if group.name == "fields"
         }
+        # made in memory: where the disk is full the library closes its file again and again, and says so
+        content = tree.to_netcdf(None, engine="h5netcdf", encoding=encoding)
         with whole_file(path) as partial:
-            tree.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
+            partial.write_bytes(content)
         return path
 
 
