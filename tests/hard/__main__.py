@@ -4,6 +4,7 @@
     python tests/hard named             # a part: named, isothermal, thermal, stability
     python tests/hard isothermal:0-99   # some random scenes, by number
     python tests/hard thermal:37        # one scene, with its case file
+    python tests/hard --trapped         # the named scenes in a debug build, on their first grids
 
 Rows appear as scenes are solved. Exit code 1 if a scene broke, or one that did not converge is not listed in
 docs/hard_cases.md, or fewer converged than promised.
@@ -19,7 +20,8 @@ from cost_map import draw_map
 from draws import DRAWS, SEED
 from named import GAPS, HOT, ISOTHERMAL
 from stability import CHECKS
-from trial import HEADING, Trial, Verdict, trial, verdict
+from traps import set_traps
+from trial import HEADING, BriefTrial, Trial, Verdict, trial, verdict
 
 from pyworm.store import Store
 
@@ -35,14 +37,14 @@ LISTED = Path(__file__).parents[2] / "docs" / "hard_cases.md"
 """Where each scene that does not converge stands with its reason."""
 
 
-def named_trials(directory: Path) -> Iterator[Trial]:
+def named_trials(directory: Path, kind: type[Trial] = Trial) -> Iterator[Trial]:
     """The named scenes; gaps are written into a directory."""
     for name, tables in ISOTHERMAL.items():
-        yield trial(tables, name, directory, "isothermal")
+        yield trial(tables, name, directory, "isothermal", kind)
     for name, make in GAPS.items():
-        yield trial(make(directory), name, directory, "isothermal")
+        yield trial(make(directory), name, directory, "isothermal", kind)
     for name, tables in HOT.items():
-        yield trial(tables, name, directory, "all")
+        yield trial(tables, name, directory, "all", kind)
 
 
 def random_trials(kind: str, numbers: Sequence[int], directory: Path) -> Iterator[Trial]:
@@ -118,9 +120,14 @@ def main() -> int:
     )
     parser.add_argument("what", nargs="*", default=["named", *COUNTS, "stability"])
     parser.add_argument("--out", type=Path, default=Path("results/hard"))
+    parser.add_argument("--trapped", action="store_true")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     store = Store(options.out / "scenes", fields=False)
+    if options.trapped:
+        set_traps()
+        verdicts = judged(named_trials(options.out, BriefTrial), store)
+        return 1 if any(one.outcome == "broken" for one in verdicts) else 0
     found, drawn = [], {}
     print(f"seed {SEED}, 5 % accuracy; results in {options.out}")
     for what in options.what:

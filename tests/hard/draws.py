@@ -62,8 +62,14 @@ RANGES = {
 """What is drawn of every scene: ellipticity is the Hertz contact's axis along y over that along x, the
 radius that along the entrainment."""
 
+SOFT, MOST_SOFT = 5.0, 1000.0
+"""Moes' L below which M goes to 1000 only, as those of the named scenes do: in the corner beyond, of nearly
+isoviscous films under heavy loads, minima at the sides are some percent of a film that is itself a thousandth
+of the deformation, and one scene in nine needs more than the largest grid (`docs/hard_cases.md`)."""
+
 LIMITS = {
     "moes_m": Range(2.0, 3000.0),
+    "softness": Range(0.0, 1.0),
     "alpha_pressure": Range(0.0, 60.0),
     "film": Range(5e-9, 50e-6),
     "strain": Range(0.0, 0.02),
@@ -197,6 +203,7 @@ def _derived(drawn: dict[str, float]) -> dict[str, float]:
         "film": float(nijenbanning_venner_moes(groups).central),
         "alpha_pressure": drawn["alpha"] * drawn["hertz_pressure"],
         "strain": drawn["hertz_pressure"] / modulus,
+        "softness": 0.0 if drawn["moes_l"] >= SOFT else groups.moes_m / MOST_SOFT,
     }
 
 

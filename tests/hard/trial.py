@@ -1,6 +1,7 @@
 """One scene of the suite: a task whose solution is judged besides being found."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from math import isfinite, prod
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 from pyworm.batch import solve_and_keep
 from pyworm.case import case_of
 from pyworm.place import Place
+from pyworm.planning import Plan
 from pyworm.result import Result
 from pyworm.solution import Solution
 from pyworm.solver import Progress
@@ -35,6 +37,23 @@ class Trial(Task):
         return result
 
 
+class BriefTrial(Trial):
+    """The same on the first grid of the figures only, for a build that is thirty times as slow."""
+
+    @cached_property
+    def plan(self) -> Plan:
+        """How it is solved."""
+        return replace(super().plan, wider_grids=(), largest_grid=1)
+
+    def __reduce__(self) -> tuple:
+        return BriefTrial, super().__reduce__()[1]
+
+    @property
+    def identity(self) -> dict[str, Any]:
+        """Everything that decides the solution."""
+        return super().identity | {"brief": True}
+
+
 def flaws(solution: Solution) -> list[str]:
     """What is wrong with a solution, beyond that it may not have converged."""
     found = [
@@ -56,9 +75,11 @@ def flaws(solution: Solution) -> list[str]:
     return found
 
 
-def trial(tables: dict[str, Any], name: str, directory: Path, effects: str) -> Trial:
+def trial(
+    tables: dict[str, Any], name: str, directory: Path, effects: str, kind: type[Trial] = Trial
+) -> Trial:
     """The trial of a case file's content."""
-    return Trial(case_of(tables, name, directory), Place(), ACCURACY[effects], effects)
+    return kind(case_of(tables, name, directory), Place(), ACCURACY[effects], effects)
 
 
 @dataclass(frozen=True)
