@@ -4,7 +4,8 @@ PYTHON ?= python3
 VENV := .venv
 INSTALLED := $(VENV)/.installed
 DEBUG := build/debug
-DEMO := zi_sharif_2001
+CONTACT := zi_sharif_2001
+DRIVE := zi_drive
 
 # The virtual environment's tools first: meson, ninja (which an editable install calls on import), pyworm.
 export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
@@ -12,11 +13,12 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install demo test test-fortran test-python lint clean
+.PHONY: help install demo test test-fortran test-python hard lint clean
 
 help:
-	@echo "make demo   run cases/$(DEMO).toml: table, results file and pictures"
+	@echo "make demo   run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test   run the Fortran and the Python tests"
+	@echo "make hard   run the suite of hard scenes; resumes (SCENE=thermal:37 for one of them)"
 	@echo "make lint   run the linters"
 	@echo "make clean  remove the virtual environment and all that was built (results stay)"
 
@@ -28,7 +30,8 @@ $(INSTALLED): pyproject.toml tools/setup.sh
 	@touch $@
 
 demo: $(INSTALLED)
-	pyworm run cases/$(DEMO).toml --out results/$(DEMO)
+	pyworm run cases/$(CONTACT).toml --phase 0.5 --out results/$(CONTACT)
+	pyworm run cases/$(DRIVE).toml -j 2 --out results/$(DRIVE)
 
 test: test-fortran test-python
 
@@ -40,6 +43,9 @@ test-fortran: $(DEBUG)/build.ninja
 
 test-python: $(INSTALLED)
 	python -m pytest
+
+hard: $(INSTALLED)
+	python tests/hard $(SCENE)
 
 lint: $(INSTALLED)
 	ruff check .

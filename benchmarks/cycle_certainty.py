@@ -15,6 +15,8 @@ from time import process_time
 import numpy as np
 from accuracy_page import fill, markdown
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter
 from scipy.interpolate import CubicSpline
 
@@ -159,14 +161,12 @@ def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Fig
             points = [(x, y, n) for (x, y), n in zip(errors, COUNTS, strict=True) if y > FLOOR]
             if points:
                 x, y, _ = zip(*points, strict=True)
-                panel.loglog(x, y, "o-", color=colour, label=f"each phase {model}")
+                panel.loglog(x, y, "o-", color=colour)
             for x, y, count in points:
                 panel.annotate(
                     f"{count}", (x, y), (4, 4), textcoords="offset points", fontsize=9, color=colour
                 )
-        panel.axhspan(
-            FLOOR / 10, bars[number], color="0.88", zorder=0, label="reference's error bar"
-        )
+        panel.axhspan(FLOOR / 10, bars[number], color="0.88", zorder=0)
         panel.set_xscale("log")
         panel.set_ylim(FLOOR, 1.0)
         panel.set_xlim(5.0, 300.0)
@@ -174,9 +174,18 @@ def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Fig
         panel.yaxis.set_major_formatter(FuncFormatter(lambda share, _: f"{share * 100:g} %"))
         panel.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time:g}"))
         panel.grid(True, color="0.9")
-        panel.legend(
-            frameon=False, title="number: phases in the cycle", fontsize=9, loc="upper left"
-        )
+    handles = [
+        Line2D([], [], marker="o", color=colour, label=f"each phase {model}")
+        for model, (_, _, colour) in MODELS.items()
+    ]
+    handles.append(Patch(color="0.88", label="error bar of the reference"))
+    figure.legend(
+        handles=handles,
+        loc="outside lower center",
+        ncols=len(handles),
+        frameon=False,
+        title="numbers: phases in the cycle",
+    )
     return figure
 
 

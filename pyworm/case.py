@@ -21,6 +21,7 @@ from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
 from pyworm.schema.contact import GapCase, PointCase
 from pyworm.schema.rating import RATING_TABLES
+from pyworm.schema.zi_worm import ZiWormCase
 from pyworm.toml_file import read_toml
 
 _NO_PHYSICS = {
@@ -124,6 +125,30 @@ class Case:
             content = (self.directory / self.tables.contact.file).read_bytes()
             tables["contact"]["file"] = sha256(content).hexdigest()
         return tables
+
+    @property
+    def left_open(self) -> dict[str, str]:
+        """What its solution is to find that it depends on itself: table -> key in it.
+
+        The friction in the balance of torques, and the loss between the teeth in the balance of heat.
+        """
+        if not isinstance(self.tables, ZiWormCase) or self.tables.operation.load is not None:
+            return {}
+        known = {"operation": "friction", "cooling": "tooth_loss"}
+        return {
+            table: key
+            for table, key in known.items()
+            if getattr(self.tables, table) is not None
+            and getattr(getattr(self.tables, table), key) is None
+        }
+
+    def with_found(self, found: dict[str, dict[str, float]]) -> "Case":
+        """The case with values of its tables in place of its own: table -> key -> value."""
+        tables = {
+            name: getattr(self.tables, name).model_copy(update=values)
+            for name, values in found.items()
+        }
+        return Case(self.name, self.directory, self.tables.model_copy(update=tables))
 
     def __reduce__(self) -> tuple:
         # A drive is made again where the case goes, rather than sent along; files must be found from there.

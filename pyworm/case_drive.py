@@ -2,8 +2,10 @@
 
 from collections.abc import Callable
 from math import inf
+from typing import Any
 
 from pyworm.case_error import CaseError
+from pyworm.drives import tooth_boundary
 from pyworm.drives.drive import Drive
 from pyworm.drives.gear_pair import GearPairDrive, TipRelief
 from pyworm.drives.gear_rating import Surfaces
@@ -11,11 +13,13 @@ from pyworm.drives.involute import Gear, InvolutePair, ToothSystem
 from pyworm.drives.roller_motion import FREE_OF_FRICTION, Pin
 from pyworm.drives.roller_profile import Crown, RollerProfile
 from pyworm.drives.roller_worm import Rollers, RollerWorm, RollerWormDrive
-from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
+from pyworm.drives.zi_load import Transmission
+from pyworm.drives.zi_worm import Assembly, Hob, Wheel, Worm, ZiWormDrive
 from pyworm.schema.case import CaseTable
 from pyworm.schema.gear_pair import GearPairCase, GearTable
 from pyworm.schema.roller_worm import RollerWormCase
-from pyworm.schema.zi_worm import ZiWormCase
+from pyworm.schema.zi_worm import WheelTable, WormTable, ZiWormCase
+from pyworm.thermal_balance import drive_temperatures
 
 
 def case_drive(tables: CaseTable) -> Drive:
@@ -38,17 +42,66 @@ def case_drive(tables: CaseTable) -> Drive:
 
 
 def _zi_worm(tables: ZiWormCase) -> ZiWormDrive:
-    oil = tables.oil.oil()
+    oil, operation = tables.oil.oil(), tables.operation
+    bodies = tables.bodies.pair(oil)
+    ratio = tables.drive.worm.threads / tables.drive.wheel.teeth
+    speed = operation.worm_speed or operation.wheel_speed / ratio
+    if tables.cooling is not None:
+        loss = tables.cooling.tooth_loss
+        if loss is None:
+            loss = _first_loss(_transmission(tables, speed, ratio), speed, ratio)
+        warm = drive_temperatures(tables.cooling, tables.drive, speed, loss)
+        oil, bodies = warm.oil(oil), warm.bodies(bodies)
     return ZiWormDrive(
-        worm=Worm(**dict(tables.drive.worm)),
-        wheel=Wheel(**dict(tables.drive.wheel)),
+        worm=Worm(**_relieved(tables.drive.worm)),
+        wheel=Wheel(**_relieved(tables.drive.wheel)),
         hob=Hob(**dict(tables.drive.hob)),
         centre_distance=tables.drive.centre_distance,
-        speed=tables.operation.worm_speed,
-        load=tables.operation.load,
-        bodies=tables.bodies.pair(oil),
+        speed=speed,
+        load=operation.load or _transmission(tables, speed, ratio),
+        bodies=bodies,
         oil=oil,
+        assembly=Assembly(**dict(tables.drive.assembly)),
+        driver=operation.driver,
     )
+
+
+def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
+    """Entries of a design table, its tip relief as one."""
+    entries = dict(table)
+    relief = tooth_boundary.TipRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
+    return entries | {"tip_relief": relief}
+
+
+def _transmission(tables: ZiWormCase, worm_speed: float, ratio: float) -> Transmission:
+    """What the teeth of a ZI worm drive share; with a power, the torque of the shaft that drives."""
+    operation = tables.operation
+    if operation.power is not None:
+        shaft = operation.driver
+        torque = operation.power / (worm_speed if shaft == "worm" else worm_speed * ratio)
+    else:
+        shaft = "wheel" if operation.worm_torque is None else "worm"
+        torque = operation.worm_torque or operation.wheel_torque
+    return Transmission(
+        torque=torque,
+        shaft=shaft,
+        sharing=operation.sharing or "elastic",
+        friction=FIRST_FRICTION if operation.friction is None else operation.friction,
+        stiffness=tables.drive.stiffness or inf,
+    )
+
+
+def _first_loss(transmission: Transmission, worm_speed: float, ratio: float) -> float:
+    """Loss between the teeth before it is known [W]."""
+    speed = worm_speed if transmission.shaft == "worm" else worm_speed * ratio
+    return FIRST_LOSS * transmission.torque * speed
+
+
+FIRST_LOSS = 0.03
+"""Share of the power that is lost between worm teeth before it is known."""
+
+FIRST_FRICTION = 0.01
+"""Friction of worm teeth in the balance of torques before it is known."""
 
 
 def _roller_worm(tables: RollerWormCase) -> RollerWormDrive:

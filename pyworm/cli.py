@@ -199,14 +199,16 @@ def _run(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
-    from pyworm.cycle_tables import CYCLE_TABLES
+    from pyworm.balance import run_balanced
+    from pyworm.cycle_tables import CYCLE_TABLES, cycle_table
+    from pyworm.drive_cycle import drive_cycle
     from pyworm.plots import draw
-    from pyworm.run import RESULT_NAME, NothingSolvedError, run
+    from pyworm.run import RESULT_NAME, NothingSolvedError
     from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
 
     try:
         with _progress() as progress, _executor(options) as executor:
-            result = run(case, tasks, directory, executor, progress, _say)
+            result, tasks = run_balanced(case, tasks, directory, executor, progress, _say)
             # Apart, so that a picture that cannot be drawn does not cost the solve; and drawn here, since
             # other machines need not reach this place.
             with whole(directory, instead_of=PICTURES) as aside:
@@ -217,12 +219,14 @@ def _run(options: argparse.Namespace) -> int:
 
     summaries = [solution.summary() for solution in result.solutions]
     failed = result.provenance["failed"]
+    cycle = drive_cycle(result)
     if options.json:
         print_json(
             {
                 "case": case.name,
                 "scenes": summaries,
                 "failed": failed,
+                **({} if cycle is None else {"cycle": cycle.summary()}),
                 "results": str(directory / RESULT_NAME),
                 "pictures": [str(directory / name) for name in pictures],
             }
@@ -242,6 +246,8 @@ def _run(options: argparse.Namespace) -> int:
                 console.print(heat_table(scenes, summaries))
         if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
             console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
+        if cycle is not None:
+            console.print(cycle_table(cycle))
         for summary in summaries:
             if not summary["converged"]:
                 console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")

@@ -1,4 +1,4 @@
-"""Tables of a whole mesh cycle by closed forms, for people; they read a result's cycle and nothing else."""
+"""Tables of a whole mesh cycle, for people; they read a result's cycle, or its figures, and nothing else."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,9 @@ import numpy as np
 import xarray as xr
 from rich.table import Table
 
+from pyworm.drive_cycle import DriveCycle, Extreme
 from pyworm.formulas.wear_distress import regime
+from pyworm.solution import ZERO_CELSIUS
 
 _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
@@ -57,5 +59,104 @@ def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
     return f"{elastic},\n{viscous.removesuffix('viscous')}-\nviscous"
 
 
-CYCLE_TABLES: dict[str, Callable[[xr.Dataset], Table]] = {"roller-worm": ends_table}
+def sensitivity_table(cycle: xr.Dataset) -> Table:
+    """Contact of a ZI worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
+    load = cycle.attrs["varied_load"]
+    table = Table(
+        "Error",
+        title=f"Contact in mid-mesh under {load / 1e3:.4g} kN with errors of the assembly",
+        title_justify="left",
+    )
+    columns = (
+        ("Along the\nface / mm", "contact_face", 1e3, ".1f"),
+        ("Radius\n/ mm", "contact_radius_on_wheel", 1e3, ".1f"),
+        ("Radii of cur-\nvature / mm", "radius_long", 1e3, ".0f"),
+        ("", "radius_short", 1e3, ".1f"),
+        ("Dry\nMPa", "dry_pressure_max", 1e-6, ".0f"),
+        ("Film by\nformula / µm", "formula_film", 1e6, ".2f"),
+    )
+    for heading, *_ in columns:
+        table.add_column(heading, justify="right")
+    for number, error in enumerate(cycle["error"].values):
+        size = float(cycle["error_size"][number])
+        angle = error in ANGLES
+        shown = f"{np.degrees(size):.2g} deg" if angle else f"{size * 1e3:.2g} mm"
+        for side, sign in ((0, "-"), (1, ""), (2, "+")):
+            if side == 1 and number > 0:
+                continue
+            label = f"{_ERRORS[error]} {sign}{shown}" if sign else "as it is"
+            at = cycle.isel(error=number, side=side)
+            values = [float(at[f"varied_{name}"]) * scale for _, name, scale, _ in columns]
+            known = np.isfinite(values[0])
+            cells = [f"{value:{style}}" for value, (*_, style) in zip(values, columns, strict=True)]
+            table.add_row(label, *(cells if known else ["no contact"]))
+    return table
+
+
+_ERRORS = {
+    "assembly.centre_distance": "centre distance",
+    "assembly.axial_shift": "worm along the wheel's axis",
+    "assembly.shaft_angle": "shaft angle",
+    "hob.swivel": "swivel of the hob",
+}
+"""Entry in error -> what people call it."""
+
+ANGLES = ("assembly.shaft_angle", "hob.swivel")
+
+CYCLE_TABLES: dict[str, Callable[[xr.Dataset], Table]] = {
+    "roller-worm": ends_table,
+    "zi-worm": sensitivity_table,
+}
 """Kind of drive -> table of its whole mesh cycle."""
+
+
+def cycle_table(cycle: DriveCycle) -> Table:
+    """A drive's mesh cycle: extremes with phase and place on the wheel's flank, loss and efficiency."""
+    title = f"Whole mesh cycle, from {len(cycle.phases)} phases"
+    if cycle.left_out:
+        title += f" ({', '.join(f'{phase:g}' for phase in cycle.left_out)} not converged, left out)"
+    table = Table("Figure", title=title, title_justify="left")
+    for heading in ("Value", "Phase", "Along the\nface / mm", "Radius\n/ mm"):
+        table.add_column(heading, justify="right")
+
+    def extreme(label: str, one: Extreme, scale: float, unit: str, offset: float = 0.0) -> None:
+        value = f"{(one.value - offset) * scale:.4g} {unit} ± {_two(one.error * scale)}"
+        place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
+        table.add_row(label, value, f"{one.phase:g}", *place)
+
+    extreme("Least film", cycle.film_min, 1e6, "µm")
+    extreme("Largest pressure", cycle.pressure_max, 1e-6, "MPa")
+    for name, label in (("body_1", "worm"), ("body_2", "wheel"), ("film", "film")):
+        if name in cycle.temperatures:
+            label = f"Largest temperature, {label}"
+            extreme(label, cycle.temperatures[name], 1.0, "°C", ZERO_CELSIUS)
+    for name, label in (
+        ("sump", "Oil in the sump"),
+        ("worm", "Bulk of the worm"),
+        ("wheel", "Bulk of the wheel"),
+    ):
+        if name in cycle.bulk:
+            table.add_row(label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C")
+    if cycle.lambda_min is not None:
+        extreme("Least lambda", cycle.lambda_min, 1.0, "")
+    loss = cycle.loss
+    if loss is not None:
+        table.add_section()
+        table.add_row("Loss of all teeth", f"{loss.power:.4g} W ± {_two(loss.error)}")
+        table.add_row("  by the scenes' errors", f"{_two(loss.scene_error)} W")
+        table.add_row("  by the phases", f"{_two(loss.phase_error)} W")
+        table.add_row("  by friction at the ends", f"{_two(loss.end_error)} W")
+        table.add_row(
+            "Mean friction", f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
+        )
+        table.add_row("Torque of the wheel", f"{loss.wheel_torque:.5g} N m")
+        table.add_row("Torque of the worm", f"{loss.worm_torque:.4g} N m")
+        bar = f"± {loss.efficiency_error * 100:.2g}"
+        table.add_row("Efficiency of the teeth", f"{loss.efficiency * 100:.2f} % {bar}")
+        table.add_row("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}")
+    return table
+
+
+def _two(value: float) -> str:
+    """Two digits, without an exponent."""
+    return f"{float(f'{value:.2g}'):g}"

@@ -1,4 +1,4 @@
-"""What programs read: one JSON object on standard output."""
+"""What programs read: JSON."""
 
 import json
 import math
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def print_json(content: dict[str, Any]) -> None:
-    """Print an object as JSON on standard output; NaN and infinity become null."""
+    """Print an object as JSON on standard output."""
     print(as_json(content))
 
 

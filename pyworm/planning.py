@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import cos, hypot, pi, sin, sqrt
 
+import numpy as np
+
 from pyworm.accuracy import FILMS, HEAT_FIGURES, Aim
 from pyworm.effects.choice import chosen
 from pyworm.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
@@ -57,7 +59,7 @@ LARGEST_STRETCH = 3.0
 """Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
 slender contact scale with its short axis."""
 
-LARGEST_GRID = 2_500_000
+LARGEST_GRID = 4_000_000
 """Nodes beyond which grids are not refined further."""
 
 LARGEST_LINE = 33_000
@@ -187,7 +189,15 @@ def plan(
                 f"quantities: {quantity} cannot be told, give [oil.shear] or [oil.heat]"
             )
     wanted = known if quantities is None else tuple(quantities)
-    return planned(scene, accuracy, wanted, sketch(scene), None if effects == "auto" else effects)
+    asked = None if effects == "auto" else effects
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            return planned(scene, accuracy, wanted, sketch(scene), asked)
+    except ArithmeticError as error:
+        raise ValueError(
+            f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "
+            "check their units"
+        ) from error
 
 
 def planned(

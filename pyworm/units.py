@@ -48,6 +48,10 @@ SHARE = Kind("a share", "", "1 %")
 SI = "SI"
 """Context of validation in which values are plain numbers in SI, as a checked case leaves them."""
 
+SMALLEST, LARGEST = 1e-24, 1e24
+"""Sizes in SI between which every value of a case lies that is not zero. Beyond, products of powers of values
+overflow."""
+
 
 @cache
 def _registry():
@@ -99,6 +103,8 @@ def parse(text: str, kind: Kind) -> float:
     allowed, wanted = _SIGNS[kind.sign]
     if not (math.isfinite(value) and allowed(value)):
         raise ValueError(f'must be {kind.noun} {wanted}, such as "{kind.example}"')
+    if value and not SMALLEST <= abs(value) <= LARGEST:
+        raise ValueError(f'must be {kind.noun} of a size that there is, such as "{kind.example}"')
     return value
 
 
@@ -210,6 +216,7 @@ Stiffness = quantity("a stiffness", "N/m", "200 N/um")
 Force = quantity("a force", "N", "14 kN")
 ForcePerLength = quantity("a force per length", "N/m", "100 kN/m")
 Power = quantity("a power", "W", "250 kW")
+PowerOrZero = quantity("a power", "W", "400 W", sign="not negative")
 Speed = quantity("a speed of rotation", "rad/s", "1500 rpm")
 Spin = quantity("a speed of rotation", "rad/s", "-20 rad/s", "any")
 Velocity = quantity("a velocity", "m/s", "1.2 m/s", "any")
@@ -227,6 +234,8 @@ SquaredPressureCoefficient = quantity(
 Viscosity = quantity("a dynamic viscosity", "Pa s", "0.23 Pa s")
 MassDensity = quantity("a density", "kg/m^3", "1025 kg/m^3")
 Temperature = quantity("a temperature", "K", "60 degC")
+Warmth = quantity("a temperature difference", "K", "15 K", sign="not negative")
+ThermalConductance = quantity("a thermal conductance", "W/K", "40 W/K")
 TemperatureCoefficient = quantity("a temperature coefficient", "1/K", "0.05 1/K")
 TemperatureCoefficientOrZero = quantity(
     "a temperature coefficient", "1/K", "7.1e-4 1/K", sign="not negative"

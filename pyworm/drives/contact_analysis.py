@@ -108,6 +108,18 @@ class MeshCycle:
         roll = (hob.supports(line.hob_theta)[0] - reach) / self.flank.lever
         return float(worm), float(roll) - line.lag
 
+    def points(self, phases: Array) -> Array:
+        """The contact point at some phases, (3, phases) [m]."""
+        place = self.begin + np.asarray(phases) * (self.end - self.begin)
+        return self.line.foot[:, None] + self.line.direction[:, None] * place
+
+    def transmission_error(self, phases: Array) -> Array:
+        """Wheel angle ahead of the ideal if the pair at a phase leads [rad]: linear, zero at phase 0.5."""
+        middle = self.angles((self.begin + self.end) / 2)
+        end = self.angles(self.end)
+        half = end[1] - middle[1] - self.flank.ratio * (end[0] - middle[0])
+        return 2 * half * (np.asarray(phases) - 0.5)
+
     def contact(self, phase: float, speed: float = 0.0) -> ToothContact:
         """The contact at a phase.
 
@@ -122,9 +134,6 @@ class MeshCycle:
         place = self.begin + phase * (self.end - self.begin)
         point = line.foot + place * line.direction
         worm_angle, wheel_angle = self.angles(place)
-        middle = self.angles((self.begin + self.end) / 2)
-        ideal = middle[1] + self.flank.ratio * (worm_angle - middle[0])
-
         normal = -line.direction
         worm_planes = WormPlanes(self.worm, worm_angle)
         wheel_planes = WheelPlanes(self.flank, wheel_angle)
@@ -138,7 +147,7 @@ class MeshCycle:
         )
         curvatures, directions = np.linalg.eigh(relative)
         x_axis = directions[:, 0] @ axes[:2]
-        sweep = np.cross([0.0, 0.0, 1.0], point - self.worm.axis_point)
+        sweep = np.cross(self.worm.axes[:, 2], point - self.worm.axis_point)
         x_axis = x_axis * np.sign(x_axis @ sweep)
         y_axis = np.cross(normal, x_axis)
         axes = np.array([x_axis, y_axis, normal])
@@ -148,7 +157,7 @@ class MeshCycle:
             phase=phase,
             worm_angle=worm_angle,
             wheel_angle=wheel_angle,
-            transmission_error=wheel_angle - ideal,
+            transmission_error=float(self.transmission_error(phase)),
             point=point,
             normal=normal,
             x_axis=x_axis,

@@ -19,17 +19,13 @@ equation the moment about the worm's axis is then smaller by the ratio, slice by
 
 from dataclasses import dataclass, replace
 from math import pi
-from typing import Literal
 
 import numpy as np
-from scipy.optimize import brentq
 
 from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.roller_envelope import Array, LineContact, cross
 from pyworm.drives.roller_section import WormSection
-
-Sharing = Literal["elastic", "equal"]
-"""How rollers share the torque: by their compliance, or with the same load for each length everywhere."""
+from pyworm.drives.torque_balance import Sharing, rising_root
 
 SLICES = 25
 """Slices of a contact line (Gauss and Legendre's points)."""
@@ -39,9 +35,6 @@ ROUNDS = 30
 
 SETTLED = 1e-12
 """Relative change at which they are."""
-
-DOUBLINGS = 40
-"""Times that a first guess of Theta is halved or doubled to enclose it."""
 
 
 @dataclass(frozen=True)
@@ -178,7 +171,7 @@ def share(
     torque : float
         Between worm section and wheel, about the wheel's axis [N m]; its size, whichever way it turns.
     sharing : str
-        "elastic" or "equal".
+        "elastic", or "equal": the same load for each length everywhere.
     """
     angles = section.in_mesh(wheel_angle)
     contact, lengths = slices(section, angles)
@@ -208,7 +201,7 @@ def share(
     def moment(turn: float) -> float:
         return float(np.sum(arm * settled(turn, none)[0] * lengths)) - torque
 
-    turn = _root(moment, torque / (np.sum(arm**2 * lengths) * _stiffness(compliance)))
+    turn = rising_root(moment, torque / (np.sum(arm**2 * lengths) * _stiffness(compliance)))
     loads, yielding = settled(turn, none)
     forces = np.sum(loads * lengths, axis=0)
     return replace(shared, turn=turn, yielding=yielding, forces=forces)
@@ -217,20 +210,6 @@ def share(
 def _stiffness(compliance: Compliance) -> float:
     """What a slice's load for each length and approach is about [N/m2]: a first guess."""
     return reduced_modulus(*compliance.bodies) / 5
-
-
-def _root(function, guess: float) -> float:
-    """Where a function that rises through zero does so, from a first guess of the right size."""
-    low, high = guess, guess
-    for _ in range(DOUBLINGS):
-        if function(low) < 0:
-            break
-        low /= 2
-    for _ in range(DOUBLINGS):
-        if function(high) > 0:
-            break
-        high *= 2
-    return float(brentq(function, low, high, xtol=1e-15, rtol=1e-13))
 
 
 def _load(

@@ -20,7 +20,7 @@ from pyworm.drives.roller_data import roller_cycle_data
 from pyworm.drives.roller_envelope import Array, LineContact, RollerEnvelope
 from pyworm.drives.roller_film import ClosedFilms, closed_films
 from pyworm.drives.roller_gap import ContactFrame, RollerGap, RollerMotion
-from pyworm.drives.roller_load import Compliance, SharedLoad, Sharing, share, slices
+from pyworm.drives.roller_load import Compliance, SharedLoad, share, slices
 from pyworm.drives.roller_motion import (
     FREE_OF_FRICTION,
     FilmTraction,
@@ -32,6 +32,7 @@ from pyworm.drives.roller_motion import (
 )
 from pyworm.drives.roller_profile import RollerProfile
 from pyworm.drives.roller_section import WormSection
+from pyworm.drives.torque_balance import Sharing
 from pyworm.line.scene import LineScene, Parabola
 from pyworm.oils import Oil
 from pyworm.scene import Scene

@@ -13,6 +13,31 @@ def wheel_radius(point: Array) -> Array:
 
 
 @dataclass(frozen=True)
+class TipRelief:
+    """What is taken off a flank towards its tip, as a parabola that begins without a kink.
+
+    Attributes
+    ----------
+    amount : float
+        At the tip [m].
+    length : float
+        Radial distance from the tip at which it begins [m].
+    """
+
+    amount: float = 0.0
+    length: float = 0.0
+
+    def __call__(self, below_tip: Array) -> Array:
+        """What is taken off [m] at a distance below the tip [m]; beyond the tip it goes on."""
+        if self.amount == 0:
+            return np.zeros(np.shape(below_tip))
+        return self.amount * np.maximum(1 - below_tip / self.length, 0.0) ** 2
+
+
+NO_RELIEF = TipRelief()
+
+
+@dataclass(frozen=True)
 class WormTooth:
     """The thread between its root and tip cylinders; its length is not limited.
 
@@ -22,11 +47,14 @@ class WormTooth:
         The worm flank and its axis.
     root_radius, tip_radius : float
         Radii of the cylinders [m].
+    tip_relief : TipRelief
+        What is taken off towards the tip.
     """
 
     worm: Helicoid
     root_radius: float
     tip_radius: float
+    tip_relief: TipRelief = NO_RELIEF
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it.
@@ -36,6 +64,10 @@ class WormTooth:
         radius = self.worm.radius(point)
         start = max(self.root_radius, self.worm.base_radius)
         return {"worm tip": self.tip_radius - radius, "worm root": radius - start}
+
+    def taken_off(self, point: Array) -> Array:
+        """What is taken off the helicoid at its points (3, ...) [m]."""
+        return self.tip_relief(self.tip_radius - self.worm.radius(point))
 
 
 @dataclass(frozen=True)
@@ -56,6 +88,8 @@ class WheelTooth:
         Width along the axis, radius of the tip cylinder and smallest tip radius [m].
     hob_tip_radius : float
         Radius of the hob's tip cylinder [m].
+    tip_relief : TipRelief
+        What is taken off towards tip and throat.
     """
 
     hob: Helicoid
@@ -63,6 +97,12 @@ class WheelTooth:
     tip_radius: float
     throat_radius: float
     hob_tip_radius: float
+    tip_relief: TipRelief = NO_RELIEF
+
+    def taken_off(self, point: Array) -> Array:
+        """What is taken off the hobbed flank at its points (3, ...) [m]."""
+        margins = self.margins(point)
+        return self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it."""

@@ -10,7 +10,7 @@ from pyworm.drives.tangent_gap import FlankHeight
 from pyworm.drives.tooth_boundary import WheelTooth, WormTooth
 
 
-def _surface(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
+def surface_points(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
     """Points in the drive frame, (3, ...) [m], above places of the tangent plane."""
     parts = zip(contact.point, *contact.axes, strict=True)
     return np.stack([o + x * ex + y * ey + height * ez for o, ex, ey, ez in parts])
@@ -19,6 +19,8 @@ def _surface(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
 @dataclass(frozen=True)
 class ToothGap:
     """Undeformed gap between the teeth over the tangent plane, along the common normal.
+
+    Without relief it is zero at the contact point.
 
     Attributes
     ----------
@@ -36,18 +38,20 @@ class ToothGap:
         """Gap [m], continued beyond the teeth, and where both teeth exist."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         covered = np.ones(x.shape, dtype=bool)
-        heights = []
+        heights, taken_off = [], 0.0
         for flank, tooth in (
             (self.contact.worm_height, self.worm_tooth),
             (self.contact.wheel_height, self.wheel_tooth),
         ):
             height, _, exists = flank.solve(x, y)
             covered &= exists
-            for margin in tooth.margins(_surface(self.contact, x, y, height)).values():
+            surface = surface_points(self.contact, x, y, height)
+            for margin in tooth.margins(surface).values():
                 # a contact point at a tooth's very edge still lies on it
                 covered &= margin > -1e-12
             heights.append(height)
-        return heights[1] - heights[0], covered
+            taken_off = taken_off + tooth.taken_off(surface)
+        return heights[1] - heights[0] + taken_off, covered
 
 
 @dataclass(frozen=True)
@@ -74,7 +78,7 @@ class ToothMotion:
     def velocity(self, x: Array, y: Array) -> Array:
         """Velocity [m/s] along x, y and the common normal, (3, ...)."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-        point = _surface(self.contact, x, y, self.flank.solve(x, y)[0])
+        point = surface_points(self.contact, x, y, self.flank.solve(x, y)[0])
         arm = np.moveaxis(point, 0, -1) - self.axis_point
         velocity = np.cross(self.rotation, arm) - self.contact.velocity
         return np.moveaxis(velocity @ self.contact.axes.T, -1, 0)

@@ -1,6 +1,6 @@
 """What the pictures of a ZI worm drive show beside solutions: its mesh cycle, and the tooth of a contact."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -48,7 +48,60 @@ def mesh_cycle_data(contacts: Iterable[Any]) -> xr.Dataset:
     )
 
 
-def tooth_data(outline: Any, gap: Gap) -> xr.Dataset:
+LOADED_PHASES = 101
+"""Phases at which the loads of the tooth pairs are kept, for curves and integrals over the cycle."""
+
+
+def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
+    """Loads, levers and speeds of a tooth pair over its cycle under load.
+
+    Parameters
+    ----------
+    drive : ZiWormDrive
+        The drive.
+    beyond : float
+        Phases before and after the mesh cycle in which a pair may carry load.
+    """
+    phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
+    arms = drive.arms(phases)
+    shared = [drive.shared(float(phase)) for phase in phases]
+    loads = [one.force(float(phase)) for one, phase in zip(shared, phases, strict=True)]
+    radius, face = drive.wheel_tooth.rim(60)
+    warm = {}
+    if drive.oil.heat is not None:
+        worm, wheel = (body.bulk_temperature for body in drive.bodies)
+        warm = {
+            "sump_temperature": drive.oil.heat.inlet_temperature,
+            "worm_temperature": worm,
+            "wheel_temperature": wheel,
+        }
+    return describe(
+        xr.Dataset(
+            {
+                "tooth_load": ("load_phase", np.array(loads)),
+                "wheel_turn": ("load_phase", np.array([one.turn for one in shared])),
+                "sliding_speed": ("load_phase", np.linalg.norm(drive.sliding(phases), axis=0)),
+                "lever": ("load_phase", arms.wheel_normal),
+                "sliding_lever": ("load_phase", arms.wheel_sliding),
+                "rim_face": ("rim", face),
+                "rim_radius": ("rim", radius),
+            },
+            coords={"load_phase": phases},
+            attrs={
+                "pitch": drive.pitch,
+                "worm_speed": drive.speed,
+                "wheel_speed": drive.speed * drive.cycle.speed_ratio,
+                "driver": drive.driver,
+                "friction_assumed": drive.friction,
+                **warm,
+            },
+        )
+    )
+
+
+def tooth_data(
+    outline: Any, gap: Gap, place: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+) -> xr.Dataset:
     """The tooth, its whole gap and its path of contact over a contact's tangent plane.
 
     Parameters
@@ -57,13 +110,19 @@ def tooth_data(outline: Any, gap: Gap) -> xr.Dataset:
         Outline and path.
     gap : Gap
         The gap of the contact.
+    place : callable
+        (x, y) [m] -> place on the wheel's flank: along the face from its middle, and distance from the
+        wheel's axis [m].
     """
     x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
     y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
     opening, covered = gap(*np.meshgrid(x, y))
+    face, radius = place(*np.meshgrid(x, y))
     tooth = xr.Dataset(
         {
             "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, opening, np.nan)),
+            "tooth_face": (("tooth_y", "tooth_x"), face),
+            "tooth_radius": (("tooth_y", "tooth_x"), radius),
             "tooth_outline_x": ("outline", outline.x),
             "tooth_outline_y": ("outline", outline.y),
             "contact_path_x": ("path", outline.path_x),

@@ -4,21 +4,32 @@ Lengths in m, angles in rad.  Of the redundant entries of a design table the geo
 base radius; base lead angle and axial pitch must agree with them within a table's rounding.
 """
 
-from dataclasses import dataclass, fields
-from functools import cached_property
-from math import atan2, degrees, isfinite, pi
+from dataclasses import dataclass, fields, replace
+from functools import cached_property, lru_cache, partial
+from math import atan2, degrees, floor, isfinite, pi
 
 import numpy as np
 import xarray as xr
 
-from pyworm.bodies import Body
+from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
-from pyworm.drives.tooth_boundary import WheelTooth, WormTooth, wheel_radius
-from pyworm.drives.tooth_gap import ToothGap, ToothMotion
-from pyworm.drives.zi_data import mesh_cycle_data, tooth_data
+from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
+from pyworm.drives.tooth_gap import ToothGap, ToothMotion, surface_points
+from pyworm.drives.zi_data import loaded_cycle_data, mesh_cycle_data, tooth_data
+from pyworm.drives.zi_load import (
+    BEYOND,
+    Arms,
+    Shaft,
+    SharedLoad,
+    ToothSprings,
+    Transmission,
+    share,
+    tooth_springs,
+)
+from pyworm.drives.zi_sensitivity import sensitivity_data
 from pyworm.oils import Oil
 from pyworm.scene import Scene
 
@@ -43,6 +54,8 @@ class Worm:
         Distance of neighbouring threads along the axis, and advance in one turn [m].
     base_lead_angle : float
         Lead angle on the base cylinder [rad].
+    tip_relief : TipRelief
+        What is taken off the flank towards its tip.
     """
 
     threads: int
@@ -52,6 +65,7 @@ class Worm:
     axial_pitch: float
     lead: float
     base_lead_angle: float
+    tip_relief: TipRelief = NO_RELIEF
 
 
 @dataclass(frozen=True)
@@ -64,12 +78,15 @@ class Wheel:
         Number of teeth.
     face_width, tip_radius, throat_radius : float
         Width along the axis, radius of the tip cylinder, tip radius in the mid-plane [m].
+    tip_relief : TipRelief
+        What is taken off the flank towards tip and throat.
     """
 
     teeth: int
     face_width: float
     tip_radius: float
     throat_radius: float
+    tip_relief: TipRelief = NO_RELIEF
 
 
 @dataclass(frozen=True)
@@ -106,6 +123,28 @@ class Hob:
 
 
 @dataclass(frozen=True)
+class Assembly:
+    """How worm and wheel were put together, as differences from the design.
+
+    Attributes
+    ----------
+    centre_distance : float
+        Distance of the axes beyond the design's [m].
+    axial_shift : float
+        Shift of the worm along the wheel's axis [m], positive to the side where the worm's threads leave.
+    shaft_angle : float
+        Turn of the worm's axis about the line of centres [rad], positive as the hob's swivel.
+    """
+
+    centre_distance: float = 0.0
+    axial_shift: float = 0.0
+    shaft_angle: float = 0.0
+
+
+AS_DESIGNED = Assembly()
+
+
+@dataclass(frozen=True)
 class ToothOutline:
     """The wheel tooth and the path of contact on it, projected on a contact's tangent plane [m].
 
@@ -135,12 +174,16 @@ class ZiWormDrive:
         Distance of worm and wheel axes [m].
     speed : float
         Speed of the worm [rad/s].
-    load : float
-        Normal load on the tooth [N].
+    load : float or Transmission
+        Normal load on the tooth [N], or the torque that the teeth in mesh share.
     bodies : tuple of Body
         Worm and wheel.
     oil : Oil
         The oil.
+    assembly : Assembly
+        Errors of the assembly.
+    driver : str
+        "worm", or "wheel": the drive runs back under its load, on the same flanks.
     """
 
     worm: Worm
@@ -148,9 +191,11 @@ class ZiWormDrive:
     hob: Hob
     centre_distance: float
     speed: float
-    load: float
+    load: float | Transmission
     bodies: tuple[Body, Body]
     oil: Oil
+    assembly: Assembly = AS_DESIGNED
+    driver: Shaft = "worm"
 
     def __post_init__(self) -> None:
         _check_values(self)
@@ -163,10 +208,32 @@ class ZiWormDrive:
         """Mean speed of the wheel by that of the worm, threads / teeth."""
         return self.worm.threads / self.wheel.teeth
 
+    @property
+    def rotation(self) -> float:
+        """Speed of the worm [rad/s], positive from phase 0 to phase 1, negative the other way."""
+        return self.speed if self.driver == "worm" else -self.speed
+
+    @property
+    def phases_per_second(self) -> float:
+        """How fast the mesh cycle passes [1/s]."""
+        return self.rotation / abs(self.cycle.worm_rotation)
+
+    @property
+    def pitch(self) -> float:
+        """Phases between neighbouring tooth pairs; its inverse is the contact ratio."""
+        return 2 * pi / self.worm.threads / abs(self.cycle.worm_rotation)
+
+    @property
+    def axes_distance(self) -> float:
+        """Distance of worm and wheel axes as assembled [m]."""
+        return self.centre_distance + self.assembly.centre_distance
+
     @cached_property
     def worm_flank(self) -> Helicoid:
         """The worm's helicoid in its running seat."""
-        return Helicoid(self.worm.base_radius, self.worm.lead, self.centre_distance)
+        errors = self.assembly
+        seat = self.axes_distance, errors.shaft_angle, errors.axial_shift
+        return Helicoid(self.worm.base_radius, self.worm.lead, *seat)
 
     @cached_property
     def wheel_flank(self) -> WheelFlank:
@@ -178,14 +245,15 @@ class ZiWormDrive:
     @cached_property
     def worm_tooth(self) -> WormTooth:
         """Where the worm's thread ends."""
-        return WormTooth(self.worm_flank, self.worm.root_radius, self.worm.tip_radius)
+        worm = self.worm
+        return WormTooth(self.worm_flank, worm.root_radius, worm.tip_radius, worm.tip_relief)
 
     @cached_property
     def wheel_tooth(self) -> WheelTooth:
         """Where the wheel's tooth ends."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
-        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius)
+        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, wheel.tip_relief)
 
     @cached_property
     def cycle(self) -> MeshCycle:
@@ -196,7 +264,7 @@ class ZiWormDrive:
         """The unloaded tooth contact at a phase of the mesh cycle, 0 to 1."""
         if not 0 <= phase <= 1:
             raise ValueError(f"phase is {phase:.6g}; a tooth pair touches from phase 0 to phase 1")
-        return self.cycle.contact(phase, self.speed)
+        return self.cycle.contact(phase, self.rotation)
 
     @property
     def mean_teeth_in_contact(self) -> float:
@@ -213,6 +281,15 @@ class ZiWormDrive:
         contact = self.contact(0.5)
         return float(abs(np.cross(contact.point, contact.normal)[1]))
 
+    @property
+    def wheel_torque(self) -> float:
+        """Torque of the wheel [N m], of a tooth load the mean over the mesh cycle without friction."""
+        if not isinstance(self.load, Transmission):
+            return self.load * self.load_arm * self.mean_teeth_in_contact
+        arms = self.arms(np.array([0.5]))
+        own, wheel = (arms.of(shaft, self.friction)[0] for shaft in (self.load.shaft, "wheel"))
+        return self.load.torque * float(wheel / own)
+
     def mesh_cycle(self, count: int = 21) -> tuple[ToothContact, ...]:
         """Contacts at equal steps of the worm's rotation from where the teeth meet to where they part."""
         return tuple(self.contact(float(phase)) for phase in np.linspace(0, 1, count))
@@ -223,38 +300,131 @@ class ZiWormDrive:
 
     def motions(self, contact: ToothContact) -> tuple[ToothMotion, ToothMotion]:
         """Surface velocities of worm and wheel relative to the contact point."""
-        worm_turn = np.array([0.0, 0.0, self.speed])
-        wheel_turn = np.array([0.0, -self.cycle.speed_ratio * self.speed, 0.0])
+        worm_turn, wheel_turn = self._turns
         worm_axis, wheel_axis = self.worm_flank.axis_point, np.zeros(3)
         return (
             ToothMotion(contact, contact.worm_height, worm_axis, worm_turn),
             ToothMotion(contact, contact.wheel_height, wheel_axis, wheel_turn),
         )
 
+    @property
+    def _turns(self) -> tuple[Array, Array]:
+        """Angular velocities of worm and wheel, each (3,) [rad/s]."""
+        wheel = np.array([0.0, -self.cycle.speed_ratio, 0.0])
+        return self.rotation * self.worm_flank.axes[:, 2], self.rotation * wheel
+
+    def sliding(self, phases: Array) -> Array:
+        """Velocity of the worm against the wheel at contact points [m/s], (3, phases)."""
+        point = self.cycle.points(phases)
+        worm_turn, wheel_turn = self._turns
+        on_worm = np.cross(worm_turn, point - self.worm_flank.axis_point[:, None], axisb=0, axisc=0)
+        return on_worm - np.cross(wheel_turn, point, axisb=0, axisc=0)
+
+    def arms(self, phases: Array) -> Arms:
+        """Moment arms of the forces between the teeth at some phases."""
+        point = self.cycle.points(phases)
+        normal = np.broadcast_to(-self.cycle.line.direction[:, None], point.shape)
+        sliding = self.sliding(phases)
+        sliding = sliding / np.linalg.norm(sliding, axis=0)
+        on_worm = point - self.worm_flank.axis_point[:, None]
+
+        def about(arm: Array, force: Array, axis: Array) -> Array:
+            return axis @ np.cross(arm, force, axis=0)
+
+        worm_axis, wheel_axis = self.worm_flank.axes[:, 2], np.array([0.0, -1.0, 0.0])
+        return Arms(
+            worm_normal=about(on_worm, normal, worm_axis),
+            wheel_normal=about(point, normal, wheel_axis),
+            worm_sliding=about(on_worm, sliding, worm_axis),
+            wheel_sliding=about(point, sliding, wheel_axis),
+        )
+
+    def shared(self, phase: float) -> SharedLoad:
+        """Normal loads of all tooth pairs while one of them is at a phase."""
+        first = -floor((phase + BEYOND) / self.pitch)
+        last = floor((1 + BEYOND - phase) / self.pitch)
+        phases = phase + self.pitch * np.arange(first, last + 1)
+        if not isinstance(self.load, Transmission):
+            forces = np.where((phases >= 0) & (phases <= 1), self.load, 0.0)
+            return SharedLoad(phases, forces, 0.0)
+        ahead = self.cycle.transmission_error(phases)
+        arms = self.arms(phases).of(self.load.shaft, self.load.friction)
+        lever = self.wheel_flank.lever
+        springs = None if self.load.sharing == "equal" else self.springs
+        return share(self.load, phases, arms, lever, ahead, springs)
+
+    @property
+    def springs(self) -> ToothSprings:
+        """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
+        still = replace(self.load, sharing="elastic", friction=0.0)
+        return _springs(replace(self, load=still, speed=1.0, driver="worm"))
+
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return with_film_rate(self._scene, phase, self.speed / abs(self.cycle.worm_rotation))
+        return with_film_rate(self._scene, phase, self.phases_per_second)
 
     def _scene(self, phase: float) -> Scene:
+        load = self.shared(phase).force(phase)
+        if load == 0:
+            raise ValueError("the tooth pair carries no load there, its neighbours carry all")
+        return self.scene_under(load, phase)
+
+    def scene_under(self, load: float, phase: float) -> Scene:
+        """The contact at a phase under a normal load [N], as it stands."""
         contact = self.contact(phase)
         return Scene(
             name=f"phase {phase:.2f}",
             gap=self.gap(contact),
             radii=contact.radii,
             motions=self.motions(contact),
-            load=self.load,
+            load=load,
             bodies=self.bodies,
             oil=self.oil,
             phase=phase,
         )
 
+    @property
+    def friction(self) -> float:
+        """Friction by which the forces are balanced [-]."""
+        return self.load.friction if isinstance(self.load, Transmission) else 0.0
+
+    def flank_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
+        """Place on the wheel's flank over points of a tangent plane, the same at all wheel angles.
+
+        Returns
+        -------
+        tuple of ndarray
+            Along the face from its middle, and distance from the wheel's axis [m].
+        """
+        point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
+        return point[1], wheel_radius(point)
+
     def cycle_data(self) -> xr.Dataset:
-        """The unloaded mesh cycle for the result."""
-        return mesh_cycle_data(self.mesh_cycle())
+        """The mesh cycle for the result, without load and with it."""
+        beyond = BEYOND if isinstance(self.load, Transmission) else 0.0
+        parts = loaded_cycle_data(self, beyond), sensitivity_data(self)
+        data = mesh_cycle_data(self.mesh_cycle())
+        for part in parts:
+            data = data.merge(part, combine_attrs="no_conflicts")
+        return data
+
+    def varied(self, name: str, change: float) -> "ZiWormDrive":
+        """The drive with a difference in one entry of a table, "assembly.axial_shift" or "hob.swivel".
+
+        Raises
+        ------
+        ValueError
+            There is no such drive.
+        """
+        part, key = name.split(".")
+        table = getattr(self, part)
+        return replace(self, **{part: replace(table, **{key: getattr(table, key) + change})})
 
     def scene_data(self, scene: Scene) -> xr.Dataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
-        return tooth_data(self.tooth_outline(self.contact(scene.phase)), scene.gap)
+        contact = self.contact(scene.phase)
+        place = partial(self.flank_place, contact)
+        return tooth_data(self.tooth_outline(contact), scene.gap, place)
 
     def tooth_outline(self, contact: ToothContact, count: int = 60) -> ToothOutline:
         """Outline of the wheel tooth and path of contact seen along the contact's normal.
@@ -299,14 +469,37 @@ class ZiWormDrive:
         return ToothOutline(seen(rim, x), seen(rim, y), seen(path, x), seen(path, y))
 
 
+@lru_cache(maxsize=2)
+def _springs(drive: ZiWormDrive) -> ToothSprings:
+    """Compliance by all that decides it; kept, since processes make a drive anew for each of its scenes."""
+    whole = drive.load.torque / float(drive.arms(np.array([0.5])).of(drive.load.shaft, 0.0)[0])
+    return tooth_springs(
+        gap_at=lambda phase: drive.gap(drive.cycle.contact(phase)),
+        radii_at=lambda phase: drive.cycle.contact(phase).radii,
+        reduced_modulus=reduced_modulus(*drive.bodies),
+        whole_load=whole,
+        stiffness=drive.load.stiffness,
+        longest=drive.wheel.face_width,
+    )
+
+
 def _check_values(drive: ZiWormDrive) -> None:
     """Counts and sizes: finite, and positive where nothing else makes sense."""
     signed = {"hob.swivel", "hob.axial_shift"}
+    signed |= {f"assembly.{f.name}" for f in fields(drive.assembly)}
     entries: dict[str, float] = {}
-    for part in ("worm", "wheel", "hob"):
+    for part in ("worm", "wheel", "hob", "assembly"):
         table = getattr(drive, part)
-        entries.update({f"{part}.{f.name}": getattr(table, f.name) for f in fields(table)})
-    entries.update({key: getattr(drive, key) for key in ("centre_distance", "speed", "load")})
+        entries.update(
+            {
+                f"{part}.{f.name}": getattr(table, f.name)
+                for f in fields(table)
+                if f.name != "tip_relief"
+            }
+        )
+    entries.update({key: getattr(drive, key) for key in ("centre_distance", "speed")})
+    if not isinstance(drive.load, Transmission):
+        entries["load"] = drive.load
     for key, value in entries.items():
         if not isfinite(value):
             raise ValueError(f"{key} is {value}; a finite number is needed")
@@ -337,6 +530,17 @@ def _check_table(drive: ZiWormDrive) -> None:
                 f"{name}.tip_radius is {screw.tip_radius * 1e3:.2f} mm; it must be above "
                 f"{name}.root_radius, {screw.root_radius * 1e3:.2f} mm"
             )
+    heights = {
+        "worm": drive.worm.tip_radius - drive.worm.root_radius,
+        "wheel": drive.hob.tip_radius - drive.hob.root_radius,
+    }
+    for name, height in heights.items():
+        relief = getattr(drive, name).tip_relief
+        if relief.amount > 0 and not 0 < relief.length < height:
+            raise ValueError(
+                f"{name}.tip_relief_length is {relief.length * 1e3:.4g} mm; it must lie between 0 and the "
+                f"tooth's height, {height * 1e3:.4g} mm"
+            )
     if drive.wheel.tip_radius < drive.wheel.throat_radius:
         raise ValueError(
             f"wheel.tip_radius is {drive.wheel.tip_radius * 1e3:.2f} mm; it must not be below "
@@ -357,9 +561,10 @@ def _check_fit(drive: ZiWormDrive) -> None:
     floor = hob.centre_distance - hob.tip_radius
     lowest = max(worm.tip_radius + floor, worm.root_radius + wheel.throat_radius)
     highest = worm.tip_radius + wheel.throat_radius
-    if not lowest <= drive.centre_distance < highest:
+    if not lowest <= drive.axes_distance < highest:
+        with_error = " with assembly.centre_distance" if drive.assembly.centre_distance else ""
         raise ValueError(
-            f"centre_distance is {drive.centre_distance * 1e3:.2f} mm; it must lie from "
+            f"centre_distance{with_error} is {drive.axes_distance * 1e3:.2f} mm; it must lie from "
             f"{lowest * 1e3:.2f} mm, where a tip touches a root, to {highest * 1e3:.2f} mm, where the "
             "teeth no longer reach each other"
         )

@@ -9,6 +9,7 @@ from pyworm.plots.across_film import draw_across_film
 from pyworm.plots.cycle import draw_cycle
 from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
+from pyworm.plots.flank import draw_flank
 from pyworm.plots.friction import draw_friction
 from pyworm.plots.gap import draw_gap
 from pyworm.plots.gear_pair import draw_film_and_temperature, draw_line_of_action
@@ -50,7 +51,10 @@ SCENE_PICTURES = {
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
 CYCLE_PICTURES = {
-    "zi-worm": {"mesh_cycle": draw_cycle},
+    "zi-worm": {
+        "mesh_cycle": draw_cycle,
+        "mesh_cycle_flank": draw_flank,
+    },
     "roller-worm": {
         "mesh_cycle_drive": draw_roller_drive,
         "mesh_cycle_regimes": draw_roller_regimes,
@@ -62,7 +66,8 @@ CYCLE_PICTURES = {
         "line_of_action": draw_line_of_action,
     },
 }
-"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result."""
+"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result, which returns
+None where too few phases are solved for it."""
 
 SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
@@ -103,7 +108,9 @@ def draw(
     written = [path for paths in drawn for path in paths]
     if result.mesh_cycle is not None:
         for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            written.append(write(cycle(result), directory / f"{name}.png"))
+            figure = cycle(result)
+            if figure is not None:
+                written.append(write(figure, directory / f"{name}.png"))
     if result.solutions:
         written.append(write(draw_regimes(result), directory / "regimes.png"))
     if traction_curve(result):

@@ -6,13 +6,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
-from pyworm.plots.style import MEGA, MICRO, MILLI, draw_largest_temperatures, new_figure
+from pyworm.plots.style import KILO, MEGA, MICRO, MILLI, draw_largest_temperatures, new_figure
 from pyworm.result import Result
 from pyworm.solution import Solution
 
 
 def draw_cycle(result: Result) -> Figure:
-    """Transmission error, radii, contact point; film, pressure, friction and temperatures where solved."""
+    """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
     cycle = result.mesh_cycle
     solved = sorted(
         (solution for solution in result.solutions if solution.phase is not None),
@@ -20,18 +20,20 @@ def draw_cycle(result: Result) -> Figure:
     )
     sheared = [one for one in solved if one.figures.friction_coefficient is not None]
     heated = [one for one in solved if one.figures.temperature_max_film is not None]
-    rows = 3 + sum(bool(some) for some in (solved, sheared, heated))
-    figure = new_figure(8, 2.3 * rows + 0.6, f"{result.case_name}  ·  mesh cycle")
-    axes = figure.subplots(rows, sharex=True)
-    _draw_transmission_error(axes[0], cycle)
-    _draw_radii(axes[1], cycle)
-    _draw_contact_point(axes[2], cycle)
-    if solved:
-        _draw_solutions(axes[3], solved)
-    if sheared:
-        _draw_friction(axes[4], sheared)
-    if heated:
-        draw_largest_temperatures(axes[-1], [one.phase for one in heated], heated)
+    drawn = [
+        (_draw_transmission_error, cycle, True),
+        (_draw_radii, cycle, True),
+        (_draw_contact_point, cycle, True),
+        (_draw_tooth_load, cycle, "tooth_load" in cycle),
+        (_draw_solutions, solved, bool(solved)),
+        (_draw_friction, sheared, bool(sheared)),
+        (_draw_temperatures, heated, bool(heated)),
+    ]
+    drawn = [(draw, what) for draw, what, known in drawn if known]
+    figure = new_figure(8, 2.3 * len(drawn) + 0.6, f"{result.case_name}  ·  mesh cycle")
+    axes = figure.subplots(len(drawn), sharex=True)
+    for panel, (draw, what) in zip(axes, drawn, strict=True):
+        draw(panel, what)
     for panel in axes:
         panel.grid(True, color="0.9")
     axes[-1].set_xlabel("phase of the mesh cycle")
@@ -69,6 +71,24 @@ def _draw_contact_point(axes: Axes, cycle: xr.Dataset) -> None:
     axes.legend(frameon=False, ncols=3)
 
 
+def _draw_tooth_load(axes: Axes, cycle: xr.Dataset) -> None:
+    """Normal load of a tooth pair, which may go on beyond the unloaded cycle, and how it turns the wheel."""
+    phase, load = cycle["load_phase"], cycle["tooth_load"]
+    carrying = phase.values[load.values > 0]
+    axes.plot(phase, load * KILO, color="tab:brown")
+    axes.set_xlim(min(carrying[0], 0) - 0.02, max(carrying[-1], 1) + 0.02)
+    axes.set_ylim(0, 1.15 * float(load.max()) * KILO)
+    axes.set_ylabel("load of a\ntooth pair / kN", color="tab:brown")
+    if float(cycle["wheel_turn"].max()) > 0:
+        turn_axes = axes.twinx()
+        turn_axes.plot(phase, cycle["wheel_turn"] * MICRO, "--", color="0.3")
+        turn_axes.set_ylabel("wheel behind its ideal\nangle / µrad (dashed)")
+
+
+def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
+    draw_largest_temperatures(axes, [one.phase for one in heated], heated)
+
+
 def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     """Films with their error bars, and the largest pressure on its own scale."""
     phase = np.array([solution.phase for solution in solved])
@@ -84,14 +104,14 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
         if failed.any():
             label = "not converged" if name == "film_min" else None
             axes.plot(phase[failed], film[failed], "x", color="black", markersize=11, label=label)
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel("film / µm")
     pressure_axes = axes.twinx()
     pressure = [solution.figures.pressure_max.value * MEGA for solution in solved]
     pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
-    pressure_axes.set_ylim(0, 1.08 * max(pressure))
+    pressure_axes.set_ylim(0, 1.3 * max(pressure))
     pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
-    axes.legend(frameon=False, ncols=2, loc="lower left")
+    axes.legend(frameon=False, ncols=2, loc="upper center")
 
 
 def _draw_friction(axes: Axes, sheared: list[Solution]) -> None:

@@ -17,8 +17,8 @@ from pyworm.place import Place
 from pyworm.plots.outline import signed_square
 from pyworm.solution import ZERO_CELSIUS, Solution
 
-MILLI, MICRO, MEGA = 1e3, 1e6, 1e-6
-"""From SI to what the axes show: mm, um and MPa."""
+MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6
+"""From SI to what the axes show: mm, um, kN and MPa."""
 
 WIDEST = 4.5
 """Panels longer than this many times their height are stretched across."""

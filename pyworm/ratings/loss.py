@@ -4,8 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.drive_cycle import FEWEST_PHASES, cycle_loss
 from pyworm.drives.drive import Drive
 from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.zi_load import Transmission
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.solution import Solution
 
@@ -45,6 +47,19 @@ def mesh_loss(drive: Drive | None, solutions: tuple[Solution, ...]) -> MeshLoss 
     if any(of.figures.friction_coefficient is None for of in solutions):
         return None
     error = max(of.figures.power_loss.error for of in solutions)
+    if isinstance(drive, ZiWormDrive) and isinstance(drive.load, Transmission):
+        good = sorted((of for of in solutions if of.converged), key=lambda of: of.phase)
+        if len(good) < FEWEST_PHASES:
+            return None
+        loss = cycle_loss(drive.cycle_data(), good)
+        driven = loss.worm_torque * drive.speed
+        return MeshLoss(
+            power=driven if drive.driver == "worm" else driven + loss.power,
+            loss=loss.power,
+            friction=loss.friction,
+            error=loss.error / loss.power,
+            words="of all teeth in mesh, each under its share of the load, over the mesh cycle",
+        )
     if isinstance(drive, ZiWormDrive):
         teeth = drive.mean_teeth_in_contact
         loss = float(np.mean([of.figures.power_loss.value for of in solutions])) * teeth

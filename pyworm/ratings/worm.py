@@ -8,6 +8,7 @@ import numpy as np
 
 from pyworm.bodies import reduced_modulus
 from pyworm.case_error import CaseError
+from pyworm.drives.zi_load import Transmission
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.formulas.wear_distress import composite_roughness, regime, specific_film
 from pyworm.formulas.worm_standard import (
@@ -84,8 +85,8 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
     """A ZI drive as the standards see it; CaseError where the roughness of its flanks is not known.
 
     The module is the axial pitch over pi; the diameter factor is that by which the pitch cylinders,
-    without profile shift, touch. The torque is that of the drive's load on every tooth in contact, on
-    average over the mesh cycle.
+    without profile shift, touch. The torque is the wheel's; of a tooth load that of every tooth in contact,
+    on average over the mesh cycle.
     """
     roughness = tuple(body.roughness for body in drive.bodies)
     for name, height in zip(("worm", "wheel"), roughness, strict=True):
@@ -103,17 +104,21 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
         diameter_factor=factor,
         face_width=drive.wheel.face_width,
     )
-    teeth, arm = drive.mean_teeth_in_contact, drive.load_arm
+    torque = "wheel torque as the drive has it"
+    if not isinstance(drive.load, Transmission):
+        torque = (
+            f"wheel torque of {drive.load / 1e3:.3g} kN on each of {drive.mean_teeth_in_contact:.2f} "
+            f"teeth in contact on average, on an arm of {drive.load_arm * 1e3:.1f} mm"
+        )
     return WormDuty(
         gear=gear,
         worm_speed=drive.speed,
-        torque=drive.load * arm * teeth,
+        torque=drive.wheel_torque,
         reduced_modulus=reduced_modulus(*drive.bodies),
         roughness=roughness,
         words=(
             f"Derived from the drive: axial module {module * 1e3:.3f} mm, diameter factor {factor:.2f} "
-            f"without profile shift; wheel torque of {drive.load / 1e3:.3g} kN on each of {teeth:.2f} "
-            f"teeth in contact on average, on an arm of {arm * 1e3:.1f} mm.",
+            f"without profile shift; {torque}.",
         ),
     )
 
@@ -192,7 +197,7 @@ def rate_worm_table(
     words = [*duty.words]
     if simulated:
         words.append(
-            "Simulated values are means over the solved mesh phases, of one tooth at a time; pressure "
+            "Simulated films are means over the solved mesh phases, of one tooth at a time; pressure "
             "and temperature are the largest ones, the temperature that of a flank in contact, not of "
             "the bulk. The standard's film is a mean over the contact lines of an oil as warm as the "
             "wheel, the simulated minimum that of the thinnest place of an oil with the case's own "

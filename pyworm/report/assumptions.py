@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from pyworm.case import Case
 from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.zi_load import Transmission
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.effects.judgement import Judgement
 from pyworm.report.content import Items, Section, Table
@@ -73,8 +74,7 @@ def _drive_items(case: Case) -> list[str]:
     drive = case.drive
     if isinstance(drive, ZiWormDrive):
         return [
-            f"The load on the tooth, {drive.load / 1e3:.4g} kN, is given and the same at every phase; "
-            "it is not shared among teeth.",
+            _worm_load(drive),
             "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for the "
             "contact itself.",
         ]
@@ -87,6 +87,19 @@ def _drive_items(case: Case) -> list[str]:
     if drive is not None:
         return [f"The load is shared as operation.sharing = {case.tables.operation.sharing} says."]
     return ["One contact, with the curvature, velocities and load given."]
+
+
+def _worm_load(drive: ZiWormDrive) -> str:
+    load = drive.load
+    if not isinstance(load, Transmission):
+        return (
+            f"The load on the tooth, {load / 1e3:.4g} kN, is given and the same at every phase; "
+            "it is not shared among teeth."
+        )
+    return (
+        f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
+        f"friction {load.friction:.2g} in the balance of torques)."
+    )
 
 
 def provenance_section(result: Result) -> Section:

@@ -32,6 +32,7 @@ _CAPTIONS = {
     "temperature": "Temperatures",
     "across_film": "Across the film at its hottest point",
     "mesh_cycle": "Mesh cycle",
+    "mesh_cycle_flank": "The wheel's flank after a mesh cycle",
     "mesh_cycle_drive": "The drive: rollers, worm flanks and contact lines",
     "mesh_cycle_regimes": "Regimes of lubrication over the mesh cycle",
     "mesh_cycle_sensitivity": "What the film is sensitive to",
@@ -45,7 +46,9 @@ def cycle_pictures(result: Result) -> Section | None:
     pictures = []
     if result.mesh_cycle is not None:
         for name, draw in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            pictures.append(Picture(_CAPTIONS.get(name, name), png(draw(result))))
+            figure = draw(result)
+            if figure is not None:
+                pictures.append(Picture(_CAPTIONS.get(name, name), png(figure)))
     if traction_curve(result):
         pictures.append(Picture("Traction curve", png(draw_traction(result))))
     return Section("The whole cycle", tuple(pictures)) if pictures else None

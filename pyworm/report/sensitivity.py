@@ -6,7 +6,6 @@ the same share. Nothing is solved again.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import exp, log
 
 from pyworm.case import Case
 from pyworm.case_error import CaseError
@@ -14,7 +13,7 @@ from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.line.scales import line_scales
 from pyworm.line.scene import LineScene
-from pyworm.oils import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE, Barus, Oil, Roelands
+from pyworm.oils import Barus, Oil, Roelands
 from pyworm.place import Place
 from pyworm.report.content import Block, Section, Table, Words
 from pyworm.report.figures import composite_roughness
@@ -124,8 +123,8 @@ def variations(case: Case, result: Result) -> list[Variation]:
     ]
     if scenes[0].oil.heat is not None:
         found += [
-            with_oil(f"oil {WARMER:g} K cooler", lambda oil: warmed(oil, -WARMER)),
-            with_oil(f"oil {WARMER:g} K warmer", lambda oil: warmed(oil, WARMER)),
+            with_oil(f"oil {WARMER:g} K cooler", lambda oil: oil.warmed(-WARMER)),
+            with_oil(f"oil {WARMER:g} K warmer", lambda oil: oil.warmed(WARMER)),
         ]
     if isinstance(case.drive, ZiWormDrive):
         found += _worm_misaligned(case.drive, result, scenes, films)
@@ -167,54 +166,22 @@ def thickened(oil: Oil, ratio: float) -> Oil:
     return replace(oil, viscosity=Roelands.from_alpha(law.eta0 * ratio, law.alpha, law.p0))
 
 
-def warmed(oil: Oil, rise: float) -> Oil:
-    """The oil as it is at another inlet temperature, by its own laws.
-
-    Roelands: ln eta + 9.67 falls as the distance from the pole of temperature to the power -s0, at every
-    pressure, so that z stays what it is.
-    """
-    law, heat = oil.viscosity, oil.heat
-    inlet = heat.inlet_temperature + rise
-    if isinstance(law, Barus):
-        thinner = Barus(law.eta0 * exp(-heat.viscosity_exponent * rise), law.alpha)
-    else:
-        share = (inlet - ROELANDS_POLE_TEMPERATURE) / (
-            heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
-        )
-        span = (log(law.eta0) + ROELANDS_POLE_LOG) * share**-heat.viscosity_exponent
-        thinner = Roelands(exp(span - ROELANDS_POLE_LOG), law.z, law.p0)
-    return replace(oil, viscosity=thinner)
-
-
 def _worm_misaligned(
     drive: ZiWormDrive, result: Result, scenes: list[Contact], films: list[float]
 ) -> list[Variation]:
     """A ZI drive mounted wrongly: its contacts move over the tooth and change their curvature."""
-    hob = drive.hob
-    mounted: list[tuple[str, Callable[[float], ZiWormDrive], float]] = [
-        (
-            "centre distance {0:+.1f} mm",
-            lambda by: replace(drive, centre_distance=drive.centre_distance + by),
-            SHIFT,
-        ),
-        (
-            "wheel shifted {0:+.1f} mm along its axis",
-            lambda by: replace(drive, hob=replace(hob, axial_shift=hob.axial_shift + by)),
-            SHIFT,
-        ),
-        (
-            "shaft angle {0:+.1f} mrad (as a swivel of the hob)",
-            lambda by: replace(drive, hob=replace(hob, swivel=hob.swivel + by)),
-            TILT,
-        ),
-    ]
+    mounted = (
+        ("centre distance {0:+.1f} mm", "assembly.centre_distance", SHIFT),
+        ("worm shifted {0:+.1f} mm along the wheel's axis", "assembly.axial_shift", SHIFT),
+        ("shaft angle {0:+.1f} mrad", "assembly.shaft_angle", TILT),
+    )
     found = []
-    for label, moved, size in mounted:
+    for label, entry, size in mounted:
         for by in (-size, size):
             called = label.format(by * 1e3)
             try:
-                other = moved(by)
-                after = [other.scene(of.phase) for of in result.solutions]
+                other = drive.varied(entry, by)
+                after = [other.scene_under(of.load, of.phase) for of in result.solutions]
             except ValueError as error:
                 raise CaseError(f"{called}: {error}") from error
             found.append(_variation(called, scenes, films, after, _moved(drive, other)))

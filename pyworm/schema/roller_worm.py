@@ -5,9 +5,9 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from pyworm import units
-from pyworm.drives.roller_load import Sharing
 from pyworm.drives.roller_motion import Spinning
 from pyworm.drives.roller_profile import Shape
+from pyworm.drives.torque_balance import Sharing
 from pyworm.schema.bodies import Bodies, BodyTable
 from pyworm.schema.case import CaseTable
 from pyworm.schema.table import Count, NumberOrZero, Phase, PositiveNumber, Table

@@ -2,12 +2,16 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from pyworm import units
+from pyworm.drives.torque_balance import Sharing
+from pyworm.drives.zi_load import Shaft
 from pyworm.schema.bodies import Bodies, BodyTable
 from pyworm.schema.rating import RatedCase, WormRatingTable
-from pyworm.schema.table import Count, Phase, Table
+from pyworm.schema.table import Count, Phase, PositiveNumber, Table
+
+Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
 
 
 class WormBodies(Bodies):
@@ -15,6 +19,13 @@ class WormBodies(Bodies):
 
     worm: BodyTable
     wheel: BodyTable
+
+
+class _Relieved(Table):
+    """What worm and wheel share: a relief of the tips, beginning that far below them."""
+
+    tip_relief: units.LengthOrZero = 0.0
+    tip_relief_length: units.LengthOrZero = 0.0
 
 
 class _Helicoid(Table):
@@ -28,13 +39,13 @@ class _Helicoid(Table):
     base_lead_angle: units.Angle
 
 
-class WormTable(_Helicoid):
+class WormTable(_Helicoid, _Relieved):
     """`[drive.worm]`."""
 
     threads: Count
 
 
-class WheelTable(Table):
+class WheelTable(_Relieved):
     """`[drive.wheel]`."""
 
     teeth: Count
@@ -51,22 +62,86 @@ class HobTable(_Helicoid):
     axial_shift: units.Offset
 
 
+class AssemblyTable(Table):
+    """`[drive.assembly]`: how the drive was put together, as differences from the design."""
+
+    centre_distance: units.Offset = 0.0
+    axial_shift: units.Offset = 0.0
+    shaft_angle: units.Tilt = 0.0
+
+
 class ZiWormTable(Table):
     """`[drive]`, kind = "zi-worm"."""
 
     kind: Literal["zi-worm"]
     centre_distance: units.Length
+    stiffness: units.Stiffness | None = None
     worm: WormTable
     wheel: WheelTable
     hob: HobTable
+    assembly: AssemblyTable = AssemblyTable()
 
 
 class OperationTable(Table):
-    """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved."""
+    """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved.
 
-    worm_speed: units.Speed
-    load: units.Force
+    The load is the normal load of the tooth, or what the teeth in mesh share: a torque of either shaft, or
+    the power of the driving one. `friction` is that of the teeth in the balance of torques; left out, it is
+    found.
+    """
+
+    worm_speed: units.Speed | None = None
+    wheel_speed: units.Speed | None = None
+    driver: Shaft = "worm"
+    load: units.Force | None = None
+    worm_torque: units.Torque | None = None
+    wheel_torque: units.Torque | None = None
+    power: units.Power | None = None
+    sharing: Sharing | None = None
+    friction: Friction | None = None
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _one_speed(self):
+        if (self.worm_speed is None) == (self.wheel_speed is None):
+            raise ValueError("give either worm_speed or wheel_speed, one of the two")
+        return self
+
+    @model_validator(mode="after")
+    def _one_load(self):
+        given = [name for name in LOADS if getattr(self, name) is not None]
+        if len(given) != 1:
+            but = f", not {' and '.join(given)}" if given else ""
+            raise ValueError(f"give one of {', '.join(LOADS)}{but}")
+        if self.load is not None:
+            for name in ("sharing", "friction"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f"{name} means nothing with the load of one tooth, give a torque or a power instead "
+                        "of load"
+                    )
+        return self
+
+
+LOADS = ("load", "worm_torque", "wheel_torque", "power")
+"""Keys of `[operation]` of which one says what the teeth carry."""
+
+
+class CoolingTable(Table):
+    """`[cooling]`: what makes the temperatures of oil and bodies, which then are found and not given.
+
+    `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
+    them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
+    `worm_excess` says how much warmer the worm's bulk is than the wheel's. `tooth_loss` is the loss between
+    the teeth for which all this is struck; left out, it is found.
+    """
+
+    ambient_temperature: units.Temperature
+    conductance: units.ThermalConductance
+    other_loss: units.PowerOrZero = 0.0
+    immersion: PositiveNumber = 1.0
+    worm_excess: units.Warmth = 0.0
+    tooth_loss: units.Power | None = None
 
 
 class ZiWormCase(RatedCase):
@@ -76,3 +151,26 @@ class ZiWormCase(RatedCase):
     operation: OperationTable
     bodies: WormBodies
     worm_rating: WormRatingTable | None = None
+    cooling: CoolingTable | None = None
+
+    @model_validator(mode="after")
+    def _cooling_of_what_warms(self):
+        if self.cooling is None:
+            return self
+        if self.oil.heat is None or self.operation.load is not None:
+            raise ValueError(
+                "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load"
+            )
+        for name, body in self.bodies:
+            if body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing with [cooling]")
+        return self
+
+    @model_validator(mode="after")
+    def _stiffness_with_sharing(self):
+        if self.drive.stiffness is not None and self.operation.load is not None:
+            raise ValueError(
+                "drive.stiffness means nothing with operation.load, the load of one tooth; give a torque "
+                "or a power instead"
+            )
+        return self

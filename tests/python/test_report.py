@@ -29,7 +29,7 @@ from pyworm.report.assumptions import plan_section
 from pyworm.report.build import build_report
 from pyworm.report.content import Picture, Table
 from pyworm.report.page import render
-from pyworm.report.sensitivity import thickened, variations, warmed
+from pyworm.report.sensitivity import thickened, variations
 from pyworm.result import Result
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -335,7 +335,7 @@ LINE_OIL = replace(OIL, viscosity=Barus(0.08, 2e-8))
 @given(st.floats(-30, 60), st.floats(0, 0.3e9))
 def test_warmed_oils_follow_their_own_laws_at_every_pressure(rise, pressure):
     for oil in (OIL, LINE_OIL):
-        warm = warmed(oil, rise).viscosity
+        warm = oil.warmed(rise).viscosity
         assert warm(pressure) == pytest.approx(oil.eta(pressure, rise), rel=1e-9)
 
 

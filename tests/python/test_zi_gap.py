@@ -5,7 +5,9 @@ import time
 import numpy as np
 import pytest
 from scipy.optimize import brentq, root
-from zi_drives import sharif
+from zi_drives import WHEEL, WORM, changed, sharif
+
+from pyworm.drives.tooth_boundary import TipRelief
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
 
@@ -148,6 +150,35 @@ def test_gap_is_the_same_whatever_window_asks():
     whole = scene.gap(x, y)[0]
     single = [float(scene.gap(x[i, j], y[i, j])[0]) for i, j in ((3, 60), (32, 32), (64, 0))]
     np.testing.assert_allclose(single, [whole[3, 60], whole[32, 32], whole[64, 0]], atol=1e-15)
+
+
+def test_tip_relief_is_taken_off_towards_the_tips():
+    relief = TipRelief(20e-6, 3e-3)
+    plain = sharif()
+    relieved = sharif(
+        worm=changed(WORM, tip_relief=relief), wheel=changed(WHEEL, tip_relief=relief)
+    )
+    x, y = window(0.02, 0.012, 65)
+    for phase in (0.05, 0.5, 0.95):
+        contact = relieved.contact(phase)
+        more = relieved.gap(contact)(x, y)[0] - plain.gap(plain.contact(phase))(x, y)[0]
+        expected = np.zeros(x.shape)
+        for flank, tooth in (
+            (contact.worm_height, relieved.worm_tooth),
+            (contact.wheel_height, relieved.wheel_tooth),
+        ):
+            height = flank.solve(x, y)[0]
+            point = contact.point + np.moveaxis(np.stack([x, y, height]), 0, -1) @ contact.axes
+            point = np.moveaxis(point, -1, 0)
+            depth = {
+                name: margin for name, margin in tooth.margins(point).items() if "root" not in name
+            }
+            depth.pop("wheel face", None)
+            into = np.maximum(3e-3 - np.minimum.reduce(list(depth.values())), 0.0)
+            expected += 20e-6 * (into / 3e-3) ** 2
+        np.testing.assert_allclose(more, expected, rtol=0, atol=1e-15)
+        assert more.max() > 0
+    assert relieved.gap(relieved.contact(0.5))(0.0, 0.0)[0] < 1e-15
 
 
 def test_gap_goes_on_beyond_the_teeth():

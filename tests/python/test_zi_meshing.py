@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
-from zi_drives import HOB, MM, changed, conjugate, sharif
+from zi_drives import DEGREE, HOB, MM, changed, conjugate, sharif
 
+from pyworm.cycle_tables import sensitivity_table
 from pyworm.drives.helicoid import Helicoid
+from pyworm.drives.zi_sensitivity import sensitivity_data
+from pyworm.drives.zi_worm import Assembly
 
 
 def test_helicoid_is_the_involute_of_its_base_cylinder():
@@ -147,3 +150,55 @@ def test_calibrated_set_up_gives_the_published_radii():
     # Sharif et al. (2001), section 6: 3.046 m and 95.4 mm
     assert contact.radii[0] == pytest.approx(3.046, rel=0.005)
     assert contact.radii[1] == pytest.approx(0.0954, rel=0.005)
+
+
+def test_a_shifted_worm_meets_the_flank_of_a_hob_shifted_the_other_way():
+    """The hob's shift moves the whole flank along its axis, so only the difference of both counts."""
+    shift = 0.1 * MM
+    moved = sharif(assembly=Assembly(axial_shift=shift)).cycle.line
+    recut = sharif(hob=changed(HOB, axial_shift=HOB.axial_shift - shift)).cycle.line
+    np.testing.assert_allclose(moved.direction, recut.direction, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        moved.foot, recut.foot + _foot_of_shift(recut.direction, shift), rtol=0, atol=1e-12
+    )
+
+
+def _foot_of_shift(direction, shift):
+    """How the foot of a line moves if the line is shifted along Y: square to the line."""
+    along = np.array([0.0, shift, 0.0])
+    return along - (along @ direction) * direction
+
+
+ERRORS = Assembly(centre_distance=0.1 * MM, axial_shift=-0.05 * MM, shaft_angle=0.1 * DEGREE)
+
+
+@pytest.mark.parametrize("phase", (0.1, 0.5, 0.9))
+def test_misaligned_teeth_touch_and_mesh(phase):
+    drive = sharif(assembly=ERRORS)
+    contact = drive.contact(phase)
+    assert np.linalg.norm(contact.point - sharif().contact(phase).point) > 0.5 * MM
+    x, y = np.meshgrid(np.linspace(-0.025, 0.025, 65), np.linspace(-0.012, 0.012, 65))
+    assert drive.gap(contact)(x, y)[0].min() > -1e-15
+    worm, wheel = (motion.velocity(0.0, 0.0) for motion in drive.motions(contact))
+    assert abs(worm[2]) < 1e-12 and abs(wheel[2]) < 1e-12
+    # the worm turns about its own, tilted, axis
+    axis = np.array([0.0, -np.sin(ERRORS.shaft_angle), np.cos(ERRORS.shaft_angle)])
+    centre = np.array([-304.9 * MM, -0.05 * MM, 0.0])
+    velocity = drive.speed * np.cross(axis, contact.point - centre) - contact.velocity
+    np.testing.assert_allclose(worm, contact.axes @ velocity, rtol=0, atol=1e-12)
+
+
+def test_sensitivities_are_those_of_drives_built_with_the_errors():
+    drive = sharif()
+    data = sensitivity_data(drive)
+    at = data.sel(error="assembly.axial_shift", side=1)
+    error = float(at["error_size"])
+    other = sharif(assembly=Assembly(axial_shift=error)).contact(0.5)
+    assert float(at["varied_radius_long"]) == other.radii[0]
+    assert float(at["varied_contact_face"]) == pytest.approx(other.point[1], abs=2 * MM)
+    # Hertz's pressure on the real gap within what its edges and higher orders do
+    assert float(at["varied_dry_pressure_max"]) == pytest.approx(530e6, rel=0.05)
+    middle = data.sel(side=0)
+    assert np.ptp(middle["varied_contact_face"].values) == 0
+    table = sensitivity_table(data)
+    assert table.row_count == 9

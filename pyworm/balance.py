@@ -1,0 +1,160 @@
+"""Friction and loss fed back into what they depend on.
+
+The loads of a drive's teeth follow from its torque and from friction, the temperatures of its oil and bodies
+from the loss between the teeth; friction and loss follow from films under these loads and temperatures. The
+first pass takes usual values. Where those found would change loads or temperatures too much, films are solved
+again; temperatures, which take several passes, are found with every `STRIDE`-th phase first.
+"""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from pyworm.case import Case
+from pyworm.drive_cycle import Loss, drive_cycle
+from pyworm.result import Result, case_in
+from pyworm.run import RESULT_NAME, run
+from pyworm.solver import Progress
+from pyworm.task import Task
+
+PASSES = 3
+"""Most passes with all phases: friction moves loads by a few per cent, which hardly move friction."""
+
+WARM_PASSES = 8
+"""Most passes with some of the phases, until temperatures are found."""
+
+STRIDE = 4
+"""Every which phase is solved while temperatures are sought."""
+
+LOAD_SHARE = 0.25
+"""Change of the loads that asks for another pass, as a share of the accuracy."""
+
+WARMTH = 0.5
+"""Change of the sump's temperature that does [K]."""
+
+FIRST_FALL = -0.5
+"""How the loss found goes with the loss assumed, before two passes tell: warmer oil loses less."""
+
+
+def run_balanced(
+    case: Case,
+    tasks: Sequence[Task],
+    directory: Path,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    say: Callable[[str], None] = lambda message: None,
+) -> tuple[Result, Sequence[Task]]:
+    """Solve a case, with the friction and the loss that it finds itself if it is to find them.
+
+    Arguments and errors as of `pyworm.run.run`; also returns the tasks as they were solved in the end.
+    """
+    how = directory, executor, progress, say
+    open_ = case.left_open
+    if not open_:
+        return run(case, tasks, *how), tasks
+    earlier = _earlier(case, directory)
+    search = _Search(open_, tasks[0].accuracy, say)
+    if earlier:
+        case = case.with_found(earlier)
+    elif "cooling" in open_:
+        some = [*tasks[:-1:STRIDE], tasks[-1]]
+        case, _, _ = search.settle(case, some, how, WARM_PASSES)
+    case, result, tasks = search.settle(case, tasks, how, PASSES)
+    return result, tasks
+
+
+@dataclass
+class _Search:
+    """Passes over a case until what it finds is what it took."""
+
+    open: dict[str, str]
+    accuracy: float
+    say: Callable[[str], None]
+
+    def settle(
+        self, case: Case, tasks: Sequence[Task], how: tuple, passes: int
+    ) -> tuple[Case, Result, Sequence[Task]]:
+        """The case as last solved, what came out and the tasks; all of it solved at most so often."""
+        losses: list[tuple[float, float]] = []
+        while True:
+            tasks = [replace(task, case=case) for task in tasks]
+            result = run(case, tasks, *how)
+            cycle = drive_cycle(result)
+            passes -= 1
+            if cycle is None or cycle.loss is None or passes == 0:
+                return case, result, tasks
+            found = self._found(case, cycle.loss, losses)
+            if not found:
+                return case, result, tasks
+            told = " and ".join(
+                f"{table}.{key} = {value:g}"
+                for table, of in found.items()
+                for key, value in of.items()
+            )
+            self.say(f"solved again with {told}")
+            case = case.with_found(found)
+
+    def _found(
+        self, case: Case, loss: Loss, losses: list[tuple[float, float]]
+    ) -> dict[str, dict[str, float]]:
+        """What is to be changed; nothing if it hardly matters."""
+        found = {}
+        friction = float(f"{loss.friction:.2g}")
+        if "operation" in self.open:
+            found["operation"] = {"friction": friction}
+        enough = load_change(case, friction) <= LOAD_SHARE * self.accuracy
+        if "cooling" in self.open:
+            assumed = tooth_loss_of(case)
+            losses.append((assumed, loss.power))
+            misses = abs(loss.power - assumed) / case.tables.cooling.conductance
+            enough = enough and misses <= WARMTH
+            found["cooling"] = {"tooth_loss": float(f"{_next_loss(losses):.3g}")}
+        return {} if enough else found
+
+
+def _next_loss(losses: list[tuple[float, float]]) -> float:
+    """A loss [W] that may be found as assumed: by the secant of the last two, (assumed, found)."""
+    fall = FIRST_FALL
+    if len(losses) > 1 and losses[-1][0] != losses[-2][0]:
+        (before, first), (after, last) = losses[-2:]
+        fall = min((last - first) / (after - before), 0.0)
+    assumed, found = losses[-1]
+    return assumed + (found - assumed) / (1 - fall)
+
+
+def tooth_loss_of(case: Case) -> float:
+    """Loss between the teeth for which a case's temperatures are struck [W]."""
+    cooling = case.tables.cooling
+    sump = case.drive.oil.heat.inlet_temperature
+    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other_loss
+
+
+def load_change(case: Case, friction: float) -> float:
+    """Share by which the loads of a drive's teeth change with another friction in the balance."""
+    load = case.drive.load
+    arms = case.drive.arms(np.array([0.5]))
+    before, after = (float(arms.of(load.shaft, of)[0]) for of in (load.friction, friction))
+    return abs(before / after - 1)
+
+
+def _earlier(case: Case, directory: Path) -> dict[str, dict[str, float]]:
+    """What an earlier run of the same case found and kept there; nothing if there was none."""
+    kept = case_in(directory / RESULT_NAME)
+    if kept is None or _given(kept, case.left_open) != _given(case.resolved, case.left_open):
+        return {}
+    found = {table: {key: kept[table][key]} for table, key in case.left_open.items()}
+    return found if all(None not in of.values() for of in found.values()) else {}
+
+
+def _given(resolved: dict, open_: dict[str, str]) -> dict:
+    """A case without what is found, and without the phases asked for."""
+    left = {
+        table: {key: value for key, value in resolved[table].items() if key != found}
+        for table, found in open_.items()
+        if resolved.get(table) is not None
+    }
+    left["operation"] = {**left.get("operation", resolved["operation"]), "phases": None}
+    return {**resolved, **left}

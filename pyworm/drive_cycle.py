@@ -1,0 +1,299 @@
+"""What a whole mesh cycle comes to: extremes over its phases, and loss and efficiency of the drive.
+
+Read from a result and nothing else. A tooth pair's loss at a phase is its friction times load times
+sliding. Load and sliding are known all over the cycle; friction is at the phases solved, a smooth curve
+between them and that of the nearest one beyond. All pairs together lose, on average over a pitch,
+
+    P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
+
+and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + friction lever of the sliding).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import PchipInterpolator
+
+from pyworm.result import Result
+from pyworm.solution import ZERO_CELSIUS, Estimate, Solution
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The largest or least of a figure over the phases solved.
+
+    Attributes
+    ----------
+    value : float
+        The figure in SI units.
+    error : float
+        Its error bar in the same unit.
+    phase : float
+        Where in the cycle.
+    place : tuple of float or None
+        On the wheel's flank: along the face from its middle, and distance from the wheel's axis [m]; None of
+        a temperature.
+    """
+
+    value: float
+    error: float
+    phase: float
+    place: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class Loss:
+    """Loss and efficiency of the teeth, averaged over a pitch.
+
+    Attributes
+    ----------
+    power : float
+        Lost between all teeth in mesh [W].
+    scene_error, phase_error, end_error : float
+        Error bars of that [W]: by the scenes' own; by the phases, the change if every other one is left out;
+        and by the friction beyond the first and the last phase, where any found elsewhere may hold.
+    friction : float
+        Mean coefficient: loss over load times sliding [-].
+    wheel_torque, worm_torque : float
+        Mean torques [N m].
+    efficiency : float
+        Power out over power in, as the drive runs [-].
+    reverse_efficiency : float
+        The same if the power went the other way, the teeth as loaded and friction the same [-].
+    """
+
+    power: float
+    scene_error: float
+    phase_error: float
+    end_error: float
+    friction: float
+    wheel_torque: float
+    worm_torque: float
+    efficiency: float
+    reverse_efficiency: float
+
+    @property
+    def error(self) -> float:
+        """Error bar of the power lost, all origins together [W]."""
+        return self.scene_error + self.phase_error + self.end_error
+
+    @property
+    def efficiency_error(self) -> float:
+        """Error bar of either efficiency [-]: the share of loss in the power, times its relative error."""
+        return (1 - self.efficiency) * self.error / self.power
+
+
+@dataclass(frozen=True)
+class DriveCycle:
+    """A mesh cycle in figures.
+
+    Attributes
+    ----------
+    phases : tuple of float
+        Solved, and converged.
+    left_out : tuple of float
+        Solved, but not converged.
+    film_min, pressure_max : Extreme
+        Over all phases [m], [Pa].
+    temperatures : dict of str to Extreme
+        Largest of "body_1", "body_2" and "film" [K]; empty where heat was not simulated.
+    lambda_min : Extreme or None
+        Least film over composite roughness [-]; None where a roughness is not known.
+    loss : Loss or None
+        None where the shear of the film was not looked at.
+    bulk : dict of str to float
+        Temperatures of "sump", "worm" and "wheel" that the films were solved with [K]; empty where heat was
+        not simulated.
+    """
+
+    phases: tuple[float, ...]
+    left_out: tuple[float, ...]
+    film_min: Extreme
+    pressure_max: Extreme
+    temperatures: dict[str, Extreme]
+    lambda_min: Extreme | None
+    loss: Loss | None
+    bulk: dict[str, float]
+
+    def summary(self) -> dict:
+        """All of it as one object, units in the keys."""
+        loss = self.loss
+        return {
+            "phases": list(self.phases),
+            "phases_left_out": list(self.left_out),
+            "film_min": _told(self.film_min, "m"),
+            "pressure_max": _told(self.pressure_max, "Pa"),
+            "temperature_max": {
+                name: _told(replace(one, value=one.value - ZERO_CELSIUS), "C")
+                for name, one in self.temperatures.items()
+            },
+            "bulk_temperature_C": {name: of - ZERO_CELSIUS for name, of in self.bulk.items()},
+            "lambda_min": self.lambda_min and _told(self.lambda_min, ""),
+            **(
+                {}
+                if loss is None
+                else {
+                    "power_loss_W": loss.power,
+                    "power_loss_error_W": loss.error,
+                    "power_loss_error_scenes_W": loss.scene_error,
+                    "power_loss_error_phases_W": loss.phase_error,
+                    "power_loss_error_ends_W": loss.end_error,
+                    "friction": loss.friction,
+                    "wheel_torque_N_m": loss.wheel_torque,
+                    "worm_torque_N_m": loss.worm_torque,
+                    "efficiency": loss.efficiency,
+                    "reverse_efficiency": loss.reverse_efficiency,
+                    "efficiency_error": loss.efficiency_error,
+                }
+            ),
+        }
+
+
+def _told(one: Extreme, unit: str) -> dict:
+    told = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
+    if one.place is not None:
+        told |= {"face_m": one.place[0], "radius_m": one.place[1]}
+    return told
+
+
+FEWEST_PHASES = 3
+"""Converged phases without which there is no cycle to tell of."""
+
+
+def drive_cycle(result: Result) -> DriveCycle | None:
+    """The mesh cycle of a drive whose tooth pairs share its load; None where there is no such thing."""
+    cycle = result.mesh_cycle
+    if cycle is None or "tooth_load" not in cycle:
+        return None
+    solved = sorted(result.solutions, key=lambda solution: solution.phase)
+    good = [solution for solution in solved if solution.converged]
+    if len(good) < FEWEST_PHASES:
+        return None
+    heated = all(one.figures.temperature_max_film is not None for one in good)
+    film = _extreme(good, "film_min", min, lambda one: one.figures.film_min_at)
+    return DriveCycle(
+        phases=tuple(one.phase for one in good),
+        left_out=tuple(one.phase for one in solved if not one.converged),
+        film_min=film,
+        pressure_max=_extreme(good, "pressure_max", max, _largest_at),
+        temperatures={
+            name: _extreme(good, f"temperature_max_{name}", max)
+            for name in (("body_1", "body_2", "film") if heated else ())
+        },
+        bulk={
+            name: float(cycle.attrs[f"{name}_temperature"])
+            for name in (("sump", "worm", "wheel") if heated else ())
+        },
+        lambda_min=_lambda(film, good[0].composite_roughness),
+        loss=(
+            cycle_loss(cycle, good)
+            if all(one.figures.power_loss is not None for one in good)
+            else None
+        ),
+    )
+
+
+def _extreme(
+    solutions: list[Solution],
+    name: str,
+    pick: Callable,
+    place: Callable[[Solution], tuple[float, float]] | None = None,
+) -> Extreme:
+    one = pick(solutions, key=lambda solution: getattr(solution.figures, name).value)
+    estimate: Estimate = getattr(one.figures, name)
+    heat = name.startswith("temperature")
+    size = estimate.value - one.inlet_temperature if heat else estimate.value
+    at = None if place is None else flank_place(one, *place(one))
+    return Extreme(estimate.value, estimate.error * abs(size), one.phase, at)
+
+
+def _largest_at(solution: Solution) -> tuple[float, float]:
+    """Where the pressure is largest, to a node [m]."""
+    pressure = solution.fields["pressure"]
+    node = pressure.argmax(dim=("x", "y"))
+    return float(pressure["x"][node["x"]]), float(pressure["y"][node["y"]])
+
+
+def flank_place(solution: Solution, x: Array, y: Array) -> tuple:
+    """Place on the wheel's flank over points of a solution's tangent plane.
+
+    Returns
+    -------
+    tuple
+        Along the face from its middle, and distance from the wheel's axis [m]; of the shape of x and y.
+    """
+    fields = solution.fields
+    at = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
+    places = [
+        fields[name].interp(at).values.reshape(np.shape(x))
+        for name in ("tooth_face", "tooth_radius")
+    ]
+    return tuple(float(place) if np.ndim(x) == 0 else place for place in places)
+
+
+def _lambda(film: Extreme, roughness: float | None) -> Extreme | None:
+    """Least film over the composite roughness of worm and wheel [m]."""
+    if roughness is None:
+        return None
+    return replace(film, value=film.value / roughness, error=film.error / roughness)
+
+
+def cycle_loss(cycle: xr.Dataset, good: list[Solution]) -> Loss:
+    """Loss of all teeth, equation 1.
+
+    Parameters
+    ----------
+    cycle : xarray.Dataset
+        A drive's mesh cycle under load.
+    good : list of Solution
+        Converged solutions with friction, in the order of their phases.
+    """
+    phases = cycle["load_phase"].values
+    load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values
+    solved = np.array([one.phase for one in good])
+    friction = np.array([one.figures.power_loss.value / one.load for one in good])
+    friction /= np.interp(solved, phases, sliding)
+    errors = np.array([one.figures.power_loss.error for one in good])
+
+    def over_pitch(values: Array) -> float:
+        return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])
+
+    def along(chosen: Array) -> Array:
+        """Friction at all phases from that at some of those solved."""
+        inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
+        return PchipInterpolator(solved[chosen], friction[chosen])(inside)
+
+    all_of_them = np.arange(len(solved))
+    half = np.unique([*all_of_them[::2], all_of_them[-1]])
+    found = along(all_of_them)
+    lost = found * load * sliding
+    power = over_pitch(lost)
+    beyond = (phases < solved[0]) | (phases > solved[-1])
+    turn = -1.0 if cycle.attrs["driver"] == "wheel" else 1.0
+    levers = cycle["lever"].values, cycle["sliding_lever"].values
+    wheel, reversed_ = (
+        over_pitch(load * (levers[0] + sign * found * levers[1])) for sign in (1.0, -1.0)
+    )
+    worm_speed, wheel_speed = cycle.attrs["worm_speed"], cycle.attrs["wheel_speed"]
+    worm = (wheel * wheel_speed + turn * power) / worm_speed
+    forward = wheel if turn > 0 else reversed_
+    back = reversed_ if turn > 0 else wheel
+    efficiencies = (
+        forward * wheel_speed / (forward * wheel_speed + power),
+        1 - power / (back * wheel_speed),
+    )
+    return Loss(
+        power=power,
+        scene_error=over_pitch(lost * np.interp(phases, solved, errors)),
+        phase_error=abs(over_pitch(along(half) * load * sliding) - power),
+        end_error=over_pitch(lost * beyond) * float(friction.max() / friction.min() - 1),
+        friction=power / over_pitch(load * sliding),
+        wheel_torque=wheel,
+        worm_torque=worm,
+        efficiency=efficiencies[0 if turn > 0 else 1],
+        reverse_efficiency=efficiencies[1 if turn > 0 else 0],
+    )

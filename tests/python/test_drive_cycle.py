@@ -1,0 +1,270 @@
+"""What a mesh cycle comes to: loss and efficiency, extremes and the flank, of made-up solutions."""
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from synthetic_solution import make_mesh_cycle, make_result, make_worm_solution, with_heat
+
+import pyworm
+from pyworm import balance
+from pyworm.cycle_tables import cycle_table
+from pyworm.drive_cycle import drive_cycle
+from pyworm.flank_map import flank_map, supply
+from pyworm.plots import CYCLE_PICTURES
+from pyworm.result import case_in
+from pyworm.solution import Estimate
+
+CASES = Path(__file__).parents[2] / "cases"
+LOADS = np.linspace(-0.1, 1.1, 241)
+PITCH, LEVER, SLIDING_LEVER, SLIDING = 0.5, 0.24, -0.09, 6.0
+WORM_SPEED, WHEEL_SPEED = 157.0, 8.0
+
+
+def load(phase):
+    return 15e3 * np.maximum(np.sin(np.pi * np.clip(phase, 0, 1)), 0.0)
+
+
+def friction(phase):
+    return 0.01 * (1.3 - phase * (1 - phase))
+
+
+@cache
+def contact():
+    """What is the same at all phases."""
+    return with_heat(make_worm_solution(0.5, edge=np.inf, points=(97, 65)))
+
+
+def solution(phase, **changes):
+    """A contact that moves along the face and down the flank as the cycle goes on."""
+    one = replace(contact(), phase=float(phase))
+    x, y = np.linspace(-0.03, 0.03, 5), np.linspace(-0.02, 0.02, 5)
+    place = xr.Dataset(
+        {
+            "tooth_face": (("tooth_y", "tooth_x"), x + 0 * y[:, None] + 0.02 * (phase - 0.5)),
+            "tooth_radius": (
+                ("tooth_y", "tooth_x"),
+                0.27 + y[:, None] + 0 * x - 0.015 * (phase - 0.5),
+            ),
+        },
+        coords={"tooth_x": x, "tooth_y": y},
+    )
+    force = float(load(phase))
+    figures = replace(
+        one.figures, power_loss=Estimate(float(friction(phase)) * force * SLIDING, 0.004, 0.001)
+    )
+    return replace(one, load=force, figures=figures, fields=one.fields.merge(place), **changes)
+
+
+def result(phases, driver="worm", roughness=0.5e-6, **changes):
+    turn = -1 if driver == "wheel" else 1
+    loaded = xr.Dataset(
+        {
+            "tooth_load": ("load_phase", load(LOADS)),
+            "wheel_turn": ("load_phase", 1e-4 + 0 * LOADS),
+            "sliding_speed": ("load_phase", SLIDING + 0 * LOADS),
+            "lever": ("load_phase", LEVER + 0 * LOADS),
+            "sliding_lever": ("load_phase", turn * SLIDING_LEVER + 0 * LOADS),
+            "rim_face": ("rim", np.array([-0.03, 0.03, 0.03, -0.03, -0.03])),
+            "rim_radius": ("rim", np.array([0.25, 0.25, 0.28, 0.28, 0.25])),
+        },
+        coords={"load_phase": LOADS},
+        attrs={
+            "pitch": PITCH,
+            "worm_speed": WORM_SPEED,
+            "wheel_speed": WHEEL_SPEED,
+            "driver": driver,
+            "friction_assumed": 0.01,
+            "sump_temperature": 333.15,
+            "worm_temperature": 350.0,
+            "wheel_temperature": 335.0,
+        },
+    )
+    cycle = make_mesh_cycle().merge(loaded, combine_attrs="no_conflicts")
+    return replace(
+        make_result(),
+        solutions=tuple(
+            solution(phase, composite_roughness=roughness, **changes) for phase in phases
+        ),
+        mesh_cycle=cycle,
+    )
+
+
+PHASES = np.linspace(0.05, 0.95, 13)
+
+
+@pytest.mark.parametrize("driver", ("worm", "wheel"))
+def test_loss_and_efficiency_are_those_of_the_integrals(driver):
+    loss = drive_cycle(result(PHASES, driver)).loss
+    fine = np.linspace(0, 1, 20001)
+    power = np.trapezoid(friction(fine) * load(fine) * SLIDING, fine) / PITCH
+    sign = -1 if driver == "wheel" else 1
+    lever = LEVER + sign * friction(fine) * SLIDING_LEVER
+    torque = np.trapezoid(load(fine) * lever, fine) / PITCH
+    assert loss.power == pytest.approx(power, rel=2e-3)
+    assert abs(loss.power - power) < loss.error
+    assert loss.wheel_torque == pytest.approx(torque, rel=1e-4)
+    # what goes into one shaft and not out of the other is lost
+    difference = loss.worm_torque * WORM_SPEED - loss.wheel_torque * WHEEL_SPEED
+    assert difference == pytest.approx(sign * loss.power, rel=1e-9)
+    powers = sorted([loss.worm_torque * WORM_SPEED, loss.wheel_torque * WHEEL_SPEED])
+    assert loss.efficiency == pytest.approx(powers[0] / powers[1], rel=1e-9)
+    other = drive_cycle(result(PHASES, "wheel" if driver == "worm" else "worm")).loss
+    assert loss.reverse_efficiency == pytest.approx(other.efficiency, rel=1e-9)
+
+
+def test_error_of_the_loss_is_made_of_scenes_phases_and_ends():
+    loss = drive_cycle(result(PHASES)).loss
+    assert loss.scene_error == pytest.approx(0.005 * loss.power, rel=1e-3)
+    coarse = drive_cycle(result(PHASES[::4])).loss
+    assert coarse.phase_error > 3 * loss.phase_error
+    assert drive_cycle(result(PHASES[3:-3])).loss.end_error > 5 * loss.end_error
+
+
+def test_extremes_know_their_phase_and_place():
+    solutions = result(PHASES).solutions
+    thin = 4
+    figures = replace(
+        solutions[thin].figures, film_min=Estimate(0.2e-6, 0.02), film_min_at=(2e-3, -1e-3)
+    )
+    changed = replace(
+        result(PHASES),
+        solutions=tuple(
+            replace(one, figures=figures) if number == thin else one
+            for number, one in enumerate(solutions)
+        )[::-1],
+    )
+    cycle = drive_cycle(changed)
+    assert cycle.film_min.phase == PHASES[thin]
+    assert cycle.film_min.error == pytest.approx(0.02 * 0.2e-6)
+    place = (2e-3 + 0.02 * (PHASES[thin] - 0.5), 0.27 - 1e-3 - 0.015 * (PHASES[thin] - 0.5))
+    assert cycle.film_min.place == pytest.approx(place)
+    assert cycle.lambda_min.value == pytest.approx(0.2 / 0.5)
+    assert drive_cycle(result(PHASES, roughness=None)).lambda_min is None
+    hottest = max(one.figures.temperature_max_film.value for one in solutions)
+    assert cycle.temperatures["film"].value == hottest
+    told = cycle.summary()
+    assert told["film_min"]["value_m"] == 0.2e-6
+    assert told["power_loss_W"] == cycle.loss.power
+    table = cycle_table(cycle)
+    assert "0.2 µm ± 0.004" in list(table.columns[1].cells)
+
+
+def test_what_did_not_converge_is_left_out_and_named():
+    whole = result(PHASES)
+    bad = replace(
+        whole.solutions[0],
+        converged=False,
+        figures=replace(whole.solutions[0].figures, pressure_max=Estimate(9e9, np.inf)),
+    )
+    cycle = drive_cycle(replace(whole, solutions=(bad, *whole.solutions[1:])))
+    assert cycle.left_out == (PHASES[0],)
+    assert cycle.pressure_max.value < 9e9
+    assert drive_cycle(result(PHASES[:2])) is None
+    assert drive_cycle(make_result()) is None
+
+
+def test_the_flank_keeps_extremes_of_all_phases():
+    whole = result(PHASES[::3])
+    field = flank_map(whole)
+    largest = max(float(one.fields["pressure"].max()) for one in whole.solutions)
+    thinnest = min(float(one.fields["film"].min()) for one in whole.solutions)
+    assert float(field["pressure"].max()) == pytest.approx(largest, rel=0.01)
+    assert float(field["film"].min()) == pytest.approx(thinnest, rel=0.02)
+    # Hertz's ellipse is swept along the line that the contact point takes
+    for phase in (0.1, 0.37, 0.62, 0.9):
+        at = field["pressure"].sel(
+            face=0.02 * (phase - 0.5), radius=0.27 - 0.015 * (phase - 0.5), method="nearest"
+        )
+        assert float(at) == pytest.approx(largest, rel=0.02)
+    passed = np.isfinite(field["pressure"].values)
+    a = 0.5 * whole.solutions[0].figures.dry.length
+    reach = 0.02 * (PHASES[-1] - PHASES[0]) / 2 + a
+    face = field["face"].values[passed.any(axis=0)]
+    assert face[0] == pytest.approx(-reach, abs=1e-3)
+    # no gaps between the phases solved
+    rows = passed[:, passed.any(axis=0)]
+    for column in rows.T:
+        inside = np.flatnonzero(column)
+        assert inside.size == inside[-1] - inside[0] + 1
+
+
+def test_supply_is_the_speed_at_which_oil_comes_in():
+    one = solution(0.5)
+    x, y = np.linspace(-0.012, 0.012, 241), np.linspace(-1.3e-3, 1.3e-3, 131)
+    uniform = one.fields.assign(
+        entrainment_x=2.0 + 0 * one.fields["film"], entrainment_y=0 * one.fields["film"]
+    )
+    came = supply(replace(one, fields=uniform), x, y)
+    a, b = one.figures.dry.length / 2, one.figures.dry.width / 2
+    for place in (0.0, 0.4e-3, -0.8e-3):  # along x, it enters the ellipse at the left end
+        at = a * np.sqrt(1 - (place / b) ** 2)
+        normal = np.array([at / a**2, -place / b**2])
+        expected = normal[0] / np.hypot(*normal)
+        row, column = np.argmin(abs(y - place)), np.argmin(abs(x))
+        assert came[row, column] == pytest.approx(expected, abs=0.12)
+    assert came[0, 0] == 1
+
+
+def test_pictures_of_the_cycle(tmp_path):
+    for draw in CYCLE_PICTURES["zi-worm"].values():
+        figure = draw(result(PHASES[::3]))
+        assert figure.axes
+    flank = CYCLE_PICTURES["zi-worm"]["mesh_cycle_flank"](result(PHASES[::3]))
+    labels = {axes.get_xlabel() for axes in flank.axes}
+    assert "along the face / mm" in labels
+    assert CYCLE_PICTURES["zi-worm"]["mesh_cycle_flank"](result(PHASES[:2])) is None
+
+
+@pytest.fixture
+def worm_case(tmp_path):
+    text = (CASES / "zi_drive.toml").read_text()
+    for old, new in (
+        ('wheel_torque = "4 kN m"', 'worm_torque = "220 N m"\nsharing = "equal"'),
+        ("phases = [0.02", "phases = [0.1, 0.2, 0.3]\n# [0.02"),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    (tmp_path / "worm.toml").write_text(text)
+    return pyworm.load(tmp_path / "worm.toml")
+
+
+def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path, monkeypatch):
+    """The solver is replaced by one that always finds a friction of 0.02."""
+    ran, said = [], []
+
+    def run(case, tasks, directory, *rest):
+        ran.append([task.case.drive.load.friction for task in tasks])
+        found = replace(result(PHASES[::6]), case=case.resolved)
+        solutions = tuple(
+            replace(
+                one,
+                figures=replace(one.figures, power_loss=Estimate(0.02 * one.load * SLIDING, 0.001)),
+            )
+            for one in found.solutions
+        )
+        found = replace(found, solutions=solutions)
+        found.save(directory / "result.nc")
+        return found
+
+    monkeypatch.setattr(balance, "run", run)
+    from pyworm.task import Task
+
+    def tasks():
+        return [Task(worm_case, place, 0.02) for place in worm_case.places()]
+
+    _, solved = balance.run_balanced(worm_case, tasks(), tmp_path, say=said.append)
+    assert ran == [[0.01] * 3, [0.02] * 3]
+    assert solved[0].case.drive.load.friction == 0.02
+    assert said == ["solved again with operation.friction = 0.02"]
+    assert case_in(tmp_path / "result.nc")["operation"]["friction"] == 0.02
+    # and another run of the same case begins with it
+    ran.clear()
+    balance.run_balanced(worm_case, tasks(), tmp_path)
+    assert ran == [[0.02] * 3]
+    # of a wheel's torque, friction takes little
+    wheel = pyworm.load(CASES / "zi_drive.toml")
+    assert balance.load_change(wheel, 0.02) < 0.005 < 0.02 < balance.load_change(worm_case, 0.02)

@@ -1,0 +1,153 @@
+"""How tooth pairs of the ZI drive share a torque."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from zi_drives import sharif
+
+from pyworm.drives import zi_load
+from pyworm.drives.zi_load import Arms, ToothSprings, Transmission, share, tooth_springs
+from pyworm.formulas.hertz import hertz
+from pyworm.scene import Paraboloid
+
+TORQUE = 6.7e3
+RADII = 3.0, 0.095
+MODULUS = 170e9
+
+
+def loaded(**changes):
+    """The drive of Sharif et al. (2001) with a torque on its wheel."""
+    return sharif(load=Transmission(**({"torque": TORQUE, "shaft": "wheel"} | changes)))
+
+
+@pytest.fixture(scope="module")
+def drive():
+    return loaded()
+
+
+@pytest.fixture(scope="module")
+def paraboloids():
+    """Springs of paraboloids a micrometre apart, the same at all phases."""
+
+    def gap(x, y):
+        height, covered = Paraboloid(*RADII)(x, y)
+        return height + 1e-6, covered
+
+    return tooth_springs(lambda phase: gap, lambda phase: RADII, MODULUS, 28e3, 2e9, 0.06)
+
+
+@pytest.mark.parametrize("load", (60.0, 500.0, 5e3, 27e3, 40e3))
+def test_a_spring_is_that_of_hertz(paraboloids, load):
+    approach = 1e-6 + hertz(*RADII, load, MODULUS).approach + load / 2e9
+    assert paraboloids.at(0.3).load(approach) == pytest.approx(load, rel=0.02)
+    assert paraboloids.at(0.3).load(0.9e-6) == 0
+    assert paraboloids.at(2.0).load(approach) == 0
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    phase=st.floats(0, 1),
+    friction=st.floats(0, 0.1),
+    driver=st.sampled_from(["worm", "wheel"]),
+    shaft=st.sampled_from(["worm", "wheel"]),
+)
+def test_moments_and_powers_balance(drive, phase, friction, driver, shaft):
+    torque = 300.0 if shaft == "worm" else TORQUE
+    load = Transmission(torque, shaft, "equal", friction)
+    turned = replace(drive, load=load, driver=driver)
+    shared = turned.shared(phase)
+    arms = turned.arms(shared.phases)
+    torques = {of: float(arms.of(of, friction) @ shared.forces) for of in ("worm", "wheel")}
+    assert torques[shaft] == pytest.approx(torque, rel=1e-12)
+    sliding = np.linalg.norm(turned.sliding(shared.phases), axis=0)
+    loss = float(friction * shared.forces @ sliding)
+    wheel_speed = turned.cycle.speed_ratio * turned.rotation
+    into = torques["worm"] * turned.rotation - torques["wheel"] * wheel_speed
+    assert into == pytest.approx(loss, abs=1e-9 * TORQUE * abs(wheel_speed))
+    assert (torques["worm"] > torques["wheel"] * turned.cycle.speed_ratio) == (
+        driver == "worm" and loss > 0
+    ) or loss < 1e-9
+
+
+@pytest.mark.parametrize("phase", (0.0, 0.03, 0.25, 0.47, 0.5))
+def test_pairs_agree_on_the_turn_of_the_wheel(drive, phase):
+    shared = drive.shared(phase)
+    assert shared.forces @ drive.arms(shared.phases).wheel_normal == pytest.approx(TORQUE, rel=1e-9)
+    # seen from any of the pairs it is the same instant
+    for other in shared.phases[(shared.phases >= 0) & (shared.phases <= 1)]:
+        again = drive.shared(float(other))
+        loaded_ones = again.forces[again.forces > 0]
+        np.testing.assert_allclose(loaded_ones, shared.forces[shared.forces > 0], rtol=1e-6)
+        assert again.turn == pytest.approx(shared.turn, rel=1e-6)
+
+
+def test_teeth_share_evenly_in_the_middle_and_edges_carry_at_the_ends(drive):
+    whole = TORQUE / drive.wheel_flank.lever
+    middle = drive.shared(0.25)
+    np.testing.assert_allclose(middle.forces, whole / 2, rtol=0.02)
+    # with one point of contact on the teeth, their neighbours' edges carry as well
+    alone = drive.shared(0.5)
+    assert alone.forces[np.argmin(np.abs(alone.phases - 0.5))] < 0.45 * whole
+    assert np.all(alone.forces > 0.2 * whole)
+
+
+def test_pairs_that_lag_carry_less_and_soft_teeth_share_more_evenly():
+    loads, rigid = np.array([1e2, 1e3, 1e4]), np.array([1e-6, 4e-6, 16e-6])
+
+    def springs(stiffness):
+        rows = np.tile(rigid + loads / stiffness, (2, 1))
+        return ToothSprings(np.array([-1.0, 2.0]), loads, np.zeros(2), rows)
+
+    phases, arms, ahead = np.array([0.2, 0.7]), np.full(2, 0.24), np.array([1e-5, -1e-5])
+    parts = []
+    for stiffness in (np.inf, 5e8):
+        shared = share(
+            Transmission(1e3, "wheel"), phases, arms, 0.24, ahead, springs(stiffness)
+        ).forces
+        assert arms @ shared == pytest.approx(1e3)
+        parts.append(shared[1] / shared[0])
+    assert parts[0] < parts[1] < 1
+
+
+def test_equal_shares(drive):
+    shared = replace(drive, load=Transmission(TORQUE, "wheel", "equal")).shared(0.2)
+    whole = TORQUE / drive.wheel_flank.lever
+    np.testing.assert_allclose(shared.forces[shared.forces > 0], whole / 2)
+    assert sum(shared.forces > 0) == 2
+
+
+def test_the_load_of_one_tooth_is_that_of_all_on_the_teeth():
+    shared = sharif().shared(0.2)
+    assert sharif().scene(0.2).load == 14e3
+    np.testing.assert_array_equal(shared.forces > 0, (shared.phases >= 0) & (shared.phases <= 1))
+
+
+def test_friction_of_a_worm_asks_for_more_torque_than_of_a_wheel(drive):
+    forward, back = (
+        replace(drive, driver=driver).arms(np.array([0.5])) for driver in ("worm", "wheel")
+    )
+    assert forward.of("worm", 0.05) > forward.of("worm", 0.0) > back.of("worm", 0.05)
+    assert forward.of("wheel", 0.05) < forward.of("wheel", 0.0) < back.of("wheel", 0.05)
+    assert isinstance(forward, Arms)
+
+
+def test_a_driven_worm_has_the_motions_reversed(drive):
+    forward, back = drive.scene(0.4), replace(drive, driver="wheel").scene(0.4)
+    for one, other in zip(forward.motions, back.motions, strict=True):
+        np.testing.assert_allclose(np.array(one(2e-3, 1e-3)), -np.array(other(2e-3, 1e-3)))
+    assert back.film_rate == pytest.approx(-forward.film_rate, rel=1e-6)
+
+
+def test_dry_contacts_are_solved_once_for_equal_drives(monkeypatch):
+    calls = []
+    solve = zi_load.kernels.dry_contact
+    monkeypatch.setattr(zi_load, "SPRING_PHASES", np.array([0.0, 0.5, 1.0]))
+    monkeypatch.setattr(
+        zi_load.kernels, "dry_contact", lambda *given: calls.append(1) or solve(*given)
+    )
+    for _ in range(2):
+        _ = loaded(torque=1.01 * TORQUE).springs
+    assert len(calls) == 3 * len(zi_load.LOAD_SHARES)
