@@ -13,11 +13,12 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install demo test test-fortran test-python lint clean
+.PHONY: help install demo test test-fortran test-python hard lint clean
 
 help:
 	@echo "make demo   run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test   run the Fortran and the Python tests"
+	@echo "make hard   run the suite of hard scenes; resumes (SCENE=thermal:37 for one of them)"
 	@echo "make lint   run the linters"
 	@echo "make clean  remove the virtual environment and all that was built (results stay)"
 
@@ -42,6 +43,9 @@ test-fortran: $(DEBUG)/build.ninja
 
 test-python: $(INSTALLED)
 	python -m pytest
+
+hard: $(INSTALLED)
+	python tests/hard $(SCENE)
 
 lint: $(INSTALLED)
 	ruff check .

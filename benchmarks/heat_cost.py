@@ -123,7 +123,7 @@ def climb(name: str) -> dict[str, float | str]:
     rung, _ = ladder.enter(plan.grids)
     for _ in range(HALVINGS):
         lead(rung, TOLERANCES[0])
-        rung = ladder.higher(rung)
+        rung, _ = ladder.higher(rung)
     lead(rung, TOLERANCES[0])
     whole = perf_counter() - started
     film = rung.film

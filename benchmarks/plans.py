@@ -55,7 +55,7 @@ def on_one_grid(scene, plan: Plan) -> Numbers:
     rung, _ = ladder.enter(plan.grids)
     for _ in range(FINER):
         settle(rung, plan.tolerance, plan.aim, 0.1 * plan.accuracy)
-        rung = ladder.higher(rung)
+        rung, _ = ladder.higher(rung)
     settle(rung, plan.tolerance / 10, plan.aim, 0.01 * plan.accuracy)
     figures = rung.read().figures
     return Numbers(

@@ -6,6 +6,7 @@ marked).
 """
 
 import argparse
+import math
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
@@ -15,7 +16,7 @@ from typing import NoReturn
 
 from pyworm.case import Case, load
 from pyworm.case_error import CaseError
-from pyworm.json_output import print_json
+from pyworm.json_output import as_json, print_json
 from pyworm.output import check_writable, whole
 from pyworm.place import PLACE_NAMES
 from pyworm.ratings.commands import add_oil, add_rate
@@ -29,6 +30,9 @@ BAD_INPUT = 2
 NOT_CONVERGED = 3
 
 SWEEP_NAME, TABLE_NAME, SWEEP_PICTURE = "sweep.nc", "sweep.csv", "sweep.png"
+BUDGET = 300.0
+"""Time that a study of precision may take unless another is given [s]."""
+
 PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
 
 
@@ -85,13 +89,14 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action=_Version)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    case = argparse.ArgumentParser(add_help=False)
-    case.add_argument("case", type=Path, metavar="CASE.toml")
-    case.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
-    case.add_argument(
+    how = argparse.ArgumentParser(add_help=False)
+    how.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
+    how.add_argument(
         "--effects",
         help="auto, all, isothermal, or names of effects with commas between; else the case's",
     )
+    case = argparse.ArgumentParser(add_help=False)
+    case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument(
         "--quantities",
         help="film, friction, temperature, with commas; else the case's, or all that can be told",
@@ -116,12 +121,27 @@ def _parser() -> argparse.ArgumentParser:
     )
     case.add_argument("--json", action="store_true", help="one JSON object on standard output")
 
-    run = commands.add_parser("run", parents=[case], help="solve a case; table, file and pictures")
+    run = commands.add_parser(
+        "run", parents=[case, how], help="solve a case; table, file and pictures"
+    )
     run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
     run.set_defaults(command=_run)
 
-    check = commands.add_parser("check", parents=[case], help="check a case and show the plan")
+    check = commands.add_parser("check", parents=[case, how], help="check a case and show the plan")
     check.set_defaults(command=_check)
+
+    precision = commands.add_parser(
+        "precision", parents=[case], help="what accuracy costs in time, of one contact of a case"
+    )
+    precision.add_argument(
+        "--budget",
+        type=_seconds,
+        default=BUDGET,
+        metavar="SECONDS",
+        help="time to spend (default: %(default)g)",
+    )
+    precision.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    precision.set_defaults(command=_precision, accuracy=None, effects=None)
 
     sweep = commands.add_parser(
         "sweep", help="solve a case over ranges of its values; table, file and picture"
@@ -247,25 +267,79 @@ def _check(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm.expectation import expectation
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import effects_table, plan_table
 
+    expected = [expectation(task.scene, task.plan) for task in tasks]
     if options.json:
         scenes = [
             scene_summary(task.scene)
             | {
                 "plan": asdict(task.plan),
                 "effects": [asdict(effect) for effect in task.plan.effects],
+                "expected_seconds": of.seconds,
+                "expected_convolutions": of.convolutions,
             }
-            for task in tasks
+            for task, of in zip(tasks, expected, strict=True)
         ]
         print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        for task in tasks:
-            console.print(plan_table(task.scene, task.plan))
+        for task, of in zip(tasks, expected, strict=True):
+            console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))
+        if len(tasks) > 1:
+            seconds = sum(of.seconds for of in expected)
+            console.print(f"Expected time of all {len(tasks)}: {seconds:.2g} s", highlight=False)
+    return CONVERGED
+
+
+def _precision(options: argparse.Namespace) -> int:
+    case = load(options.case)
+    directory = options.out or Path("results") / case.name / "precision"
+    check_writable(directory)
+    tasks = _tasks(case, options)
+    task = tasks[len(tasks) // 2]  # of a mesh cycle the middle
+
+    from rich.console import Console
+
+    from pyworm.kernels import KernelError
+    from pyworm.plots.precision import draw_precision
+    from pyworm.plots.style import write
+    from pyworm.precision.report import as_object, cheapest_table, write_csv
+    from pyworm.precision.survey import BudgetError, NoReferenceError, expected_seconds, study
+
+    name = ", ".join(part for part in (case.name, str(task.place)) if part)
+    expected = expected_seconds(task.scene, task.quantities)
+    _say(
+        f"{name}: some {min(expected, options.budget):.2g} s, of {expected:.2g} s without a budget"
+    )
+    try:
+        with _progress() as progress:
+            made = study(task.scene, task.quantities, options.budget, progress)
+    except BudgetError as error:
+        raise CaseError(f"--budget {options.budget:g}: {error}") from None
+    except KernelError as error:
+        return _end(f"{name}: {error}", FAILED)
+    except NoReferenceError as error:
+        return _end(f"{name}: {error}", NOT_CONVERGED)
+    content = {"case": case.name} | as_object(made)
+    with whole(directory, instead_of=("precision.*",)) as aside:
+        (aside / "precision.json").write_text(as_json(content))
+        write_csv(made, aside / "precision.csv")
+        figure = draw_precision(made, name)
+        for ending in ("png", "svg"):
+            write(figure, aside / f"precision.{ending}")
+    if options.json:
+        print_json(content)
+    else:
+        console = Console()
+        console.print(cheapest_table(made))
+        for line in made.left_out:
+            console.print(f"left out: {line}", highlight=False)
+        console.print(f"Results  {directory}/precision.*", highlight=False, soft_wrap=True)
     return CONVERGED
 
 
@@ -383,6 +457,17 @@ def _count(text: str) -> int:
     if not text.isdecimal() or int(text) == 0:
         raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
     return int(text)
+
+
+def _seconds(text: str) -> float:
+    """A time."""
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not seconds > 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a number of seconds above 0")
+    return seconds
 
 
 def _share(text: str) -> tuple[int, int]:

@@ -33,6 +33,11 @@ too, but its friction falls with the gap alone, so that its sum has no end but t
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
 
+LOST = 1e-2
+"""Residual or load error beyond which a grid's film is no start for a finer grid: Newton's iteration
+led nowhere on it, as happens where a grid is far too coarse for the film, and from there it leads nowhere
+on finer ones either."""
+
 
 @dataclass(frozen=True)
 class Start:
@@ -180,15 +185,17 @@ class Rung:
         }
 
 
-def dry_contact(scene: Scene, grid: Grid, gap, covered, guess) -> kernels.DryContact:
-    """The scene's dry contact on a grid, from a first pressure."""
+def dry_contact(
+    scene: Scene, grid: Grid, gap, covered, guess, load: float | None = None
+) -> kernels.DryContact:
+    """The scene's dry contact on a grid, from a first pressure; under a `load` [N] other than its own."""
     return kernels.dry_contact(
         gap,
         covered,
         grid.dx,
         grid.dy,
         scene.reduced_modulus,
-        scene.load,
+        scene.load if load is None else load,
         guess,
         DRY_TOLERANCE,
     )
@@ -205,13 +212,24 @@ def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
     rigid_film = size.film - dry.approach
     beyond = far_field(far, grid, gap + rigid_film, covered)
     rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load)
-    # Some pressure everywhere: a rupture line that starts too far out is found in a few Newton steps, one
-    # that starts too near moves by a cell a step.
-    everywhere = np.where(covered, TRACE * dry.pressure.max(), 0.0)
-    rung.film.start(
-        np.where(beyond.outline, beyond.pressure, dry.pressure + everywhere), rigid_film
-    )
+    everywhere = _with_trace(dry.pressure, covered)
+    rung.film.start(np.where(beyond.outline, beyond.pressure, everywhere), rigid_film)
     return rung
+
+
+def _with_trace(pressure: np.ndarray, covered: np.ndarray) -> np.ndarray:
+    """A dry pressure with some of it everywhere.
+
+    A rupture line that starts too far out is found in a few Newton steps, one that starts too near moves by a
+    cell a step.
+    """
+    return pressure + np.where(covered, TRACE * pressure.max(), 0.0)
+
+
+def lost(rung: Rung) -> bool:
+    """Whether a rung's film is no start for a finer grid."""
+    balance = rung.film.balance
+    return not max(balance.residual, abs(balance.load_error)) <= LOST
 
 
 def entry(rung: Rung, grid: Grid) -> Start:
@@ -239,6 +257,24 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
     finer = _rung(scene, size, grid, far, load, coarser)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
+
+
+def anew(scene: Scene, size: Scales, rung: Rung) -> None:
+    """Starts a rung's film from its own dry contact lifted by the expected film.
+
+    On its outline, and beyond it, pressure stays what it was.
+    """
+    dry = dry_contact(
+        scene,
+        rung.grid,
+        rung.gap + rung.far,
+        rung.covered,
+        size.hertz.pressure(*rung.grid.mesh()),
+        rung.load,
+    )
+    pressure = rung.film.pressure.copy(order="F")
+    pressure[1:-1, 1:-1] = _with_trace(dry.pressure, rung.covered)[1:-1, 1:-1]
+    rung.film.start(pressure, size.film - dry.approach)
 
 
 def like(scene: Scene, size: Scales, rung: Rung) -> Rung:

@@ -1,4 +1,4 @@
-"""What programs read: one JSON object on standard output."""
+"""What programs read: JSON."""
 
 import json
 import math
@@ -6,8 +6,13 @@ from typing import Any
 
 
 def print_json(content: dict[str, Any]) -> None:
-    """Print an object as JSON on standard output; NaN and infinity become null."""
-    print(json.dumps(_finite(content), indent=2, default=_plain))
+    """Print an object as JSON on standard output."""
+    print(as_json(content))
+
+
+def as_json(content: dict[str, Any]) -> str:
+    """An object as JSON; NaN and infinity become null."""
+    return json.dumps(_finite(content), indent=2, default=_plain)
 
 
 def _finite(content: Any) -> Any:

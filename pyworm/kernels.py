@@ -24,6 +24,7 @@ _MESSAGES = {
     4: "the iteration ended before its tolerance was met",
     5: "no step along the Newton direction lowers the residual",
     6: "there is not enough memory",
+    7: "it was interrupted",
 }
 
 NOT_FINITE = 2

@@ -13,6 +13,10 @@ from pyworm.kernels import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError, L
 MOST_STEPS = 30
 """Newton steps on one grid before it is given up."""
 
+HOPELESS = 1e6
+"""Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law was asked
+for what its oil cannot bear."""
+
 
 class Rung(Protocol):
     """A film on one grid.
@@ -83,6 +87,8 @@ class Settled:
 
 def stride(rung: Rung) -> Stride | None:
     """One Newton step; None if there is none that helps."""
+    if rung.film.balance.residual > HOPELESS:
+        return None
     try:
         step = rung.film.step(rung.forcing)
     except KernelError as error:
@@ -187,8 +193,8 @@ class Ladder(Protocol):
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film, on which the contact was solved with fewer effects."""
 
-    def higher(self, rung: Rung) -> Rung:
-        """Half the spacing over the same window, entered from the present film."""
+    def higher(self, rung: Rung) -> tuple[Rung, list[Stride]]:
+        """Half the spacing over the same window, entered from the present film if that is any good."""
 
     def outcome(self, rung: Rung) -> Outcome:
         """What the last rung shows."""

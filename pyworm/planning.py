@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import sqrt
+from math import cos, hypot, pi, sin, sqrt
+
+import numpy as np
 
 from pyworm.accuracy import FILMS, HEAT_FIGURES, Aim
 from pyworm.effects.choice import chosen
@@ -20,6 +22,7 @@ from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution
 from pyworm.window import FAR, Reach, near_reach, window
+from pyworm.work import LENT_CHANGE, Work, expected_work, first_change, stiffness
 
 
 @dataclass(frozen=True)
@@ -56,7 +59,7 @@ LARGEST_STRETCH = 3.0
 """Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
 slender contact scale with its short axis."""
 
-LARGEST_GRID = 2_500_000
+LARGEST_GRID = 4_000_000
 """Nodes beyond which grids are not refined further."""
 
 LARGEST_LINE = 33_000
@@ -71,9 +74,6 @@ there; ten times as much left temperatures beyond their error bars in half of 40
 
 RESIDUAL_SHARE = 0.1
 """Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
-
-CONVOLUTIONS, LINE_CONVOLUTIONS = 150.0, 2000.0
-"""What a solve of a point and of a line contact costs as a rule, in convolutions on its finest grid."""
 
 
 @dataclass(frozen=True)
@@ -105,8 +105,8 @@ class Plan:
         Nodes beyond which grids are not refined further.
     tolerance : float
         Residual and load error, at most, at which a grid of the figures is solved.
-    expected_convolutions : float
-        Expected cost in convolutions on the finest grid.
+    work : Work
+        The Newton steps that are expected; what they take is told by `pyworm.expectation`.
     """
 
     accuracy: float
@@ -120,7 +120,7 @@ class Plan:
     wider_grids: tuple[Grid | LineGrid, ...]
     largest_grid: int
     tolerance: float
-    expected_convolutions: float
+    work: Work
 
     @property
     def on(self) -> frozenset[str]:
@@ -147,7 +147,7 @@ class _Numerics:
     wider_grids: tuple[Grid | LineGrid, ...]
     largest_grid: int
     tolerance: float
-    expected_convolutions: float
+    work: Work
 
 
 def plan(
@@ -189,7 +189,15 @@ def plan(
                 f"quantities: {quantity} cannot be told, give [oil.shear] or [oil.heat]"
             )
     wanted = known if quantities is None else tuple(quantities)
-    return planned(scene, accuracy, wanted, sketch(scene), None if effects == "auto" else effects)
+    asked = None if effects == "auto" else effects
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            return planned(scene, accuracy, wanted, sketch(scene), asked)
+    except ArithmeticError as error:
+        raise ValueError(
+            f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "
+            "check their units"
+        ) from error
 
 
 def planned(
@@ -255,12 +263,34 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     size = scales(drawn)
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
     nested = slice(None) if drawn is scene else slice(-1, None)
+    grids = _grids(scene, size, near_reach(size), FAR)[nested]
+    wider_grids = _grids(scene, size, near_reach(size).doubled(), FAR.doubled())[nested]
+    half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    change = LENT_CHANGE
+    if drawn is scene:
+        change = first_change(
+            grids[-1].spacing,
+            half_widths,
+            scene.radii,
+            size.film,
+            size.groups.moes_l,
+            _slenderness(size),
+        )
     return _Numerics(
-        grids=_grids(scene, size, near_reach(size), FAR)[nested],
-        wider_grids=_grids(scene, size, near_reach(size).doubled(), FAR.doubled())[nested],
+        grids=grids,
+        wider_grids=wider_grids,
         largest_grid=LARGEST_GRID,
         tolerance=RESIDUAL_SHARE * accuracy,
-        expected_convolutions=CONVOLUTIONS,
+        work=expected_work(
+            "point",
+            _nodes(grids, wider_grids),
+            change,
+            accuracy,
+            LARGEST_GRID,
+            full=model.levels > 0,
+            stiffness=stiffness(model.heated, size.groups.moes_l),
+            lent=drawn is not scene,
+        ),
     )
 
 
@@ -273,13 +303,38 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
             "warms without end; give it a velocity, or leave heat out (effects = isothermal)"
         )
     grid, wider = first_grids(scene, size, accuracy, model.heated)
+    change = first_change(
+        grid.spacing, (size.hertz.half_width,), (scene.radius,), size.film, size.groups.moes_l
+    )
     return _Numerics(
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
         tolerance=HEATED_LINE_SHARE * accuracy if model.heated else LINE_TOLERANCE,
-        expected_convolutions=LINE_CONVOLUTIONS,
+        work=expected_work(
+            "line",
+            _nodes((grid,), (wider,)),
+            change,
+            accuracy,
+            LARGEST_LINE,
+            full=model.levels > 0,
+            stiffness=stiffness(model.heated, size.groups.moes_l),
+        ),
     )
+
+
+def _slenderness(size: Scales) -> float:
+    """Length of Hertz's contact along the entrainment over that across it."""
+    along, across = (
+        hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
+        for angle in (size.angle, size.angle + pi / 2)
+    )
+    return across / along
+
+
+def _nodes(*nests: Sequence[Grid | LineGrid]) -> list[list[int]]:
+    """Nodes of the grids of each window."""
+    return [[grid.nodes for grid in nest] for nest in nests]
 
 
 PLANS = {Scene: _plan_point, LineScene: _plan_line}

@@ -1,6 +1,7 @@
 """A point contact as the solver sees it."""
 
 from collections.abc import Sequence
+from math import nan
 from typing import Any, ClassVar
 
 import numpy as np
@@ -10,10 +11,12 @@ from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
 from pyworm.climb import (
     Rung,
+    anew,
     dry_contact,
     entry,
     first_rung,
     like,
+    lost,
     next_rung,
     with_heat,
     with_shear,
@@ -79,7 +82,9 @@ class PointLadder:
         rung = first_rung(self._lent, self._scene, self._size, grids[0])
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
-            rung = next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
+            before, rung = rung, next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
+            if lost(before):
+                anew(self._scene, self._size, rung)
         return rung, strides + self._complete(rung)
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
@@ -129,10 +134,14 @@ class PointLadder:
             rung.film.restart()
         return strides
 
-    def higher(self, rung: Rung) -> Rung:
+    def higher(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """Half the spacing over the same window."""
         grid = rung.grid.finer()
         start = entry(rung, grid)
+        if lost(rung):
+            finer = next_rung(self._lent, self._size, rung, grid, start)
+            anew(self._lent, self._size, finer)
+            return finer, self._complete(finer)
         finer = next_rung(self._lent, self._size, rung, grid, start)
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
@@ -142,7 +151,7 @@ class PointLadder:
             with_heat(self._scene, self._size, finer, start.rise)
         if self._model.levels:
             finer.film.restart()
-        return finer
+        return finer, []
 
     def outcome(self, rung: Rung) -> Outcome:
         """Figures of the lubricated and of the dry contact, and the fields."""
@@ -261,4 +270,6 @@ def _heat_balance(rung: Rung) -> float:
     """What both bodies take up and oil carries away, less the heat of shearing, over that."""
     heat = rung.film.heat_fields()
     friction = heat.friction.sum()
+    if not friction > 0:  # of a film that was cooled down, where heat found none
+        return nan
     return float((heat.flux.sum() + heat.carried.sum() - friction) / friction)

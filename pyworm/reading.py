@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import BarycentricInterpolator, RectBivariateSpline
+from scipy.interpolate import RectBivariateSpline
 
 from pyworm.grid import Grid
 
@@ -57,8 +57,20 @@ def maximum_across(field: Array, positions: Array) -> float:
     """
     i, j = _place(field.max(axis=2).T.argmax(), field)
     columns = field[max(i - 2, 0) : i + 3, max(j - 2, 0) : j + 3]
-    between = BarycentricInterpolator(positions, columns, axis=2)
-    return maximum(between(np.linspace(-0.5, 0.5, FINE_LEVELS)).max(axis=2))
+    between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
+    return maximum((columns @ between.T).max(axis=2))
+
+
+def _lagrange(nodes: Array, places: Array) -> Array:
+    """Weights of the values at some nodes in the polynomial through them at some places.
+
+    SciPy's interpolator draws the order of its nodes at random, and with it the last digits.
+    """
+    weights = np.ones((places.size, nodes.size))
+    for k, node in enumerate(nodes):
+        for other in np.delete(nodes, k):
+            weights[:, k] *= (places - other) / (node - other)
+    return weights
 
 
 @dataclass(frozen=True)

@@ -66,8 +66,10 @@ class Result:
             for group in tree.subtree
             if group.name == "fields"
         }
+        # made in memory: where the disk is full the library closes its file again and again, and says so
+        content = tree.to_netcdf(None, engine="h5netcdf", encoding=encoding)
         with whole_file(path) as partial:
-            tree.to_netcdf(partial, engine="h5netcdf", encoding=encoding)
+            partial.write_bytes(content)
         return path
 
 
@@ -87,15 +89,22 @@ def open_result(path: str | os.PathLike) -> Result:
     try:
         # Times are numbers of seconds here, not dates to be decoded.
         tree = xr.load_datatree(path, engine="h5netcdf", decode_times=False)
-    except OSError as error:
+    except Exception as error:  # whatever a damaged file makes the library stumble over
         raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
     if tree.attrs.get("format") != FORMAT:
         raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
-    if tree.attrs["format_version"] != FORMAT_VERSION:
+    version = tree.attrs.get("format_version")
+    if version != FORMAT_VERSION:
         raise ValueError(
-            f"{path} has result format {tree.attrs['format_version']}; "
-            f"this version of pyworm reads format {FORMAT_VERSION}"
+            f"{path} has result format {version}; this version of pyworm reads format {FORMAT_VERSION}"
         )
+    try:
+        return _read(tree)
+    except (LookupError, TypeError, ValueError, AttributeError) as error:
+        raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
+
+
+def _read(tree: xr.DataTree) -> Result:
     scenes = [tree[name] for name in sorted(tree.children) if name.startswith("scene_")]
     return Result(
         case_name=tree.attrs["case_name"],

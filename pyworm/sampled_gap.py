@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
@@ -170,6 +171,16 @@ class SampledGap:
         return RectBivariateSpline(self.y, self.x, _fill(rest))
 
 
+METRES = ("m", "metre", "metres", "meter", "meters")
+"""What a file's `units` may say."""
+
+MOST_SAMPLES = 50_000_000
+"""Numbers of the largest array that is read: 400 MB."""
+
+NUMBER = 8
+"""Bytes of a number."""
+
+
 def read_gap(path: Path) -> SampledGap:
     """Read a gap from an npz or a NetCDF file.
 
@@ -194,8 +205,17 @@ def read_gap(path: Path) -> SampledGap:
     raise ValueError("must be an .npz or an .nc file")
 
 
+def _require_readable(samples: int) -> None:
+    """Refuse an array before memory is asked for it."""
+    if samples > MOST_SAMPLES:
+        raise ValueError(f"it holds an array of {samples} numbers, {MOST_SAMPLES} are read at most")
+
+
 def _read_npz(path: Path) -> SampledGap:
     try:
+        with ZipFile(path) as archive:
+            largest = max((entry.file_size for entry in archive.infolist()), default=0)
+        _require_readable(largest // NUMBER)
         with np.load(path, allow_pickle=False) as file:
             arrays = {key: np.asarray(file[key], dtype=float) for key in file.files}
     except Exception as error:
@@ -212,6 +232,8 @@ def _read_npz(path: Path) -> SampledGap:
         if spacing.ndim != 0 or not (np.isfinite(spacing) and spacing > 0):
             raise ValueError(f"d{name} must be one length greater than zero, in metres")
         start = arrays.get(f"{name}0", -(count - 1) / 2 * spacing)
+        if np.ndim(start) != 0:
+            raise ValueError(f"{name}0 must be one length, in metres")
         axes.append(start + spacing * np.arange(count))
     return SampledGap(*axes, gap)
 
@@ -221,12 +243,17 @@ def _read_netcdf(path: Path) -> SampledGap:
 
     try:
         with xr.open_dataset(path, engine="h5netcdf") as file:
+            _require_readable(max((array.size for array in file.variables.values()), default=0))
             file.load()
     except Exception as error:
         raise ValueError(f"cannot be read as a NetCDF file ({error})") from None
     for key in ("gap", "x", "y"):
         if key not in file.variables:
             raise ValueError(f"{key} is missing; it has {', '.join(map(str, file.variables))}")
+    for key in ("gap", "x", "y"):
+        unit = file[key].attrs.get("units", "m")
+        if unit not in METRES:
+            raise ValueError(f"{key} is in {unit}; it must be in metres")
     if set(file["gap"].dims) != {"x", "y"}:
         raise ValueError(f"gap must have the dimensions (y, x), not {file['gap'].dims}")
     gap = file["gap"].transpose("y", "x")

@@ -13,6 +13,7 @@ from pyworm.kernels import NO_MEMORY, KernelError
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
+from pyworm.memory import NoMemoryError, shortage
 from pyworm.place import Place
 from pyworm.planning import Plan, reviewed
 from pyworm.point_ladder import PointLadder
@@ -63,7 +64,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     Raises
     ------
     KernelError
-        If the scene makes no sense to the kernel (values that are not finite) or memory runs out.
+        If the scene makes no sense to the kernel (values that are not finite) or memory does not suffice for
+        the first grids (`memory.NoMemoryError`); for finer ones it ends the climb.
     """
     tell = _rising(progress)
     foot, spent = None, Cost(0.0, 0.0)
@@ -103,6 +105,9 @@ def _climb(
     readings: list[Reading] = []
     unsettled = 0
 
+    short = shortage(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes), plan.model)
+    if short is not None:
+        raise NoMemoryError(short)
     started, started_work = perf_counter(), process_time()
     tell(f"{scene.name}: first grids", 0.0)
     rung, strides = (
@@ -116,32 +121,36 @@ def _climb(
         strides += settled.strides
         readings.append(settled.reading)
         unsettled += rung.film.balance.worst > plan.tolerance
+        stop_reason = None
         if _film_is_sound(rung, settled, plan) and plan.wider_grids and not domain:
             tell(f"{scene.name}: wider window", 1 - 0.7 ** len(readings))
-            wider, settled_wider, steps = _in_wider_window(ladder, plan, len(readings) - 1)
-            strides += steps
-            if _film_is_sound(wider, settled_wider, plan):
-                domain = domain_errors(
-                    settled.reading, settled_wider.reading, ladder.convergence.window_limit
-                )
-                seen = plan.aim.worst(domain, settled.reading.figures)
-                if seen > DOMAIN_SHARE * plan.accuracy:
-                    left = ladder.convergence.wider_share
-                    domain = {name: left * error for name, error in domain.items()}
-                    rung, settled, readings = wider, settled_wider, [settled_wider.reading]
+            try:
+                wider, settled_wider, steps = _in_wider_window(ladder, plan, len(readings) - 1)
+            except KernelError as error:
+                stop_reason = _lack_of_memory(error)
+            else:
+                strides += steps
+                if _film_is_sound(wider, settled_wider, plan):
+                    domain = domain_errors(
+                        settled.reading, settled_wider.reading, ladder.convergence.window_limit
+                    )
+                    seen = plan.aim.worst(domain, settled.reading.figures)
+                    if seen > DOMAIN_SHARE * plan.accuracy:
+                        left = ladder.convergence.wider_share
+                        domain = {name: left * error for name, error in domain.items()}
+                        rung, settled, readings = wider, settled_wider, [settled_wider.reading]
         estimates = _estimates(ladder, rung, readings, domain, settled, plan)
-        stop_reason = _stop_reason(rung, settled, estimates, unsettled, plan)
+        stop_reason = stop_reason or _stop_reason(rung, settled, estimates, unsettled, plan)
         if stop_reason is not None:
             break
         size = " x ".join(str(count) for count in rung.grid.finer().shape)
         tell(f"{scene.name}: {size}", 1 - 0.7 ** (len(readings) + 1))
         try:
-            rung = ladder.higher(rung)
+            rung, steps = _finer(ladder, rung, plan)
         except KernelError as error:
-            if error.status != NO_MEMORY:
-                raise
-            stop_reason = f"there is not enough memory for {size} nodes"
+            stop_reason = _lack_of_memory(error)
             break
+        strides += steps
     seconds, work = perf_counter() - started, process_time() - started_work
 
     unit = _convolution_work(rung)
@@ -179,9 +188,25 @@ def _in_wider_window(
     rung, strides = ladder.enter(plan.wider_grids)
     for _ in range(refinements):
         strides += lead(rung, plan.tolerance)
-        rung = ladder.higher(rung)
+        rung, steps = _finer(ladder, rung, plan)
+        strides += steps
     settled = _settle_figures(rung, plan)
     return rung, settled, [*strides, *settled.strides]
+
+
+def _finer(ladder: Ladder, rung: Rung, plan: Plan) -> tuple[Rung, list[Stride]]:
+    """The rung of half the spacing; NoMemoryError where it will not fit."""
+    short = shortage(rung.grid.finer(), plan.model)
+    if short is not None:
+        raise NoMemoryError(short)
+    return ladder.higher(rung)
+
+
+def _lack_of_memory(error: KernelError) -> str:
+    """What to say of it; any other error is raised again."""
+    if error.status != NO_MEMORY:
+        raise error
+    return str(error)
 
 
 def _film_is_sound(rung: Rung, settled: Settled, plan: Plan) -> bool:

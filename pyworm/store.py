@@ -55,15 +55,22 @@ class Store:
         )
 
     def solution(self, task: Task) -> Solution:
-        """A solution kept in full."""
-        (solution,) = open_result(self.file(task)).solutions
+        """A solution kept in full; OSError if its file was damaged."""
+        try:
+            (solution,) = open_result(self.file(task)).solutions
+        except ValueError as error:
+            raise OSError(f"{error}; without it the scene is solved again") from error
         return solution
 
     def summary(self, task: Task) -> dict[str, Any]:
-        """The scalars of a solution, as of `Solution.summary`."""
+        """The scalars of a solution, as of `Solution.summary`; OSError if its file was damaged."""
         if self.fields:
             return self.solution(task).summary()
-        return json.loads(self.file(task).read_text())["summary"]
+        file = self.file(task)
+        try:
+            return json.loads(file.read_text())["summary"]
+        except (ValueError, LookupError, TypeError) as error:
+            raise OSError(f"{file} is damaged; without it the scene is solved again") from error
 
     def drop(self, tasks: Iterable[Task]) -> None:
         """Forget what these tasks came to, halves that killed processes left behind included."""

@@ -7,6 +7,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.effects.judgement import Judgement
+from pyworm.expectation import Expectation
 from pyworm.line.scene import LineScene
 from pyworm.place import PLACE_NAMES, Place
 from pyworm.planning import Plan
@@ -229,8 +230,8 @@ def published_for(
     return published
 
 
-def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
-    """A scene and how it is to be solved."""
+def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> Table:
+    """A scene, how it is to be solved, and what that is expected to take."""
     summary = scene_summary(scene)
     table = Table(title=_title(scene), title_justify="left")
     table.add_column("Scene")
@@ -244,7 +245,8 @@ def plan_table(scene: Scene | LineScene, plan: Plan) -> Table:
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
-    table.add_row("Expected convolutions", f"{plan.expected_convolutions:.0f}")
+    table.add_row("Expected time", f"{expected.seconds:.2g} s")
+    table.add_row("Expected convolutions", f"{expected.convolutions:.2g}")
     return table
 
 

@@ -48,6 +48,10 @@ SHARE = Kind("a share", "", "1 %")
 SI = "SI"
 """Context of validation in which values are plain numbers in SI, as a checked case leaves them."""
 
+SMALLEST, LARGEST = 1e-24, 1e24
+"""Sizes in SI between which every value of a case lies that is not zero. Beyond, products of powers of values
+overflow."""
+
 
 @cache
 def _registry():
@@ -99,6 +103,8 @@ def parse(text: str, kind: Kind) -> float:
     allowed, wanted = _SIGNS[kind.sign]
     if not (math.isfinite(value) and allowed(value)):
         raise ValueError(f'must be {kind.noun} {wanted}, such as "{kind.example}"')
+    if value and not SMALLEST <= abs(value) <= LARGEST:
+        raise ValueError(f'must be {kind.noun} of a size that there is, such as "{kind.example}"')
     return value
 
 

@@ -8,6 +8,7 @@
 !> classical Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the residual that
 !> can be reached to some 1e-6 of the first, far below what a Newton step asks for.
 module krylov
+  use interruption, only: interrupted
   use kinds, only: pp, wp
   use vectors, only: dot, normalise, project_out, combine
   implicit none(type, external)
@@ -85,6 +86,7 @@ contains
       iterations = j
       reduction = abs(projection(j + 1))/start
       if (reduction <= tolerance .or. .not. lift > 0) exit
+      if (interrupted()) exit
     end do
 
     do i = iterations, 1, -1

@@ -17,5 +17,7 @@ module status
   integer, parameter, public :: status_no_descent = 5
   !> The machine has not enough memory.
   integer, parameter, public :: status_no_memory = 6
+  !> The user wants no more of it (`interruption`); Python raises that before it sees this.
+  integer, parameter, public :: status_interrupted = 7
 
 end module status

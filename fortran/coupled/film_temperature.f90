@@ -11,6 +11,7 @@ module film_temperature
   use column_heat, only: hottest, set_heat, carried_away
   use film_column, only: film_strip, new_film_strip, solve_columns
   use heated_surface, only: heated_body
+  use interruption, only: interrupted
   use kinds, only: wp
   use march_layout, only: march, new_march, to_march, from_march
   use nodal_shear, only: shear_columns
@@ -18,7 +19,7 @@ module film_temperature
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use point_film, only: point_contact, film_direction, move_film, film_balance, bearable, search_step
   use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
-  use status, only: status_ok, status_not_finite, status_no_memory
+  use status, only: status_ok, status_interrupted, status_not_finite, status_no_memory
   use tally, only: work_tally
   use wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
@@ -153,6 +154,7 @@ contains
       call film_balance(self%point_contact, residual, load_error)
       if (bearable(merit, residual, load_error)) return
     end if
+    if (stat == status_interrupted) return
     call set_temperature(self, self%heat%before)
     call search_step(self%point_contact, merit, p, h0, residual, load_error, step, stat)
     call heat_sweep(self, change, heat_stat)
@@ -175,6 +177,9 @@ contains
     real(wp) :: least, missed, reduction, walls_change
     integer :: iterations
 
+    change = hottest
+    stat = status_interrupted
+    if (interrupted()) return
     call self%heat%work%start()
     least = judged_pressure*maxval(self%fields%p)
     self%heat%threads%shear%unsolved = 0

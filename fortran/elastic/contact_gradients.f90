@@ -7,9 +7,10 @@
 !> fits), and the deflection follows a step that no bound cuts without another convolution.
 module contact_gradients
   use half_space, only: elastic_half_space
+  use interruption, only: interrupted
   use kinds, only: wp
   use periodic_stiffness, only: periodic_half_space, new_periodic_half_space
-  use status, only: status_ok, status_no_memory, status_not_converged, status_not_finite
+  use status, only: status_ok, status_interrupted, status_no_memory, status_not_converged, status_not_finite
   use vectors, only: dot
   implicit none(type, external)
   private
@@ -67,6 +68,10 @@ contains
           return
         end if
         if (iterations == most_iterations) exit
+        if (interrupted()) then
+          stat = status_interrupted
+          return
+        end if
 
         where (covered .and. film < approach) contact = 1
         residual = film

@@ -6,6 +6,7 @@
 !> system. Python owns the loop; each call does one step.
 module point_film
   use half_space, only: elastic_half_space, new_half_space
+  use interruption, only: interrupted
   use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
@@ -15,7 +16,8 @@ module point_film
     flow_imbalance_change
   use sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
     sheared_imbalance_change
-  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_descent, status_no_memory
+  use status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
+    status_no_memory
   use tally, only: work_tally
   use vectors, only: total
   implicit none(type, external)
@@ -274,6 +276,10 @@ contains
     end do
     self%right(n + 1) = load_error*self%load*self%load_weight
     call gmres(self, self%right, forcing, most_krylov, self%basis, self%change, krylov, reduction)
+    if (interrupted()) then
+      stat = status_interrupted
+      return
+    end if
     if (.not. all(abs(self%change) <= huge(1.0_wp))) then
       stat = status_not_finite
       return
@@ -326,6 +332,10 @@ contains
       call film_balance(self, residual, load_error)
       stat = merge(status_ok, status_no_descent, step > 0)
       if (bearable(merit, residual, load_error) .or. .not. step > 0) return
+      if (interrupted()) then
+        stat = status_interrupted
+        return
+      end if
       step = merge(step/2, 0.0_wp, step > shortest_step)
     end do
   end subroutine search_step

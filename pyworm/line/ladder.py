@@ -132,9 +132,9 @@ class LineLadder:
         strides = self._complete(self._scene, again)
         return self._like(again, supplied(self._scene, self._size, again)), strides
 
-    def higher(self, rung: LineRung) -> LineRung:
+    def higher(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
         """Half the spacing."""
-        return self._like(rung, next_rung(self._scene, self._size, rung))
+        return self._like(rung, next_rung(self._scene, self._size, rung)), []
 
     def _like(self, before: LineRung, rung: LineRung) -> LineRung:
         """A rung that was entered from one before, with the shear and the heat that one has."""

@@ -1,5 +1,6 @@
 """`[oil]`: the lubricant of a case."""
 
+from math import exp
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
@@ -7,6 +8,7 @@ from pydantic import Field, field_validator, model_validator
 from pyworm import units
 from pyworm.named_oils import HeatCourseTable, names
 from pyworm.oils import (
+    ROELANDS_POLE_LOG,
     ROELANDS_POLE_TEMPERATURE,
     ROELANDS_PRESSURE,
     Barus,
@@ -18,6 +20,9 @@ from pyworm.oils import (
 )
 from pyworm.schema.oil_by_name import spelled_out
 from pyworm.schema.table import NumberOrZero, PositiveNumber, Table, Text
+
+POLE_VISCOSITY = exp(-ROELANDS_POLE_LOG)
+"""Viscosity of the pole of Roelands' law [Pa s]; oils have more."""
 
 
 class BarusTable(Table):
@@ -45,6 +50,16 @@ class RoelandsTable(Table):
     alpha: units.PressureCoefficient | None = None
     pole_pressure: units.Pressure | None = None
     pole_coefficient: units.PressureCoefficient | None = None
+
+    @field_validator("eta0")
+    @classmethod
+    def _above_the_pole(cls, viscosity: float) -> float:
+        if viscosity <= POLE_VISCOSITY:
+            raise ValueError(
+                f"must be above {POLE_VISCOSITY:.2g} Pa s, the pole of Roelands' law, such as "
+                '"0.04 Pa s"; law = "barus" has none'
+            )
+        return viscosity
 
     @model_validator(mode="after")
     def _one_of_each(self):

@@ -4,9 +4,12 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-PositiveNumber = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
-NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
+LARGEST = 1e6
+"""Largest plain number: exponents, ratios and shares are far smaller."""
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
+PositiveNumber = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=LARGEST)]
+NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=LARGEST)]
 Count = Annotated[int, Field(strict=True, gt=0)]
 Phase = Annotated[float, Field(strict=True, ge=0, le=1)]
 Text = Annotated[str, Field(min_length=1)]

@@ -1,0 +1,205 @@
+"""Whether the accuracy asked for is kept, and at what price: 20 isothermal and 10 thermal random scenes.
+
+Each is solved as a user would, for 5, 1 and 0.2 %, with the effects that the plan picks. The true error is
+that of the worst figure asked for against the most complete rung extrapolated (`pyworm.precision`); the price
+is told over that of the cheapest grid of that rung that would have done, both without the dry contact and the
+fields. What was solved is kept in results/accuracy/asked.csv, and the next run goes on from there.
+"""
+
+import csv
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from math import cos, exp, log, pi, sin
+from pathlib import Path
+from statistics import median
+from time import process_time
+
+import numpy as np
+from accuracy_page import fill, markdown
+from error_bars import random_scene
+from plan_scenes import STEEL, mineral
+
+import pyworm
+from pyworm.formulas.hertz import hertz
+from pyworm.precision.study import Study
+from pyworm.precision.survey import study
+from pyworm.scene import Paraboloid, RigidMotion, Scene
+
+ACCURACIES = (0.05, 0.01, 0.002)
+
+TRIPLES = 10
+
+BUDGETS = {"isothermal": 20.0, "thermal": 60.0}
+"""Processor time for the reference of a scene [s]."""
+
+RADIUS = 0.01
+
+OUT = Path("results/accuracy/asked.csv")
+
+
+def thermal_scene(random: np.random.Generator) -> Scene:
+    """Steel, 0.4 to 1.5 GPa, 0.3 to 5 m/s, radii 1:5 to 5:1, slide-roll ratio 0.02 to 1.5, any angle."""
+    pressure, speed, ratio, slip = (
+        exp(random.uniform(log(low), log(high)))
+        for low, high in ((0.4e9, 1.5e9), (0.3, 5.0), (0.2, 5.0), (0.02, 1.5))
+    )
+    angle = random.uniform(0, pi / 2)
+    radii = (RADIUS, RADIUS / ratio)
+    modulus = STEEL.youngs_modulus / (1 - STEEL.poisson_ratio**2)
+    first, second = (
+        RigidMotion(*(speed * (1 + sign * slip / 2) * part for part in (cos(angle), sin(angle))))
+        for sign in (1, -1)
+    )
+    return Scene(
+        name=f"{pressure / 1e9:.2g} GPa, {speed:.2g} m/s, slip {slip:.2g}, Rx/Ry {ratio:.2g}",
+        gap=Paraboloid(*radii),
+        radii=radii,
+        motions=(first, second),
+        load=(pressure / hertz(*radii, 1.0, modulus).pressure_max) ** 3,
+        bodies=(STEEL, STEEL),
+        oil=mineral(0.04, 2e-8),
+    )
+
+
+def scenes() -> Iterator[tuple[str, Scene]]:
+    """Kind and scene; two isothermal ones, those of `error_bars`, to each thermal one."""
+    cold, hot = np.random.default_rng(1), np.random.default_rng(2)
+    for _ in range(TRIPLES):
+        yield "isothermal", random_scene(cold)
+        yield "isothermal", random_scene(cold)
+        yield "thermal", thermal_scene(hot)
+
+
+def true_errors(made: Study, solution) -> dict[str, float]:
+    """Relative errors of a solution's figures."""
+    errors = {}
+    for name, reference in made.references.items():
+        estimate = getattr(solution.figures, name)
+        value = 0.0 if estimate is None else estimate.value
+        if name == "temperature_max_film" and estimate is not None:
+            value -= solution.inlet_temperature
+        errors[name] = abs(value - reference.value) / reference.size
+    return errors
+
+
+def rungs_only(made: Study) -> Study:
+    """A study without its formulas."""
+    return replace(made, curves=tuple(curve for curve in made.curves if curve.kind == "rung"))
+
+
+def trial(kind: str, scene: Scene, accuracy: float, made: Study) -> dict:
+    """One solve."""
+    plan = pyworm.plan(scene, accuracy)
+    started = process_time()
+    solution = pyworm.solve(scene, plan)
+    whole = process_time() - started
+    errors = true_errors(made, solution)
+    # the study has no other rung; formulas do not compete
+    cheapest = rungs_only(made).cheapest(accuracy, tuple(made.references))
+    worst = max(errors, key=errors.get)
+    return {
+        "kind": kind,
+        "scene": scene.name,
+        "accuracy": accuracy,
+        "converged": solution.converged,
+        "error": errors[worst],
+        "of": worst,
+        "unsure": max(of.band for of in made.references.values()),
+        "seconds": solution.cost.convolutions * solution.cost.unit_seconds,
+        "whole_seconds": whole,
+        "cheapest": cheapest[1].seconds if cheapest else float("nan"),
+        "stop_reason": solution.stop_reason,
+    }
+
+
+def told(rows: list[dict]) -> list[list[str]]:
+    """The table: kinds and accuracies."""
+    table = [
+        [
+            "scenes",
+            "asked",
+            "converged",
+            "kept",
+            "median error",
+            "worst error",
+            "cost, median",
+            "cost, worst",
+        ]
+    ]
+    for kind in BUDGETS:
+        for accuracy in ACCURACIES:
+            here = [row for row in rows if (row["kind"], row["accuracy"]) == (kind, accuracy)]
+            claimed = [row for row in here if row["converged"]]
+            if not claimed:
+                continue
+            ratios = [row["seconds"] / row["cheapest"] for row in claimed]
+            ratios = [ratio for ratio in ratios if np.isfinite(ratio)]
+            table.append(
+                [
+                    kind,
+                    f"{accuracy * 100:g} %",
+                    f"{len(claimed)} of {len(here)}",
+                    f"{sum(row['error'] <= accuracy for row in claimed)} of {len(claimed)}",
+                    f"{median(row['error'] for row in claimed) * 100:.2g} %",
+                    f"{max(row['error'] for row in claimed) * 100:.2g} %",
+                    f"{median(ratios):.1f}" if ratios else "",
+                    f"{max(ratios):.1f}" if ratios else "",
+                ]
+            )
+    return table
+
+
+def keep(rows: list[dict]) -> None:
+    """Write what is known so far."""
+    OUT.parent.mkdir(parents=True, exist_ok=True)
+    with OUT.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def kept() -> list[dict]:
+    """Rows of an earlier run."""
+    if not OUT.exists():
+        return []
+    with OUT.open() as file:
+        rows = list(csv.DictReader(file))
+    numbers = ("accuracy", "error", "unsure", "seconds", "whole_seconds", "cheapest")
+    return [
+        row
+        | {name: float(row[name]) for name in numbers}
+        | {"converged": row["converged"] == "True"}
+        for row in rows
+    ]
+
+
+def main() -> None:
+    rows = kept()
+    for kind, scene in scenes():
+        if sum(row["scene"] == scene.name for row in rows) == len(ACCURACIES):
+            continue
+        try:
+            made = study(scene, None, BUDGETS[kind], complete_only=True, clock=process_time)
+        except ValueError as error:
+            print(f"{scene.name}: {error}", file=sys.stderr, flush=True)
+            continue
+        rows += [trial(kind, scene, accuracy, made) for accuracy in ACCURACIES]
+        for row in rows[-len(ACCURACIES) :]:
+            accuracy = row["accuracy"]
+            print(
+                f"{kind:10} {scene.name:44} {accuracy:5.1%} true {row['error']:8.3%} of {row['of']:20} "
+                f"± {row['unsure']:.3%} {row['seconds']:7.2f} s ({row['whole_seconds']:.2f} in all), "
+                f"cheapest {row['cheapest']:7.2f} s "
+                f"{'' if row['converged'] else row['stop_reason']}"
+                f"{'  MISSED' if row['converged'] and row['error'] > accuracy else ''}",
+                flush=True,
+            )
+        keep(rows)
+    table = told(rows)
+    print(markdown(table))
+    fill("asked", markdown(table))
+
+
+if __name__ == "__main__":
+    main()

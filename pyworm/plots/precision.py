@@ -1,0 +1,191 @@
+"""The work-precision picture: errors of a contact's figures against the time that they take."""
+
+from textwrap import fill
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter, NullFormatter
+
+from pyworm.precision.report import percent
+from pyworm.precision.study import Curve, Study
+
+TITLES = {
+    "film_min": "Minimum film",
+    "film_central": "Central film",
+    "friction_coefficient": "Friction",
+    "temperature_max_film": "Largest temperature",
+}
+
+COLOURS = {
+    "line contact": "tab:brown",
+    "isothermal Newtonian point": "tab:blue",
+    "isothermal Newtonian line": "tab:blue",
+    "+ rheology": "tab:green",
+    "+ surface heat": "tab:orange",
+    "+ film heat": "tab:red",
+}
+
+FORMULA_MARKERS = "^v<>D"
+
+KNOB_STYLES = (("0.35", "--"), ("tab:purple", "--"), ("tab:cyan", "--"))
+
+FLOOR = 1e-6
+"""Least error shown."""
+
+PANEL_WIDTH, PANEL_HEIGHT = 7.4, 4.3
+"""Size of a panel with its legend [inch]."""
+
+FOOTER_LETTERS_PER_INCH = 13.5
+
+
+def draw_precision(study: Study, heading: str) -> Figure:
+    """Errors against seconds, a panel for each figure.
+
+    Solid lines are errors against the reference; of each rung the dotted line is the part that finer grids
+    take away, and the level that is left at the right is the model's own.
+    """
+    shown = list(study.references)
+    rows, columns = (len(shown) + 1) // 2, min(len(shown), 2)
+    width = PANEL_WIDTH * columns
+    left_out = [fill(line, int(FOOTER_LETTERS_PER_INCH * width)) for line in study.left_out]
+    footer = "\n".join(["Left out: " + "; ".join(left_out)] if left_out else [])
+    footer = fill(footer, int(FOOTER_LETTERS_PER_INCH * width))
+    bottom = 1.15 + 0.17 * footer.count("\n")
+    height = PANEL_HEIGHT * rows + 0.5 + bottom
+    figure = Figure(figsize=(width, height))
+    figure.suptitle(heading, y=1 - 0.12 / height, verticalalignment="top")
+    panels = figure.subplots(rows, columns, squeeze=False).flat
+    figure.subplots_adjust(
+        left=1.05 / width,
+        right=1 - 2.75 / width,
+        top=1 - 0.85 / height,
+        bottom=(bottom + 0.6) / height,
+        wspace=0.86,
+        hspace=0.28,
+    )
+    for panel, name in zip(panels, shown, strict=False):
+        _draw_panel(panel, study, name)
+    for panel in list(panels)[len(shown) :]:
+        panel.set_visible(False)
+    _common_legend(figure, study, (0.5, (bottom - 0.02) / height))
+    figure.text(
+        0.2 / width, 0.12 / height, footer, fontsize=8, color="0.3", verticalalignment="bottom"
+    )
+    return figure
+
+
+def _draw_panel(panel: Axes, study: Study, name: str) -> None:
+    reference = study.references[name]
+    panel.set_xscale("log")
+    panel.set_yscale("log")
+    handles = []
+    for curve in study.curves:
+        drawn = [
+            (point.seconds, max(error, FLOOR))
+            for point in curve.points
+            if point.settled and (error := study.error(point, name)) is not None
+        ]
+        if not drawn:
+            continue
+        if curve.kind == "formula":
+            marker = _formula_marker(study, curve)
+            panel.plot(*zip(*drawn, strict=True), marker, color="black", fillstyle="none", zorder=4)
+        elif curve.kind == "knob":
+            colour, style = _knob_style(study, curve)
+            panel.plot(
+                *zip(*drawn, strict=True), style, marker=".", color=colour, linewidth=1, zorder=3
+            )
+        else:
+            handles.append(_draw_rung(panel, study, curve, name, drawn))
+    panel.axhspan(FLOOR / 10, max(reference.band, FLOOR), color="0.88", zorder=0)
+    handles.append(Patch(color="0.88", label=f"reference: ± {percent(reference.band)}"))
+    for target in (0.1, 0.01, 0.001):
+        panel.axhline(target, color="0.8", linewidth=0.8, zorder=1)
+    low, high = panel.get_ylim()
+    panel.set_ylim(max(low, FLOOR, reference.band / 5), min(max(high, 1.5), 1e4))
+    panel.yaxis.set_major_formatter(FuncFormatter(lambda share, _: percent(share)))
+    panel.yaxis.set_minor_formatter(NullFormatter())
+    panel.set_title(TITLES[name], fontsize="medium")
+    panel.set_xlabel("processor time / s")
+    panel.set_ylabel("relative error")
+    panel.legend(
+        handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8, frameon=False
+    )
+
+
+def _draw_rung(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) -> Line2D:
+    """One rung: its error, the part that finer grids take away, and the level that they leave."""
+    colour = COLOURS[curve.name]
+    panel.plot(*zip(*drawn, strict=True), "o-", color=colour, markersize=4.5, zorder=5)
+    label = curve.name
+    if name in curve.limits:
+        grid = [
+            (point.seconds, max(study.grid_error(curve, point, name), FLOOR))
+            for point in curve.points
+            if point.settled
+        ]
+        panel.plot(*zip(*grid, strict=True), ":", color=colour, linewidth=1.2, zorder=2)
+        left = study.model_error(curve, name)
+        last = drawn[-1][0]
+        panel.plot([last, 6 * last], [max(left, FLOOR)] * 2, color=colour, linewidth=0.8)
+        order = curve.limits[name].order
+        seen = "no order seen" if order is None else f"order {order:.1f}"
+        label += f"\n   {seen}, then {percent(left)} left"
+    return Line2D([], [], color=colour, marker="o", markersize=4.5, label=label)
+
+
+def _formula_marker(study: Study, curve: Curve) -> str:
+    formulas = [one.name for one in study.curves if one.kind == "formula"]
+    return FORMULA_MARKERS[formulas.index(curve.name)]
+
+
+def _knob_style(study: Study, curve: Curve) -> tuple[str, str]:
+    knobs = [one.name for one in study.curves if one.kind == "knob"]
+    return KNOB_STYLES[knobs.index(curve.name)]
+
+
+def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> None:
+    """Formulas and knobs, and how to read the lines."""
+    handles = [
+        Line2D(
+            [],
+            [],
+            linestyle="none",
+            marker=_formula_marker(study, curve),
+            color="black",
+            fillstyle="none",
+            label=curve.name,
+        )
+        for curve in study.curves
+        if curve.kind == "formula"
+    ]
+    for curve in study.curves:
+        if curve.kind == "knob":
+            colour, style = _knob_style(study, curve)
+            label = f"{curve.name}: {curve.points[0].label} to {curve.points[-1].label}"
+            handles.append(
+                Line2D([], [], linestyle=style, marker=".", color=colour, linewidth=1, label=label)
+            )
+    handles.append(
+        Line2D(
+            [],
+            [],
+            color="0.3",
+            marker="o",
+            markersize=4.5,
+            label="a rung of the ladder on finer grids",
+        )
+    )
+    handles.append(
+        Line2D([], [], color="0.3", linestyle=":", label="of it, what finer grids take away")
+    )
+    figure.legend(
+        handles=handles,
+        loc="upper center",
+        bbox_to_anchor=place,
+        ncols=min(4, len(handles)),
+        fontsize=8,
+        frameon=False,
+    )

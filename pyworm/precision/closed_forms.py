@@ -1,0 +1,68 @@
+"""The lowest rung: what published formulas say of a contact, and in what time."""
+
+from collections.abc import Callable
+from time import process_time
+
+import numpy as np
+
+from pyworm.effects.sketch import sketch
+from pyworm.formulas import film
+from pyworm.formulas.film import Film
+from pyworm.line.scales import line_scales
+from pyworm.line.scene import LineScene
+from pyworm.precision.climb import Point
+from pyworm.scales import scales
+from pyworm.scene import Scene
+
+POINT_FORMULAS: dict[str, Callable[..., Film]] = {
+    "Hamrock-Dowson": film.hamrock_dowson,
+    "Chittenden": film.chittenden,
+    "Nijenbanning-Venner-Moes": film.nijenbanning_venner_moes,
+    "Masjedi-Khonsari": film.masjedi_khonsari,
+}
+
+LINE_FORMULAS: dict[str, Callable[..., Film]] = {
+    "Moes": film.moes_line,
+    "Dowson-Higginson": film.dowson_higginson,
+    "Dowson-Toyoda": film.dowson_toyoda,
+}
+
+SKETCH = "estimate of plans"
+"""Friction and temperature by which plans judge effects (`pyworm.effects.sketch`)."""
+
+REPEATS = 20
+"""Times that a formula is worked out to see what it costs."""
+
+
+def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:
+    """Every formula for films of the scene's kind, and the estimate of friction and temperature."""
+    line = isinstance(scene, LineScene)
+    sizes = line_scales if line else scales
+    points = {}
+    for name, formula in (LINE_FORMULAS if line else POINT_FORMULAS).items():
+        found, seconds = _timed(lambda formula=formula: formula(sizes(scene).groups))
+        films = {"film_min": found.minimum, "film_central": found.central}
+        points[name] = Point(
+            (), seconds, 0.0, {key: float(of) for key, of in films.items() if of is not None}
+        )
+    if scene.oil.flow is not None or scene.oil.heat is not None:
+        figures, seconds = _timed(lambda: _estimate(scene))
+        points[SKETCH] = Point((), seconds, 0.0, figures)
+    return points
+
+
+def _estimate(scene: Scene | LineScene) -> dict[str, float]:
+    seen = sketch(scene)
+    figures = {"friction_coefficient": seen.hot_stress() / seen.pressure_mean}
+    if scene.oil.heat is not None:
+        figures["temperature_max_film"] = seen.warmest
+    return figures
+
+
+def _timed(work: Callable[[], object]) -> tuple:
+    """What work gives, and its processor time [s]."""
+    started = process_time()
+    for _ in range(REPEATS):
+        with np.errstate(all="ignore"):  # a formula far outside its range may overflow
+            found = work()
+    return found, (process_time() - started) / REPEATS

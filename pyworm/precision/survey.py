@@ -1,0 +1,315 @@
+"""The making of a study: all rungs and knobs of a contact, measured within a budget."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from math import inf, isfinite
+from time import perf_counter
+
+from pyworm.effects.sketch import sketch
+from pyworm.expectation import expectation
+from pyworm.kernels import KernelError
+from pyworm.line.scene import LineScene
+from pyworm.planning import PARABOLA, Model
+from pyworm.precision.climb import Point, climb, on_grid, settled_row, step_of, tightened
+from pyworm.precision.closed_forms import closed_forms
+from pyworm.precision.fidelity import Fidelity, fidelities
+from pyworm.precision.limits import Limit, limit
+from pyworm.precision.study import Curve, Reference, Study
+from pyworm.scene import Scene
+from pyworm.solver import LADDERS
+
+FINE_ENOUGH = 1e-4
+"""Error of all figures by the grid below which a rung is not refined further."""
+
+COMPLETE_SHARE, WINDOW_SHARE, RUNGS_SHARE, KNOBS_SHARE = 0.4, 0.2, 0.3, 0.1
+"""Shares of the budget for the most complete rung, for its wider window, for all other rungs and for knobs;
+what one does not use goes to the next."""
+
+KNOBS = 8
+"""Settings of knobs that start anew, about."""
+
+TOLERANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)
+
+LEVELS = (5, 7, 9)
+"""Levels across the film, beside the parabola's three and the rung's own."""
+
+FINEST = 2e-4
+"""Accuracy of solves that end on about the same grids."""
+
+LEAST_GRIDS = 3
+"""Grids of the most complete rung without which there is no reference."""
+
+Progress = Callable[[str, float], None]
+
+
+class BudgetError(ValueError):
+    """A budget that no reference comes out of; the message says what would do."""
+
+
+class NoReferenceError(RuntimeError):
+    """The most complete rung settles on too few grids to say where it goes."""
+
+
+def expected_seconds(scene: Scene | LineScene, quantities: tuple[str, ...] | None = None) -> float:
+    """Processor time that a study without a budget is expected to take [s]; arguments as of `study`.
+
+    All rungs and, about as dear as the most complete one, its window and its knobs.
+    """
+    rungs, _ = fidelities(scene, quantities, FINEST)
+    seconds = [expectation(rung.scene, rung.plan).seconds for rung in rungs]
+    return sum(seconds) + seconds[-1]
+
+
+def study(
+    scene: Scene | LineScene,
+    quantities: tuple[str, ...] | None = None,
+    budget: float = inf,
+    progress: Progress | None = None,
+    complete_only: bool = False,
+    clock: Callable[[], float] = perf_counter,
+) -> Study:
+    """Measure what accuracy costs in a contact.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    quantities : tuple of str, optional
+        What is asked for, as `pyworm.plan` takes it.
+    budget : float
+        Elapsed time not to be passed [s], but for what a grid takes longer than expected.
+    progress : callable, optional
+        Told what is being done and which share of the budget is spent.
+    complete_only : bool
+        Whether only the most complete rung and its wider window are wanted: all that a reference needs.
+    clock : callable
+        Tells the time that the budget is of [s]: by default elapsed time, which a busy machine stretches.
+
+    Raises
+    ------
+    BudgetError
+        The budget ends before the most complete rung has three grids.
+    NoReferenceError
+        Less than two of them settle.
+    ValueError
+        As of `pyworm.plan`.
+    KernelError
+        The kernel gives up the most complete rung.
+    """
+    making = _Study(scene, quantities, budget, progress or (lambda message, share: None), clock)
+    return making.made(complete_only)
+
+
+class _Study:
+    """The making of a study."""
+
+    def __init__(self, scene, quantities, budget: float, progress: Progress, clock) -> None:
+        self._scene = scene
+        self._rungs, lacking = fidelities(scene, quantities)
+        self._complete = self._rungs[-1]
+        self._figures = self._complete.plan.aim.figures
+        self._budget = budget
+        self._progress = progress
+        self._left_out = [f"{name}: {reason}" for name, reason in lacking.items()]
+        self._clock = clock
+        self._started = clock()
+
+    @property
+    def _spent(self) -> float:
+        return self._clock() - self._started
+
+    def made(self, complete_only: bool) -> Study:
+        """The study."""
+        complete = self._climbed(self._complete, COMPLETE_SHARE * self._budget)
+        if len(complete.points) < LEAST_GRIDS:
+            raise BudgetError(
+                f"{LEAST_GRIDS} grids of the most complete model are needed, "
+                f"that is some {self._wanted(complete):.2g} s"
+            )
+        if len(settled_row(complete.points)) < 2:
+            raise NoReferenceError(f"{complete.name}: the film settles on too few grids")
+        window = self._window(complete)
+        references = self._references(complete, window)
+        others = [] if complete_only else self._others()
+        knobs = [] if complete_only else self._knobs(complete)
+        heat = self._scene.oil.heat
+        return Study(
+            self._scene.name,
+            None if heat is None else heat.inlet_temperature,
+            references,
+            tuple(
+                [
+                    *(
+                        Curve(name, "formula", (point,), {})
+                        for name, point in closed_forms(self._scene).items()
+                    ),
+                    *others,
+                    complete,
+                    window,
+                    *(knob for knob in knobs if knob.points),
+                ]
+            ),
+            tuple(self._left_out),
+            self._spent,
+        )
+
+    def _wanted(self, curve: Curve) -> float:
+        """Budget that lets a rung have its least grids [s]."""
+        more = LEAST_GRIDS - len(curve.points)
+        return (
+            1.5 * curve.points[-1].seconds * step_of(self._complete.plan) ** more / COMPLETE_SHARE
+        )
+
+    def _climbed(self, rung: Fidelity, until: float, wide: bool = False) -> Curve:
+        """A rung's grids, until they are fine enough or the next would pass a time since the start [s]."""
+        name = f"{rung.name}, window twice as far" if wide else rung.name
+        points = self._taken(name, climb(rung, wide), until, rung)
+        return Curve(name, "knob" if wide else "rung", points, {} if wide else _limits(points))
+
+    def _taken(
+        self, name: str, climbing: Iterator[Point], until: float, rung: Fidelity
+    ) -> tuple[Point, ...]:
+        taken: list[Point] = []
+        started = self._spent
+        try:
+            for point in climbing:
+                taken.append(point)
+                self._tell(f"{name}: {point.label}")
+                if _fine_enough(taken, rung.plan.aim.figures):
+                    break
+                if len(taken) > LEAST_GRIDS and not (taken[-2].settled or point.settled):
+                    self._left_out.append(
+                        f"{name}: grids beyond {point.label} (it does not settle)"
+                    )
+                    break
+                last = taken[-2].seconds if len(taken) > 1 else 0.0
+                growth = step_of(rung.plan)
+                further = growth * (point.seconds - last) if last else (growth - 1) * point.seconds
+                further *= max(1.0, (self._spent - started) / point.seconds)  # of a busy machine
+                nodes = rung.plan.largest_grid
+                if 0.9 * growth * point.nodes > nodes:
+                    self._left_out.append(f"{name}: grids beyond {point.label} (too many nodes)")
+                    break
+                if self._spent + further > until:
+                    self._left_out.append(
+                        f"{name}: grids beyond {point.label} (the next takes some {further:.0f} s)"
+                    )
+                    break
+        except KernelError as error:
+            if not taken:
+                raise
+            self._left_out.append(f"{name}: grids beyond {taken[-1].label} ({error})")
+        return tuple(taken)
+
+    def _tell(self, message: str) -> None:
+        share = self._spent / self._budget if isfinite(self._budget) else 0.0
+        self._progress(message, min(share, 1.0))
+
+    def _window(self, complete: Curve) -> Curve:
+        """The most complete rung in a window of twice the reach."""
+        until = self._spent + WINDOW_SHARE * self._budget
+        return self._climbed(self._complete, until, wide=True)
+
+    def _references(self, complete: Curve, window: Curve) -> dict[str, Reference]:
+        """The most complete rung's limits, by what the window still changes.
+
+        A window of twice the reach takes all but a known share s of the error away, so that all of it is the
+        change over 1 - s, which is believed to a half.
+        """
+        rung = self._complete
+        share = LADDERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_share
+        pairs = [
+            (here, wider)
+            for here, wider in zip(complete.points, window.points, strict=False)
+            if here.settled and wider.settled
+        ]
+        if not pairs:
+            self._left_out.append("the error by the window, from the band too")
+        beta = sketch(self._scene).inlet_beta
+        references = {}
+        for figure in self._figures_shown(complete):
+            by_window = 0.0
+            if pairs:
+                here, wider = pairs[-1]
+                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - share)
+            value = complete.limits[figure].value + by_window
+            size = abs(value)
+            if figure == "temperature_max_film" and beta > 0:
+                size = max(size, 1 / beta)
+            error = complete.limits[figure].error + abs(by_window) / 2
+            references[figure] = Reference(value, size, error / size)
+        return references
+
+    def _figures_shown(self, complete: Curve) -> list[str]:
+        return [figure for figure in complete.limits if figure in self._figures]
+
+    def _others(self) -> list[Curve]:
+        """All rungs but the most complete one."""
+        curves = []
+        start, others = self._spent, self._rungs[:-1]
+        room = max(RUNGS_SHARE * self._budget, (1 - KNOBS_SHARE) * self._budget - start)
+        for number, rung in enumerate(others):
+            until = start + room * (number + 1) / len(others)
+            if self._spent > until:
+                self._left_out.append(f"{rung.name}: no time")
+                continue
+            try:
+                curves.append(self._climbed(rung, until))
+            except KernelError as error:
+                self._left_out.append(f"{rung.name}: {error}")
+        return curves
+
+    def _knobs(self, complete: Curve) -> list[Curve]:
+        """Tolerance and levels of the most complete rung, on the finest grid that a setting may take."""
+        affordable = [
+            number
+            for number, point in enumerate(complete.points)
+            if point.seconds <= KNOBS_SHARE / KNOBS * self._budget
+            and number < len(complete.points) - 1
+        ]
+        halvings = min(max(affordable, default=0), len(complete.points) // 2)
+        rung = self._complete
+        label = complete.points[halvings].label
+        curves = [
+            self._knob(f"tolerance, on {label}", tightened(rung, halvings, TOLERANCES)),
+        ]
+        if rung.plan.model.levels:
+            curves.append(self._knob(f"film levels, on {label}", self._levels(halvings)))
+        return curves
+
+    def _levels(self, halvings: int) -> Iterator[Point]:
+        plan = self._complete.plan
+        least = (PARABOLA,) if plan.model.heated else ()
+        for levels in (*least, *(of for of in LEVELS if of <= plan.model.levels)):
+            other = replace(plan, model=Model(levels, plan.model.heated))
+            yield on_grid(replace(self._complete, plan=other), halvings, f"{levels} levels")
+
+    def _knob(self, name: str, points: Iterator[Point]) -> Curve:
+        taken: list[Point] = []
+        while self._spent < self._budget:
+            point = next(points, None)
+            if point is None:
+                return Curve(name, "knob", tuple(taken), {})
+            taken.append(point)
+            self._tell(f"{name}: {point.label}")
+        self._left_out.append(f"{name}: beyond {taken[-1].label}" if taken else f"{name}: no time")
+        return Curve(name, "knob", tuple(taken), {})
+
+
+def _limits(points: Sequence[Point]) -> dict[str, Limit]:
+    """Limits of all figures by these."""
+    row = settled_row(points)
+    names = row[-1].figures if row else ()
+    return {name: limit([point.figures[name] for point in row]) for name in names}
+
+
+def _fine_enough(points: list[Point], figures: tuple[str, ...]) -> bool:
+    if len(points) < LEAST_GRIDS + 1 or not points[-1].settled:
+        return False
+    limits = _limits(points)
+    last = points[-1].figures
+    return all(
+        abs(limits[name].value - last[name]) <= FINE_ENOUGH * abs(last[name])
+        for name in figures
+        if name in last
+    )

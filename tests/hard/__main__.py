@@ -1,0 +1,169 @@
+"""The suite of hard scenes: solve, judge, tell, draw.
+
+    python tests/hard                   # all; what was solved before is not solved again
+    python tests/hard named             # a part: named, isothermal, thermal, stability
+    python tests/hard isothermal:0-99   # some random scenes, by number
+    python tests/hard thermal:37        # one scene, with its case file
+    python tests/hard --trapped         # the named scenes in a debug build, on their first grids
+
+Rows appear as scenes are solved. Exit code 1 if a scene broke, or one that did not converge is not listed in
+docs/hard_cases.md, or fewer converged than promised.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from cost_map import draw_map
+from draws import DRAWS, SEED
+from named import GAPS, HOT, ISOTHERMAL
+from stability import CHECKS
+from traps import set_traps
+from trial import HEADING, BriefTrial, Trial, Verdict, trial, verdict
+
+from pyworm.store import Store
+
+COUNTS = {"isothermal": 500, "thermal": 150}
+"""Random scenes of each kind."""
+
+PROMISED = {"isothermal": 0.99, "thermal": 0.97}
+"""Share of them that converges."""
+
+EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
+
+LISTED = Path(__file__).parents[2] / "docs" / "hard_cases.md"
+"""Where each scene that does not converge stands with its reason."""
+
+
+def named_trials(directory: Path, kind: type[Trial] = Trial) -> Iterator[Trial]:
+    """The named scenes; gaps are written into a directory."""
+    for name, tables in ISOTHERMAL.items():
+        yield trial(tables, name, directory, "isothermal", kind)
+    for name, make in GAPS.items():
+        yield trial(make(directory), name, directory, "isothermal", kind)
+    for name, tables in HOT.items():
+        yield trial(tables, name, directory, "all", kind)
+
+
+def random_trials(kind: str, numbers: Sequence[int], directory: Path) -> Iterator[Trial]:
+    """Random scenes of a kind, by number."""
+    for number in numbers:
+        yield trial(DRAWS[kind](number).tables, f"{kind}:{number}", directory, EFFECTS[kind])
+
+
+def judged(trials: Iterator[Trial], store: Store) -> list[Verdict]:
+    """What scenes came to, a row told for each."""
+    verdicts = []
+    for one in trials:
+        verdicts.append(verdict(one, store))
+        print(verdicts[-1].line, flush=True)
+    return verdicts
+
+
+def complaints(part: str, verdicts: Sequence[Verdict]) -> list[str]:
+    """What is wrong with a part of the suite."""
+    listed = LISTED.read_text() if LISTED.exists() else ""
+    found = [f"{one.name} broke: {one.reason}" for one in verdicts if one.outcome == "broken"]
+    found += [
+        f"{one.name} did not converge and is not listed in {LISTED.name}"
+        for one in verdicts
+        if one.outcome == "not converged" and f"`{one.name}`" not in listed
+    ]
+    share = sum(one.outcome == "converged" for one in verdicts) / len(verdicts)
+    if len(verdicts) == COUNTS.get(part) and share < PROMISED[part]:
+        found.append(f"{share:.1%} of {part} scenes converged, {PROMISED[part]:.0%} are promised")
+    return found
+
+
+def report(part: str, verdicts: Sequence[Verdict]) -> None:
+    """The table's last lines: how many of what, at which cost."""
+    counts = {
+        outcome: sum(one.outcome == outcome for one in verdicts)
+        for outcome in ("converged", "not converged", "broken")
+    }
+    costs = sorted(one.cost for one in verdicts)
+    print(
+        f"{part}: {counts['converged']} of {len(verdicts)} converged "
+        f"({counts['converged'] / len(verdicts):.1%}), {counts['broken']} broke; cost at the median "
+        f"{costs[len(costs) // 2]:.0f}, largest {costs[-1]:.0f} million node convolutions\n"
+    )
+
+
+def show(one: Trial, tables: dict[str, Any], store: Store) -> None:
+    """One scene: its case file, its plan's grids and what it came to."""
+    print("\n".join(_toml(tables)) + "\n")
+    print("grids", *(" x ".join(map(str, grid.shape)) for grid in one.plan.grids), sep="  ")
+    print(HEADING)
+    judged(iter([one]), store)
+
+
+def _toml(tables: dict[str, Any], above: str = "") -> Iterator[str]:
+    """A case file's lines."""
+    from pyworm.case_error import toml
+
+    plain = {key: value for key, value in tables.items() if not isinstance(value, dict)}
+    if above and plain:
+        yield f"\n[{above}]"
+    for key, value in plain.items():
+        yield f"{key} = {toml(value)}"
+    for key, value in tables.items():
+        if isinstance(value, dict):
+            yield from _toml(value, f"{above}.{key}" if above else key)
+
+
+def main() -> int:
+    """Run what was asked for."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("what", nargs="*", default=["named", *COUNTS, "stability"])
+    parser.add_argument("--out", type=Path, default=Path("results/hard"))
+    parser.add_argument("--trapped", action="store_true")
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+    store = Store(options.out / "scenes", fields=False)
+    if options.trapped:
+        set_traps()
+        verdicts = judged(named_trials(options.out, BriefTrial), store)
+        return 1 if any(one.outcome == "broken" for one in verdicts) else 0
+    found, drawn = [], {}
+    print(f"seed {SEED}, 5 % accuracy; results in {options.out}")
+    for what in options.what:
+        part, _, numbers = what.partition(":")
+        if part == "stability":
+            found += [f"stability: {flaw}" for check in CHECKS for flaw in check(print)]
+            continue
+        if part == "named":
+            print(HEADING)
+            verdicts = judged(
+                (one for one in named_trials(options.out) if numbers in ("", one.case.name)), store
+            )
+        elif numbers.isdecimal():
+            tables = DRAWS[part](int(numbers)).tables
+            show(trial(tables, what, options.out, EFFECTS[part]), tables, store)
+            continue
+        else:
+            first, _, last = numbers.partition("-")
+            wanted = range(int(first), int(last) + 1) if numbers else range(COUNTS[part])
+            print(HEADING)
+            verdicts = judged(random_trials(part, wanted, options.out), store)
+            drawn[part] = verdicts
+        report(part, verdicts)
+        found += complaints(part, verdicts)
+    if drawn:
+        traits = {
+            one.name: DRAWS[kind](int(one.name.partition(":")[2])).traits
+            for kind, verdicts in drawn.items()
+            for one in verdicts
+        }
+        draw_map(drawn, traits, options.out / "map.png")
+        print(f"map: {options.out / 'map.png'}")
+    for complaint in found:
+        print(complaint)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,250 @@
+"""Stability: small causes have small effects, and neither the start, the grid nor the side matters.
+
+Each check takes what to tell its rows to and returns what is wrong, nothing if all is well.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from math import log
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from draws import DRAWS
+from named import ISOTHERMAL, contact
+
+import pyworm
+from pyworm.case import case_of
+from pyworm.climb import anew
+from pyworm.ladder import settle
+from pyworm.planning import Plan
+from pyworm.point_ladder import PointLadder
+from pyworm.scales import scales
+from pyworm.scene import Paraboloid, Scene
+from pyworm.solution import Solution
+
+Tell = Callable[[str], None]
+
+FILMS = ("film_min", "film_central")
+
+NUDGE = 1e-3
+"""Relative change of an input that must not move a film by a jump."""
+
+STEEPEST = 2.0
+"""Largest response: relative change of a film over that of an input."""
+
+CURVED = 0.2
+"""Largest second difference of a film over its first, between three neighbouring solves."""
+
+SETTLED = 1e-5
+"""Relative error of films by unfinished algebra, where solves are compared on one grid."""
+
+ALIKE = 1e-4
+"""Relative difference that first guesses may leave on one grid."""
+
+BENT = 0.5
+"""Largest kink: by how much more a curve's slope, in decades over decades, may change at one point than on
+average beside it."""
+
+
+def scene_of(tables: dict[str, Any], name: str = "stability") -> Scene:
+    """The scene of a case file's content."""
+    return case_of(tables, name, Path()).scene()
+
+
+def nudges(scene: Scene) -> dict[str, Callable[[float], Scene]]:
+    """What makes a scene with one input times a factor."""
+
+    law = scene.oil.viscosity
+
+    def oil(**changes: float) -> Scene:
+        return replace(scene, oil=replace(scene.oil, viscosity=replace(law, **changes)))
+
+    def moving(factor: float) -> Scene:
+        return replace(
+            scene,
+            motions=tuple(
+                replace(motion, u=factor * motion.u, v=factor * motion.v)
+                for motion in scene.motions
+            ),
+        )
+
+    def curved(factor_x: float, factor_y: float) -> Scene:
+        radii = factor_x * scene.radii[0], factor_y * scene.radii[1]
+        return replace(scene, radii=radii, gap=Paraboloid(*radii))
+
+    def elastic(factor: float) -> Scene:
+        return replace(
+            scene,
+            bodies=tuple(
+                replace(body, youngs_modulus=factor * body.youngs_modulus) for body in scene.bodies
+            ),
+        )
+
+    return {
+        "load": lambda factor: replace(scene, load=factor * scene.load),
+        "speed": moving,
+        "viscosity": lambda factor: oil(eta0=factor * law.eta0),
+        "pressure-viscosity": lambda factor: oil(z=factor * law.z),
+        "radius x": lambda factor: curved(factor, 1.0),
+        "radius y": lambda factor: curved(1.0, factor),
+        "Young's modulus": elastic,
+    }
+
+
+def films(solution: Solution) -> np.ndarray:
+    """Minimum and central film [m]."""
+    return np.array([getattr(solution.figures, name).value for name in FILMS])
+
+
+def bars(solution: Solution) -> np.ndarray:
+    """Their relative error bars."""
+    return np.array([getattr(solution.figures, name).error for name in FILMS])
+
+
+def steady(scene: Scene, accuracy: float = 0.02) -> Plan:
+    """A plan whose window is taken as it is, solved so far that algebra is not seen."""
+    return replace(pyworm.plan(scene, accuracy, "isothermal"), wider_grids=(), tolerance=1e-6)
+
+
+HARD = ("M1000-L10", "M200-L20", "coarse-grid-lost", "alpha-p-60", "ellipse-30-oblique", "M2-L0.5")
+"""Named scenes that are looked at closely."""
+
+
+def fixed(scene: Scene, plan: Plan, refinements: int = 1) -> np.ndarray:
+    """Films on the plan's own grids and some finer ones [m]: the same grids whatever the scene."""
+    ladder = PointLadder(scene, plan)
+    rung, _ = ladder.enter(plan.grids)
+    for _ in range(refinements):
+        settle(rung, plan.tolerance, plan.aim, SETTLED)
+        rung, _ = ladder.higher(rung)
+    figures = settle(rung, plan.tolerance, plan.aim, SETTLED).reading.figures
+    return np.array([figures[name] for name in FILMS])
+
+
+def small_changes(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
+    """Any input 0.1 % larger or smaller: films change smoothly and by a bounded amount."""
+    for name in names:
+        scene = scene_of(ISOTHERMAL[name])
+        plan = steady(scene)
+        base = fixed(scene, plan)
+        for what, nudged in nudges(scene).items():
+            more, less = (fixed(nudged(1 + side * NUDGE), plan) for side in (1, -1))
+            slope = (more - less) / (2 * NUDGE * base)
+            bend = np.abs(more - 2 * base + less) / base / NUDGE
+            tell(
+                f"{name:20} {what:20} response {slope[0]:6.3f} {slope[1]:6.3f}, "
+                f"bend {bend[0]:.4f} {bend[1]:.4f}"
+            )
+            if not (np.abs(slope) < STEEPEST).all() or not (bend < CURVED).all():
+                yield f"{name}: {what} changed by 0.1 % moves films by a jump"
+
+
+def first_guesses(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
+    """A dry contact, half the pressure under a thicker film, a film of twice the speed: the same answer."""
+    for name in names:
+        scene = scene_of(ISOTHERMAL[name])
+        reached = np.array(list(_from_three_guesses(scene, steady(scene))))
+        spread = np.ptp(reached, axis=0) / np.mean(reached, axis=0)
+        tell(f"{name:20} three first guesses differ by {spread[0]:.1e} {spread[1]:.1e}")
+        if not (spread < ALIKE).all():
+            yield f"{name}: three first guesses lead to films of {reached.tolist()} m"
+
+
+def _from_three_guesses(scene: Scene, plan: Plan) -> Iterator[list[float]]:
+    """Films on the plan's last grid [m], from each guess; no numbers where the equations are not met."""
+    size = scales(scene)
+    rung, _ = PointLadder(scene, plan).enter(plan.grids)
+    fast, _ = PointLadder(nudges(scene)["speed"](2.0), plan).enter(plan.grids)
+    for one in (rung, fast):
+        settle(one, plan.tolerance, plan.aim, SETTLED)
+    met, rigid_film = rung.film.pressure.copy(order="F"), rung.film.rigid_film
+    anew(scene, size, rung)
+    guesses = (
+        (rung.film.pressure.copy(order="F"), rung.film.rigid_film),
+        (met / 2, rigid_film + 2 * size.film),
+        (fast.film.pressure.copy(order="F"), fast.film.rigid_film),
+    )
+    for pressure, film in guesses:
+        # on the outline it is the grid's boundary value, the same for all
+        pressure[[0, -1], :], pressure[:, [0, -1]] = met[[0, -1], :], met[:, [0, -1]]
+        rung.film.start(pressure, film)
+        figures = settle(rung, plan.tolerance, plan.aim, SETTLED).reading.figures
+        solved = rung.film.balance.worst <= plan.tolerance
+        yield [figures[of] if solved else np.nan for of in FILMS]
+
+
+SWEEPS: dict[str, Callable[[float], dict[str, Any]]] = {
+    "load": lambda share: contact("sweep", 0.2 * share, (0.5, 0.0)),
+    "speed": lambda share: contact("sweep", 20.0, (0.01 * share, 0.0)),
+    "pressure-viscosity": lambda share: contact("sweep", 20.0, (0.5, 0.0), alpha=4e-11 * share),
+    "ellipticity": lambda share: contact("sweep", 20.0, (0.5, 0.0), radii=(0.01, 3.2e-4 * share)),
+}
+"""What is swept -> the case file at a share from 1 to 1000."""
+
+
+def sweeps(tell: Tell, points: int = 25) -> Iterator[str]:
+    """Films over three decades of load, speed, pressure-viscosity and ellipticity: curves without kinks."""
+    shares = np.geomspace(1, 1000, points)
+    step = log(shares[1] / shares[0])
+    for what, case in SWEEPS.items():
+        solutions = []
+        for share in shares:
+            scene = scene_of(case(float(share)))
+            solutions.append(pyworm.solve(scene, pyworm.plan(scene, 0.02, "isothermal")))
+        if not all(solution.converged for solution in solutions):
+            yield f"sweep of {what}: not all converged"
+        slopes = np.diff(np.log([films(solution) for solution in solutions]), axis=0) / step
+        bends = np.diff(slopes, axis=0)
+        kinks = np.abs(bends[1:-1] - (bends[:-2] + bends[2:]) / 2).max(axis=0)
+        tell(
+            f"sweep of {what:20} slope of the central film {slopes[0, 1]:6.3f} to {slopes[-1, 1]:6.3f}, "
+            f"largest kink {kinks[0]:.3f} {kinks[1]:.3f}"
+        )
+        if not (kinks < BENT).all():
+            yield f"sweep of {what}: a kink of {kinks.max():.2f} in slope"
+
+
+MIRRORED = range(0, 40, 8)
+"""Random scenes that are mirrored."""
+
+
+def mirrors(tell: Tell, numbers: range = MIRRORED) -> Iterator[str]:
+    """Scenes mirrored at the x axis have mirrored films."""
+    for number in numbers:
+        scene = scene_of(DRAWS["isothermal"](number).tables, f"isothermal:{number}")
+        mirrored = replace(
+            scene,
+            motions=tuple(
+                replace(motion, v=-motion.v, spin=-motion.spin) for motion in scene.motions
+            ),
+        )
+        one, other = (
+            pyworm.solve(of, pyworm.plan(of, 0.05, "isothermal")) for of in (scene, mirrored)
+        )
+        apart = np.abs(films(one) / films(other) - 1)
+        tell(f"{scene.name:20} and its mirror image differ by {apart[0]:.1e} {apart[1]:.1e}")
+        if not (apart <= bars(one) + bars(other)).all():
+            yield f"{scene.name}: its mirror image has another film"
+
+
+def limits(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
+    """Finer grids move figures towards one limit: each bar holds the next ones' films."""
+    for name in names:
+        scene = scene_of(ISOTHERMAL[name])
+        solved = [
+            pyworm.solve(scene, pyworm.plan(scene, accuracy, "isothermal"))
+            for accuracy in (0.05, 0.02, 0.01)
+        ]
+        best = films(solved[-1])
+        off = [np.abs(films(one) / best - 1) for one in solved[:-1]]
+        tell(
+            f"{name:20} at 5 and 2 % off the films at 1 % by "
+            + ", ".join(f"{of[0]:.1e} {of[1]:.1e}" for of in off)
+        )
+        for one, distance in zip(solved, off, strict=False):
+            if not one.converged or not (distance <= bars(one) + bars(solved[-1])).all():
+                yield f"{name}: an error bar does not hold the film of finer grids"
+
+
+CHECKS = (small_changes, first_guesses, sweeps, mirrors, limits)

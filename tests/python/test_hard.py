@@ -1,0 +1,98 @@
+"""A quick part of the suite of hard scenes (tests/hard): seeded draws, and the closest looks at stability."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import stability
+from draws import DRAWS, HOT_LIMITS, HOT_RANGES, LIMITS, RANGES
+from named import ISOTHERMAL, REFUSED
+from trial import trial, verdict
+
+import pyworm
+from pyworm import climb, kernels
+from pyworm.case_error import CaseError
+from pyworm.grid import Grid
+from pyworm.scales import scales
+from pyworm.store import Store
+
+
+@pytest.mark.parametrize("name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22"])
+def test_random_scenes_converge(tmp_path, name):
+    kind, _, number = name.partition(":")
+    effects = {"isothermal": "isothermal", "thermal": "all"}[kind]
+    one = trial(DRAWS[kind](int(number)).tables, name, tmp_path, effects)
+    store = Store(tmp_path / "scenes", fields=False)
+    first = verdict(one, store)
+    assert first.outcome == "converged"
+    assert verdict(one, store).figures["seconds"] == first.figures["seconds"]  # not solved again
+
+
+@pytest.mark.parametrize("kind", DRAWS)
+def test_draws_depend_on_their_number_alone_and_keep_to_their_ranges(kind):
+    assert DRAWS[kind](5) == DRAWS[kind](5)
+    traits = [DRAWS[kind](number).traits for number in range(60)]
+    ranges = {"isothermal": RANGES | LIMITS, "thermal": HOT_RANGES | HOT_LIMITS}[kind]
+    for name in ("hertz_pressure", "moes_l", "ellipticity", "moes_m", "film"):
+        values = np.array([of[name] for of in traits])
+        low, high = ranges[name].low, ranges[name].high
+        assert low <= values.min() and values.max() <= high
+        # two thirds of the decades are met even by these few
+        assert np.log(values.max() / values.min()) > 0.6 * np.log(high / low)
+
+
+def test_a_grid_on_which_newton_is_lost_costs_only_itself():
+    """Its first grids are so coarse that no step helps; from where they end, none helps on finer ones."""
+    scene = stability.scene_of(ISOTHERMAL["coarse-grid-lost"])
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "isothermal"))
+    assert solution.converged
+    assert solution.history.sizes["iteration"] < 100
+    assert solution.history.residual.max() < 20
+
+
+def test_a_film_started_anew_keeps_its_outline_and_carries_its_load():
+    scene = stability.scene_of(ISOTHERMAL["M200-L20"])
+    size = scales(scene)
+    a = size.hertz.semi_axis_x
+    grid = Grid(-3 * a, -2 * a, a / 8, a / 8, 41, 33)
+    rung = climb.first_rung(scene, scene, size, grid)
+    before = rung.film.pressure.copy()
+    rung.film.start(before / 3, 5 * size.film)
+    climb.anew(scene, size, rung)
+    outline = np.ones(grid.shape, dtype=bool)
+    outline[1:-1, 1:-1] = False
+    assert np.array_equal(rung.film.pressure[outline], before[outline] / 3)
+    assert rung.film.pressure.sum() * grid.cell == pytest.approx(rung.load, rel=1e-3)
+    assert rung.film.thickness().min() > 0.5 * size.film
+
+
+@pytest.mark.parametrize("name", ["coarse-grid-lost"])
+def test_small_changes_have_small_effects(name):
+    assert list(stability.small_changes(lambda row: None, (name,))) == []
+
+
+@pytest.mark.parametrize("name", ["M200-L20"])
+def test_first_guesses_do_not_matter(name):
+    assert list(stability.first_guesses(lambda row: None, (name,))) == []
+
+
+def test_mirrored_scenes_have_mirrored_films():
+    assert list(stability.mirrors(lambda row: None, range(3, 9, 5))) == []
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_no_contact_is_refused(name):
+    tables, said = REFUSED[name]
+    with pytest.raises((CaseError, ValueError), match=said):
+        scene = stability.scene_of(tables)
+        pyworm.plan(scene)
+
+
+def test_kernel_statuses_all_have_words():
+    status = Path(__file__).parents[2] / "fortran" / "base" / "status.f90"
+    numbers = [
+        int(line.rpartition("=")[2])
+        for line in status.read_text().splitlines()
+        if "parameter" in line
+    ]
+    assert [str(kernels.KernelError(number)) for number in numbers if number]
