@@ -23,6 +23,7 @@ from plan_scenes import TRIALS, Trial
 
 import pyworm
 from pyworm.accuracy import HEAT_FIGURES
+from pyworm.effects.catalogue import EFFECTS
 from pyworm.effects.judgement import Judgement
 from pyworm.effects.sketch import sketch
 from pyworm.kernels import KernelError
@@ -34,6 +35,8 @@ from pyworm.units import SHARE, parse
 
 FINER = 1
 """Halvings of a plan's first grid on which the figures of two plans are compared."""
+
+PART_OF = {effect.name: effect.part_of for effect in EFFECTS}
 
 TIGHT = 0.005
 """Accuracy to which both are solved where they have no grid in common, a point and a line contact."""
@@ -153,7 +156,8 @@ def trial(name: str, of: Trial, accuracy: float) -> tuple[dict, list[dict]]:
     return row, [
         one
         for judgement in left
-        if judgement.name in simulated
+        # what is part of another effect that is off too went with that one
+        if judgement.name in simulated and PART_OF[judgement.name] not in simulated - plan.on
         for one in leave_one_out(figures, judgement, whole, of.quantities)
     ]
 

@@ -205,7 +205,7 @@ def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
     times, convolutions = [], []
     for _ in range(CALIBRATION_HALVINGS[kind]):
         started = process_time()
-        rung = ladder.higher(rung)
+        rung, _ = ladder.higher(rung)
         entered = process_time()
         taken = settled(rung, planned)
         times.append((rung.grid.nodes, entered - started, (process_time() - entered) / taken))

@@ -116,6 +116,7 @@ FILM_HEATING = Effect(
     without=_cold,
     lacking=_unknown,
     together=("surface-heating",),
+    eased_by=("shear-thinning",),  # which keeps hot oil from taking all the shear
 )
 
 
@@ -177,6 +178,5 @@ VISCOSITY_ACROSS = Effect(
     without=lambda scene: scene,
     lacking=_unknown,
     together=("film-heating", "surface-heating"),
-    eased_by=("shear-thinning",),  # which keeps hot layers from taking all the shear
     part_of="film-heating",
 )

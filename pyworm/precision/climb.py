@@ -124,7 +124,7 @@ def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
             rung.film.balance.worst <= tolerance and figures["film_min"] > 0,
         )
         watch.go()
-        rung = ladder.higher(rung)
+        rung, _ = ladder.higher(rung)
 
 
 def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) -> Iterator[Point]:
@@ -146,7 +146,7 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
     for number in range(halvings):
         error = _wanted(number)
         settle(rung, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_SHARE * error)
-        rung = ladder.higher(rung)
+        rung, _ = ladder.higher(rung)
     for tolerance in tolerances:
         lead(rung, tolerance)
         figures = read(rung)
