@@ -56,7 +56,7 @@ def test_every_effect_is_judged_and_says_why():
     sliding=st.sampled_from([0.0, 0.01, 0.5]),
     speed=st.floats(0.001, 20.0),
     load=st.floats(0.1, 500.0),
-    eta0=st.floats(0.002, 2.0),
+    eta0=st.floats(0.002, 0.5),
     accuracy=st.sampled_from([0.001, 0.01, 0.05]),
 )
 def test_what_is_left_out_stays_within_the_accuracy(sliding, speed, load, eta0, accuracy):

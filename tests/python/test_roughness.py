@@ -17,6 +17,7 @@ import pyworm
 from pyworm.bodies import Body, composite_roughness
 from pyworm.cli import BAD_INPUT, main
 from pyworm.effects.sketch import sketch
+from pyworm.expectation import Expectation
 from pyworm.result import Result, open_result
 from pyworm.scene_summary import scene_summary
 from pyworm.solution import Estimate
@@ -86,7 +87,7 @@ def test_a_worm_drive_s_roughness_is_judged_too(tmp_path):
     plan = pyworm.plan(scene)
     assert judged(plan).indicator == pytest.approx(sketch(scene).film_min / hypot(0.3e-6, 0.5e-6))
     assert scene_summary(scene)["composite_roughness_m"] == scene.composite_roughness
-    assert "0.5831 µm" in printed(plan_table(scene, plan))
+    assert "0.5831 µm" in printed(plan_table(scene, plan, Expectation(1.0, 100.0)))
 
 
 def test_without_roughness_nothing_is_said_of_it():
@@ -97,7 +98,7 @@ def test_without_roughness_nothing_is_said_of_it():
         set(scene_summary(scene)) | set(make_line_solution().summary())
     )
     said = (
-        printed(plan_table(scene, plan)),
+        printed(plan_table(scene, plan, Expectation(1.0, 100.0))),
         printed(figures_table(scene, make_line_solution().summary(), {})),
     )
     assert not any("oughness" in text or "lambda" in text for text in said)

@@ -39,10 +39,11 @@ def traction(solution):
     return float(stress.sum()) * cell / solution.load
 
 
-def test_a_curve_leaves_its_scenes_and_one_picture(swept, directory):
+def test_a_curve_leaves_its_scenes_and_pictures_of_all(swept, directory):
     assert [solution.slide_roll_ratio for solution in swept] == [-0.5, 0, 0.5]
     assert swept[0].name == "slide-roll ratio -0.5"
-    assert sorted(path.name for path in directory.iterdir()) == ["result.nc", "traction.png"]
+    left = sorted(path.name for path in directory.iterdir())
+    assert left == ["regimes.png", "result.nc", "traction.png"]
 
 
 def test_traction_is_against_the_sliding_and_antisymmetric(swept):
