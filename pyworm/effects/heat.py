@@ -116,7 +116,7 @@ FILM_HEATING = Effect(
     without=_cold,
     lacking=_unknown,
     together=("surface-heating",),
-    eased_by=("shear-thinning",),  # which keeps hot oil from taking all the shear
+    eased_by=("shear-thinning", "limiting-stress"),  # which bound the shear that hot oil takes
 )
 
 
