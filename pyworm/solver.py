@@ -96,7 +96,7 @@ def _rising(progress: Progress | None) -> Progress:
 def _climb(
     scene: Scene | LineScene, plan: Plan, tell: Progress, foot: Rung | None
 ) -> tuple[Solution, Rung]:
-    """Solve a scene as it is; from a rung, if there is one, on which it was solved with fewer effects.
+    """Solve a scene as it is; from a rung of the same grid, if there is one, solved with fewer effects.
 
     Returns the first rung of the figures too.
     """
@@ -112,7 +112,7 @@ def _climb(
     tell(f"{scene.name}: first grids", 0.0)
     rung, strides = (
         ladder.resume(foot)
-        if foot is not None and isinstance(foot, ladder.rungs)
+        if isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]
         else ladder.enter(plan.grids)
     )
     foot = rung

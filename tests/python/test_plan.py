@@ -168,6 +168,17 @@ def test_a_solution_adds_what_its_plan_missed():
         assert one.value == pytest.approx(other.value, rel=0.05), name
 
 
+def test_heat_that_was_missed_gets_the_window_it_needs():
+    """The inlet of a line reaches farther where it warms; a window found without heat is not taken over."""
+    trial = TRIALS["long roller"]
+    solution = pyworm.solve(trial.scene(), pyworm.plan(trial.scene(), 0.05, None, trial.quantities))
+    assert solution.converged
+    on = {one.name for one in solution.effects if one.on}
+    whole = pyworm.plan(trial.scene(), 0.05, ",".join(on), trial.quantities)
+    again = pyworm.solve(trial.scene(), whole)
+    assert solution.figures.film_min.value == pytest.approx(again.figures.film_min.value, rel=1e-3)
+
+
 def test_effects_asked_for_are_judged_but_not_revised():
     scene = ball(sliding=0.5)
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.1, "isothermal", ("film",)))
