@@ -28,7 +28,7 @@ from pyworm.scene import Paraboloid, RigidMotion, Scene
 
 ACCURACIES = (0.05, 0.01, 0.002)
 
-TRIPLES = 10
+COLD, HOT = 20, 10
 
 BUDGETS = {"isothermal": 20.0, "thermal": 60.0}
 """Processor time for the reference of a scene [s]."""
@@ -63,12 +63,13 @@ def thermal_scene(random: np.random.Generator) -> Scene:
 
 
 def scenes() -> Iterator[tuple[str, Scene]]:
-    """Kind and scene; two isothermal ones, those of `error_bars`, to each thermal one."""
-    cold, hot = np.random.default_rng(1), np.random.default_rng(2)
-    for _ in range(TRIPLES):
-        yield "isothermal", random_scene(cold)
-        yield "isothermal", random_scene(cold)
-        yield "thermal", thermal_scene(hot)
+    """Kind and scene, the isothermal ones those of `error_bars`."""
+    random = np.random.default_rng(1)
+    for _ in range(COLD):
+        yield "isothermal", random_scene(random)
+    random = np.random.default_rng(2)
+    for _ in range(HOT):
+        yield "thermal", thermal_scene(random)
 
 
 def true_errors(made: Study, solution) -> dict[str, float]:

@@ -63,17 +63,17 @@ def sensitivity_table(cycle: xr.Dataset) -> Table:
     """Contact of a ZI worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
     load = cycle.attrs["varied_load"]
     table = Table(
-        "Error",
         title=f"Contact in mid-mesh under {load / 1e3:.4g} kN with errors of the assembly",
         title_justify="left",
     )
+    table.add_column("Error", no_wrap=True)
     columns = (
-        ("Along the\nface / mm", "contact_face", 1e3, ".1f"),
-        ("Radius\n/ mm", "contact_radius_on_wheel", 1e3, ".1f"),
-        ("Radii of cur-\nvature / mm", "radius_long", 1e3, ".0f"),
-        ("", "radius_short", 1e3, ".1f"),
+        ("Face\nmm", "contact_face", 1e3, ".1f"),
+        ("Radius\nmm", "contact_radius_on_wheel", 1e3, ".1f"),
+        ("Rx\nmm", "radius_long", 1e3, ".0f"),
+        ("Ry\nmm", "radius_short", 1e3, ".1f"),
         ("Dry\nMPa", "dry_pressure_max", 1e-6, ".0f"),
-        ("Film by\nformula / µm", "formula_film", 1e6, ".2f"),
+        ("Formula\nfilm µm", "formula_film", 1e6, ".2f"),
     )
     for heading, *_ in columns:
         table.add_column(heading, justify="right")
@@ -95,9 +95,9 @@ def sensitivity_table(cycle: xr.Dataset) -> Table:
 
 _ERRORS = {
     "assembly.centre_distance": "centre distance",
-    "assembly.axial_shift": "worm along the wheel's axis",
+    "assembly.axial_shift": "shift of the worm",
     "assembly.shaft_angle": "shaft angle",
-    "hob.swivel": "swivel of the hob",
+    "hob.swivel": "hob's swivel",
 }
 """Entry in error -> what people call it."""
 

@@ -244,9 +244,11 @@ class PointLadder:
         }
 
     def _profile(self, rung: Rung) -> xr.Dataset:
-        """Across the film where it is hottest."""
+        """Across the film where it is hottest, off the outline, where pressure has no slope."""
         rise = rung.film.rise()
-        node = np.unravel_index(np.argmax(rise.max(axis=2)), rung.grid.shape)
+        hottest = rise[1:-1, 1:-1].max(axis=2)
+        inner = np.unravel_index(np.argmax(hottest), hottest.shape)
+        node = int(inner[0]) + 1, int(inner[1]) + 1
         place = np.array(rung.grid.x[node[0]]), np.array(rung.grid.y[node[1]])
         u, v = rung.film.profile(node, [float(of) for of in self._scene.motions[0](*place)])
         return describe(

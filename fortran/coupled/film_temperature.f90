@@ -186,10 +186,14 @@ contains
     call heat_columns(self, self%heat, least, change)
     ! nor is heat of a stress that was not found to count as settled
     if (sum(self%heat%threads%shear%unsolved) > 0) change = hottest
-    call balance_walls(self%heat%walls, wall_tolerance, missed, iterations, reduction)
-    call set_walls(self, least, walls_change)
-    change = max(change, walls_change)
+    ! the walls of a film that has left all sense may not even be numbers in single precision
     call judge_temperature(self, stat)
+    if (stat == status_ok) then
+      call balance_walls(self%heat%walls, wall_tolerance, missed, iterations, reduction)
+      call set_walls(self, least, walls_change)
+      change = max(change, walls_change)
+      call judge_temperature(self, stat)
+    end if
     call self%heat%work%finish()
   end subroutine heat_sweep
 

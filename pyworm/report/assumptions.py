@@ -62,10 +62,16 @@ def assumptions_section(case: Case, result: Result) -> Section:
     items += _drive_items(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:
-        bodies = {name: body.bulk_temperature or min(inlet) for name, body in case.tables.bodies}
+        found = getattr(case.tables, "cooling", None) is not None
+        solids = case.drive.bodies if found else [body for _, body in case.tables.bodies]
+        bodies = {
+            name: body.bulk_temperature or min(inlet)
+            for (name, _), body in zip(case.tables.bodies, solids, strict=True)
+        }
         warm = ", ".join(f"{name} {of - ZERO_CELSIUS:.4g} °C" for name, of in bodies.items())
+        how = "found from losses and [cooling]" if found else "given, not found"
         items.append(
-            f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures given, not found: {warm}."
+            f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
         )
     return Section("What was assumed", (Items(tuple(items)),))
 

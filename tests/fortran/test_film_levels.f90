@@ -24,6 +24,7 @@ program test_film_levels
     call check(maxval(abs(matmul(levels%stiffness, 0.25_wp - z**2) - 2*levels%weight + walls(n))) < 1e-10_wp, &
       "conduction carries a uniform source to the walls")
   end do
+  deallocate (z)
   call done()
 
 contains

@@ -1,7 +1,7 @@
 """The suite of hard scenes: solve, judge, tell, draw.
 
     python tests/hard                   # all; what was solved before is not solved again
-    python tests/hard named             # a part: named, isothermal, thermal, stability
+    python tests/hard named             # a part: named, isothermal, thermal, stability, fuzz
     python tests/hard isothermal:0-99   # some random scenes, by number
     python tests/hard thermal:37        # one scene, with its case file
     python tests/hard --trapped         # the named scenes in a debug build, on their first grids
@@ -14,10 +14,12 @@ import argparse
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from cost_map import draw_map
 from draws import DRAWS, SEED
+from fuzz import many
 from named import GAPS, HOT, ISOTHERMAL
 from stability import CHECKS
 from traps import set_traps
@@ -118,7 +120,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
-    parser.add_argument("what", nargs="*", default=["named", *COUNTS, "stability"])
+    parser.add_argument("what", nargs="*", default=["named", *COUNTS, "stability", "fuzz"])
     parser.add_argument("--out", type=Path, default=Path("results/hard"))
     parser.add_argument("--trapped", action="store_true")
     options = parser.parse_args()
@@ -132,6 +134,10 @@ def main() -> int:
     print(f"seed {SEED}, 5 % accuracy; results in {options.out}")
     for what in options.what:
         part, _, numbers = what.partition(":")
+        if part == "fuzz":
+            with TemporaryDirectory() as directory:
+                found += many(print, Path(directory))
+            continue
         if part == "stability":
             found += [f"stability: {flaw}" for check in CHECKS for flaw in check(print)]
             continue

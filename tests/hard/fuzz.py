@@ -8,12 +8,14 @@ import io
 import json
 import tomllib
 import warnings
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 
 from pyworm.case_error import toml
@@ -75,7 +77,7 @@ def outcome(mutant: Mutant, directory: Path, command: str = "check") -> tuple[in
     said, told = io.StringIO(), io.StringIO()
     try:
         with redirect_stdout(told), redirect_stderr(said), warnings.catch_warnings():
-            warnings.simplefilter("error")
+            warnings.simplefilter("error", RuntimeWarning)
             code = main([command, str(case), "--json"])
     except SystemExit as end:
         code = int(end.code)
@@ -96,6 +98,38 @@ def outcome(mutant: Mutant, directory: Path, command: str = "check") -> tuple[in
     else:
         flaws.append(f"exit code {code}: {sentence}")
     return code, sentence, flaws
+
+
+MANY = {QUICK: 3000, SLOW: 60}
+"""Mutants of each group of cases in the suite."""
+
+
+def many(tell: Callable[[str], None], directory: Path) -> list[str]:
+    """Check many mutants of all cases; what is wrong with any of them."""
+    codes: Counter[int] = Counter()
+    found: list[str] = []
+    for bases, count in MANY.items():
+
+        @seed(count)
+        @settings(
+            max_examples=count,
+            deadline=None,
+            database=None,
+            phases=[Phase.generate],
+            suppress_health_check=list(HealthCheck),
+        )
+        @given(mutants(bases))
+        def one(mutant: Mutant) -> None:
+            code, _, flaws = outcome(mutant, directory)
+            codes[code] += 1
+            found.extend(f"{mutant.base}, {mutant.what}: {flaw}" for flaw in flaws)
+
+        one()
+    tell(
+        f"{codes.total()} mutated cases: {codes[BAD_INPUT]} refused in one sentence, {codes[CONVERGED]} "
+        f"planned, {len(found)} flaws"
+    )
+    return found
 
 
 def _flaws_of_sentence(sentence: str, mutant: Mutant) -> Iterator[str]:

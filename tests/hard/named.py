@@ -254,7 +254,7 @@ ISOTHERMAL: dict[str, dict[str, Any]] = {
 
 HOT: dict[str, dict[str, Any]] = {
     **{f"slide-roll-{ratio:g}": sliding(ratio) for ratio in (0, 2)},
-    "slide-roll-20": sliding(20.0, mean=0.3),
+    "slide-roll-20": sliding(20.0, 0.5e9, 0.1),
     "slide-roll-20-fast": sliding(20.0, title="40 m/s of sliding at 1 GPa"),
     "opposite-sliding": sliding(
         0.0,
@@ -267,8 +267,8 @@ HOT: dict[str, dict[str, Any]] = {
         0.5, oil__shear__stress="0.1 MPa", title="Eyring stress far below the contact's stresses"
     ),
     "eyring-far-above": sliding(
-        0.02,
-        0.4e9,
+        0.01,
+        0.6e9,
         oil__shear__stress="500 MPa",
         oil__shear__limit="500 MPa",
         title="Eyring stress far above the contact's stresses",
@@ -279,7 +279,7 @@ HOT: dict[str, dict[str, Any]] = {
             "law": "eyring-limited",
             "stress": "5 MPa",
             "limit": "5 MPa",
-            "limit_pressure": 0.01,
+            "limit_pressure": 0.02,
         },
         title="Limiting stress reached over most of the contact",
     ),
