@@ -19,7 +19,9 @@ LESSONS = [
     ROOT / "docs/how-to/add-a-drive.md",
 ]
 
-PYTHON = re.compile(r"^```python\n(.*?)^```\n(?:\s*prints\s+(?:```\n(.*?)```|`([^`]*)`))?", re.M | re.S)
+PYTHON = re.compile(
+    r"^```python\n(.*?)^```\n(?:\s*prints\s+(?:```\n(.*?)```|`([^`]*)`))?", re.M | re.S
+)
 """A block of Python and, if the page says so right after it, what it prints."""
 
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]\d+)?")
@@ -28,7 +30,9 @@ FENCED = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^ {4}\S.*$", re.M)
 INLINE = re.compile(r"`([^`]+)`")
 
-FILE = re.compile(r"\b(?:benchmarks|cases|docs|fortran|pyworm|tests|tools)/[\w./-]*\w\.\w+\b")
+FILE = re.compile(
+    r"(?<![\w/])(?:benchmarks|cases|docs|fortran|pyworm|tests|tools)/[\w./-]*\w\.\w+\b"
+)
 LINK = re.compile(r"\]\(([^)#\s]+)")
 
 STAND_INS = {"P": "0.5", "SECONDS": "60", "$SLURM_ARRAY_TASK_ID/40": "1/40"} | {
@@ -77,7 +81,7 @@ def test_command_lines_are_found():
 
 def _commands(text: str) -> list[list[str]]:
     """The command lines of a page, without the program; those that are only named end in --help."""
-    fenced = [block[2] for block in FENCED.finditer(text) if block[1] not in ("python", "toml")]
+    fenced = [block[2] for block in FENCED.finditer(text) if block[1] != "toml"]
     prose = FENCED.sub("", text)
     lines = chain.from_iterable(part.splitlines() for part in (*fenced, *INDENTED.findall(prose)))
     shown = [words for line in lines for words in _spoken(line)]
@@ -91,12 +95,13 @@ def _has_arguments(words: list[str]) -> bool:
 
 def _spoken(line: str) -> list[list[str]]:
     """The command lines in a line of code: without comments, optional parts in, alternatives apart."""
-    found = re.search(r'("?)(?:^|[\s"/])pyworm (?=[a-z])(.*)', line)
-    if found is None or re.match(r"\s*python ", line):
+    found = re.search(r'(^|[\s"/])pyworm (?=[a-z])', line)
+    if found is None:
         return []
-    quoted = line[: found.start(2)].rstrip("pyworm ").endswith('"')
-    said = found[2].partition('"')[0] if quoted else found[2]
-    said = re.split(r"\s{2,}| \|\| ", said)[0]
+    said = line[found.end() :]
+    if found[1] == '"':
+        said = said.partition('"')[0]
+    said = re.split(r"\s{2,}| # | \|\| ", said)[0]
     said = re.sub(r" \.\.\.|[][]", "", said)
     first, *others = said.split(" | ")
     prefix = first.rpartition(" ")[0]
