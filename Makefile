@@ -4,6 +4,7 @@ PYTHON ?= python3
 VENV := .venv
 INSTALLED := $(VENV)/.installed
 DEBUG := build/debug
+DOCS := $(VENV)/.docs-installed
 CONTACT := zi_sharif_2001
 DRIVE := zi_drive
 
@@ -13,12 +14,13 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install demo test test-fortran test-python hard lint clean
+.PHONY: help install demo test test-fortran test-python hard docs lint clean
 
 help:
 	@echo "make demo   run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test   run the Fortran and the Python tests"
 	@echo "make hard   run the suite of hard scenes; resumes (SCENE=thermal:37 for one of them)"
+	@echo "make docs   build the documentation as a site, build/docs/index.html; a warning fails it"
 	@echo "make lint   run the linters"
 	@echo "make clean  remove the virtual environment and all that was built (results stay)"
 
@@ -46,6 +48,13 @@ test-python: $(INSTALLED)
 
 hard: $(INSTALLED)
 	python tests/hard $(SCENE)
+
+$(DOCS): $(INSTALLED)
+	python -m pip install --quiet --disable-pip-version-check --no-build-isolation --editable ".[docs]"
+	@touch $@
+
+docs: $(DOCS)
+	mkdocs build
 
 lint: $(INSTALLED)
 	ruff check .
