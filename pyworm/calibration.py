@@ -7,25 +7,22 @@ told as a part that every step has and one for each node, for each of the models
 import json
 import os
 import platform
-from collections.abc import Callable
 from dataclasses import asdict, astuple, dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from statistics import median
 from time import process_time
 
 import numpy as np
 
 from pyworm.bodies import Body
 from pyworm.effects.judgement import simplified
-from pyworm.kernels import LineFilm, PointFilm
 from pyworm.ladder import settle
 from pyworm.line.scene import LineScene, Parabola
 from pyworm.oils import Density, FlowLaw, Oil, OilHeat, Roelands
 from pyworm.output import whole_file
 from pyworm.planning import Model, Plan, plan
 from pyworm.scene import Paraboloid, RigidMotion, Scene
-from pyworm.solver import LADDERS
+from pyworm.solver import LADDERS, convolution_seconds
 from pyworm.work import Kind, Work
 
 FORMAT = 2
@@ -38,9 +35,6 @@ CALIBRATION_HALVINGS = {"point": 2, "line": 4}
 """Halvings from the first grid to the finest timed."""
 
 CALIBRATION_ACCURACY = 0.01
-
-TIMED_CONVOLUTIONS = 5
-"""Convolutions timed, of which the median is taken."""
 
 
 @dataclass(frozen=True)
@@ -217,17 +211,6 @@ def settled(rung, planned: Plan) -> int:
     """Steps in which a rung settled."""
     taken = settle(rung, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
     return max(len(taken.strides), 1)
-
-
-def convolution_seconds(film: PointFilm | LineFilm) -> float:
-    """Processor time of one convolution on a film's grid, the unit of cost [s]."""
-    return median(_seconds(film.convolve) for _ in range(TIMED_CONVOLUTIONS))
-
-
-def _seconds(work: Callable[[], object]) -> float:
-    started = process_time()
-    work()
-    return process_time() - started
 
 
 _STEEL = Body(210e9, 0.3, 7850.0, 47.0, 450.0, 333.15)

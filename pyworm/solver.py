@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import Reading, domain_errors, grid_errors
-from pyworm.kernels import NO_MEMORY, KernelError
+from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
@@ -153,7 +153,7 @@ def _climb(
         strides += steps
     seconds, work = perf_counter() - started, process_time() - started_work
 
-    unit = _convolution_work(rung)
+    unit = convolution_seconds(rung.film)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
     solution = Solution(
@@ -290,11 +290,14 @@ def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:
     )
 
 
-def _convolution_work(rung: Rung) -> float:
-    """Processor time of one convolution [s]; elapsed time would count what else the machine does."""
+def convolution_seconds(film: PointFilm | LineFilm) -> float:
+    """Processor time of one convolution on a film's grid, the unit of cost [s].
+
+    Elapsed time would count what else the machine does.
+    """
     times = []
     for _ in range(TIMED_CONVOLUTIONS):
         started = process_time()
-        rung.film.convolve()
+        film.convolve()
         times.append(process_time() - started)
     return median(times)

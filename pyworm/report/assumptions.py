@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from pyworm.case import Case
 from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.roller_worm import RollerWormDrive
 from pyworm.drives.zi_load import Transmission
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.effects.judgement import Judgement
@@ -90,8 +91,10 @@ def _drive_items(case: Case) -> list[str]:
             "Shafts and teeth do not bend, but for the contact itself; no dynamic loads but by the load "
             "factor.",
         ]
-    if drive is not None:
+    if isinstance(drive, RollerWormDrive):
         return [f"The load is shared as operation.sharing = {case.tables.operation.sharing} says."]
+    if drive is not None:
+        return ["The load of each contact is what the drive says."]
     return ["One contact, with the curvature, velocities and load given."]
 
 
