@@ -252,7 +252,9 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
 
 def effects_table(effects: Sequence[Judgement], title: str) -> Table:
     """Every effect, whether it is simulated, what leaving it out changes, and why it is on or off."""
-    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    table = Table(
+        title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True
+    )
     table.add_column("Effect", no_wrap=True)
     table.add_column("")
     table.add_column("Indicator", justify="right", no_wrap=True)
