@@ -7,7 +7,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.effects.judgement import Judgement
-from pyworm.expectation import Expectation
+from pyworm.expectation import Expectation, duration, rough
 from pyworm.line.scene import LineScene
 from pyworm.place import PLACE_NAMES, Place
 from pyworm.planning import Plan
@@ -245,8 +245,8 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
-    table.add_row("Expected time", f"{expected.seconds:.2g} s")
-    table.add_row("Expected convolutions", f"{expected.convolutions:.2g}")
+    table.add_row("Expected time", duration(expected.seconds))
+    table.add_row("Expected convolutions", rough(expected.convolutions))
     return table
 
 
