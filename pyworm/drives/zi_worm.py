@@ -353,10 +353,17 @@ class ZiWormDrive:
         springs = None if self.load.sharing == "equal" else self.springs
         return share(self.load, phases, arms, lever, ahead, springs)
 
+    @cached_property
+    def unlifted(self) -> "ZiWormDrive | None":
+        """The drive whose teeth share their load as without films; None where no lift of films is known."""
+        if not isinstance(self.load, Transmission) or not self.load.lifts:
+            return None
+        return replace(self, load=replace(self.load, lifts=()))
+
     @property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
-        still = replace(self.load, sharing="elastic", friction=0.0)
+        still = replace(self.load, sharing="elastic", friction=0.0, lifts=())
         return _springs(replace(self, load=still, speed=1.0, driver="worm"))
 
     def scene(self, phase: float) -> Scene:
