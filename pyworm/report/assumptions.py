@@ -107,7 +107,8 @@ def _worm_load(drive: ZiWormDrive) -> str:
         )
     return (
         f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
-        f"friction {load.friction:.2g} in the balance of torques)."
+        f"friction {load.friction:.2g} in the balance of torques"
+        f"{', with the lift of their films' if load.lifts else ''})."
     )
 
 
