@@ -13,9 +13,9 @@ import xarray as xr
 
 from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
-from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
+from pyworm.drives.passing import with_neighbours
 from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.tooth_gap import ToothGap, ToothMotion, surface_points
 from pyworm.drives.zi_data import loaded_cycle_data, mesh_cycle_data, tooth_data
@@ -368,7 +368,7 @@ class ZiWormDrive:
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return with_film_rate(self._scene, phase, self.phases_per_second)
+        return with_neighbours(self._scene, phase, self.phases_per_second)
 
     def _scene(self, phase: float) -> Scene:
         load = self.shared(phase).force(phase)

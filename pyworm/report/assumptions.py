@@ -58,7 +58,8 @@ def assumptions_section(case: Case, result: Result) -> Section:
     """What was assumed: numbers that the source does not give, and what the models take for granted."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     items += [
-        "Smooth flanks, an inlet full of oil, and at each phase a film that has had time to settle.",
+        "Smooth flanks, an inlet full of oil, and at each phase a steady film (the table of effects says "
+        "what squeeze would change).",
     ]
     items += _drive_items(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}

@@ -188,7 +188,8 @@ def test_a_driven_worm_has_the_motions_reversed(drive):
     forward, back = drive.scene(0.4), replace(drive, driver="wheel").scene(0.4)
     for one, other in zip(forward.motions, back.motions, strict=True):
         np.testing.assert_allclose(np.array(one(2e-3, 1e-3)), -np.array(other(2e-3, 1e-3)))
-    assert back.film_rate == pytest.approx(-forward.film_rate, rel=1e-6)
+    assert back.neighbours.seconds == pytest.approx(forward.neighbours.seconds)
+    assert back.neighbours.before.phase == forward.neighbours.after.phase > forward.phase
 
 
 def test_dry_contacts_are_solved_once_for_equal_drives(monkeypatch):
