@@ -3,8 +3,8 @@
 !> Thinning is written as a function of the square of the stress, by which films shear in two directions
 !> (Sharif, Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. From
 !> half a per cent below it they are continued exponentially: there a body slips over its film, and the slip
-!> follows the shear stress at its wall. Thinning then keeps a derivative, and the stress stays within half a
-!> per cent of the limit up to slips of twenty thousand times the shear beside them.
+!> follows the shear stress at its wall. Thinning then keeps a derivative. The stress passes the limit by half a
+!> per cent where a body slips 500 times as fast as its film would shear at 0.995 of it, by one per cent at 100 000.
 module flow_laws
   use kinds, only: wp
   implicit none(type, external)
