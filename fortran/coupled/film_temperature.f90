@@ -354,8 +354,9 @@ contains
     do line = from, to, onward
       !$omp do schedule(static)
       do cut = 1, size(heat%returns, 1)
-        if (onward > 0 .or. heat%returns(cut, line)) &
+        if (onward > 0 .or. heat%returns(cut, line)) then
           call heat_cut(self, line, cut, least, heat, heat%threads(thread), change, returned)
+        end if
         call keep_line(heat, line + onward, cut)
       end do
     end do
