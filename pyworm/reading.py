@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import nan
 
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
@@ -234,7 +235,7 @@ def _edge(outer: float, inner: float) -> float:
 def outline_imbalance(
     grid: Grid, flow: tuple[Array, Array], imbalance: Array, pressurised: Array
 ) -> float:
-    """Net over gross flow through the outline of the pressurised film.
+    """Net over gross flow through the outline of the pressurised film; no number where nothing flows.
 
     Parameters
     ----------
@@ -257,4 +258,4 @@ def outline_imbalance(
             np.diff(flow[axis], axis=axis),
         )
         gross += np.abs(near + far / 2)[change].sum() * width / 2
-    return float(net / gross)
+    return float(net / gross) if gross > 0 else nan

@@ -6,7 +6,7 @@ import pytest
 from pyworm import kernels
 from pyworm.extremum import line_minimum, minimum
 from pyworm.grid import Grid
-from pyworm.reading import exit_minimum, maximum, maximum_across
+from pyworm.reading import exit_minimum, maximum, maximum_across, outline_imbalance
 
 
 @pytest.mark.parametrize("levels", [5, 7, 13])
@@ -139,3 +139,9 @@ def test_the_exit_minimum_is_found_between_places_looked_at():
     value, place = exit_minimum(grid, film, np.arctan2(0.6, 0.8))
     assert value == pytest.approx(1, abs=1e-9)
     assert place == pytest.approx(4.3e-5, rel=1e-4)
+
+
+def test_where_nothing_flows_there_is_no_share_out_of_balance():
+    grid, still = Grid(0.0, 0.0, 1.0, 1.0, *SHAPE), np.zeros(SHAPE)
+    assert np.isnan(outline_imbalance(grid, (still, still), still, X > 5))
+    assert outline_imbalance(grid, (still + 1, still), still, X > 5) == 0
