@@ -17,12 +17,13 @@ export OPENBLAS_NUM_THREADS ?= 1
 .PHONY: help install demo test test-fortran test-python hard docs lint clean
 
 help:
-	@echo "make demo   run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
-	@echo "make test   run the Fortran and the Python tests"
-	@echo "make hard   run the suite of hard scenes; resumes (SCENE=thermal:37 for one of them)"
-	@echo "make docs   build the documentation as a site, build/docs/index.html; a warning fails it"
-	@echo "make lint   run the linters"
-	@echo "make clean  remove the virtual environment and all that was built (results stay)"
+	@echo "make install  what the other targets need and is missing"
+	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
+	@echo "make test     run the Fortran and the Python tests"
+	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one of them)"
+	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
+	@echo "make lint     run the linters"
+	@echo "make clean    remove the virtual environment and all that was built (results stay)"
 
 install: $(INSTALLED)
 

@@ -25,9 +25,10 @@ import expected_cost
 from accuracy_page import fill, markdown
 
 import pyworm
+from pyworm.expectation import duration
 from pyworm.plots.precision import draw_precision
 from pyworm.plots.style import write
-from pyworm.precision.report import LABELS, percent, seconds
+from pyworm.precision.report import LABELS, percent
 from pyworm.precision.study import TARGETS, Study
 from pyworm.precision.survey import study
 
@@ -92,7 +93,7 @@ def cheapest_rows(made: Study) -> Iterable[Sequence[str]]:
                 if choice is None
                 else ", ".join(
                     part
-                    for part in (choice[0].name, choice[1].label, seconds(choice[1].seconds))
+                    for part in (choice[0].name, choice[1].label, duration(choice[1].seconds))
                     if part
                 )
                 for choice in choices

@@ -65,7 +65,7 @@ def draw_plan(axes, drive):
     axes.annotate(
         "", (0, middle), (0, 2 * a - middle), arrowprops={"arrowstyle": "<->", "color": "black"}
     )
-    axes.text(2, a + 12, r"$d_t = k\,a$", size=9)
+    axes.text(0, 2 * a - middle + 16, r"$d_t = k\,a$", size=9, ha="center")
     arc = np.linspace(0, np.radians(40), 40)
     axes.plot(70 * np.sin(arc), 70 * np.cos(arc), color="0.3", lw=0.8)
     axes.plot([0, 112 * np.sin(arc[-1])], [0, 112 * np.cos(arc[-1])], color="0.3", lw=0.8)

@@ -267,7 +267,7 @@ def _check(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
-    from pyworm.expectation import expectation
+    from pyworm.expectation import duration, expectation
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import effects_table, plan_table
 
@@ -292,7 +292,9 @@ def _check(options: argparse.Namespace) -> int:
             console.print(effects_table(task.plan.effects, "Effects"))
         if len(tasks) > 1:
             seconds = sum(of.seconds for of in expected)
-            console.print(f"Expected time of all {len(tasks)}: {seconds:.2g} s", highlight=False)
+            console.print(
+                f"Expected time of all {len(tasks)}: {duration(seconds)}", highlight=False
+            )
     return CONVERGED
 
 
@@ -305,6 +307,7 @@ def _precision(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm.expectation import duration
     from pyworm.kernels import KernelError
     from pyworm.plots.precision import draw_precision
     from pyworm.plots.style import write
@@ -314,7 +317,8 @@ def _precision(options: argparse.Namespace) -> int:
     name = ", ".join(part for part in (case.name, str(task.place)) if part)
     expected = expected_seconds(task.scene, task.quantities)
     _say(
-        f"{name}: some {min(expected, options.budget):.2g} s, of {expected:.2g} s without a budget"
+        f"{name}: some {duration(min(expected, options.budget))}, "
+        f"of {duration(expected)} without a budget"
     )
     try:
         with _progress() as progress:

@@ -68,3 +68,13 @@ def _sampling(scene: Scene | LineScene, plan: Plan) -> float:
     nodes = sum(stage.nodes for stage in plan.work.stages)
     whole = nodes * (gap + times * motions) + FIELDS * plan.work.finest * motions
     return whole / SAMPLES**2
+
+
+def rough(value: float) -> str:
+    """A number that is not known well, as people read it: two digits, without powers of ten."""
+    return f"{float(f'{value:.2g}'):.10g}"
+
+
+def duration(seconds: float) -> str:
+    """A time [s] as people read it."""
+    return f"{rough(seconds)} s" if seconds >= 0.01 else f"{rough(seconds * 1e3)} ms"

@@ -50,16 +50,19 @@ def rows(result: SweepResult) -> list[dict[str, Any]]:
 def rows_table(result: SweepResult) -> Table:
     """A row a scene."""
     data = result.table
-    varied = [columns(result, axis)[0] for axis in result.axes]
-    varied += [name for name in PLACE_NAMES if name in data]
+    varied = [name for axis in result.axes for name in telling(result, axis)]
+    varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]
     shown = [figure for figure in _FIGURES if figure[1] in data]
-    table = Table(title=result.title, title_justify="left", box=SIMPLE_HEAD, padding=0)
+    table = Table(
+        title=result.title, title_justify="left", box=SIMPLE_HEAD, padding=0, show_edge=False
+    )
     for key in varied:
         unit = data[key].attrs.get("units", "")
-        table.add_column(f"{key.rpartition('.')[2]}\n{unit}".rstrip(), justify="right")
+        heading = key.rpartition(".")[2].replace("_", " ")
+        table.add_column(f"{heading}\n{unit}".rstrip(), justify="right", overflow="fold")
     for heading, *_ in shown:
-        table.add_column(heading, justify="right")
-    table.add_column("Converged")
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("Con-\nverged")
     for number in range(data.sizes["scene"]):
         row = data.isel(scene=number)
         cells = [_cell(row[key].item()) for key in varied]
@@ -79,6 +82,23 @@ def columns(result: SweepResult, axis: list[str]) -> list[str]:
         if any(name == key or str(name).startswith(f"{key}[") for key in axis)
         and len(np.unique(result.table[name])) > 1
     ] or axis[:1]
+
+
+def telling(result: SweepResult, axis: list[str]) -> list[str]:
+    """Those variables of keys that go together by which their scenes are told apart.
+
+    Most often the first, as of both bodies' velocities; errors of assembly, one at a time, take all.
+    """
+    first, *others = columns(result, axis)
+    chosen = [first]
+    for name in others:
+        if _combinations(result, [*chosen, name]) > _combinations(result, chosen):
+            chosen.append(name)
+    return chosen
+
+
+def _combinations(result: SweepResult, names: list[str]) -> int:
+    return len(set(zip(*(result.table[name].values.tolist() for name in names), strict=True)))
 
 
 def _cell(value: float | str) -> str:

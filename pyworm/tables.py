@@ -7,7 +7,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.effects.judgement import Judgement
-from pyworm.expectation import Expectation
+from pyworm.expectation import Expectation, duration, rough
 from pyworm.line.scene import LineScene
 from pyworm.place import PLACE_NAMES, Place
 from pyworm.planning import Plan
@@ -245,14 +245,16 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
-    table.add_row("Expected time", f"{expected.seconds:.2g} s")
-    table.add_row("Expected convolutions", f"{expected.convolutions:.2g}")
+    table.add_row("Expected time", duration(expected.seconds))
+    table.add_row("Expected convolutions", rough(expected.convolutions))
     return table
 
 
 def effects_table(effects: Sequence[Judgement], title: str) -> Table:
     """Every effect, whether it is simulated, what leaving it out changes, and why it is on or off."""
-    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    table = Table(
+        title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True
+    )
     table.add_column("Effect", no_wrap=True)
     table.add_column("")
     table.add_column("Indicator", justify="right", no_wrap=True)

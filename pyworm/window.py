@@ -76,8 +76,9 @@ def near_reach(size: Scales) -> Reach:
 def window(scene: Scene, size: Scales, reach: Reach) -> Box:
     """Smallest rectangle around the contact on whose sides the gap is as high as `reach` asks.
 
-    The gap counts from the surface that a dry contact would flatten to. Where the teeth end the window
-    ends one sample beyond them.
+    The gap counts from the surface that a dry contact would flatten to: Hertz's approach above the least
+    gap around the contact point, where relieved tips leave some tens of micrometres. Where the teeth end the
+    window ends one sample beyond them.
     """
     box = [
         -1.5 * size.hertz.semi_axis_x,
@@ -85,24 +86,31 @@ def window(scene: Scene, size: Scales, reach: Reach) -> Box:
         -1.5 * size.hertz.semi_axis_y,
         1.5 * size.hertz.semi_axis_y,
     ]
+    gap, covered = _sampled(scene, box)
+    least = gap[covered].min() if covered.any() else 0.0
+    flat = least + size.hertz.approach
     for _ in range(MOST_GROWTHS):
-        x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
-        gap, covered = scene.gap(*np.meshgrid(x, y, indexing="ij"))
         open_sides = [
             side
             for side, (low, exists) in enumerate(_sides(gap, covered))
             if exists.any()
-            and low[exists].min()
-            < size.hertz.approach + _height(scene, box, side, reach) * size.film
+            and low[exists].min() < flat + _height(scene, box, side, reach) * size.film
         ]
         if not open_sides:
             return tuple(box)
         for side in open_sides:
             box[side] *= GROWTH
+        gap, covered = _sampled(scene, box)
     raise ValueError(
         f"{scene.name}: the gap does not rise above {reach.inlet:g} films within {abs(box[0]):.1g} m of the "
         "contact point; give it curvature, or ends, in every direction"
     )
+
+
+def _sampled(scene: Scene, box) -> tuple[np.ndarray, np.ndarray]:
+    """Gap and where both surfaces exist, on the sampling grid."""
+    x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
+    return scene.gap(*np.meshgrid(x, y, indexing="ij"))
 
 
 def _sides(gap, covered):

@@ -39,6 +39,9 @@ def draw_roller_drive(result: Result) -> Figure:
         axes.set_ylabel("y / mm")
         if number:
             axes.set_zticks([])
+            # seen from above the axis' own label falls off the picture
+            axes.set_xlabel("")
+            axes.text2D(0.5, -0.04, "x / mm", transform=axes.transAxes, ha="center")
         else:
             axes.set_zlabel("z / mm")
             axes.legend(loc="upper left", frameon=False, fontsize=8)

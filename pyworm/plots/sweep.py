@@ -13,7 +13,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from pyworm.place import PLACE_NAMES
 from pyworm.plots.style import new_figure, write
-from pyworm.sweep_report import columns
+from pyworm.sweep_report import columns, telling
 from pyworm.sweep_table import SweepResult
 
 # Variable, factor from SI to the unit shown, label, variable of its error, whether that is relative.
@@ -109,17 +109,22 @@ def _axes(result: SweepResult) -> list[_Axis]:
     table = result.table
     axes = []
     for keys in result.axes:
-        first, *others = columns(result, keys)
-        unit = table[first].attrs.get("units", "")
-        label = (
-            f"{first} and {len(others)} more" if len(others) > 1 else " and ".join([first, *others])
-        )
-        axes.append(_axis(f"{label} / {unit}" if unit else label, table[first].values))
+        names = telling(result, keys)
+        labels = names if len(names) > 1 else [_joint(columns(result, keys))]
+        for name, label in zip(names, labels, strict=True):
+            unit = table[name].attrs.get("units", "")
+            axes.append(_axis(f"{label} / {unit}" if unit else label, table[name].values))
     for name in PLACE_NAMES:
         if name in table:
             axes.append(_axis(name.replace("_", " "), table[name].values))
     varying = [axis for axis in axes if axis.distinct.size > 1]
     return varying or axes[:1]
+
+
+def _joint(names: Sequence[str]) -> str:
+    """What variables that go together are called."""
+    first, *others = names
+    return f"{first} and {len(others)} more" if len(others) > 1 else " and ".join(names)
 
 
 def _axis(label: str, values: np.ndarray) -> _Axis:

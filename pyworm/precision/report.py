@@ -7,6 +7,7 @@ from typing import Any
 
 from rich.table import Table
 
+from pyworm.expectation import duration
 from pyworm.precision.climb import Point
 from pyworm.precision.study import TARGETS, Curve, Study
 
@@ -46,17 +47,12 @@ def _told(choice: tuple[Curve, Point] | None) -> str:
         return "none"
     curve, point = choice
     grid = f"{point.label}, " if point.shape else ""
-    return f"{curve.name}\n{grid}{seconds(point.seconds)}"
+    return f"{curve.name}\n{grid}{duration(point.seconds)}"
 
 
 def percent(share: float) -> str:
     """A share as people read it."""
     return f"{share * 100:.0f} %" if share >= 0.095 else f"{share * 100:.2g} %"
-
-
-def seconds(value: float) -> str:
-    """A time as people read it."""
-    return f"{value:.2g} s" if value >= 0.01 else f"{value * 1e3:.2g} ms"
 
 
 def rows(study: Study) -> Iterator[dict[str, Any]]:

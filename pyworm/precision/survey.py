@@ -6,7 +6,7 @@ from math import inf, isfinite
 from time import perf_counter
 
 from pyworm.effects.sketch import sketch
-from pyworm.expectation import expectation
+from pyworm.expectation import duration, expectation
 from pyworm.kernels import KernelError
 from pyworm.line.scene import LineScene
 from pyworm.planning import PARABOLA, Model
@@ -124,7 +124,7 @@ class _Study:
         if len(complete.points) < LEAST_GRIDS:
             raise BudgetError(
                 f"{LEAST_GRIDS} grids of the most complete model are needed, "
-                f"that is some {self._wanted(complete):.2g} s"
+                f"that is some {duration(self._wanted(complete))}"
             )
         if len(settled_row(complete.points)) < 2:
             raise NoReferenceError(f"{complete.name}: the film settles on too few grids")

@@ -26,6 +26,9 @@ _LINE = {
     "moes": ("Moes 2000", film.moes_line),
 }
 
+MOST_SLIDING = 2.0
+"""Slide-roll ratio up to which the formulas for heating of the inlet hold."""
+
 
 def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
     """Every film formula at a contact, side by side with the simulated film.
@@ -95,7 +98,8 @@ def _heated(seen: Sketch) -> str:
     loading = thermal_reduction.thermal_loading(
         seen.oil.viscosity.eta0, seen.inlet_beta, seen.speed, seen.oil.heat.conductivity
     )
-    ratio = min(seen.sliding / seen.speed, 2.0)
+    sliding = seen.sliding / seen.speed
+    ratio = min(sliding, MOST_SLIDING)
     left = {"Wilson and Sheu": thermal_reduction.wilson_sheu(loading, ratio)}
     pressed = seen.pressure_max / seen.scene.reduced_modulus
     if 13.2 * pressed * loading**0.42 < 1:  # beyond it his formula ends
@@ -105,7 +109,8 @@ def _heated(seen: Sketch) -> str:
             loading, ratio, groups.material, groups.load
         )
     shares = ", ".join(f"{share:.2g} ({source})" for source, share in left.items())
+    beyond = f", beyond {MOST_SLIDING:g} and taken as that" if sliding > MOST_SLIDING else ""
     return (
-        f"Heating of the inlet (loading L = {loading:.2g}, slide-roll ratio {ratio:.2g}) leaves of the film: "
-        f"{shares}."
+        f"Heating of the inlet (loading L = {loading:.2g}, slide-roll ratio {sliding:.2g}{beyond}) leaves of "
+        f"the film: {shares}."
     )

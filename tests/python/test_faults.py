@@ -261,6 +261,26 @@ def test_a_full_disk_is_told_and_costs_no_earlier_result(tmp_path, result_file):
     assert len(open_result(tmp_path / "out" / "result.nc").solutions) == 2
 
 
+# --------------------------------------------------------------------- a limit on processor time
+
+LIMITED = """
+import resource, sys
+resource.setrlimit(resource.RLIMIT_CPU, (600, resource.RLIM_INFINITY))
+import pyworm
+scene = pyworm.load(sys.argv[1]).scene()
+print(pyworm.solve(scene, pyworm.plan(scene, accuracy=0.05)).cost.convolutions)
+"""
+"""A solve under a batch system's limit, by which Linux tells processor time in ticks of milliseconds."""
+
+
+def test_a_clock_that_ticks_slowly_still_tells_the_cost():
+    line = str(CASES / "line_m20_l10.toml")
+    command = [sys.executable, "-c", LIMITED, line]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ended.returncode == 0, ended.stderr
+    assert 0 <= float(ended.stdout) < 1e6
+
+
 # ------------------------------------------------------------------------------------ interrupts
 
 

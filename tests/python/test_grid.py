@@ -53,6 +53,19 @@ def test_a_window_reaches_until_the_gap_has_risen():
     assert south == pytest.approx(-north)
 
 
+@pytest.mark.parametrize("relief", [-3e-6, 20e-6, 1e-3])
+def test_a_window_is_the_same_wherever_the_gap_counts_from(relief):
+    scene = circular(100, 10)
+
+    def relieved(x, y):
+        gap, covered = scene.gap(x, y)
+        return gap + relief, covered
+
+    size, reach = scales(scene), Reach(50.0, 10.0)
+    lowered = window(replace(scene, gap=relieved), size, reach)
+    assert lowered == pytest.approx(window(scene, size, reach))
+
+
 def test_a_window_ends_where_the_teeth_do():
     scene = circular(100, 10)
 
