@@ -1,20 +1,22 @@
-"""Friction and loss fed back into what they depend on.
+"""Friction, lifts and loss fed back into what they depend on.
 
-The loads of a drive's teeth follow from its torque and from friction, the temperatures of its oil and bodies
-from the loss between the teeth; friction and loss follow from films under these loads and temperatures. The
-first pass takes usual values. Where those found would change loads or temperatures too much, films are solved
-again; temperatures, which take several passes, are found with every `STRIDE`-th phase first.
+The loads of a drive's teeth follow from its torque, from friction and from how far films lift the teeth off
+each other, the temperatures of its oil and bodies from the loss between the teeth; all of these follow from
+films under these loads and temperatures. The first pass takes usual values, and no lift. Where those found
+would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
+temperatures are found with every `STRIDE`-th phase, lifts with all phases at an accuracy of `GLANCE`.
 """
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from pyworm.case import Case
-from pyworm.drive_cycle import Loss, drive_cycle
+from pyworm.case import Case, case_again
+from pyworm.drive_cycle import DriveCycle, drive_cycle
 from pyworm.result import Result, case_in
 from pyworm.run import RESULT_NAME, run
 from pyworm.solver import Progress
@@ -28,6 +30,9 @@ WARM_PASSES = 8
 
 STRIDE = 4
 """Every which phase is solved while temperatures are sought."""
+
+GLANCE = 0.1
+"""Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load."""
 
 LOAD_SHARE = 0.25
 """Change of the loads that asks for another pass, as a share of the accuracy."""
@@ -59,9 +64,12 @@ def run_balanced(
     search = _Search(open_, tasks[0].accuracy, say)
     if earlier:
         case = case.with_found(earlier)
-    elif "cooling" in open_:
-        some = [*tasks[:-1:STRIDE], tasks[-1]]
-        case, _, _ = search.settle(case, some, how, WARM_PASSES)
+    else:
+        if "cooling" in open_:
+            some = [*tasks[:-1:STRIDE], tasks[-1]]
+            case, _, _ = search.settle(case, some, how, WARM_PASSES)
+        if "lifts" in open_.get("operation", ()) and search.accuracy < GLANCE:
+            case = search.glance(case, tasks, how)
     case, result, tasks = search.settle(case, tasks, how, PASSES)
     return result, tasks
 
@@ -70,9 +78,14 @@ def run_balanced(
 class _Search:
     """Passes over a case until what it finds is what it took."""
 
-    open: dict[str, str]
+    open: dict[str, tuple[str, ...]]
     accuracy: float
     say: Callable[[str], None]
+
+    def glance(self, case: Case, tasks: Sequence[Task], how: tuple) -> Case:
+        """The case with what films that are less accurate find."""
+        tasks = [replace(task, case=case, accuracy=GLANCE) for task in tasks]
+        return self._next(case, run(case, tasks, *how), [])
 
     def settle(
         self, case: Case, tasks: Sequence[Task], how: tuple, passes: int
@@ -82,30 +95,37 @@ class _Search:
         while True:
             tasks = [replace(task, case=case) for task in tasks]
             result = run(case, tasks, *how)
-            cycle = drive_cycle(result)
             passes -= 1
-            if cycle is None or cycle.loss is None or passes == 0:
+            new = case if passes == 0 else self._next(case, result, losses)
+            if new is case:
                 return case, result, tasks
-            found = self._found(case, cycle.loss, losses)
-            if not found:
-                return case, result, tasks
-            told = " and ".join(
-                f"{table}.{key} = {value:g}"
-                for table, of in found.items()
-                for key, value in of.items()
-            )
-            self.say(f"solved again with {told}")
-            case = case.with_found(found)
+            case = new
+
+    def _next(self, case: Case, result: Result, losses: list[tuple[float, float]]) -> Case:
+        """The case to solve next; itself if what was found hardly changes it."""
+        cycle = drive_cycle(result)
+        if cycle is None or cycle.loss is None:
+            return case
+        found = self._found(case, cycle, losses)
+        if not found:
+            return case
+        self.say(f"solved again with {' and '.join(_told(found))}")
+        return case.with_found(found)
 
     def _found(
-        self, case: Case, loss: Loss, losses: list[tuple[float, float]]
-    ) -> dict[str, dict[str, float]]:
+        self, case: Case, cycle: DriveCycle, losses: list[tuple[float, float]]
+    ) -> dict[str, dict[str, Any]]:
         """What is to be changed; nothing if it hardly matters."""
-        found = {}
-        friction = float(f"{loss.friction:.2g}")
-        if "operation" in self.open:
-            found["operation"] = {"friction": friction}
-        enough = load_change(case, friction) <= LOAD_SHARE * self.accuracy
+        loss = cycle.loss
+        of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
+        found = {
+            table: {key: of_loads[key] for key in keys}
+            for table, keys in self.open.items()
+            if table == "operation"
+        }
+        enough = not found or (
+            load_change(case, found["operation"], cycle.phases) <= LOAD_SHARE * self.accuracy
+        )
         if "cooling" in self.open:
             assumed = tooth_loss_of(case)
             losses.append((assumed, loss.power))
@@ -132,27 +152,45 @@ def tooth_loss_of(case: Case) -> float:
     return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other_loss
 
 
-def load_change(case: Case, friction: float) -> float:
-    """Share by which the loads of a drive's teeth change with another friction in the balance."""
-    load = case.drive.load
-    arms = case.drive.arms(np.array([0.5]))
-    before, after = (float(arms.of(load.shaft, of)[0]) for of in (load.friction, friction))
-    return abs(before / after - 1)
+def _told(found: dict[str, dict[str, Any]]) -> list[str]:
+    """What was found, as one would write it into a case file."""
+    said = []
+    for table, of in found.items():
+        for key, value in of.items():
+            if key != "lifts":
+                said.append(f"{table}.{key} = {value:g}")
+            elif value is not None:
+                lifts = [1e6 * lift for _, lift in value]
+                said.append(f"{table}.lifts of {min(lifts):.2f} to {max(lifts):.2f} µm")
+    return said
 
 
-def _earlier(case: Case, directory: Path) -> dict[str, dict[str, float]]:
+def load_change(case: Case, operation: dict[str, Any], phases: Sequence[float]) -> float:
+    """Largest share by which loads at some phases change with other values in `[operation]`."""
+    drives = case.drive, case.with_found({"operation": operation}).drive
+    before, after = (
+        np.array([drive.shared(phase).force(phase) for phase in phases]) for drive in drives
+    )
+    return float(np.max(np.abs(after / before - 1)))
+
+
+def _earlier(case: Case, directory: Path) -> dict[str, dict[str, Any]]:
     """What an earlier run of the same case found and kept there; nothing if there was none."""
     kept = case_in(directory / RESULT_NAME)
     if kept is None or _given(kept, case.left_open) != _given(case.resolved, case.left_open):
         return {}
-    found = {table: {key: kept[table][key]} for table, key in case.left_open.items()}
+    tables = case_again(kept).tables
+    found = {
+        table: {key: getattr(getattr(tables, table), key) for key in keys}
+        for table, keys in case.left_open.items()
+    }
     return found if all(None not in of.values() for of in found.values()) else {}
 
 
-def _given(resolved: dict, open_: dict[str, str]) -> dict:
+def _given(resolved: dict, open_: dict[str, tuple[str, ...]]) -> dict:
     """A case without what is found, and without the phases asked for."""
     left = {
-        table: {key: value for key, value in resolved[table].items() if key != found}
+        table: {key: value for key, value in resolved[table].items() if key not in found}
         for table, found in open_.items()
         if resolved.get(table) is not None
     }

@@ -127,22 +127,24 @@ class Case:
         return tables
 
     @property
-    def left_open(self) -> dict[str, str]:
-        """What its solution is to find that it depends on itself: table -> key in it.
+    def left_open(self) -> dict[str, tuple[str, ...]]:
+        """What its solution is to find that it depends on itself: table -> keys in it.
 
-        The friction in the balance of torques, and the loss between the teeth in the balance of heat.
+        The friction in the balance of torques, the lifts of the films in the sharing of the load, and the
+        loss between the teeth in the balance of heat.
         """
         if not isinstance(self.tables, ZiWormCase) or self.tables.operation.load is not None:
             return {}
-        known = {"operation": "friction", "cooling": "tooth_loss"}
-        return {
-            table: key
-            for table, key in known.items()
+        yields = self.tables.operation.sharing != "equal"
+        known = {"operation": ("friction",) + ("lifts",) * yields, "cooling": ("tooth_loss",)}
+        left = {
+            table: tuple(key for key in keys if getattr(getattr(self.tables, table), key) is None)
+            for table, keys in known.items()
             if getattr(self.tables, table) is not None
-            and getattr(getattr(self.tables, table), key) is None
         }
+        return {table: keys for table, keys in left.items() if keys}
 
-    def with_found(self, found: dict[str, dict[str, float]]) -> "Case":
+    def with_found(self, found: dict[str, dict[str, Any]]) -> "Case":
         """The case with values of its tables in place of its own: table -> key -> value."""
         tables = {
             name: getattr(self.tables, name).model_copy(update=values)

@@ -88,6 +88,7 @@ def _transmission(tables: ZiWormCase, worm_speed: float, ratio: float) -> Transm
         sharing=operation.sharing or "elastic",
         friction=FIRST_FRICTION if operation.friction is None else operation.friction,
         stiffness=tables.drive.stiffness or inf,
+        lifts=operation.lifts or (),
     )
 
 

@@ -139,6 +139,9 @@ def cycle_table(cycle: DriveCycle) -> Table:
             table.add_row(label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C")
     if cycle.lambda_min is not None:
         extreme("Least lambda", cycle.lambda_min, 1.0, "")
+    if cycle.lifted is not None:
+        share, phase = cycle.lifted
+        table.add_row("Load moved by lift of films", f"{share * 100:+.2g} %", f"{phase:g}")
     loss = cycle.loss
     if loss is not None:
         table.add_section()

@@ -108,6 +108,11 @@ class DriveCycle:
     bulk : dict of str to float
         Temperatures of "sump", "worm" and "wheel" that the films were solved with [K]; empty where heat was
         not simulated.
+    lifts : tuple of tuple of float
+        Phases and how far films lift the teeth there [m]; empty where they are not known.
+    lifted : tuple of float or None
+        Largest share by which the films' lift moved the load of a phase solved, and that phase; None where
+        loads were shared without.
     """
 
     phases: tuple[float, ...]
@@ -118,6 +123,8 @@ class DriveCycle:
     lambda_min: Extreme | None
     loss: Loss | None
     bulk: dict[str, float]
+    lifts: tuple[tuple[float, float], ...] = ()
+    lifted: tuple[float, float] | None = None
 
     def summary(self) -> dict:
         """All of it as one object, units in the keys."""
@@ -133,6 +140,8 @@ class DriveCycle:
             },
             "bulk_temperature_C": {name: of - ZERO_CELSIUS for name, of in self.bulk.items()},
             "lambda_min": self.lambda_min and _told(self.lambda_min, ""),
+            "load_moved_by_lift": self.lifted
+            and dict(zip(("share", "phase"), self.lifted, strict=True)),
             **(
                 {}
                 if loss is None
@@ -194,7 +203,25 @@ def drive_cycle(result: Result) -> DriveCycle | None:
             if all(one.figures.power_loss is not None for one in good)
             else None
         ),
+        lifts=(
+            tuple((one.phase, one.figures.lift) for one in good)
+            if all(one.figures.lift is not None for one in good)
+            else ()
+        ),
+        lifted=_lifted(cycle, good) if "dry_tooth_load" in cycle else None,
     )
+
+
+def _lifted(cycle: xr.Dataset, good: list[Solution]) -> tuple[float, float]:
+    """Largest share by which lifts moved the load of a phase solved, and that phase."""
+    phases = np.array([one.phase for one in good])
+    loads = (
+        np.interp(phases, cycle["load_phase"], cycle[name])
+        for name in ("tooth_load", "dry_tooth_load")
+    )
+    share = np.divide(*loads) - 1
+    most = int(np.argmax(np.abs(share)))
+    return float(share[most]), float(phases[most])
 
 
 def _extreme(

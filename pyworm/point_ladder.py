@@ -184,6 +184,7 @@ class PointLadder:
             ),
             "film_exit_min": exit_min,
             "film_exit_min_at": exit_min_at,
+            "lift": rung.film.rigid_film + dry.approach,
             "dry": DryFigures(
                 reading.maximum(dry.pressure, rung.covered),
                 max(extents),

@@ -11,6 +11,7 @@ from math import inf
 import numpy as np
 
 from pyworm.bodies import Body, composite_roughness, reduced_modulus
+from pyworm.neighbours import Neighbours
 from pyworm.oils import Oil
 
 Array = np.ndarray
@@ -90,8 +91,8 @@ class Scene:
         Place on a traction curve: sliding over entrainment [-]; None outside one.
     section, station : str or None, float or None
         Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
-    film_rate : float or None
-        How fast the film grows as the drive turns, d(ln h)/dt [1/s]; None where nothing changes.
+    neighbours : Neighbours or None
+        The contact before and after, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies keep their shape under the film.
     """
@@ -107,7 +108,7 @@ class Scene:
     slide_roll_ratio: float | None = None
     section: str | None = None
     station: float | None = None
-    film_rate: float | None = None
+    neighbours: "Neighbours[Scene] | None" = None
     rigid: bool = False
 
     @property

@@ -85,6 +85,9 @@ class Figures:
     film_exit_min, film_exit_min_at : float or None
         Minimum film on the entrainment line through the contact point [m] and how far along it [m]; None for
         a line contact, where it is the minimum film.
+    lift : float or None
+        How much farther apart the film holds the bodies than they would be without oil, rigid separation
+        against rigid separation under the same load [m]; None for a line contact, which has no approach.
     dry : DryFigures or None
         The dry contact; None for a line contact, whose is Hertz's in closed form.
     friction_coefficient, power_loss, shear_rate_max : Estimate or None
@@ -109,6 +112,7 @@ class Figures:
     film_min_kind: str = "exit"
     film_exit_min: float | None = None
     film_exit_min_at: float | None = None
+    lift: float | None = None
     dry: DryFigures | None = None
     friction_coefficient: Estimate | None = None
     power_loss: Estimate | None = None
@@ -271,6 +275,7 @@ class Solution:
         return {
             "film_exit_min_m": figures.film_exit_min,
             "film_exit_min_at_m": figures.film_exit_min_at,
+            "film_lift_m": figures.lift,
             "dry_pressure_max_Pa": figures.dry.pressure_max,
             "dry_length_m": figures.dry.length,
             "dry_width_m": figures.dry.width,

@@ -51,6 +51,7 @@ VARIABLES = {
     "supply": ("1", "speed at which the oil came into the contact over the entrainment's"),
     "load_phase": ("1", "place in the mesh cycle under load, which goes on at edges"),
     "tooth_load": ("N", "normal load of a tooth pair"),
+    "dry_tooth_load": ("N", "normal load of a tooth pair if films did not lift any"),
     "sliding_speed": ("m/s", "velocity of the worm against the wheel at the contact point"),
     "sliding_lever": ("m", "lever about the wheel's axis of a force along that velocity"),
     "error": ("1", "entry of the design that is in error"),

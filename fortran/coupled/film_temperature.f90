@@ -31,9 +31,13 @@ module film_temperature
   integer, parameter :: most_columns = 32
   !> Share of the largest pressure above which temperatures must settle; elsewhere they move little oil.
   real(wp), parameter :: judged_pressure = 0.02_wp
+  !> Change of the columns in which oil flows against the march, over the largest rise, from which they are swept so too.
+  real(wp), parameter :: lagging = 0.01_wp
   !> Share of the walls' imbalance that a sweep leaves, and the Krylov iterations that it may take.
   real(wp), parameter :: wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
+  !> Least share of a sweep's change that is taken.
+  real(wp), parameter :: least_share = 0.125_wp
 
   !> What a thread works on: columns and their shear, and of their levels the derivative of the fluidity by temperature
   !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat that compression and
@@ -61,10 +65,17 @@ module film_temperature
     !> Temperature, (0:length + 1, lines, levels), with room for what would lie beside the ends of a line; that of the
     !> line in work, and of the next, before the sweep, line k at mod(k, 2).
     real(wp), allocatable :: rise(:, :, :), old(:, :, :)
+    !> Whether oil flows against the march in the columns of a cut, (cuts, lines), and by how much a sweep changed them [K].
+    logical, allocatable :: returns(:, :)
+    real(wp) :: returned = 0
     !> Flux into the walls and its derivatives (`wall_balance`), (length, lines, wall) and (length, lines, wall, wall).
     real(wp), allocatable :: flux(:, :, :), admittance(:, :, :, :)
     !> Temperature at the nodes of the grid before a step.
     real(wp), allocatable :: before(:, :, :)
+    !> Share of a sweep's change that is taken, now and in the step before (nought if there was none), and the whole
+    !> change of the sweep in the step before [K].
+    real(wp) :: share = 1, last_share = 0
+    real(wp), allocatable :: wanted(:, :, :)
     !> Scratch of each thread.
     type(column_work), allocatable :: threads(:)
     type(work_tally) :: work
@@ -103,7 +114,9 @@ contains
         allocate (heat%u1(n, lines), heat%v1(n, lines), heat%us(n, lines), heat%vs(n, lines), heat%p(n, lines), &
           heat%h(n, lines), heat%stress_x(n, lines), heat%stress_y(n, lines), heat%friction(n, lines), &
           heat%carried(n, lines), heat%rate(n, lines), heat%rise(0:n + 1, lines, levels), heat%old(0:n + 1, 0:1, levels), &
-          heat%flux(n, lines, 2), heat%admittance(n, lines, 2, 2), heat%before(nx, ny, levels), source=0.0_wp, stat=err)
+          heat%flux(n, lines, 2), heat%admittance(n, lines, 2, 2), heat%before(nx, ny, levels), &
+          heat%wanted(nx, ny, levels), source=0.0_wp, stat=err)
+        if (err == 0) allocate (heat%returns((n - 3)/most_columns + 1, lines), source=.false., stat=err)
       end associate
       if (err == 0) allocate (heat%threads(0:omp_get_max_threads() - 1), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
@@ -130,7 +143,8 @@ contains
   !>
   !> For the arguments see `film_step`, for `change` `heat_sweep`. The whole of Newton's step is judged after the heat
   !> that follows it, so that flows are evaluated once. Where that is too much, by the step or by the heat, the step
-  !> is sought at the temperature before. Heat is swept even if no step helps.
+  !> is sought at the temperature before, and heat follows by half at most: a film that has thinned under pressure from
+  !> before makes heat without bound. Heat is swept even if no step helps.
   subroutine heated_step(self, forcing, p, h0, residual, load_error, krylov, step, change, stat)
     type(heated_contact), intent(inout) :: self
     real(wp), intent(in) :: forcing
@@ -138,7 +152,7 @@ contains
     real(wp), intent(inout) :: h0, residual, load_error
     integer, intent(out) :: krylov, stat
     real(wp), intent(out) :: step, change
-    real(wp) :: merit
+    real(wp) :: merit, most
     integer :: heat_stat
 
     step = 0
@@ -149,22 +163,64 @@ contains
     self%heat%before(:, :, :) = self%shear%nodes%rise
     step = 1
     call move_film(self%point_contact, step, p, h0)
-    call heat_sweep(self, change, stat)
-    if (stat == status_ok) then
-      call film_balance(self%point_contact, residual, load_error)
-      if (bearable(merit, residual, load_error)) return
+    call warm_film(self, 1.0_wp, residual, load_error, change, heat_stat)
+    if (heat_stat == status_interrupted) stat = heat_stat
+    if (stat /= status_ok) return
+    if (heat_stat /= status_ok .or. .not. bearable(merit, residual, load_error)) then
+      call set_temperature(self, self%heat%before)
+      call search_step(self%point_contact, merit, p, h0, residual, load_error, step, stat)
+      most = merge(0.5_wp, 1.0_wp, self%heat%last_share > 0)
+      call warm_film(self, most, residual, load_error, change, heat_stat)
+      if (heat_stat /= status_ok) stat = heat_stat
     end if
-    if (stat == status_interrupted) return
-    call set_temperature(self, self%heat%before)
-    call search_step(self%point_contact, merit, p, h0, residual, load_error, step, stat)
-    call heat_sweep(self, change, heat_stat)
-    if (heat_stat == status_ok) then
-      call film_balance(self%point_contact, residual, load_error)
-    else
-      stat = heat_stat
-      change = hottest
-    end if
+    self%heat%last_share = self%heat%share
+    self%heat%wanted(:, :, :) = (self%shear%nodes%rise - self%heat%before)/self%heat%share
   end subroutine heated_step
+
+  !> A sweep of heat, of whose change the share that settles is taken, `most` of it at most, and the balance of the film
+  !> that it leaves.
+  subroutine warm_film(self, most, residual, load_error, change, stat)
+    type(heated_contact), intent(inout) :: self
+    real(wp), intent(in) :: most
+    real(wp), intent(inout) :: residual, load_error
+    real(wp), intent(out) :: change
+    integer, intent(out) :: stat
+
+    self%heat%share = 1
+    call heat_sweep(self, change, stat)
+    if (stat /= status_ok) return
+    associate (heat => self%heat, rise => self%shear%nodes%rise)
+      heat%share = min(settling_share(self), most)
+      if (heat%share < 1) call set_temperature(self, heat%before + heat%share*(rise - heat%before))
+    end associate
+    call film_balance(self%point_contact, residual, load_error)
+  end subroutine warm_film
+
+  !> Share of a sweep's change to be taken: less than all where sweeps undo or redouble what those before did, by
+  !> Aitken's extrapolation over the nodes where pressure counts (Kuettler and Wall 2008).
+  real(wp) function settling_share(self) result(share)
+    type(heated_contact), intent(in) :: self
+    real(wp) :: turn, length, least, bend
+    integer :: i, j, k
+
+    turn = 0
+    length = 0
+    least = judged_pressure*maxval(self%fields%p)
+    associate (heat => self%heat, rise => self%shear%nodes%rise)
+      do k = 1, size(rise, 3)
+        do j = 1, size(rise, 2)
+          do i = 1, size(rise, 1)
+            if (.not. self%fields%p(i, j) > least) cycle
+            bend = rise(i, j, k) - heat%before(i, j, k) - heat%wanted(i, j, k)
+            turn = turn - bend*heat%wanted(i, j, k)
+            length = length + bend**2
+          end do
+        end do
+      end do
+      share = 1
+      if (heat%last_share > 0 .and. length > 0) share = min(max(heat%last_share*turn/length, least_share), 1.0_wp)
+    end associate
+  end function settling_share
 
   !> One sweep over the columns, with the entrainment, then the balance of the walls.
   !>
@@ -213,6 +269,8 @@ contains
       self%heat%stress_y = 0
       walls%flux = 0
       walls%admittance = 0
+      self%heat%returned = 0
+      self%heat%last_share = 0
       do i = 1, 2
         walls%wall(:, :, i) = walls%body(i)%bulk
       end do
@@ -258,7 +316,8 @@ contains
     end associate
   end subroutine set_walls
 
-  !> One sweep over the columns, with walls as they are.
+  !> One sweep over the columns, with walls as they are: with the march, after one against it where oil that flows so has
+  !> not settled.
   !>
   !> `change` is the largest of temperature [K] at more than a pressure of `least` [Pa].
   subroutine heat_columns(self, heat, least, change)
@@ -266,22 +325,53 @@ contains
     type(film_heat), intent(inout) :: heat
     real(wp), intent(in) :: least
     real(wp), intent(out) :: change
-    integer :: line, first, thread, last
+    real(wp) :: settling, returned
 
     call enter_march(self, heat)
-    last = heat%way%length - 1
+    returned = 0
+    if (heat%returned > lagging*maxval(heat%rise)) call heat_lines(self, heat, least, heat%way%lines - 1, 2, -1, settling, returned)
+    call heat_lines(self, heat, least, 2, heat%way%lines - 1, 1, change, returned)
+    heat%returned = returned
+    call leave_march(self, heat)
+  end subroutine heat_columns
+
+  !> The lines from..to, one after another; against the march only where oil flows so.
+  !>
+  !> `returned` grows to the largest change where it does [K].
+  subroutine heat_lines(self, heat, least, from, to, onward, change, returned)
+    type(heated_contact), intent(in) :: self
+    type(film_heat), intent(inout) :: heat
+    real(wp), intent(in) :: least
+    integer, intent(in) :: from, to, onward
+    real(wp), intent(out) :: change
+    real(wp), intent(inout) :: returned
+    integer :: line, cut, thread
+
+    heat%old(:, mod(from, 2), :) = heat%rise(:, from, :)
     change = 0
-    !$omp parallel private(line, thread) reduction(max:change)
+    !$omp parallel private(line, thread) reduction(max:change, returned)
     thread = omp_get_thread_num()
-    do line = 2, heat%way%lines - 1
+    do line = from, to, onward
       !$omp do schedule(static)
-      do first = 2, last, most_columns
-        call heat_cut(self, line, first, min(first + most_columns - 1, last), least, heat, heat%threads(thread), change)
+      do cut = 1, size(heat%returns, 1)
+        if (onward > 0 .or. heat%returns(cut, line)) &
+          call heat_cut(self, line, cut, least, heat, heat%threads(thread), change, returned)
+        call keep_line(heat, line + onward, cut)
       end do
     end do
     !$omp end parallel
-    call leave_march(self, heat)
-  end subroutine heat_columns
+  end subroutine heat_lines
+
+  !> Keeps a cut of a line as it is before it is worked on, with the ends of the line and the room beside them.
+  subroutine keep_line(heat, line, cut)
+    type(film_heat), intent(inout) :: heat
+    integer, intent(in) :: line, cut
+    integer :: first, last
+
+    first = merge(0, 2 + (cut - 1)*most_columns, cut == 1)
+    last = merge(heat%way%length + 1, 1 + cut*most_columns, cut == size(heat%returns, 1))
+    heat%old(first:last, mod(line, 2), :) = heat%rise(first:last, line, :)
+  end subroutine keep_line
 
   !> What the columns need from the nodes of the grid.
   subroutine enter_march(self, heat)
@@ -294,7 +384,6 @@ contains
     do k = 1, self%shear%nodes%levels%count
       call to_march(heat%way, self%shear%nodes%rise(:, :, k), heat%rise(1:heat%way%length, :, k))
     end do
-    heat%old(:, 0, :) = heat%rise(:, 2, :)
   end subroutine enter_march
 
   !> What the columns give to the nodes and to the walls.
@@ -314,17 +403,19 @@ contains
     end do
   end subroutine leave_march
 
-  !> The columns first..last of a line.
-  subroutine heat_cut(self, line, first, last, least, heat, work, change)
+  !> The columns of a cut of a line.
+  subroutine heat_cut(self, line, cut, least, heat, work, change, returned)
     type(heated_contact), intent(in) :: self
-    integer, intent(in) :: line, first, last
+    integer, intent(in) :: line, cut
     real(wp), intent(in) :: least
     type(film_heat), intent(inout) :: heat
     type(column_work), intent(inout) :: work
-    real(wp), intent(inout) :: change
+    real(wp), intent(inout) :: change, returned
     real(wp), dimension(most_columns) :: mean, capacity, carried, warmed, fastest, friction
-    integer :: m, k, i
+    integer :: first, last, m, k, i
 
+    first = 2 + (cut - 1)*most_columns
+    last = min(1 + cut*most_columns, heat%way%length - 1)
     m = last - first + 1
     associate (nodes => self%shear%nodes, p => heat%p(first:last, line), u1 => heat%u1(first:last, line), &
         v1 => heat%v1(first:last, line), shear => work%shear, columns => work%columns)
@@ -350,8 +441,10 @@ contains
       heat%stress_y(first:last, line) = shear%tau_y(:m)
       if (heat%way%along_x) then
         call carry(heat, line, first, last, capacity, work%v, work%u, columns%absorption, work%inflow)
+        heat%returns(cut, line) = any(work%u(:m, :)*heat%way%per_line < 0)
       else
         call carry(heat, line, first, last, capacity, work%u, work%v, columns%absorption, work%inflow)
+        heat%returns(cut, line) = any(work%v(:m, :)*heat%way%per_line < 0)
       end if
       fastest = 0
       friction = 0
@@ -372,16 +465,13 @@ contains
         heat%rise(first:last, line, k) = columns%temperature(:m, k)
       end do
       change = max(change, maxval(warmed(:m), mask=p > least))
+      if (heat%returns(cut, line)) returned = max(returned, maxval(warmed(:m)))
       do k = 1, 2
         heat%flux(first:last, line, k) = columns%flux(:m, k)
         do i = 1, 2
           heat%admittance(first:last, line, i, k) = columns%admittance(:m, i, k)
         end do
       end do
-      ! with the ends of the line, and the room beside them
-      i = merge(0, first, first == 2)
-      k = merge(heat%way%length + 1, last, last == heat%way%length - 1)
-      heat%old(i:k, mod(line + 1, 2), :) = heat%rise(i:k, line + 1, :)
     end associate
   end subroutine heat_cut
 

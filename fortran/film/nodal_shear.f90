@@ -1,6 +1,6 @@
 !> Shear of a point contact's film at the nodes: the flow across the film that faces have for the flow through them.
 module nodal_shear
-  use flow_laws, only: stress_scales
+  use flow_laws, only: has_limit, slip_stress, stress_scales
   use kinds, only: wp
   use oil_laws, only: oil_law, hot_fluidity
   use point_film, only: point_contact
@@ -73,9 +73,25 @@ contains
     softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
     call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), shear%step_x(:m), shear%limit(:m), &
       shear%step_y(:m))
+    if (has_limit(nodes%law)) call bear_gradient(shear)
     call solve_shear(nodes%law, nodes%levels, shear, failures)
     shear%unsolved = shear%unsolved + failures
   end subroutine shear_columns
+
+  !> Reduces gradients that would let both walls slip to what the film bears. Through faces such a gradient drives oil
+  !> without end, so that no solution has any; between two faces it comes from a jump of pressure that the grid does not
+  !> resolve, as at an edge of rupture.
+  pure subroutine bear_gradient(shear)
+    type(shear_strip), intent(inout) :: shear
+    real(wp) :: share
+    integer :: i
+
+    do i = 1, shear%points
+      share = 2*slip_stress(shear%limit(i))/max(shear%film(i)*hypot(shear%px(i), shear%py(i)), 2*slip_stress(shear%limit(i)))
+      shear%px(i) = share*shear%px(i)
+      shear%py(i) = share*shear%py(i)
+    end do
+  end subroutine bear_gradient
 
   !> Fields of a contact's shear; the flow factors, which cost more than all others, if wanted.
   subroutine shear_fields(contact, factors_wanted, field, stat)

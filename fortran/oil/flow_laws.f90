@@ -1,10 +1,10 @@
 !> How an oil flows under shear: rate = F(tau) = g tau / eta, with g >= 1 the thinning of its law.
 !>
 !> Thinning is written as a function of the square of the stress, by which films shear in two directions
-!> (Sharif, Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. Within
-!> half a per cent of it they are continued exponentially: there a body slips over its film, and the slip
-!> follows the shear stress at its wall. The stress then stays below the limit at any speed, and thinning
-!> keeps a derivative.
+!> (Sharif, Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. From
+!> half a per cent below it they are continued exponentially: there a body slips over its film, and the slip
+!> follows the shear stress at its wall. Thinning then keeps a derivative. The stress passes the limit by half a
+!> per cent where a body slips 500 times as fast as its film would shear at 0.995 of it, by one per cent at 100 000.
 module flow_laws
   use kinds, only: wp
   implicit none(type, external)
@@ -25,9 +25,9 @@ module flow_laws
 
   !> Share of the limit at which a wall slips (Sharif et al., text to fig. 4).
   real(wp), parameter :: slip_share = 0.995_wp
-  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it: fifty such steps, more than
-  !> any ratio of slip to shear, still end below the limit.
-  real(wp), parameter :: slip_step = 1e-4_wp
+  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it. A tenth of this left films that slip all
+  !> over without a solution: which wall slips is decided by a gradient that its steps cannot resolve.
+  real(wp), parameter :: slip_step = 1e-3_wp
   !> Least limiting stress [Pa]: one proportional to pressure would else forbid the oil to flow at ambient pressure.
   real(wp), parameter :: least_limit = 1e5_wp
   !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.

@@ -1,11 +1,12 @@
 """What the pictures of a ZI worm drive show beside solutions: its mesh cycle, and the tooth of a contact."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
+from pyworm.drives.zi_load import SharedLoad
 from pyworm.scene import Gap
 from pyworm.variables import describe
 
@@ -65,7 +66,10 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
     phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
     arms = drive.arms(phases)
     shared = [drive.shared(float(phase)) for phase in phases]
-    loads = [one.force(float(phase)) for one, phase in zip(shared, phases, strict=True)]
+    dry = {}
+    if drive.unlifted is not None:
+        unlifted = [drive.unlifted.shared(float(phase)) for phase in phases]
+        dry = {"dry_tooth_load": ("load_phase", _loads(unlifted, phases))}
     radius, face = drive.wheel_tooth.rim(60)
     warm = {}
     if drive.oil.heat is not None:
@@ -78,7 +82,8 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
     return describe(
         xr.Dataset(
             {
-                "tooth_load": ("load_phase", np.array(loads)),
+                "tooth_load": ("load_phase", _loads(shared, phases)),
+                **dry,
                 "wheel_turn": ("load_phase", np.array([one.turn for one in shared])),
                 "sliding_speed": ("load_phase", np.linalg.norm(drive.sliding(phases), axis=0)),
                 "lever": ("load_phase", arms.wheel_normal),
@@ -97,6 +102,11 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
             },
         )
     )
+
+
+def _loads(shared: Sequence[SharedLoad], phases: np.ndarray) -> np.ndarray:
+    """Normal load [N] of the pair at each phase."""
+    return np.array([of.force(float(phase)) for of, phase in zip(shared, phases, strict=True)])
 
 
 def tooth_data(

@@ -4,11 +4,14 @@ Worm and wheel are rigid but for their contacts and, if a stiffness is given, th
 the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. Every flank normal has the
 same lever about the wheel's axis, so the pair k approaches by
 
-    delta_k = lever (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness,           (1)
+    delta_k = lever (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
 
-ahead_k being how far the wheel would be ahead if pair k alone led it, without load (the transmission error).
+ahead_k being how far the wheel would be ahead if pair k alone led it, without load (the transmission error),
+lift_k how much farther its film holds the bodies apart than they would be under the same load without oil.
 The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a
-little beyond, rest on a tooth's edge. Theta is where the moments of all pairs balance the torque, friction
+little beyond, rest on a tooth's edge; lifts from solved films, once there are some: film formulas are not
+made for a contact entrained along its length, and got the difference of two lifts wrong by as much as it is
+(docs/drives/zi-worm.md). Theta is where the moments of all pairs balance the torque, friction
 included: the sliding drags the wheel's tooth along with the worm by friction F_k, so that about an axis
 
     torque = sum over k of F_k [arm of the normal + friction (arm of the sliding)].                       (2)
@@ -72,6 +75,8 @@ class Transmission:
         Friction by which the forces are balanced: the teeth's loss over load times sliding [-].
     stiffness : float
         Of a thread and a wheel's tooth together beyond their contact [N/m]; inf where they are rigid.
+    lifts : tuple of tuple of float
+        Phases, rising, and how far films lift the bodies there [m]; none where no film has been solved.
     """
 
     torque: float
@@ -79,6 +84,14 @@ class Transmission:
     sharing: Sharing = "elastic"
     friction: float = 0.0
     stiffness: float = inf
+    lifts: tuple[tuple[float, float], ...] = ()
+
+    def lift(self, phases: Array) -> Array:
+        """How far films lift the bodies [m], beyond the first and the last phase known as far as there."""
+        if len(self.lifts) < 2:
+            return np.full(np.shape(phases), self.lifts[0][1] if self.lifts else 0.0)
+        known, lifts = zip(*self.lifts, strict=True)
+        return PchipInterpolator(known, lifts)(np.clip(phases, known[0], known[-1]))
 
 
 @dataclass(frozen=True)
@@ -319,11 +332,13 @@ def share(
 
     pairs = [springs.at(phase) for phase in phases]
 
+    lifts = transmission.lift(phases)
+
     def forces(turn: float) -> Array:
-        approaches = lever * (turn + ahead)
+        approaches = lever * (turn + ahead) + lifts
         return np.array([pair.load(of) for pair, of in zip(pairs, approaches, strict=True)])
 
-    first_touch = -float(ahead.max())
+    first_touch = -float((ahead + lifts / lever).max())
 
     def excess(further: float) -> float:
         return float(np.sum(arms * forces(first_touch + further))) - transmission.torque

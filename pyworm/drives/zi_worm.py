@@ -13,9 +13,9 @@ import xarray as xr
 
 from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
-from pyworm.drives.film_rate import with_film_rate
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
+from pyworm.drives.passing import with_neighbours
 from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.tooth_gap import ToothGap, ToothMotion, surface_points
 from pyworm.drives.zi_data import loaded_cycle_data, mesh_cycle_data, tooth_data
@@ -353,15 +353,22 @@ class ZiWormDrive:
         springs = None if self.load.sharing == "equal" else self.springs
         return share(self.load, phases, arms, lever, ahead, springs)
 
+    @cached_property
+    def unlifted(self) -> "ZiWormDrive | None":
+        """The drive whose teeth share their load as without films; None where no lift of films is known."""
+        if not isinstance(self.load, Transmission) or not self.load.lifts:
+            return None
+        return replace(self, load=replace(self.load, lifts=()))
+
     @property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
-        still = replace(self.load, sharing="elastic", friction=0.0)
+        still = replace(self.load, sharing="elastic", friction=0.0, lifts=())
         return _springs(replace(self, load=still, speed=1.0, driver="worm"))
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return with_film_rate(self._scene, phase, self.phases_per_second)
+        return with_neighbours(self._scene, phase, self.phases_per_second)
 
     def _scene(self, phase: float) -> Scene:
         load = self.shared(phase).force(phase)

@@ -58,7 +58,8 @@ def assumptions_section(case: Case, result: Result) -> Section:
     """What was assumed: numbers that the source does not give, and what the models take for granted."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     items += [
-        "Smooth flanks, an inlet full of oil, and at each phase a film that has had time to settle.",
+        "Smooth flanks, an inlet full of oil, and at each phase a steady film (the table of effects says "
+        "what squeeze would change).",
     ]
     items += _drive_items(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
@@ -107,7 +108,8 @@ def _worm_load(drive: ZiWormDrive) -> str:
         )
     return (
         f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
-        f"friction {load.friction:.2g} in the balance of torques)."
+        f"friction {load.friction:.2g} in the balance of torques"
+        f"{', with the lift of their films' if load.lifts else ''})."
     )
 
 

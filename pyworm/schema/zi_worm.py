@@ -1,5 +1,6 @@
 """A case about a ZI worm drive."""
 
+from itertools import pairwise
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -86,8 +87,8 @@ class OperationTable(Table):
     """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved.
 
     The load is the normal load of the tooth, or what the teeth in mesh share: a torque of either shaft, or
-    the power of the driving one. `friction` is that of the teeth in the balance of torques; left out, it is
-    found.
+    the power of the driving one. `friction` is that of the teeth in the balance of torques, `lifts` how far
+    films lift the teeth off each other, at phases; left out, they are found.
     """
 
     worm_speed: units.Speed | None = None
@@ -99,6 +100,7 @@ class OperationTable(Table):
     power: units.Power | None = None
     sharing: Sharing | None = None
     friction: Friction | None = None
+    lifts: Annotated[tuple[tuple[Phase, units.Length], ...], Field(min_length=1)] | None = None
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
     @model_validator(mode="after")
@@ -114,12 +116,24 @@ class OperationTable(Table):
             but = f", not {' and '.join(given)}" if given else ""
             raise ValueError(f"give one of {', '.join(LOADS)}{but}")
         if self.load is not None:
-            for name in ("sharing", "friction"):
+            for name in ("sharing", "friction", "lifts"):
                 if getattr(self, name) is not None:
                     raise ValueError(
                         f"{name} means nothing with the load of one tooth, give a torque or a power instead "
                         "of load"
                     )
+        return self
+
+    @model_validator(mode="after")
+    def _lifts_of_elastic_teeth(self):
+        if self.lifts is None:
+            return self
+        if self.sharing == "equal":
+            raise ValueError("lifts means nothing with sharing = equal, by which no tooth yields")
+        phases = [phase for phase, _ in self.lifts]
+        if any(after <= before for before, after in pairwise(phases)):
+            told = ", ".join(f"{phase:g}" for phase in phases)
+            raise ValueError(f"lifts has the phases {told}; they must rise")
         return self
 
 

@@ -68,6 +68,16 @@ def refuse(tmp_path, monkeypatch, capsys):
             'load = "14 kN"\nfriction = 0.01',
             "friction means nothing with the load",
         ),
+        (
+            'load = "14 kN"',
+            'wheel_torque = "4 kN m"\nsharing = "equal"\nlifts = [[0.5, "1 um"]]',
+            "lifts means nothing with sharing = equal",
+        ),
+        (
+            'load = "14 kN"',
+            'wheel_torque = "4 kN m"\nlifts = [[0.5, "1 um"], [0.1, "2 um"]]',
+            "lifts has the phases 0.5, 0.1; they must rise",
+        ),
         ('"14 kN"', '"14 kN"\nwheel_speed = "9 rpm"', "give either worm_speed or wheel_speed"),
         (
             "[drive.worm]",

@@ -13,10 +13,12 @@ import pyworm
 from pyworm import balance
 from pyworm.cycle_tables import cycle_table
 from pyworm.drive_cycle import drive_cycle
+from pyworm.drives import zi_data
 from pyworm.flank_map import flank_map, supply
 from pyworm.plots import CYCLE_PICTURES
 from pyworm.result import case_in
 from pyworm.solution import Estimate
+from pyworm.task import Task
 
 CASES = Path(__file__).parents[2] / "cases"
 LOADS = np.linspace(-0.1, 1.1, 241)
@@ -250,7 +252,6 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
         return found
 
     monkeypatch.setattr(balance, "run", run)
-    from pyworm.task import Task
 
     def tasks():
         return [Task(worm_case, place, 0.02) for place in worm_case.places()]
@@ -266,4 +267,52 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     assert ran == [[0.02] * 3]
     # of a wheel's torque, friction takes little
     wheel = pyworm.load(CASES / "zi_drive.toml")
-    assert balance.load_change(wheel, 0.02) < 0.005 < 0.02 < balance.load_change(worm_case, 0.02)
+    moved = [balance.load_change(of, {"friction": 0.02}, (0.3, 0.6)) for of in (wheel, worm_case)]
+    assert moved[0] < 0.005 < 0.02 < moved[1]
+
+
+def test_lifts_found_at_a_glance_share_the_load(tmp_path, monkeypatch):
+    """The solver is replaced by one whose films lift the teeth by 1 to 3 micrometres."""
+    case = pyworm.load(CASES / "zi_drive.toml")
+    places = [place for place in case.places() if place.phase in (0.1, 0.34, 0.82)]
+    ran, said = [], []
+
+    def run(case, tasks, directory, *rest):
+        ran.append((tasks[0].accuracy, case.drive.load.lifts))
+        found = result([task.place.phase for task in tasks])
+        solutions = tuple(
+            replace(
+                one,
+                figures=replace(
+                    one.figures,
+                    lift=(1 + 2 * one.phase) * 1e-6,
+                    power_loss=Estimate(0.01 * one.load * SLIDING, 0.001),
+                ),
+            )
+            for one in found.solutions
+        )
+        found = replace(
+            found,
+            case=case.resolved,
+            solutions=solutions,
+            mesh_cycle=zi_data.loaded_cycle_data(case.drive, 0.0),
+        )
+        found.save(directory / "result.nc")
+        return found
+
+    monkeypatch.setattr(balance, "run", run)
+    monkeypatch.setattr(zi_data, "LOADED_PHASES", 11)
+    tasks = [Task(case, place, 0.02) for place in places]
+    balanced, _ = balance.run_balanced(case, tasks, tmp_path, say=said.append)
+    lifts = tuple((place.phase, pytest.approx((1 + 2 * place.phase) * 1e-6)) for place in places)
+    assert ran == [(balance.GLANCE, ()), (0.02, lifts)]
+    assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
+    share, phase = drive_cycle(balanced).lifted
+    at = balanced.mesh_cycle.interp(load_phase=phase)
+    assert share == pytest.approx(float(at.tooth_load / at.dry_tooth_load) - 1, abs=1e-4)
+    # its neighbour, a pitch later in the cycle, has the thicker film
+    assert phase == 0.1 and -0.1 < share < -0.01
+    # and another run of the same case begins with them
+    ran.clear()
+    balance.run_balanced(case, tasks, tmp_path)
+    assert ran == [(0.02, lifts)]

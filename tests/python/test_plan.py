@@ -17,9 +17,12 @@ from pyworm.cli import CONVERGED, main
 from pyworm.effects.catalogue import EFFECTS
 from pyworm.effects.effect import QUANTITIES
 from pyworm.effects.sketch import sketch
+from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.line.scene import LineScene
+from pyworm.neighbours import Neighbours
 from pyworm.oils import NEWTONIAN
 from pyworm.planning import planned
+from pyworm.scales import scales
 from pyworm.scene import Paraboloid, RigidMotion
 
 BY_NAME = {effect.name: effect for effect in EFFECTS}
@@ -189,6 +192,42 @@ def test_effects_asked_for_are_judged_but_not_revised():
     assert not heat.on
     assert heat.reason == "not asked for"
     assert heat.influence["film"] > 0.02
+
+
+def squeezed(before, after, seconds=1e-3):
+    """What is told of squeeze between two states of a contact."""
+    scene = replace(before, neighbours=Neighbours(before, after, seconds))
+    return judged(pyworm.plan(scene, 0.05, quantities=("film",)))["squeeze"]
+
+
+def test_squeeze_of_a_faster_film_is_its_growth_while_oil_passes():
+    before, after = ball(speed=2.0), ball(speed=2.02)
+    half_width = hertz(*before.radii, before.load, before.reduced_modulus).semi_axis_x
+    growth = np.log(scales(after).film / scales(before).film) / 1e-3
+    told = squeezed(before, after)
+    assert told.indicator == pytest.approx(2 * half_width / 2.0 * growth)
+    assert told.influence["film"] == pytest.approx(told.indicator)
+    assert not told.on
+    assert squeezed(after, before).indicator == pytest.approx(told.indicator, rel=0.02)
+
+
+@pytest.mark.parametrize(("kind", "power", "edges"), [("ball", 1 / 3, 2), ("roller", 1 / 2, 1)])
+def test_squeeze_of_a_growing_load_is_that_of_the_contact_s_edges(kind, power, edges):
+    """Hertz's a goes with F^(1/3) of a ball and F^(1/2) of a roller; the film hardly changes."""
+    share = 1e-3
+    if kind == "ball":
+        before, after = (ball(load=load) for load in (40.0, 40.0 * (1 + share)))
+        half_width = hertz(*before.radii, before.load, before.reduced_modulus).semi_axis_x
+    else:
+        before = TRIALS["roller, half way"].scene()
+        after = replace(before, load=before.load * (1 + share))
+        half_width = hertz_line(before.radius, before.load, before.reduced_modulus).half_width
+    speed = sketch(before).speed
+    told = squeezed(before, after)
+    outward = half_width * power * share / 1e-3
+    assert edges * outward / speed < told.indicator < 1.35 * edges * outward / speed
+    # 0.7 of the edges' share counts, and all of the film's
+    assert 0.7 * told.indicator < told.influence["film"] < told.indicator
 
 
 def test_what_is_not_simulated_is_told_all_the_same():

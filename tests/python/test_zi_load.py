@@ -112,6 +112,56 @@ def test_pairs_that_lag_carry_less_and_soft_teeth_share_more_evenly():
     assert parts[0] < parts[1] < 1
 
 
+APART = np.array([0.2, 0.7])
+"""Phases of two tooth pairs."""
+
+
+def shares(springs, lifts, ahead=(0.0, 0.0)):
+    """How two pairs share 14 kN at a lever of 0.24 m, their films lifting them."""
+    load = Transmission(0.24 * 14e3, "wheel", lifts=tuple(zip(APART, lifts, strict=True)))
+    return share(load, APART, np.full(2, 0.24), 0.24, np.array(ahead), springs)
+
+
+def test_approaches_and_lifts_of_pairs_agree(paraboloids):
+    lifts, ahead = np.array([2e-6, 0.5e-6]), np.array([-5e-6, 3e-6])
+    shared = shares(paraboloids, lifts, ahead)
+    assert np.all(shared.forces > 1e3)
+    dry = [1e-6 + hertz(*RADII, load, MODULUS).approach + load / 2e9 for load in shared.forces]
+    np.testing.assert_allclose(dry - lifts, 0.24 * (shared.turn + ahead), rtol=0.01)
+
+
+@given(first=st.floats(0, 3e-6), second=st.floats(0, 3e-6))
+def test_the_pair_with_the_thicker_film_carries_more(paraboloids, first, second):
+    even = shares(paraboloids, (0.0, 0.0))
+    lifted = shares(paraboloids, (first, second))
+    np.testing.assert_allclose(even.forces, 7e3)
+    assert lifted.forces.sum() == pytest.approx(14e3)
+    assert np.sign(np.diff(lifted.forces).round(6)) == np.sign(
+        round(second - first, 15)
+    ) or lifted.forces == pytest.approx(even.forces)
+    # equal lifts turn the wheel back and move no load
+    level = shares(paraboloids, (second, second))
+    np.testing.assert_allclose(level.forces, even.forces)
+    assert level.turn == pytest.approx(even.turn - second / 0.24, abs=1e-12)
+
+
+def test_a_pair_that_only_its_film_reaches_carries(paraboloids):
+    """Apart by a micrometre more than the other is pressed in, behind a film of three."""
+    pressed = hertz(*RADII, 14e3, MODULUS).approach + 14e3 / 2e9
+    ahead = 0.0, -(pressed + 1e-6) / 0.24
+    assert shares(paraboloids, (0.0, 0.0), ahead).forces[1] == 0
+    assert shares(paraboloids, (0.0, 3e-6), ahead).forces[1] > 50
+
+
+def test_lifts_stay_what_they_are_beyond_the_phases_known():
+    load = Transmission(TORQUE, "wheel", lifts=((0.1, 2e-6), (0.5, 3e-6), (0.9, 1e-6)))
+    np.testing.assert_allclose(
+        load.lift(np.array([-0.2, 0.1, 0.5, 0.9, 1.2])), [2e-6, 2e-6, 3e-6, 1e-6, 1e-6]
+    )
+    assert load.lift(np.array([0.3])) < 3e-6
+    np.testing.assert_array_equal(Transmission(TORQUE, "wheel").lift(np.zeros(2)), 0)
+
+
 def test_equal_shares(drive):
     shared = replace(drive, load=Transmission(TORQUE, "wheel", "equal")).shared(0.2)
     whole = TORQUE / drive.wheel_flank.lever
@@ -138,7 +188,8 @@ def test_a_driven_worm_has_the_motions_reversed(drive):
     forward, back = drive.scene(0.4), replace(drive, driver="wheel").scene(0.4)
     for one, other in zip(forward.motions, back.motions, strict=True):
         np.testing.assert_allclose(np.array(one(2e-3, 1e-3)), -np.array(other(2e-3, 1e-3)))
-    assert back.film_rate == pytest.approx(-forward.film_rate, rel=1e-6)
+    assert back.neighbours.seconds == pytest.approx(forward.neighbours.seconds)
+    assert back.neighbours.before.phase == forward.neighbours.after.phase > forward.phase
 
 
 def test_dry_contacts_are_solved_once_for_equal_drives(monkeypatch):
