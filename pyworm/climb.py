@@ -123,11 +123,11 @@ class Rung:
     def read(self) -> Reading:
         """The film's figures in its present state."""
         film = self.film.thickness()
-        film_min, at = reading.film_minimum(self.grid, film, self.film.pressure > 0)
+        film_min, at = reading.film_minimum(self.grid, film, self.film.pressure > 0, self.covered)
         return Reading(
             film_min,
             reading.value_at_origin(self.grid, film),
-            reading.maximum(self.film.pressure),
+            reading.maximum(self.film.pressure, self.covered),
             at,
             self._shear_figures() | self._heat_figures(),
         )

@@ -196,7 +196,12 @@ class FlowLaw:
             held = 1 - (stress / limit) ** (2 * self.exponent)
             return onset * sinh(stress / onset) - newtonian * held
 
-        return brentq(excess, 0.0, min(thinned, limit), xtol=1e-9 * limit)
+        highest = min(thinned, limit)
+        if (
+            not excess(highest) > 0
+        ):  # a limit so far away that only rounding tells thinned from limited
+            return highest
+        return brentq(excess, 0.0, highest, xtol=1e-9 * limit)
 
     @property
     def thins(self) -> bool:

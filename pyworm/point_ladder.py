@@ -186,7 +186,10 @@ class PointLadder:
             "film_exit_min_at": exit_min_at,
             "lift": rung.film.rigid_film + dry.approach,
             "dry": DryFigures(
-                reading.maximum(dry.pressure), max(extents), min(extents), dry.approach
+                reading.maximum(dry.pressure, rung.covered),
+                max(extents),
+                min(extents),
+                dry.approach,
             ),
             "heat_balance": _heat_balance(rung) if self._model.heated else None,
         }

@@ -2,20 +2,22 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import nan
 
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
+from scipy.optimize import minimize_scalar
 
+from pyworm.extremum import line_minimum, minimum
 from pyworm.grid import Grid
 
 Array = np.ndarray
 
 
-def film_minimum(grid: Grid, film: Array, where: Array) -> tuple[float, tuple[float, float]]:
+def film_minimum(
+    grid: Grid, film: Array, pressurised: Array, covered: Array
+) -> tuple[float, tuple[float, float]]:
     """Smallest film [m] and its place (x, y) [m], between nodes.
-
-    A quadratic surface is fitted through the nine nodes about the smallest nodal film; the minimum over
-    nodes alone converges erratically.
 
     Parameters
     ----------
@@ -23,24 +25,35 @@ def film_minimum(grid: Grid, film: Array, where: Array) -> tuple[float, tuple[fl
         Where the film is.
     film : numpy.ndarray
         Film [m], shape (nx, ny).
-    where : numpy.ndarray
-        Nodes that count.
+    pressurised : numpy.ndarray
+        Nodes about which the film counts.
+    covered : numpy.ndarray
+        Where both surfaces exist.
     """
-    i, j = _place(np.where(where, film, np.inf).T.argmin(), film)
-    value, (x, y) = _vertex(film, i, j, where)
-    return value, (grid.west + grid.dx * x, grid.south + grid.dy * y)
+    value, (i, j) = minimum(film, pressurised, covered)
+    return value, (grid.west + grid.dx * i, grid.south + grid.dy * j)
 
 
-def maximum(field: Array) -> float:
-    """Largest value of a field, between nodes."""
-    i, j = _place(field.T.argmax(), field)
-    around = np.s_[max(i - 1, 0) : i + 2, max(j - 1, 0) : j + 2]
-    peak = -field[around]
-    return -_vertex(peak, min(i, 1), min(j, 1), np.ones(peak.shape, dtype=bool))[0]
+def maximum(field: Array, covered: Array | bool = True) -> float:
+    """Largest value of a field, between nodes, where both surfaces exist."""
+    counted = np.broadcast_to(covered, field.shape)
+    # only the upper half has peaks to look for: a pressure is flat, at nought, in most places
+    upper = counted & ~(field < (field.min() + field.max()) / 2)
+    return -minimum(-field, upper, counted)[0]
+
+
+def line_maximum(field: Array, covered: Array | bool = True) -> float:
+    """Largest value of a field along a line, between nodes, where both surfaces exist."""
+    counted = np.broadcast_to(covered, field.shape)
+    return -line_minimum(-field, counted, counted)[0]
 
 
 FINE_LEVELS = 201
 """Places across the film at which a column is searched; a peak between two of them is at most 1e-4 higher."""
+
+
+ABOUT = 12
+"""Nodes to each side of the hottest whose columns are searched: all that decide the surface there."""
 
 
 def maximum_across(field: Array, positions: Array) -> float:
@@ -55,10 +68,10 @@ def maximum_across(field: Array, positions: Array) -> float:
     positions : numpy.ndarray
         Where the levels are, from -1/2 to 1/2.
     """
-    i, j = _place(field.max(axis=2).T.argmax(), field)
-    columns = field[max(i - 2, 0) : i + 3, max(j - 2, 0) : j + 3]
+    node = np.unravel_index(np.argmax(field.max(axis=2)), field.shape[:2])
+    about = tuple(slice(max(at - ABOUT, 0), at + ABOUT + 1) for at in node)
     between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
-    return maximum((columns @ between.T).max(axis=2))
+    return maximum((field[about] @ between.T).max(axis=2))
 
 
 def _lagrange(nodes: Array, places: Array) -> Array:
@@ -111,38 +124,6 @@ def newtonian_shear(
         heat + film**3 / (12 * viscosity) * poiseuille,
         np.sqrt(np.maximum(*walls)) / viscosity,
     )
-
-
-def _place(number: np.intp, field: Array) -> tuple[int, int]:
-    """Node of a number that counts in Fortran order, as fields lie in memory."""
-    j, i = divmod(int(number), field.shape[0])
-    return i, j
-
-
-def _vertex(field: Array, i: int, j: int, where: Array) -> tuple[float, tuple[float, float]]:
-    """Minimum of the quadratic surface through the nodes about a field's smallest, (i, j), in node counts.
-
-    That node itself on the outline, and where not all nodes about it count.
-    """
-    lowest = float(field[i, j])
-    if not (0 < i < field.shape[0] - 1 and 0 < j < field.shape[1] - 1):
-        return lowest, (float(i), float(j))
-    patch = field[i - 1 : i + 2, j - 1 : j + 2]
-    if not where[i - 1 : i + 2, j - 1 : j + 2].all():
-        return lowest, (float(i), float(j))
-    gradient = np.array([patch[2, 1] - patch[0, 1], patch[1, 2] - patch[1, 0]]) / 2
-    cross = (patch[2, 2] - patch[2, 0] - patch[0, 2] + patch[0, 0]) / 4
-    hessian = np.array(
-        [
-            [patch[2, 1] - 2 * lowest + patch[0, 1], cross],
-            [cross, patch[1, 2] - 2 * lowest + patch[1, 0]],
-        ]
-    )
-    if not (hessian[0, 0] > 0 and np.linalg.det(hessian) > 0):
-        return lowest, (float(i), float(j))
-    shift = np.clip(-np.linalg.solve(hessian, gradient), -1, 1)
-    value = lowest + float(gradient @ shift + shift @ hessian @ shift / 2)
-    return value, (float(i + shift[0]), float(j + shift[1]))
 
 
 SIDE = 0.35
@@ -213,9 +194,14 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
     with np.errstate(divide="ignore"):
         reach = float(np.min(np.abs(sides / direction)))
     along = np.linspace(0.0, reach, 4 * max(film.shape))
-    profile = spline(along * direction[0], along * direction[1], grid=False)
-    place = int(np.argmin(profile))
-    return float(profile[place]), float(along[place])
+    place = int(np.argmin(spline(along * direction[0], along * direction[1], grid=False)))
+    found = minimize_scalar(
+        lambda distance: float(spline(*(distance * direction), grid=False)),
+        bounds=(along[max(place - 1, 0)], along[min(place + 1, along.size - 1)]),
+        method="bounded",
+        options={"xatol": ON_NODE * along[1]},
+    )
+    return float(found.fun), float(found.x)
 
 
 def contact_extent(grid: Grid, pressure: Array) -> tuple[float, float]:
@@ -249,7 +235,7 @@ def _edge(outer: float, inner: float) -> float:
 def outline_imbalance(
     grid: Grid, flow: tuple[Array, Array], imbalance: Array, pressurised: Array
 ) -> float:
-    """Net over gross flow through the outline of the pressurised film.
+    """Net over gross flow through the outline of the pressurised film; no number where nothing flows.
 
     Parameters
     ----------
@@ -272,4 +258,4 @@ def outline_imbalance(
             np.diff(flow[axis], axis=axis),
         )
         gross += np.abs(near + far / 2)[change].sum() * width / 2
-    return float(net / gross)
+    return float(net / gross) if gross > 0 else nan

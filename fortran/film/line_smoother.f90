@@ -36,6 +36,9 @@ contains
   end subroutine new_line_systems
 
   !> Factors line j from its coefficients; where `free` is 0 its solution will be zero, else `free` is 1.
+  !>
+  !> It will be zero too where elimination leaves nothing of the diagonal, as of two points whose film lets
+  !> nothing through to any other: no pressure of theirs balances what flows in.
   pure subroutine factor_line(self, j, centre, left, right, free)
     type(line_systems), intent(inout) :: self
     integer, intent(in) :: j
@@ -46,17 +49,27 @@ contains
     middle = n/2
     associate (pivot => self%pivot(:, j), outward => self%outward(:, j), inward => self%inward(:, j))
       do i = 2, middle
-        pivot(i) = free(i)/(centre(i) - left(i)*inward(i - 1))
+        pivot(i) = reciprocal(free(i), centre(i) - left(i)*inward(i - 1), centre(i))
         outward(i) = left(i)*pivot(i)
         inward(i) = right(i)*pivot(i)
       end do
       do i = n - 1, middle + 1, -1
-        pivot(i) = free(i)/(centre(i) - right(i)*inward(i + 1))
+        pivot(i) = reciprocal(free(i), centre(i) - right(i)*inward(i + 1), centre(i))
         outward(i) = right(i)*pivot(i)
         inward(i) = left(i)*pivot(i)
       end do
+      ! two such points where both recurrences meet: one is solved without the other
+      if (.not. abs(1 - inward(middle)*inward(middle + 1)) > epsilon(1.0_pp)) inward(middle + 1) = 0
     end associate
   end subroutine factor_line
+
+  !> free/rest, or 0 where the rest of the diagonal is lost in its rounding.
+  elemental real(pp) function reciprocal(free, rest, diagonal)
+    real(pp), intent(in) :: free, rest, diagonal
+
+    reciprocal = 0
+    if (abs(rest) > epsilon(1.0_pp)*abs(diagonal)) reciprocal = free/rest
+  end function reciprocal
 
   !> Solves line j of x for the right-hand side f against both its neighbours.
   pure subroutine relax_line(self, j, f, x)

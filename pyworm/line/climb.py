@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.accuracy import Reading
 from pyworm.climb import CONTACT_PRESSURE
+from pyworm.extremum import line_minimum
 from pyworm.kernels import LineFilm
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
@@ -14,7 +15,7 @@ from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
-from pyworm.reading import newtonian_shear
+from pyworm.reading import line_maximum, newtonian_shear
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -69,13 +70,12 @@ class LineRung:
     def read(self) -> Reading:
         """The film's figures in its present state."""
         film, _, _ = self.film.fields()
-        film_min, at = _vertex(self.grid.x, film)
-        pressure_max, _ = _vertex(self.grid.x, -self.film.pressure)
+        film_min, at = line_minimum(film, self.film.pressure > 0, self.covered)
         return Reading(
             film_min,
             float(film[-self.grid.first]),
-            -pressure_max,
-            (at,),
+            line_maximum(self.film.pressure, self.covered),
+            (self.grid.dx * (self.grid.first + at),),
             self._shear_figures() | self._heat_figures(),
         )
 
@@ -118,7 +118,7 @@ class LineRung:
             "temperature_max_body_2": rise[:, -1],
             "temperature_max_film": rise.max(axis=1),
         }
-        return {name: -_vertex(self.grid.x, -values)[0] for name, values in places.items()}
+        return {name: line_maximum(values) for name, values in places.items()}
 
 
 def first_rung(scene: LineScene, size: LineScales, grid: LineGrid, lift: float) -> LineRung:
@@ -207,14 +207,3 @@ def _prolonged(field: Array) -> Array:
     for side, (a, b, c, d) in ((1, p[:4]), (-2, p[:-5:-1])):
         fine[side] = (5 * a + 15 * b - 5 * c + d) / 16
     return fine
-
-
-def _vertex(x: Array, values: Array) -> tuple[float, float]:
-    """Smallest value and its place, by a parabola through the smallest nodal one and its neighbours."""
-    i = int(np.argmin(values))
-    if not 0 < i < x.size - 1:
-        return float(values[i]), float(x[i])
-    slope, bend = (values[i + 1] - values[i - 1]) / 2, values[i + 1] - 2 * values[i] + values[i - 1]
-    if not bend > 0:
-        return float(values[i]), float(x[i])
-    return float(values[i] - slope**2 / (2 * bend)), float(x[i] - slope / bend * (x[1] - x[0]))

@@ -7,6 +7,9 @@ program test_line_smoother
   call solves_lines(9)
   call solves_lines(10)
   call solves_lines(5)
+  call leaves_closed_pairs(2)
+  call leaves_closed_pairs(4)
+  call leaves_closed_pairs(7)
   call done()
 
 contains
@@ -53,6 +56,35 @@ contains
     call relax_line(lines, 2, f, x)
     call close_to(real(x(3, 2), wp), 0.0_wp, 0.0_wp, "where it is not free it is zero")
   end subroutine solves_lines
+
+  !> Two points that exchange oil with each other alone, so that no pressure balances what flows in, get some
+  !> bounded one, and the rest of the line is solved; wherever in the line elimination meets them.
+  subroutine leaves_closed_pairs(first)
+    integer, intent(in) :: first
+    integer, parameter :: n = 9
+    type(line_systems) :: lines
+    real(pp), dimension(n, 3) :: centre, left, right, f, x
+    real(pp) :: free(n), rest(n)
+    integer :: stat
+
+    left = -1
+    right = -1
+    centre = 3
+    f = 1
+    x = 0
+    free = 1
+    centre(first:first + 1, :) = 1
+    left(first, :) = 0
+    right(first + 1, :) = 0
+    call new_line_systems(n, 3, lines, stat)
+    call factor_line(lines, 2, centre(:, 2), left(:, 2), right(:, 2), free)
+    call relax_line(lines, 2, f, x)
+    call close_to(real(maxval(abs(x(first:first + 1, 2))), wp), 1.0_wp, 1.0_wp, "a closed pair stays bounded")
+    rest = 0
+    rest(2:n - 1) = left(2:n - 1, 2)*x(:n - 2, 2) + centre(2:n - 1, 2)*x(2:n - 1, 2) + right(2:n - 1, 2)*x(3:, 2) - 1
+    rest(first:first + 1) = 0
+    call close_to(real(maxval(abs(rest)), wp), 0.0_wp, 1e-5_wp, "and the rest of its line is solved")
+  end subroutine leaves_closed_pairs
 
   !> Largest imbalance of line j with its neighbours by the couplings given.
   real(wp) function imbalance(j, centre, left, right, before, after, f, x)

@@ -1,5 +1,7 @@
 """Mutated case files: whatever is in one, it runs or is refused in one sentence, and nothing else happens.
 
+All are planned; of cases that are solved in a second, those that can be planned are solved too.
+
 A mutation changes what one key holds, drops, renames or adds one, or damages the file's text. Extreme values
 are meant to get through the schema and to be met by what makes scenes and plans of them.
 """
@@ -9,17 +11,21 @@ import json
 import tomllib
 import warnings
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
+from shutil import rmtree
 from typing import Any
+from unittest.mock import patch
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
+from trial import flaws as flaws_of_solution
 
 from pyworm.case_error import toml
-from pyworm.cli import BAD_INPUT, CONVERGED, main
+from pyworm.cli import BAD_INPUT, CONVERGED, NOT_CONVERGED, main
+from pyworm.result import open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -69,16 +75,21 @@ def mutants(bases: tuple[str, ...]) -> st.SearchStrategy[Mutant]:
     return st.sampled_from(bases).flatmap(lambda base: _OF_CASE[base])
 
 
-def outcome(mutant: Mutant, directory: Path, command: str = "check") -> tuple[int, str, list[str]]:
-    """Exit code of a command on a mutant, what it said, and what is wrong with that."""
-    before = sorted(directory.rglob("*"))
+def outcome(
+    mutant: Mutant, directory: Path, command: Sequence[str] = ("check",), result: Path | None = None
+) -> tuple[int, str, list[str]]:
+    """Exit code of a command on a mutant, what it said, and what is wrong with that.
+
+    `result` is the file that the command may leave; of one that leaves none only success is no flaw.
+    """
+    before = {directory / "case.toml", *directory.rglob("*")}
     case = directory / "case.toml"
     case.write_bytes(mutant.content)
     said, told = io.StringIO(), io.StringIO()
     try:
         with redirect_stdout(told), redirect_stderr(said), warnings.catch_warnings():
             warnings.simplefilter("error", RuntimeWarning)
-            code = main([command, str(case), "--json"])
+            code = main([command[0], str(case), "--json", *command[1:]])
     except SystemExit as end:
         code = int(end.code)
     except Exception as error:
@@ -86,30 +97,68 @@ def outcome(mutant: Mutant, directory: Path, command: str = "check") -> tuple[in
     finally:
         case.unlink()
     sentence = said.getvalue()
-    flaws = [
-        f"left {path.name} behind" for path in sorted(directory.rglob("*")) if path not in before
-    ]
+    left = {*directory.rglob("*")} - before
+    flaws = []
     if code == BAD_INPUT:
         flaws += _flaws_of_sentence(sentence, mutant)
         if told.getvalue():
             flaws.append("refused, and printed something")
-    elif code == CONVERGED:
+    elif code == CONVERGED or (code == NOT_CONVERGED and result is not None):
         json.loads(told.getvalue())
+        if result is not None:
+            flaws += _flaws_of_result(result, code)
+            left -= {result, result.parent}
     else:
         flaws.append(f"exit code {code}: {sentence}")
-    return code, sentence, flaws
+    return code, sentence, flaws + [f"left {path.name} behind" for path in sorted(left)]
+
+
+SMALL_GRID = 50_000
+"""Nodes of the largest grid on which mutants are solved: two or three grids, a second of work."""
+
+SHORTER = {"traction_steel": ("--slide-roll-ratio", "0.5")}
+"""What leaves one scene of cases with several."""
+
+
+def solved(mutant: Mutant, directory: Path) -> tuple[int, str, list[str]]:
+    """The same of a mutant that is run, if it can be planned; without pictures and on small grids."""
+    planned = outcome(mutant, directory)
+    if planned[0] != CONVERGED:
+        return planned
+    out = directory / "out"
+    command = ("run", "--accuracy", "30%", "--out", str(out), *SHORTER.get(mutant.base, ()))
+    with (
+        patch("pyworm.plots.draw", lambda result, directory, executor: []),
+        patch("pyworm.planning.LARGEST_GRID", SMALL_GRID),
+    ):
+        run = outcome(mutant, directory, command, out / "result.nc")
+    if out.exists():
+        rmtree(out)
+    return run
+
+
+def _flaws_of_result(file: Path, code: int) -> Iterator[str]:
+    """A result that does not hold what its exit code says, or scenes that make no sense."""
+    solutions = open_result(file).solutions
+    if (code == CONVERGED) != all(solution.converged for solution in solutions):
+        yield f"exit code {code} of scenes that are marked otherwise"
+    for solution in solutions:
+        yield from flaws_of_solution(solution)
 
 
 MANY = {QUICK: 3000, SLOW: 60}
-"""Mutants of each group of cases in the suite."""
+"""Mutants of each group of cases that are planned in the suite."""
+
+MANY_SOLVED = 800
+"""Mutants that are solved where they can be planned, as every fourth can."""
 
 
 def many(tell: Callable[[str], None], directory: Path) -> list[str]:
-    """Check many mutants of all cases; what is wrong with any of them."""
+    """Plan many mutants of all cases, and solve some; what is wrong with any of them."""
     codes: Counter[int] = Counter()
     found: list[str] = []
-    for bases, count in MANY.items():
 
+    def meet(bases: tuple[str, ...], count: int, judge: Callable) -> None:
         @seed(count)
         @settings(
             max_examples=count,
@@ -120,14 +169,23 @@ def many(tell: Callable[[str], None], directory: Path) -> list[str]:
         )
         @given(mutants(bases))
         def one(mutant: Mutant) -> None:
-            code, _, flaws = outcome(mutant, directory)
+            code, _, flaws = judge(mutant, directory)
             codes[code] += 1
             found.extend(f"{mutant.base}, {mutant.what}: {flaw}" for flaw in flaws)
 
         one()
+
+    for bases, count in MANY.items():
+        meet(bases, count, outcome)
     tell(
         f"{codes.total()} mutated cases: {codes[BAD_INPUT]} refused in one sentence, {codes[CONVERGED]} "
         f"planned, {len(found)} flaws"
+    )
+    codes.clear()
+    meet(QUICK, MANY_SOLVED, solved)
+    tell(
+        f"{codes.total()} more: {codes[BAD_INPUT]} refused, {codes[CONVERGED]} converged, "
+        f"{codes[NOT_CONVERGED]} marked as not converged, {len(found)} flaws in all"
     )
     return found
 

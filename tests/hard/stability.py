@@ -5,6 +5,7 @@ Each check takes what to tell its rows to and returns what is wrong, nothing if 
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import islice
 from math import log
 from pathlib import Path
 from typing import Any
@@ -14,8 +15,9 @@ from draws import DRAWS
 from named import ISOTHERMAL, contact
 
 import pyworm
+from pyworm.accuracy import Reading, grid_errors
 from pyworm.case import case_of
-from pyworm.climb import anew
+from pyworm.climb import Rung, anew
 from pyworm.ladder import settle
 from pyworm.planning import Plan
 from pyworm.point_ladder import PointLadder
@@ -33,21 +35,25 @@ NUDGE = 1e-3
 STEEPEST = 2.0
 """Largest response: relative change of a film over that of an input."""
 
-CURVED = (3.0, 0.2)
+CURVED = (0.1, 0.01)
 """Largest second difference of the minimum and of the central film between three neighbouring solves, over
-the relative change of the input. The minimum is read from a surface through nine nodes: where the lowest node
-changes it jumps by some share of its grid error."""
+the relative change of the input: by how much the response may differ from one to the next."""
 
-SETTLED = 1e-5
+RESOLVED = 0.05
+"""Relative error by the grid from which a film's responses are its own, and not the grid's."""
+
+SETTLED = 1e-7
 """Relative error of films by unfinished algebra, where solves are compared on one grid."""
 
-ALIKE = 1e-4
+ALIKE = 1e-6
 """Relative difference that first guesses may leave on one grid."""
 
-BENT = (0.5, 1.2)
-"""Largest kink of the curves of the minimum and of the central film: by how much more the slope, in decades
-over decades, may change at one point than on average beside it. The film at the contact point rises by a
-tenth where the peak of the pressure passes it (M = 5.3, L = 10), within a twentieth of a decade."""
+BENT = 0.3
+"""Largest kink of a curve: by how much more the slope, in decades over decades, may change at one point than
+on average beside it. Where it changes by more it is looked at more closely, since a kink stays what it is."""
+
+CLOSER = 8
+"""By how much more closely."""
 
 
 def scene_of(tables: dict[str, Any], name: str = "stability") -> Scene:
@@ -115,15 +121,36 @@ HARD = ("M1000-L10", "M200-L20", "coarse-grid-lost", "alpha-p-60", "ellipse-30-o
 on a fine grid."""
 
 
-def fixed(scene: Scene, plan: Plan, refinements: int = 1) -> np.ndarray:
-    """Films on the plan's own grids and some finer ones [m]: the same grids whatever the scene."""
+def climb(
+    scene: Scene, plan: Plan, start: Callable[[Rung], None] | None = None
+) -> Iterator[Reading]:
+    """Readings of a scene on the plan's last grid and on ever finer ones; `start` changes the first guess."""
     ladder = PointLadder(scene, plan)
     rung, _ = ladder.enter(plan.grids)
-    for _ in range(refinements):
-        settle(rung, plan.tolerance, plan.aim, SETTLED)
+    if start is not None:
+        start(rung)
+    while True:
+        yield settle(rung, plan.tolerance, plan.aim, SETTLED).reading
         rung, _ = ladder.higher(rung)
-    figures = settle(rung, plan.tolerance, plan.aim, SETTLED).reading.figures
-    return np.array([figures[name] for name in FILMS])
+
+
+def resolved(scene: Scene, plan: Plan) -> list[Reading]:
+    """Readings on the plan's last grid and on finer ones, up to the first that resolves both films."""
+    readings: list[Reading] = []
+    for reading in climb(scene, plan):
+        readings.append(reading)
+        errors = grid_errors(readings, PointLadder.convergence.orders)
+        if max(errors[name] for name in FILMS) < RESOLVED:
+            break
+    return readings
+
+
+def fixed(
+    scene: Scene, plan: Plan, grids: int, start: Callable[[Rung], None] | None = None
+) -> np.ndarray:
+    """Films on the last of so many grids [m]: the same grids whatever the scene."""
+    reading = next(islice(climb(scene, plan, start), grids - 1, None))
+    return np.array([reading.figures[name] for name in FILMS])
 
 
 def small_changes(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
@@ -131,9 +158,10 @@ def small_changes(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
     for name in names:
         scene = scene_of(ISOTHERMAL[name])
         plan = steady(scene)
-        base = fixed(scene, plan)
+        readings = resolved(scene, plan)
+        base = np.array([readings[-1].figures[film] for film in FILMS])
         for what, nudged in nudges(scene).items():
-            more, less = (fixed(nudged(1 + side * NUDGE), plan) for side in (1, -1))
+            more, less = (fixed(nudged(1 + side * NUDGE), plan, len(readings)) for side in (1, -1))
             slope = (more - less) / (2 * NUDGE * base)
             bend = np.abs(more - 2 * base + less) / base / NUDGE
             tell(
@@ -144,45 +172,47 @@ def small_changes(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
                 yield f"{name}: {what} changed by 0.1 % moves films by a jump"
 
 
-def first_guesses(tell: Tell, names: tuple[str, ...] = HARD[:-1]) -> Iterator[str]:
-    """A dry contact, half the pressure under a thicker film, a film of twice the speed: the same answer."""
+def first_guesses(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
+    """A dry contact, half the pressure under a thicker film, a film of twice the speed: the same answer.
+
+    Each is made on the plan's last grid, from which films go on to finer ones as in a solve.
+    """
     for name in names:
         scene = scene_of(ISOTHERMAL[name])
-        reached = np.array(list(_from_three_guesses(scene, steady(scene))))
+        plan = steady(scene)
+        grids = len(resolved(scene, plan))
+        reached = [fixed(scene, plan, grids, start) for start in guesses(scene, plan)]
         spread = np.ptp(reached, axis=0) / np.mean(reached, axis=0)
         tell(f"{name:20} three first guesses differ by {spread[0]:.1e} {spread[1]:.1e}")
         if not (spread < ALIKE).all():
-            yield f"{name}: three first guesses lead to films of {reached.tolist()} m"
+            yield f"{name}: three first guesses lead to films of {np.array(reached).tolist()} m"
 
 
-def _from_three_guesses(scene: Scene, plan: Plan) -> Iterator[list[float]]:
-    """Films on the plan's last grid [m], from each guess; no numbers where the equations are not met."""
+def guesses(scene: Scene, plan: Plan) -> Iterator[Callable[[Rung], None]]:
+    """What starts a rung from each guess."""
     size = scales(scene)
-    rung, _ = PointLadder(scene, plan).enter(plan.grids)
-    fast, _ = PointLadder(nudges(scene)["speed"](2.0), plan).enter(plan.grids)
-    for one in (rung, fast):
-        settle(one, plan.tolerance, plan.aim, SETTLED)
-    met, rigid_film = rung.film.pressure.copy(order="F"), rung.film.rigid_film
-    anew(scene, size, rung)
-    guesses = (
-        (rung.film.pressure.copy(order="F"), rung.film.rigid_film),
-        (met / 2, rigid_film + 2 * size.film),
-        (fast.film.pressure.copy(order="F"), fast.film.rigid_film),
+    here, fast = (
+        PointLadder(of, plan).enter(plan.grids)[0] for of in (scene, nudges(scene)["speed"](2.0))
     )
-    for pressure, film in guesses:
+    for rung in (here, fast):
+        settle(rung, plan.tolerance, plan.aim, SETTLED)
+
+    def started(pressure: np.ndarray, rigid_film: float) -> Callable[[Rung], None]:
         # on the outline it is the grid's boundary value, the same for all
-        pressure[[0, -1], :], pressure[:, [0, -1]] = met[[0, -1], :], met[:, [0, -1]]
-        rung.film.start(pressure, film)
-        figures = settle(rung, plan.tolerance, plan.aim, SETTLED).reading.figures
-        solved = rung.film.balance.worst <= plan.tolerance
-        yield [figures[of] if solved else np.nan for of in FILMS]
+        guess, met = pressure.copy(order="F"), here.film.pressure
+        guess[[0, -1], :], guess[:, [0, -1]] = met[[0, -1], :], met[:, [0, -1]]
+        return lambda rung: rung.film.start(guess, rigid_film)
+
+    yield lambda rung: anew(scene, size, rung)
+    yield started(here.film.pressure / 2, here.film.rigid_film + 2 * size.film)
+    yield started(fast.film.pressure, fast.film.rigid_film)
 
 
 SWEEPS: dict[str, Callable[[float], dict[str, Any]]] = {
     "load": lambda share: contact("sweep", 0.2 * share, (0.5, 0.0)),
     "speed": lambda share: contact("sweep", 20.0, (0.01 * share, 0.0)),
     "pressure-viscosity": lambda share: contact("sweep", 20.0, (0.5, 0.0), alpha=4e-11 * share),
-    "ellipticity": lambda share: contact("sweep", 20.0, (0.5, 0.0), radii=(0.01, 3.2e-4 * share)),
+    "ellipticity": lambda share: contact("sweep", 20.0, (0.5, 0.0), radii=(0.01, 4e-4 * share)),
 }
 """What is swept -> the case file at a share from 1 to 1000."""
 
@@ -198,15 +228,37 @@ def sweeps(tell: Tell, points: int = 25) -> Iterator[str]:
             solutions.append(pyworm.solve(scene, pyworm.plan(scene, 0.02, "isothermal")))
         if not all(solution.converged for solution in solutions):
             yield f"sweep of {what}: not all converged"
-        slopes = np.diff(np.log([films(solution) for solution in solutions]), axis=0) / step
-        bends = np.diff(slopes, axis=0)
-        kinks = np.abs(bends[1:-1] - (bends[:-2] + bends[2:]) / 2).max(axis=0)
+        curves = np.log([films(solution) for solution in solutions])
+        slopes, kinks = np.diff(curves, axis=0) / step, kinks_of(curves, step)
         tell(
             f"sweep of {what:20} slope of the central film {slopes[0, 1]:6.3f} to {slopes[-1, 1]:6.3f}, "
-            f"largest kink {kinks[0]:.3f} {kinks[1]:.3f}"
+            f"largest kink {kinks[:, 0].max():.3f} {kinks[:, 1].max():.3f}"
         )
-        if not (kinks < BENT).all():
-            yield f"sweep of {what}: a kink of {kinks.max():.2f} in slope"
+        for at in np.flatnonzero(kinks.max(axis=1) >= BENT):
+            middle = shares[at + 2]
+            closely = closer(case, middle, step).max(axis=0)
+            tell(
+                f"{'':9}at {middle:.3g} of it, {CLOSER} times as closely, largest kink "
+                f"{closely[0]:.3f} {closely[1]:.3f}"
+            )
+            if not (closely < BENT).all():
+                yield f"sweep of {what}: a kink of {closely.max():.2f} in slope at {middle:.3g}"
+
+
+def kinks_of(curves: np.ndarray, step: float) -> np.ndarray:
+    """Kinks at all but two points at each end of logarithmic curves, shape (points, curves)."""
+    bends = np.diff(curves, 2, axis=0) / step
+    return np.abs(bends[1:-1] - (bends[:-2] + bends[2:]) / 2)
+
+
+def closer(case: Callable[[float], dict[str, Any]], middle: float, step: float) -> np.ndarray:
+    """Kinks of the films about a point of a sweep, all points solved on the same grids."""
+    scene = scene_of(case(float(middle)))
+    plan = steady(scene)
+    grids = len(resolved(scene, plan))
+    near = middle * np.exp(step * np.linspace(-1.5, 1.5, 3 * CLOSER + 1))
+    curves = [fixed(scene_of(case(float(share))), plan, grids) for share in near]
+    return kinks_of(np.log(curves), step / CLOSER)
 
 
 MIRRORED = range(0, 40, 8)

@@ -45,6 +45,20 @@ def test_a_mutated_case_is_planned_or_refused_in_one_sentence(tmp_path, mutant):
     assert flaws == [], f"{mutant.base}: {mutant.what}"
 
 
+@settings(
+    max_examples=12,
+    deadline=None,
+    derandomize=True,
+    database=None,
+    phases=[Phase.generate],
+    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
+)
+@given(mutant=fuzz.mutants(("point_m20_l10", "line_thermal")))
+def test_a_mutated_case_that_can_be_planned_is_solved_or_marked(tmp_path, mutant):
+    _, _, flaws = fuzz.solved(mutant, tmp_path)
+    assert flaws == [], f"{mutant.base}: {mutant.what}"
+
+
 def test_the_judge_of_mutants_sees_what_is_wrong(tmp_path, monkeypatch):
     mutant = fuzz.Mutant("none", "value", "load", b"")
 

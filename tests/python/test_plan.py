@@ -128,6 +128,9 @@ def test_flow_laws_lose_what_is_left_out_of_them():
     assert unthinned.stress_at(1e12, 1e8) == pytest.approx(law.limit_at(1e8), rel=1e-3)
     unlimited = pyworm.plan(scene, 0.01, "all,-limiting-stress").simplified(scene).oil.flow
     assert unlimited.stress_at(1e12, 1e8) > law.limit_at(1e8)
+    # a millionth of a pascal: rounding alone tells the limited oil from one without a limit
+    faint = replace(law, stress=4.2e-6, stress_pressure=0.0)
+    assert faint.stress_at(1e6, 1e8) == pytest.approx(4.2e-6 * np.arcsinh(1e6 / 4.2e-6))
     neither = pyworm.plan(scene, 0.01, "all,-shear-thinning,-limiting-stress").simplified(scene)
     assert neither.oil.flow in (None, NEWTONIAN)
 

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from pyworm import kernels
-from pyworm.reading import maximum_across
+from pyworm.extremum import line_minimum, minimum
+from pyworm.grid import Grid
+from pyworm.reading import exit_minimum, maximum, maximum_across, outline_imbalance
 
 
 @pytest.mark.parametrize("levels", [5, 7, 13])
@@ -21,3 +23,125 @@ def test_a_peak_at_a_wall_in_a_corner_is_found():
     z = kernels.level_positions(7)
     x, y = np.arange(6.0)[:, None, None], np.arange(6.0)[None, :, None]
     assert maximum_across(x + y + 10 * z, z) == pytest.approx(15)
+
+
+SHAPE = (25, 21)
+X, Y = np.meshgrid(np.arange(SHAPE[0]), np.arange(SHAPE[1]), indexing="ij")
+EVERYWHERE = np.ones(SHAPE, dtype=bool)
+
+
+def valley(x, y, angle, narrow=0.3, flat=0.003):
+    """A bowl with its bottom, 1, at (x, y), its long axis turned by an angle."""
+    along = np.cos(angle) * (X - x) + np.sin(angle) * (Y - y)
+    across = np.cos(angle) * (Y - y) - np.sin(angle) * (X - x)
+    return 1 + narrow * across**2 + flat * along**2
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, np.pi / 4, 1.1, -0.4])
+def test_the_bottom_of_a_paraboloid_is_found_between_nodes(angle):
+    value, place = minimum(valley(12.3, 9.8, angle), EVERYWHERE, EVERYWHERE)
+    assert value == pytest.approx(1, abs=2e-5)
+    assert place == pytest.approx((12.3, 9.8), abs=0.12)
+    assert maximum(-valley(12.3, 9.8, angle)) == pytest.approx(-1, abs=2e-5)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, 1.1])
+def test_a_minimum_does_not_jump_where_the_lowest_node_changes(angle):
+    """A valley wanders over five cells; no surface through nodes follows so narrow a one, but steadily."""
+    shifts = np.linspace(0, 5, 201)
+    values = [
+        minimum(np.sqrt(valley(9 + shift, 9.2 + 0.37 * shift, angle, 1.0)), EVERYWHERE, EVERYWHERE)[
+            0
+        ]
+        for shift in shifts
+    ]
+    assert np.ptp(values) < 0.05
+    assert np.abs(np.diff(values)).max() < 1.5e-3
+    assert np.abs(np.diff(values, 2)).max() < 1e-3
+
+
+def test_a_minimum_is_read_at_third_order():
+    def error(spacing):
+        x, y = spacing * (X - 11.3), spacing * (Y - 8.8)
+        return minimum(np.exp(x) - x + np.exp(y) - y, EVERYWHERE, EVERYWHERE)[0] - 2
+
+    coarse, fine = error(0.4), error(0.1)
+    assert abs(fine) < abs(coarse) / 4**3
+    assert abs(coarse) < 2e-3
+
+
+def test_a_field_mirrored_or_turned_has_the_same_minimum():
+    random = np.random.default_rng(3)
+    film = valley(12.3, 9.8, 0.3) + 0.01 * random.random(SHAPE)
+    within = film < 1.3
+    usable = film < 1.5
+    value, (x, y) = minimum(film, within, usable)
+    for turn in (np.flipud, np.fliplr, np.transpose, np.rot90):
+        again, _ = minimum(*(turn(of).copy() for of in (film, within, usable)))
+        assert again == pytest.approx(value, rel=1e-14)
+    mirrored, (u, v) = minimum(*(of[::-1] for of in (film, within, usable)))
+    assert mirrored == pytest.approx(value, rel=1e-14)
+    assert (u, v) == pytest.approx((SHAPE[0] - 1 - x, y))
+
+
+def test_the_deeper_of_two_valleys_counts():
+    film = np.minimum(valley(6.4, 10.1, 0.0), valley(18.5, 10.5, 0.0) - 1e-3)
+    assert film[6, 10] < film[18, 10]
+    value, (x, _) = minimum(film, EVERYWHERE, EVERYWHERE)
+    assert value == pytest.approx(0.999, abs=1e-5)
+    assert x == pytest.approx(18.5, abs=0.05)
+
+
+@pytest.mark.parametrize("beyond", [-50.0, 0.0, 50.0, np.nan])
+def test_a_minimum_at_an_edge_asks_nothing_of_what_is_beyond(beyond):
+    usable = Y <= 12
+    film = np.where(usable, valley(12.3, 14.0, 0.0, 0.02, 0.03), beyond)
+    value, place = minimum(film, usable, usable)
+    assert value == pytest.approx(1 + 0.02 * 4, abs=1e-5)
+    assert place == pytest.approx((12.3, 12.0), abs=0.01)
+
+
+def test_a_minimum_beside_what_does_not_count_is_read_across_one_cell():
+    within = X <= 12
+    value, place = minimum(valley(12.4, 9.8, 0.0), within, EVERYWHERE)
+    assert value == pytest.approx(1, abs=1e-5) and place[0] == pytest.approx(12.4, abs=0.01)
+    value, place = minimum(valley(15.0, 10.0, 0.0), within, EVERYWHERE)
+    assert place == pytest.approx((13.0, 10.0))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_fields_that_are_no_fields_have_no_finite_minimum(bad):
+    film = np.where(X == 3, bad, 1.0)
+    value, _ = minimum(film, X == 3, EVERYWHERE)
+    assert not np.isfinite(value)
+    value, _ = minimum(film, np.zeros(SHAPE, dtype=bool), EVERYWHERE)
+    assert value == np.inf
+
+
+def test_along_a_line_the_curve_is_that_of_the_surface():
+    x = np.arange(30.0)
+    for bottom in (7.0, 7.3, 7.5, 0.2, 28.9):
+        film = np.sqrt(1 + 0.3 * (x - bottom) ** 2 + 0.01 * (x - bottom) ** 3)
+        usable = np.ones(30, dtype=bool)
+        value, place = line_minimum(film, usable, usable)
+        strip = [np.stack([of] * 3, axis=1) for of in (film, usable, usable)]
+        assert value == pytest.approx(minimum(*strip)[0], abs=1e-5)
+        assert place == pytest.approx(minimum(*strip)[1][0], abs=0.01)
+    value, place = line_minimum(np.where(x > 6, np.nan, (x - 6.4) ** 2), x <= 6, x <= 6)
+    assert (value, place) == (pytest.approx(0.16), 6.0)
+
+
+def test_the_exit_minimum_is_found_between_places_looked_at():
+    grid = Grid(-12e-5, -10e-5, 1e-5, 1e-5, *SHAPE)
+    x, y = grid.mesh()
+    along = 0.8 * x + 0.6 * y
+    film = 1 + ((along - 4.3e-5) / 1e-4) ** 2
+    value, place = exit_minimum(grid, film, np.arctan2(0.6, 0.8))
+    assert value == pytest.approx(1, abs=1e-9)
+    assert place == pytest.approx(4.3e-5, rel=1e-4)
+
+
+def test_where_nothing_flows_there_is_no_share_out_of_balance():
+    grid, still = Grid(0.0, 0.0, 1.0, 1.0, *SHAPE), np.zeros(SHAPE)
+    assert np.isnan(outline_imbalance(grid, (still, still), still, X > 5))
+    assert outline_imbalance(grid, (still + 1, still), still, X > 5) == 0
