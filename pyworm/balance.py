@@ -4,7 +4,7 @@ The loads of a drive's teeth follow from its torque, from friction and from how 
 each other, the temperatures of its oil and bodies from the loss between the teeth; all of these follow from
 films under these loads and temperatures. The first pass takes usual values, and no lift. Where those found
 would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `STRIDE`-th phase, lifts with all phases at an accuracy of `GLANCE`.
+temperatures are found with every `STRIDE`-th phase, lifts with every second one at an accuracy of `GLANCE`.
 """
 
 from collections.abc import Callable, Sequence
@@ -33,6 +33,9 @@ STRIDE = 4
 
 GLANCE = 0.1
 """Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load."""
+
+GLANCE_STRIDE = 2
+"""Every which phase is solved for that: lifts of phases between follow within a per cent."""
 
 LOAD_SHARE = 0.25
 """Change of the loads that asks for another pass, as a share of the accuracy."""
@@ -66,10 +69,9 @@ def run_balanced(
         case = case.with_found(earlier)
     else:
         if "cooling" in open_:
-            some = [*tasks[:-1:STRIDE], tasks[-1]]
-            case, _, _ = search.settle(case, some, how, WARM_PASSES)
+            case, _, _ = search.settle(case, every(STRIDE, tasks), how, WARM_PASSES)
         if "lifts" in open_.get("operation", ()) and search.accuracy < GLANCE:
-            case = search.glance(case, tasks, how)
+            case = search.glance(case, every(GLANCE_STRIDE, tasks), how)
     case, result, tasks = search.settle(case, tasks, how, PASSES)
     return result, tasks
 
@@ -133,6 +135,11 @@ class _Search:
             enough = enough and misses <= WARMTH
             found["cooling"] = {"tooth_loss": float(f"{_next_loss(losses):.3g}")}
         return {} if enough else found
+
+
+def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:
+    """Every so manieth task, and the last."""
+    return [*tasks[:-1:stride], tasks[-1]]
 
 
 def _next_loss(losses: list[tuple[float, float]]) -> float:

@@ -18,6 +18,7 @@ from functools import cached_property
 import numpy as np
 
 from pyworm.drives.helicoid import Array, Helicoid
+from pyworm.drives.kept import Kept
 from pyworm.drives.meshing import WheelFlank, across_axis, turned
 
 STEPS = 2
@@ -37,6 +38,9 @@ REACH = np.pi / 2
 
 BLOCK = 16384
 """Points solved at once: keeps the work arrays within the processor's cache."""
+
+MOST_KEPT = 500_000
+"""Points of a flank that are kept: a grid of the figures, the one before it, and what windows sampled."""
 
 Expansion = tuple[Array, list[Array], list[list[Array]]]
 """A function of q with its gradient and its (symmetric) matrix of second derivatives."""
@@ -241,8 +245,18 @@ class FlankHeight:
         Where the mathematical flank ends before (x, y), it is continued along the ray from the contact
         point with the slope of its last sound point and the contact point's curvatures, so that the
         gap stays smooth and opens; q is then the last sound point's.
+
+        Gap and velocities are asked for at the same points, one after the other: what was found is kept, and
+        must not be written to.
         """
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+        return self._kept.recall((x, y), lambda: self._solve_all(x, y))
+
+    @cached_property
+    def _kept(self) -> Kept:
+        return Kept(MOST_KEPT)
+
+    def _solve_all(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         flat = x.ravel(), y.ravel()
         height = np.empty(x.size)
         exists = np.empty(x.size, dtype=bool)
@@ -252,11 +266,11 @@ class FlankHeight:
             height[block], parts, exists[block] = self._solve_block(flat[0][block], flat[1][block])
             for whole, part in zip(q, parts, strict=True):
                 whole[block] = part
-        return (
-            height.reshape(x.shape),
-            [part.reshape(x.shape) for part in q],
-            exists.reshape(x.shape),
-        )
+        found = height, *q, exists
+        for part in found:
+            part.flags.writeable = False
+        height, *q, exists = (part.reshape(x.shape) for part in found)
+        return height, q, exists
 
     def _solve_block(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         q = [np.full(x.shape, value) for value in self.start]
