@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.case import Case, case_again
-from pyworm.drive_cycle import DriveCycle, drive_cycle
+from pyworm.drive_cycle import FEWEST_PHASES, DriveCycle, drive_cycle
 from pyworm.result import Result, case_in
 from pyworm.run import RESULT_NAME, run
 from pyworm.solver import Progress
@@ -138,8 +138,9 @@ class _Search:
 
 
 def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:
-    """Every so manieth task, and the last."""
-    return [*tasks[:-1:stride], tasks[-1]]
+    """Every so manieth task, and the last; all if that leaves fewer than a cycle takes."""
+    some = [*tasks[:-1:stride], tasks[-1]]
+    return some if len(some) >= FEWEST_PHASES else tasks
 
 
 def _next_loss(losses: list[tuple[float, float]]) -> float:
