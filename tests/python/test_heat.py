@@ -214,10 +214,21 @@ def test_films_far_softer_than_the_newtonian_ones_they_start_from():
     assert 0.005 < limited.friction_coefficient.value < 0.035
 
 
-def test_an_oil_that_slips_all_over_is_marked_not_raised():
-    """Bair and Winer's law where its limit is reached all over the contact, so that heat finds no film."""
+def test_an_oil_that_slips_all_over_rubs_by_its_limit():
+    """Bair and Winer's law where the limit is reached all over the contact: friction is the limit over it."""
     flow = FlowLaw("bair-winer", limit=4.2e6, limit_pressure=0.035)
+    slipping = solved(ball(0.5, flow=flow))
+    pressure = slipping.fields.pressure
+    assert (slipping.fields.slip.where(pressure > pressure.max() / 10, 1) > 0).mean() > 0.5
+    node = float(pressure.x.diff("x").mean() * pressure.y.diff("y").mean())
+    most = 0.035 + 4.2e6 * node * float((pressure > pressure.max() / 100).sum()) / slipping.load
+    assert 0.7 * most < slipping.figures.friction_coefficient.value < most
+
+
+def test_a_film_whose_heat_is_not_found_is_marked_not_raised():
+    flow = FlowLaw("bair-winer", limit=4.2e6, limit_pressure=0.01)
     scene = ball(0.5, flow=flow)
-    solution = pyworm.solve(scene, pyworm.plan(scene, COARSE))
+    plan = replace(pyworm.plan(scene, COARSE), wider_grids=(), largest_grid=1)
+    solution = pyworm.solve(scene, plan)
     assert not solution.converged
     assert np.isinf(solution.figures.film_min.error)
