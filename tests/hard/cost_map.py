@@ -32,11 +32,11 @@ class Axis:
 
 M = Axis("moes_m", "Moes' load parameter M")
 L = Axis("moes_l", "Moes' lubricant parameter L")
-PRESSURE = Axis("hertz_pressure", "Hertz pressure [GPa]", 1e9)
+PRESSURE = Axis("hertz_pressure", "Hertz pressure, GPa", 1e9)
 ELLIPTICITY = Axis("ellipticity", "axis along y over axis along x")
-FILM = Axis("film", "expected central film [nm]", 1e-9)
+FILM = Axis("film", "expected central film, nm", 1e-9)
 SLIDING = Axis("slide_roll_ratio", "slide-roll ratio")
-SPEED = Axis("speed", "entrainment [m/s]")
+SPEED = Axis("speed", "entrainment, m/s")
 
 PANELS: dict[str, tuple[tuple[Axis, Axis], ...]] = {
     "isothermal": ((M, L), (ELLIPTICITY, PRESSURE), (FILM, M)),
@@ -72,11 +72,12 @@ def draw_map(
         done = sum(one.outcome == "converged" for one in verdicts[kind])
         for panel, axes in zip(row, PANELS[kind], strict=True):
             _panel(panel, axes, verdicts[kind], traits, norm)
-        row[0].set_title(f"{kind}: {done} of {len(verdicts[kind])} scenes converged", loc="left")
+        told = f"{kind}: {done} of {len(verdicts[kind])} scenes converged; crosses did not"
+        row[0].set_title(told, loc="left")
     figure.colorbar(
         ScalarMappable(norm, "viridis"),
         ax=rows,
-        label="cost: convolutions on the finest grid times its nodes [million]",
+        label="cost: convolutions on the finest grid times its nodes, million",
     )
     figure.savefig(path, dpi=DOTS_PER_INCH)
 
@@ -94,7 +95,5 @@ def _panel(
     good = [one for one in verdicts if one.outcome == "converged"]
     bad = [one for one in verdicts if one.outcome != "converged"]
     panel.scatter(*places(good), c=[one.cost for one in good], norm=norm, cmap="viridis", s=18)
-    if bad:
-        panel.scatter(*places(bad), marker="x", c="tab:red", s=45, label="not converged")
-        panel.legend(loc="best")
+    panel.scatter(*places(bad), marker="x", c="tab:red", s=45)
     panel.set(xscale="log", yscale="log", xlabel=axes[0].label, ylabel=axes[1].label)
