@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from pyworm.batch import solve_all
 from pyworm.case import Case
@@ -70,17 +71,19 @@ def run(
     solved = [task for task in tasks if task.key not in reasons]
     if not solved:
         raise NothingSolvedError(reasons[tasks[-1].key])
-    solutions = tuple(
-        replace(earlier.get(task.key) or store.solution(task), name=task.scene.name)
-        for task in solved
-    )
+    kept = dict(earlier)
+    for task in solved:
+        if task.key not in earlier:
+            kept |= _of_each(store.result(task))
+    solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
+    plans = {task.key: kept[task.key][1] for task in solved}
     failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
     result = Result(
         case.name,
         case.resolved,
         solutions,
         None if case.drive is None else case.drive.cycle_data(),
-        provenance(solved) | {"failed": failed},
+        provenance(plans) | {"failed": failed},
     )
     directory.mkdir(parents=True, exist_ok=True)
     result.save(directory / RESULT_NAME)
@@ -88,10 +91,16 @@ def run(
     return result
 
 
-def _solved_before(path: Path) -> dict[str, Solution]:
-    """Solutions of an earlier result, if there is one, by key."""
+def _solved_before(path: Path) -> dict[str, tuple[Solution, dict[str, Any]]]:
+    """Solutions of an earlier result, if there is one, with their plans, by key."""
     try:
-        result = open_result(path)
+        return _of_each(open_result(path))
     except (FileNotFoundError, ValueError):
         return {}
-    return dict(zip(result.provenance.get("keys", ()), result.solutions, strict=False))
+
+
+def _of_each(result: Result) -> dict[str, tuple[Solution, dict[str, Any]]]:
+    """Solutions of a result with their plans, by key."""
+    said = result.provenance
+    plans = zip(result.solutions, said.get("plans", ()), strict=False)
+    return dict(zip(said.get("keys", ()), plans, strict=False))

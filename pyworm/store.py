@@ -9,7 +9,6 @@ from typing import Any
 
 from pyworm.output import PARTIAL, whole_file
 from pyworm.result import Result, open_result
-from pyworm.solution import Solution
 from pyworm.task import Task
 
 
@@ -54,18 +53,17 @@ class Store:
             {task.key: task for task in tasks if self.file(task).name not in there}.values()
         )
 
-    def solution(self, task: Task) -> Solution:
-        """A solution kept in full; OSError if its file was damaged."""
+    def result(self, task: Task) -> Result:
+        """A solution kept in full, as the result that it came in; OSError if its file was damaged."""
         try:
-            (solution,) = open_result(self.file(task)).solutions
+            return open_result(self.file(task))
         except ValueError as error:
             raise OSError(f"{error}; without it the scene is solved again") from error
-        return solution
 
     def summary(self, task: Task) -> dict[str, Any]:
         """The scalars of a solution, as of `Solution.summary`; OSError if its file was damaged."""
         if self.fields:
-            return self.solution(task).summary()
+            return self.result(task).solutions[0].summary()
         file = self.file(task)
         try:
             return json.loads(file.read_text())["summary"]

@@ -98,15 +98,18 @@ class Task:
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)
             solution = replace(solution, fields=solution.fields.merge(beside))
-        return Result(self.case.name, self.case.resolved, (solution,), None, provenance([self]))
+        return Result(
+            self.case.name,
+            self.case.resolved,
+            (solution,),
+            None,
+            provenance({self.key: asdict(self.plan)}),
+        )
 
 
-def provenance(tasks: list[Task]) -> dict[str, Any]:
-    """What made the solutions of some tasks, plans and keys included; JSON-able."""
-    return where_and_when() | {
-        "plans": [asdict(task.plan) for task in tasks],
-        "keys": [task.key for task in tasks],
-    }
+def provenance(plans: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """What made some solutions: the plan of each by its task's key, in their order; JSON-able."""
+    return where_and_when() | {"plans": list(plans.values()), "keys": list(plans)}
 
 
 def where_and_when() -> dict[str, str]:

@@ -53,7 +53,7 @@ def some_tasks(count=4):
 
 def bits(store, tasks):
     """All that was solved but the time it took."""
-    solutions = [store.solution(task) for task in tasks]
+    solutions = [store.result(task).solutions[0] for task in tasks]
     return [
         (one.figures, {name: one.fields[name].values.tobytes() for name in one.fields})
         for one in solutions
