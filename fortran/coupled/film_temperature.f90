@@ -171,7 +171,11 @@ contains
       call search_step(self%point_contact, merit, p, h0, residual, load_error, step, stat)
       most = merge(0.5_wp, 1.0_wp, self%heat%last_share > 0)
       call warm_film(self, most, residual, load_error, change, heat_stat)
-      if (heat_stat /= status_ok) stat = heat_stat
+      if (heat_stat /= status_ok) then
+        stat = heat_stat
+        change = hottest
+        return
+      end if
     end if
     self%heat%last_share = self%heat%share
     self%heat%wanted(:, :, :) = (self%shear%nodes%rise - self%heat%before)/self%heat%share
