@@ -1,27 +1,127 @@
-"""What plans tell of squeeze over a drive's mesh cycle: by the film's change, and by the contact's.
+"""What squeeze does over a drive's mesh cycle: what plans tell of it, and what marched films show.
 
-Loads are shared dry. Run from the repository's root (it takes seconds):
+Each contact's film, isothermal and Newtonian, is marched through the two transits of oil before it, in steps
+that shorten towards the present and with rates of change of third order, from a steady film on. Loads are
+shared dry. Neither the steps of time nor the grids are refined: figures are good to some per cent of the film.
+Run from the repository's root (it takes some minutes):
 
     python benchmarks/squeeze.py [CASE]
 """
 
 import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, prod, sin
+
+import numpy as np
+from scipy.interpolate import RectBivariateSpline
 
 import pyworm
+from pyworm import climb
 from pyworm.effects.sketch import sketch
 from pyworm.effects.unsimulated import SQUEEZE, lag, spread
+from pyworm.grid import Grid
+from pyworm.ladder import lead
+from pyworm.line.scene import LineScene
+from pyworm.past import Earlier
+from pyworm.scales import scales
+from pyworm.scene import Array, Scene
+
+TRANSITS = 2.0
+"""How far back films are marched from, in the time that oil takes to pass through the contact's middle."""
+
+STEPS, SHORTENING, ORDER = 24, 1.5, 3
+"""Steps of time, the power by which they shorten, and the order of rates of change."""
+
+ACCURACY, TOLERANCE = 0.05, 1e-6
+"""Accuracy of the plan whose first grids are taken, and residual to which films are solved."""
+
+
+@dataclass(frozen=True)
+class Instant:
+    """What the films of a nest of grids held at one time."""
+
+    moment: Earlier
+    rungs: Sequence[climb.Rung]
+
+    def content(self, level: int, angle: float) -> Array:
+        """rho h [m] on a grid of the nest in axes whose x axis has an angle [rad]."""
+        rung = self.rungs[level]
+        film, density, _ = rung.film.fields()
+        lift = RectBivariateSpline(rung.grid.x, rung.grid.y, density * film - rung.gap)
+        x, y = rung.grid.mesh()
+        turn = angle - self.moment.angle
+        places = x * cos(turn) - y * sin(turn), y * cos(turn) + x * sin(turn)
+        return self.moment.contact.gap(*places)[0] + lift(*places, grid=False)
+
+
+def rate(times: Sequence[float]) -> list[float]:
+    """Weights [1/s] of values at times before the present, the latest first, in the latest's rate of change."""
+    latest, *before = times
+    weights = [
+        prod((other - latest) / (other - time) for other in before if other != time)
+        / (latest - time)
+        for time in before
+    ]
+    return [-sum(weights), *weights]
+
+
+def solved(moment: Earlier, nest: Sequence[Grid], films: Sequence[Instant]) -> Instant:
+    """The film of a moment, steady if none is known of before."""
+    scene, rungs = moment.contact, []
+    size = scales(scene)
+    for level, grid in enumerate(nest):
+        if rungs:
+            rung = climb.next_rung(scene, size, rungs[-1], grid, climb.entry(rungs[-1], grid))
+        else:
+            rung = climb.first_rung(scene, scene, size, grid)
+        if films:
+            renewal, *weights = rate([of.seconds for of in (moment, *(f.moment for f in films))])
+            past = (f.content(level, moment.angle) for f in films)
+            rung.film.store(renewal, sum(w * p for w, p in zip(weights, past, strict=True)))
+            rung.film.restart()
+        lead(rung, TOLERANCE)
+        rungs.append(rung)
+    return Instant(moment, rungs)
+
+
+def marched(scene: Scene, nest: Sequence[Grid]) -> Instant:
+    """The film of a scene as it came to be."""
+    span = min(TRANSITS * sketch(scene).transit, scene.past.seconds)
+    times = [span * (k / STEPS) ** SHORTENING for k in range(1, STEPS + 1)]
+    films: list[Instant] = []
+    for moment in (*reversed(scene.past.back(times)), Earlier(0.0, scene)):
+        films = [solved(moment, nest, films), *films[: ORDER - 1]]
+    return films[0]
+
+
+def nest_of(scene: Scene) -> Sequence[Grid]:
+    """Grids that hold the contact now and as it was."""
+    span = min(TRANSITS * sketch(scene).transit, scene.past.seconds)
+    moments = [Earlier(0.0, scene), *scene.past.back([span / 2, span])]
+    largest = max((moment.contact for moment in moments), key=lambda contact: contact.load)
+    return pyworm.plan(largest, ACCURACY, "isothermal", ("film",)).grids
 
 
 def main(path: str) -> None:
     """A row for each contact that the case lists."""
-    print(f"{'':>32} {'lag':>7} {'spread':>7} {'told':>7}")
+    heads = ("lag", "spread", "told", "central", "least")
+    print(f"{'':>32} " + " ".join(f"{head:>8}" for head in heads))
     for scene in pyworm.load(path).scenes():
-        if scene.neighbours is None:
+        if scene.past is None:
             print(f"{scene.name:>32} steady")
             continue
         of = sketch(scene)
-        shares = lag(of), spread(of), SQUEEZE.influence(of).film
-        print(f"{scene.name:>32} " + " ".join(f"{share:7.2%}" for share in shares))
+        shares = [lag(of), spread(of), SQUEEZE.influence(of).film]
+        if not isinstance(scene, LineScene):
+            nest = nest_of(scene)
+            films = marched(scene, nest), solved(Earlier(0.0, scene), nest, ())
+            after, steady = (film.rungs[-1].read() for film in films)
+            shares.append(after.film_central / steady.film_central - 1)
+            shares.append(after.film_min / steady.film_min - 1)
+            if max(film.rungs[-1].film.balance.worst for film in films) > TOLERANCE:
+                shares[-2:] = [np.nan, np.nan]
+        print(f"{scene.name:>32} " + " ".join(f"{share:8.1%}" for share in shares), flush=True)
 
 
 if __name__ == "__main__":

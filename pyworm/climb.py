@@ -328,7 +328,6 @@ def _rung(
         gap + far,
         covered,
         scene.entrainment(*grid.mesh()),
-        np.zeros_like(gap),
         grid.dx,
         grid.dy,
         scene.bending_modulus,

@@ -158,7 +158,8 @@ RINGS = (1.0, 2.0, 4.0)
 less, by the gap there."""
 
 
-def _departure(sketch: Sketch) -> float:
+def departure(sketch: Sketch) -> float:
+    """How far the gap is off the paraboloid's, over that, on outlines about the contact."""
     scene = sketch.scene
     if isinstance(scene, LineScene):
         outline = (np.array([-1.0, 1.0]) * sketch.half_width,)
@@ -179,7 +180,7 @@ def _departure(sketch: Sketch) -> float:
 def _by_departure(sketch: Sketch) -> Influence:
     if _spins_only(sketch.scene):
         return EVERYTHING  # the load of its film comes from all around, far out too
-    change = _departure(sketch)
+    change = departure(sketch)
     return Influence(change, change, change)
 
 
@@ -200,7 +201,7 @@ REAL_GAP = Effect(
     name="real-gap",
     symbol="|gap - paraboloid| / gap, at the rim",
     source="the gap at eight places of the outline of Hertz's contact",
-    indicator=_departure,
+    indicator=departure,
     influence=_by_departure,
     without=_plain_gap,
     lacking=_own_curves,

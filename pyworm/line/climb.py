@@ -187,7 +187,6 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         gap,
         covered,
         np.full(grid.nodes, scene.entrainment),
-        np.zeros(grid.nodes),
         grid.dx,
         scene.bending_modulus,
         load,

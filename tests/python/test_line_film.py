@@ -319,7 +319,6 @@ def test_the_kernel_refuses_with_a_status(wrong):
         "gap": x**2,
         "covered": x < 2,
         "entrainment": np.ones(11),
-        "squeeze": np.zeros(11),
         "dx": 0.2,
         "reduced_modulus": 4.0,
         "load": 1.0,

@@ -14,13 +14,13 @@ from plans import trial
 
 import pyworm
 from pyworm.cli import CONVERGED, main
+from pyworm.effects.bodies import departure
 from pyworm.effects.catalogue import EFFECTS
 from pyworm.effects.effect import QUANTITIES
 from pyworm.effects.sketch import sketch
-from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.line.scene import LineScene
-from pyworm.neighbours import Neighbours
 from pyworm.oils import NEWTONIAN
+from pyworm.past import Earlier, Past
 from pyworm.planning import planned
 from pyworm.scales import scales
 from pyworm.scene import Paraboloid, RigidMotion
@@ -194,21 +194,39 @@ def test_effects_asked_for_are_judged_but_not_revised():
     assert heat.influence["film"] > 0.02
 
 
-def squeezed(before, after, seconds=1e-3):
-    """What is told of squeeze between two states of a contact."""
-    scene = replace(before, neighbours=Neighbours(before, after, seconds))
+def squeezed(before, after, age=1.0):
+    """What is told of squeeze of a contact that was another one at all times before, if any."""
+
+    def then(seconds):
+        if seconds > age:
+            raise ValueError("nothing was carried")
+        return Earlier(seconds, before)
+
+    scene = replace(after, past=Past(age, then))
     return judged(pyworm.plan(scene, 0.05, quantities=("film",)))["squeeze"]
 
 
 def test_squeeze_of_a_faster_film_is_its_growth_while_oil_passes():
     before, after = ball(speed=2.0), ball(speed=2.02)
-    half_width = hertz(*before.radii, before.load, before.reduced_modulus).semi_axis_x
-    growth = np.log(scales(after).film / scales(before).film) / 1e-3
     told = squeezed(before, after)
-    assert told.indicator == pytest.approx(2 * half_width / 2.0 * growth)
+    assert told.indicator == pytest.approx(np.log(scales(after).film / scales(before).film))
     assert told.influence["film"] == pytest.approx(told.indicator)
     assert not told.on
-    assert squeezed(after, before).indicator == pytest.approx(told.indicator, rel=0.02)
+    assert squeezed(after, before).indicator == pytest.approx(told.indicator)
+
+
+def test_squeeze_of_a_gap_that_departs_from_its_radii_is_told():
+    """Radii, load and speed stay; the contact reached an edge while oil passed."""
+    plain = ball()
+    bent = replace(plain, gap=lambda x, y: ((x**2 + y**2) / 0.04 * (1 + 20 * x), y < 1))
+    assert squeezed(bent, plain).indicator == pytest.approx(departure(sketch(bent)))
+
+
+def test_a_cycle_younger_than_the_oil_has_no_earlier_past():
+    told = squeezed(ball(speed=2.0), ball(speed=2.02), age=1e-6)
+    assert told.indicator == pytest.approx(np.log(scales(ball(2.02)).film / scales(ball(2.0)).film))
+    beginning = squeezed(ball(), ball(), age=0.0)
+    assert (beginning.indicator, beginning.reason) == (None, "nothing before")
 
 
 @pytest.mark.parametrize(("kind", "power", "edges"), [("ball", 1 / 3, 2), ("roller", 1 / 2, 1)])
@@ -217,15 +235,12 @@ def test_squeeze_of_a_growing_load_is_that_of_the_contact_s_edges(kind, power, e
     share = 1e-3
     if kind == "ball":
         before, after = (ball(load=load) for load in (40.0, 40.0 * (1 + share)))
-        half_width = hertz(*before.radii, before.load, before.reduced_modulus).semi_axis_x
     else:
         before = TRIALS["roller, half way"].scene()
         after = replace(before, load=before.load * (1 + share))
-        half_width = hertz_line(before.radius, before.load, before.reduced_modulus).half_width
-    speed = sketch(before).speed
     told = squeezed(before, after)
-    outward = half_width * power * share / 1e-3
-    assert edges * outward / speed < told.indicator < 1.35 * edges * outward / speed
+    outward = power * share / 2  # of the width, while oil passes through that
+    assert edges * outward < told.indicator < 1.35 * edges * outward
     # 0.7 of the edges' share counts, and all of the film's
     assert 0.7 * told.indicator < told.influence["film"] < told.indicator
 
