@@ -2,8 +2,8 @@
 
 Each contact's film, isothermal and Newtonian, is marched through the two transits of oil before it, in steps
 that shorten towards the present and with rates of change of third order, from a steady film on. Loads are
-shared dry. Neither the steps of time nor the grids are refined: figures are good to some per cent of the film.
-Run from the repository's root (it takes some minutes):
+shared dry. Neither the steps of time nor the grids are refined: changes are good to a few per cent of the
+film. Run from the repository's root (it takes ten minutes):
 
     python benchmarks/squeeze.py [CASE]
 """
@@ -56,7 +56,7 @@ class Instant:
 
 
 def rate(times: Sequence[float]) -> list[float]:
-    """Weights [1/s] of values at times before the present, the latest first, in the latest's rate of change."""
+    """Weights [1/s] of values at times before the present, the latest first, in the rate of change then."""
     latest, *before = times
     weights = [
         prod((other - latest) / (other - time) for other in before if other != time)
@@ -108,8 +108,9 @@ def main(path: str) -> None:
     heads = ("lag", "spread", "told", "central", "least")
     print(f"{'':>32} " + " ".join(f"{head:>8}" for head in heads))
     for scene in pyworm.load(path).scenes():
-        if scene.past is None:
-            print(f"{scene.name:>32} steady")
+        lacking = SQUEEZE.lacking(scene)
+        if lacking is not None:
+            print(f"{scene.name:>32} {lacking}")
             continue
         of = sketch(scene)
         shares = [lag(of), spread(of), SQUEEZE.influence(of).film]

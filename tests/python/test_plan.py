@@ -223,8 +223,9 @@ def test_squeeze_of_a_gap_that_departs_from_its_radii_is_told():
 
 
 def test_a_cycle_younger_than_the_oil_has_no_earlier_past():
-    told = squeezed(ball(speed=2.0), ball(speed=2.02), age=1e-6)
-    assert told.indicator == pytest.approx(np.log(scales(ball(2.02)).film / scales(ball(2.0)).film))
+    before, after = ball(speed=2.0), ball(speed=2.02)
+    told = squeezed(before, after, age=1e-6)
+    assert told.indicator == pytest.approx(np.log(scales(after).film / scales(before).film))
     beginning = squeezed(ball(), ball(), age=0.0)
     assert (beginning.indicator, beginning.reason) == (None, "nothing before")
 
