@@ -1,6 +1,6 @@
 !> Reynolds' equation of a sheared film: any flow law, and a viscosity that varies across the film.
 !>
-!>     div(rho h um) - div(rho S) + rho dh/dt = 0,   S = int z F(tau)/tau (tau_x, tau_y) dz
+!>     div(rho h um) - div(rho S) + d(rho h)/dt = 0,   S = int z F(tau)/tau (tau_x, tau_y) dz
 !>
 !> (Sharif et al. 2001, eqs 10 and 11, in x and y instead of the frame of sliding). S is taken at the faces between
 !> nodes, with its exact derivatives by the pressure gradient (a full tensor), pressure and film. Fluidities of a

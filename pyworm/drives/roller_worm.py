@@ -8,14 +8,14 @@ through the left section from the throat to its outer end, pushed from behind: t
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from math import degrees, pi
 
 import numpy as np
 import xarray as xr
 
 from pyworm.bodies import Body
-from pyworm.drives.passing import with_past
+from pyworm.drives.passing import Passing
 from pyworm.drives.roller_data import roller_cycle_data
 from pyworm.drives.roller_envelope import Array, LineContact, RollerEnvelope
 from pyworm.drives.roller_film import ClosedFilms, closed_films
@@ -298,13 +298,12 @@ class RollerWormDrive:
             The roller carries no load there.
         """
         part = self.sections[section]
-
-        def at(phase: float) -> LineScene | Scene:
-            if station is None:
-                return self._whole(section, phase)
-            return self._station(section, phase, station)
-
-        return with_past(at, phase, self.wheel_speed / (part.last - part.first))
+        at = (
+            partial(self._whole, section)
+            if station is None
+            else partial(self._station, section, station=station)
+        )
+        return Passing(at, phase, self.wheel_speed / (part.last - part.first)).scene()
 
     def _station(self, section: str, phase: float, station: float) -> LineScene:
         """The line contact at a share of a contact line."""

@@ -1,6 +1,7 @@
 """Plans: what they leave out, what they say of it, and what solutions say of plans."""
 
 import json
+import pickle
 from dataclasses import replace
 from math import inf, isfinite
 from pathlib import Path
@@ -312,3 +313,21 @@ def test_the_readme_shows_what_check_prints(arguments, capsys, monkeypatch):
     assert len(shown) == len(EFFECTS)
     readme = Path("README.md").read_text()
     assert "\n".join(shown) in readme
+
+
+@pytest.mark.parametrize(
+    ("case", "place"),
+    [
+        ("zi_drive", {"phase": 0.4}),
+        ("roller_ref", {"section": "left", "phase": 0.5, "station": 0.5}),
+        ("spur_pair", {"phase": 0.5}),
+    ],
+)
+def test_scenes_travel_to_other_processes_with_their_past(case, place):
+    scene = pyworm.load(f"cases/{case}.toml").scene(**place)
+    again = pickle.loads(pickle.dumps(scene))
+    for seconds in (1e-5, 2e-5):
+        assert again.past.before(seconds).contact.load == scene.past.before(seconds).contact.load
+    assert (
+        judged(pyworm.plan(again, 0.05))["squeeze"] == judged(pyworm.plan(scene, 0.05))["squeeze"]
+    )
