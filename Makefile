@@ -45,7 +45,7 @@ test-fortran: $(DEBUG)/build.ninja
 	meson test -C $(DEBUG) --suite fortran --print-errorlogs
 
 test-python: $(INSTALLED)
-	python -m pytest
+	python -m pytest -n 2 --dist loadfile
 
 hard: $(INSTALLED)
 	python tests/hard $(SCENE)
