@@ -9,11 +9,11 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_free, point_film_evaluate, point_film_step, point_film_fields, &
-    point_film_convolve, point_film_work, point_film_thickness, point_film_entrain, point_film_shear, &
+    point_film_convolve, point_film_work, point_film_thickness, point_film_entrain, point_film_store, point_film_shear, &
     point_film_heat, point_film_warm, point_film_rise, point_film_set_rise, point_film_unsolved, &
     point_film_shear_fields, point_film_heat_fields, point_film_profile
   public :: line_film_new, line_film_free, line_film_evaluate, line_film_step, line_film_fields, &
-    line_film_convolve, line_film_shear, line_film_heat, line_film_rise, line_film_unsolved, &
+    line_film_convolve, line_film_store, line_film_shear, line_film_heat, line_film_rise, line_film_unsolved, &
     line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
   public :: prolong_cubic, level_positions
 
@@ -61,7 +61,7 @@ contains
   end subroutine dry_contact_solve
 
   !> Makes a point contact; see `point_film` for the arguments and `oil_laws` for the oil's.
-  subroutine point_film_new(gap, covered, u, v, squeeze, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
+  subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
       pole_pressure, d1, d2, load, floor, handle, stat)
     use oil_laws, only: oil_law
     use point_film, only: new_point_contact
@@ -69,7 +69,7 @@ contains
     use film_temperature, only: heated_contact
     use status, only: status_ok, status_no_memory
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny), squeeze(nx, ny)
+    real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny)
     integer(c_int), intent(in) :: covered(nx, ny)
     real(c_double), intent(in) :: dx, dy, reduced_modulus
     integer(c_int), intent(in) :: law
@@ -84,7 +84,7 @@ contains
     stat = status_no_memory
     allocate (contact, stat=err)
     if (err /= 0) return
-    call new_point_contact(contact%point_contact, gap, covered /= 0, u, v, squeeze, dx, dy, reduced_modulus, &
+    call new_point_contact(contact%point_contact, gap, covered /= 0, u, v, dx, dy, reduced_modulus, &
       oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
     if (stat == status_ok) then
       handle = handle_of(contact)
@@ -117,6 +117,21 @@ contains
     contact => contact_of(handle)
     call entrain(contact%point_contact, u, v)
   end subroutine point_film_entrain
+
+  !> Lets the oil that a contact's film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
+  subroutine point_film_store(handle, renewal, squeeze, nx, ny, stat)
+    use contact_handle, only: contact_of
+    use film_temperature, only: heated_contact
+    use point_film, only: store
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: renewal, squeeze(nx, ny)
+    integer(c_int), intent(out) :: stat
+    type(heated_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call store(contact%point_contact, renewal, squeeze, stat)
+  end subroutine point_film_store
 
   !> Gives a contact's oil a flow law; see `flow_laws` and `point_film` for the arguments.
   subroutine point_film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
@@ -418,7 +433,7 @@ contains
   end subroutine point_film_work
 
   !> Makes a line contact; see `line_film` for the arguments and `oil_laws` for the oil's.
-  subroutine line_film_new(gap, covered, u, squeeze, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
+  subroutine line_film_new(gap, covered, u, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
       d1, d2, load, floor, handle, stat)
     use oil_laws, only: oil_law
     use line_film, only: new_line_contact
@@ -426,7 +441,7 @@ contains
     use line_temperature, only: heated_line
     use status, only: status_ok, status_no_memory
     integer(c_int), intent(in) :: n
-    real(c_double), intent(in) :: gap(n), u(n), squeeze(n)
+    real(c_double), intent(in) :: gap(n), u(n)
     integer(c_int), intent(in) :: covered(n)
     real(c_double), intent(in) :: dx, reduced_modulus
     integer(c_int), intent(in) :: law
@@ -441,7 +456,7 @@ contains
     stat = status_no_memory
     allocate (contact, stat=err)
     if (err /= 0) return
-    call new_line_contact(contact%line_contact, gap, covered /= 0, u, squeeze, dx, reduced_modulus, &
+    call new_line_contact(contact%line_contact, gap, covered /= 0, u, dx, reduced_modulus, &
       oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
     if (stat == status_ok) then
       handle = handle_of(contact)
@@ -538,6 +553,21 @@ contains
     contact => contact_of(handle)
     call contact%plane%deflection(p, w)
   end subroutine line_film_convolve
+
+  !> Lets the oil that a line contact's film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
+  subroutine line_film_store(handle, renewal, squeeze, n, stat)
+    use line_film, only: store_line
+    use line_handle, only: contact_of
+    use line_temperature, only: heated_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: renewal, squeeze(n)
+    integer(c_int), intent(out) :: stat
+    type(heated_line), pointer :: contact
+
+    contact => contact_of(handle)
+    call store_line(contact%line_contact, renewal, squeeze, stat)
+  end subroutine line_film_store
 
   !> Gives a line contact's oil a flow law; see `flow_laws` and `line_film` for the arguments.
   subroutine line_film_shear(handle, sliding, n, law, reference, reference_growth, reference_decay, limit, limit_growth, &

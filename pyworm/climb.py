@@ -15,6 +15,7 @@ from pyworm import kernels, reading
 from pyworm.accuracy import HEAT_FIGURES, Reading
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
+from pyworm.history import Storage
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
 from pyworm.scales import Scales
@@ -105,6 +106,8 @@ class Rung:
     newtonian : tuple or None
         Viscosity against pressure and sliding velocities against place, by which a film without levels is
         sheared; None where the oil's flow law is not known.
+    storage : Storage or None
+        What the film stores as it changes; None of a steady one.
     """
 
     forcing: ClassVar[float] = 0.1
@@ -119,6 +122,7 @@ class Rung:
     film: kernels.PointFilm
     coarser: Start | None = None
     newtonian: tuple[Barus | Roelands, Motion] | None = None
+    storage: Storage | None = None
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
@@ -131,6 +135,15 @@ class Rung:
             at,
             self._shear_figures() | self._heat_figures(),
         )
+
+    def store(self, before: "Rung | None" = None) -> None:
+        """Lets the film change, as thick as it is on a rung before; it is to be started before it steps."""
+        if self.storage is None:
+            return
+        film = None
+        if before is not None and before.film.levels and not lost(before):
+            film = reading.carrying_film(before.film.thickness(), before.film.pressure)
+        self.film.store(*self.storage.on(self.grid, film))
 
     def model_errors(self) -> dict[str, float]:
         """Error of the temperatures by the bodies' models of conduction."""
@@ -201,7 +214,7 @@ def dry_contact(
     )
 
 
-def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
+def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid, storage: Storage | None) -> Rung:
     """The outermost grid, entered from the dry contact lifted by the expected film.
 
     `far` is the scene that the oil beyond the grid belongs to.
@@ -211,7 +224,8 @@ def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
     rigid_film = size.film - dry.approach
     beyond = far_field(far, grid, gap + rigid_film, covered)
-    rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load)
+    rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load, storage)
+    rung.store()
     everywhere = _with_trace(dry.pressure, covered)
     rung.film.start(np.where(beyond.outline, beyond.pressure, everywhere), rigid_film)
     return rung
@@ -254,7 +268,8 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
     if np.ndim(far):
         far = kernels.prolong(far[window])
     coarser = _end(rung) if _same_window(rung, grid) else None
-    finer = _rung(scene, size, grid, far, load, coarser)
+    finer = _rung(scene, size, grid, far, load, rung.storage, coarser)
+    finer.store(rung)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
 
@@ -279,7 +294,8 @@ def anew(scene: Scene, size: Scales, rung: Rung) -> None:
 
 def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
     """A scene on the grid of a rung, entered from its film."""
-    again = _rung(scene, size, rung.grid, rung.far, rung.load)
+    again = _rung(scene, size, rung.grid, rung.far, rung.load, rung.storage)
+    again.store(rung)
     again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
     return again
 
@@ -321,14 +337,19 @@ def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = 
 
 
 def _rung(
-    scene: Scene, size: Scales, grid: Grid, far, load: float, coarser: Start | None = None
+    scene: Scene,
+    size: Scales,
+    grid: Grid,
+    far,
+    load: float,
+    storage: Storage | None,
+    coarser: Start | None = None,
 ) -> Rung:
     gap, covered = scene.gap(*grid.mesh())
     film = kernels.PointFilm(
         gap + far,
         covered,
         scene.entrainment(*grid.mesh()),
-        np.zeros_like(gap),
         grid.dx,
         grid.dy,
         scene.bending_modulus,
@@ -338,4 +359,6 @@ def _rung(
     )
     sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
     newtonian = (scene.oil.viscosity, scene.sliding) if scene.oil.flow == NEWTONIAN else None
-    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser, newtonian)
+    return Rung(
+        grid, gap, covered, far, load, scene.load, sliding, film, coarser, newtonian, storage
+    )

@@ -307,6 +307,23 @@ class _Film:
         """Starts from the present pressure and rigid film, in which something else has changed."""
         return self.start(self.pressure, self.rigid_film)
 
+    def store(self, renewal: float, squeeze) -> None:
+        """Lets the oil that the film stores change; it is to be started before it steps.
+
+        Parameters
+        ----------
+        renewal : float
+            Change by what the film holds, for each rho h [1/s].
+        squeeze : array_like
+            Change by what else is known of it, at the nodes [m/s].
+
+        Raises
+        ------
+        KernelError
+            If they are not finite.
+        """
+        _check(self._binding("store")(self._handle, renewal, _field(squeeze)))
+
     def step(self, forcing: float) -> Step:
         """One Newton step, and where heat is simulated one sweep of it at the new pressure.
 
@@ -403,8 +420,6 @@ class PointFilm(_Film):
         Undeformed gap [m] and where both surfaces exist, shape (nx, ny).
     entrainment : tuple of array_like
         Nodal entrainment velocity (u, v) [m/s].
-    squeeze : array_like
-        Rate of change of the gap [m/s].
     dx, dy : float
         Grid spacing [m].
     reduced_modulus, load : float
@@ -417,15 +432,12 @@ class PointFilm(_Film):
 
     _family = "point_film"
 
-    def __init__(
-        self, gap, covered, entrainment, squeeze, dx, dy, reduced_modulus, load, oil: Oil, floor
-    ):
+    def __init__(self, gap, covered, entrainment, dx, dy, reduced_modulus, load, oil: Oil, floor):
         made = self._binding("new")(
             _field(gap),
             np.asfortranarray(covered, dtype=np.int32),
             _field(entrainment[0]),
             _field(entrainment[1]),
-            _field(squeeze),
             dx,
             dy,
             reduced_modulus,
@@ -582,8 +594,8 @@ class LineFilm(_Film):
     ----------
     gap, covered : array_like
         Undeformed gap [m] and where both surfaces exist, shape (n,).
-    entrainment, squeeze : array_like
-        Nodal entrainment velocity and rate of change of the gap [m/s].
+    entrainment : array_like
+        Nodal entrainment velocity [m/s].
     dx : float
         Grid spacing [m].
     reduced_modulus, load : float
@@ -601,12 +613,11 @@ class LineFilm(_Film):
 
     _family = "line_film"
 
-    def __init__(self, gap, covered, entrainment, squeeze, dx, reduced_modulus, load, oil, floor):
+    def __init__(self, gap, covered, entrainment, dx, reduced_modulus, load, oil, floor):
         made = self._binding("new")(
             _field(gap),
             np.asarray(covered, dtype=np.int32),
             _field(entrainment),
-            _field(squeeze),
             dx,
             reduced_modulus,
             *_oil_numbers(oil),

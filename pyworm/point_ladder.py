@@ -22,6 +22,7 @@ from pyworm.climb import (
     with_shear,
 )
 from pyworm.grid import Grid
+from pyworm.history import Storage
 from pyworm.kernels import DryContact
 from pyworm.ladder import Outcome, Stride, lead
 from pyworm.lent import TAKEN_BACK, lent
@@ -53,6 +54,8 @@ class PointLadder:
         The contact.
     plan : Plan
         What of it is simulated.
+    storage : Storage, optional
+        What its film stores as it changes; without it is steady.
     """
 
     kind: ClassVar[str] = "point"
@@ -65,8 +68,9 @@ class PointLadder:
         wider_share=0.35,
     )
 
-    def __init__(self, scene: Scene, plan: Plan):
+    def __init__(self, scene: Scene, plan: Plan, storage: Storage | None = None):
         self._scene = scene
+        self._storage = storage
         self._model = plan.model
         self._lent = lent(scene) if plan.model.heated else scene
         self._size = scales(self._lent)
@@ -79,7 +83,7 @@ class PointLadder:
     def enter(self, grids: Sequence[Grid]) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
         strides: list[Stride] = []
-        rung = first_rung(self._lent, self._scene, self._size, grids[0])
+        rung = first_rung(self._lent, self._scene, self._size, grids[0], self._storage)
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
             before, rung = rung, next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
@@ -103,6 +107,9 @@ class PointLadder:
             with_heat(self._scene, self._size, rung)
             rung.film.restart()
             strides += self._taken_back(rung)
+        if self._model.levels:
+            rung.store(rung)
+            rung.film.restart()
         return strides
 
     def _sheared(self, rung: Rung) -> list[Stride]:

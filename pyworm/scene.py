@@ -11,8 +11,8 @@ from math import inf
 import numpy as np
 
 from pyworm.bodies import Body, composite_roughness, reduced_modulus
-from pyworm.neighbours import Neighbours
 from pyworm.oils import Oil
+from pyworm.past import Past
 
 Array = np.ndarray
 Gap = Callable[[Array, Array], tuple[Array, Array]]
@@ -91,8 +91,8 @@ class Scene:
         Place on a traction curve: sliding over entrainment [-]; None outside one.
     section, station : str or None, float or None
         Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
-    neighbours : Neighbours or None
-        The contact before and after, as the drive turns; None where nothing changes.
+    past : Past or None
+        What the contact was earlier, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies keep their shape under the film.
     """
@@ -108,7 +108,7 @@ class Scene:
     slide_roll_ratio: float | None = None
     section: str | None = None
     station: float | None = None
-    neighbours: "Neighbours[Scene] | None" = None
+    past: "Past[Scene] | None" = None
     rigid: bool = False
 
     @property

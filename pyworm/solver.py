@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import Reading, domain_errors, grid_errors
+from pyworm.history import changing
 from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
@@ -100,7 +101,7 @@ def _climb(
 
     Returns the first rung of the figures too.
     """
-    ladder = LADDERS[type(scene)](scene, plan)
+    climb = LADDERS[type(scene)]
     domain: dict[str, float] = {}
     readings: list[Reading] = []
     unsettled = 0
@@ -109,6 +110,11 @@ def _climb(
     if short is not None:
         raise NoMemoryError(short)
     started, started_work = perf_counter(), process_time()
+    storage = None
+    if scene.past is not None:
+        tell(f"{scene.name}: history of the film", 0.0)
+        storage = changing(scene, plan, climb)
+    ladder = climb(scene, plan, storage)
     tell(f"{scene.name}: first grids", 0.0)
     rung, strides = (
         ladder.resume(foot)
@@ -155,7 +161,7 @@ def _climb(
 
     unit = convolution_seconds(rung.film)
     outcome = ladder.outcome(rung)
-    stop_reason = outcome.flaw or stop_reason
+    stop_reason = (storage and storage.flaw) or outcome.flaw or stop_reason
     solution = Solution(
         name=scene.name,
         kind=ladder.kind,

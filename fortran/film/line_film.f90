@@ -22,7 +22,7 @@ module line_film
   implicit none(type, external)
   private
 
-  public :: line_contact, new_line_contact, shear_line_contact, line_residual, set_line_system, line_step
+  public :: line_contact, new_line_contact, shear_line_contact, store_line, line_residual, set_line_system, line_step
 
   !> Most Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 60
@@ -60,10 +60,10 @@ module line_film
 
 contains
 
-  !> A line contact on a grid of n points; `u` is nodal entrainment [m/s].
-  subroutine new_line_contact(self, gap, covered, u, squeeze, dx, reduced_modulus, oil, load, floor, stat)
+  !> A line contact on a grid of n points, in a steady state; `u` is nodal entrainment [m/s].
+  subroutine new_line_contact(self, gap, covered, u, dx, reduced_modulus, oil, load, floor, stat)
     type(line_contact), intent(inout) :: self
-    real(wp), intent(in) :: gap(:), u(:), squeeze(:)
+    real(wp), intent(in) :: gap(:), u(:)
     logical, intent(in) :: covered(:)
     real(wp), intent(in) :: dx, reduced_modulus, load, floor
     type(oil_law), intent(in) :: oil
@@ -75,11 +75,12 @@ contains
     if (.not. (load > 0 .and. floor > 0 .and. oil%eta0 > 0)) return
     stat = status_not_finite
     if (.not. (load <= huge(1.0_wp) .and. all(abs(gap) <= huge(1.0_wp)))) return
-    if (.not. all(abs(u) + abs(squeeze) <= huge(1.0_wp))) return
+    if (.not. all(abs(u) <= huge(1.0_wp))) return
     call new_half_plane(self%plane, n, dx, reduced_modulus, stat)
     if (stat /= status_ok) return
 
-    self%grid = line_grid(n, dx, (u(:n - 1) + u(2:))/2, squeeze)
+    self%grid = line_grid(n, dx, (u(:n - 1) + u(2:))/2)
+    allocate (self%grid%squeeze(n), source=0.0_wp)
     self%oil = oil
     self%gap = gap
     self%covered = covered
@@ -93,6 +94,19 @@ contains
       self%basis(n + 1, most_krylov), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_line_contact
+
+  !> Lets the oil that the film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
+  subroutine store_line(self, renewal, squeeze, stat)
+    type(line_contact), intent(inout) :: self
+    real(wp), intent(in) :: renewal, squeeze(:)
+    integer, intent(out) :: stat
+
+    stat = status_not_finite
+    if (.not. (abs(renewal) <= huge(1.0_wp) .and. all(abs(squeeze) <= huge(1.0_wp)))) return
+    stat = status_ok
+    self%grid%renewal = renewal
+    self%grid%squeeze = squeeze
+  end subroutine store_line
 
   !> Gives the oil a flow law and `levels` levels across the film, all at the inlet temperature.
   !>
@@ -140,14 +154,14 @@ contains
     load_error = 1 - sum(p)*self%grid%dx/self%load
   end subroutine line_residual
 
-  !> Sum of |um dh/dx|: what the residual is measured by.
+  !> Sum of |um dg/dx| and of what the gap g stores: what the residual is measured by.
   pure real(wp) function wedge_scale(self)
     type(line_contact), intent(in) :: self
     integer :: n
 
     n = self%grid%n
     wedge_scale = sum(abs(self%grid%u(2:)*(self%gap(3:) - self%gap(:n - 2))/(2*self%grid%dx)) &
-      + abs(self%grid%squeeze(2:n - 1)))
+      + abs(self%grid%renewal*self%gap(2:n - 1) + self%grid%squeeze(2:n - 1)))
   end function wedge_scale
 
   !> One Newton step from (p, h0), about which `line_residual` was last evaluated; both are replaced.

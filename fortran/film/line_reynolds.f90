@@ -1,4 +1,4 @@
-!> Reynolds' equation d(rho h um)/dx - d(rho h^3 / (12 eta) dp/dx)/dx + rho dh/dt = 0 of a line contact.
+!> Reynolds' equation d(rho h um)/dx - d(rho h^3 / (12 eta) dp/dx)/dx + d(rho h)/dt = 0 of a line contact.
 !>
 !> The scheme is that of `reynolds` in one dimension: node-centred finite volumes, diffusive fluxes with the mean
 !> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. The Jacobian is
@@ -19,8 +19,9 @@ module line_reynolds
     real(wp) :: dx = 0
     !> Entrainment through the face after a node.
     real(wp), allocatable :: u(:)
-    !> Rate of change of the gap.
+    !> How the oil that the film stores changes, as of `film_grid`: [1/s] and [m/s].
     real(wp), allocatable :: squeeze(:)
+    real(wp) :: renewal = 0
   end type line_grid
 
   !> Flow by pressure through the face after each node, against its gradient [m2/s], and its derivatives by the pressure
@@ -82,7 +83,7 @@ contains
     imbalance(1) = 0
     imbalance(grid%n) = 0
     do i = 2, grid%n - 1
-      imbalance(i) = (flux(i) - flux(i - 1))/grid%dx + fields%rho(i, 1)*grid%squeeze(i)
+      imbalance(i) = (flux(i) - flux(i - 1))/grid%dx + grid%renewal*fields%rho(i, 1)*fields%h(i, 1) + grid%squeeze(i)
     end do
   end subroutine line_imbalance
 
@@ -115,7 +116,8 @@ contains
       by_pressure(i + 1, -2:1) = by_pressure(i + 1, -2:1) - p/grid%dx
       by_film(i + 1, -2:1) = by_film(i + 1, -2:1) - h/grid%dx
     end do
-    by_pressure(:, 0) = by_pressure(:, 0) + fields%rho_p(:, 1)*grid%squeeze
+    by_pressure(:, 0) = by_pressure(:, 0) + grid%renewal*fields%rho_p(:, 1)*fields%h(:, 1)
+    by_film(:, 0) = by_film(:, 0) + grid%renewal*fields%rho(:, 1)
     do i = 1, grid%n, grid%n - 1
       by_pressure(i, :) = 0
       by_film(i, :) = 0

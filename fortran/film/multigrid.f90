@@ -51,6 +51,8 @@ module multigrid
     logical :: transposed = .false.
     !> Whether oil moves towards later lines, on the whole.
     logical :: rising = .true.
+    !> Rate at which stored oil is renewed [1/s], as of `film_grid`.
+    real(pp) :: renewal = 0
     type(grid_level), allocatable :: level(:)
     !> Band LU factors of the coarsest grid.
     real(pp), allocatable :: band(:, :)
@@ -254,7 +256,7 @@ contains
         call face_flow(m(:n - 1, j), m(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
           dq(2:, j), level%along(:n - 1, j), 1/level%d_along, leave(:n - 1), enter(:n - 1))
         do i = 2, n - 1
-          centre(i) = leave(i) + enter(i - 1)
+          centre(i) = self%renewal*dq(i, j) + leave(i) + enter(i - 1)
           right(i) = -free(i, j)*enter(i)*free(i + 1, j)
           left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
         end do

@@ -23,7 +23,7 @@ module point_film
   implicit none(type, external)
   private
 
-  public :: point_contact, new_point_contact, shear_point_contact, entrain, film_residual, film_step
+  public :: point_contact, new_point_contact, shear_point_contact, entrain, store, film_residual, film_step
   public :: film_direction, move_film, film_balance, bearable, search_step
 
   !> Most Krylov iterations in one Newton step.
@@ -74,10 +74,10 @@ module point_film
 
 contains
 
-  !> A point contact on a grid of (nx, ny) points; `u`, `v` are nodal entrainment [m/s].
-  subroutine new_point_contact(self, gap, covered, u, v, squeeze, dx, dy, reduced_modulus, oil, load, floor, stat)
+  !> A point contact on a grid of (nx, ny) points, in a steady state; `u`, `v` are nodal entrainment [m/s].
+  subroutine new_point_contact(self, gap, covered, u, v, dx, dy, reduced_modulus, oil, load, floor, stat)
     type(point_contact), intent(inout) :: self
-    real(wp), intent(in) :: gap(:, :), u(:, :), v(:, :), squeeze(:, :)
+    real(wp), intent(in) :: gap(:, :), u(:, :), v(:, :)
     logical, intent(in) :: covered(:, :)
     real(wp), intent(in) :: dx, dy, reduced_modulus, load, floor
     type(oil_law), intent(in) :: oil
@@ -89,11 +89,12 @@ contains
     stat = status_bad_argument
     if (.not. (load > 0 .and. floor > 0 .and. oil%eta0 > 0)) return
     stat = status_not_finite
-    if (.not. all(abs(gap) <= huge(1.0_wp)) .or. .not. all(abs(u) + abs(v) + abs(squeeze) <= huge(1.0_wp))) return
+    if (.not. all(abs(gap) <= huge(1.0_wp)) .or. .not. all(abs(u) + abs(v) <= huge(1.0_wp))) return
     call new_half_space(self%space, nx, ny, dx, dy, reduced_modulus, stat)
     if (stat /= status_ok) return
 
-    self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v), squeeze)
+    self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v))
+    allocate (self%grid%squeeze(nx, ny), source=0.0_wp)
     self%oil = oil
     self%gap = gap
     self%covered = covered
@@ -123,6 +124,22 @@ contains
     self%grid%v = face_mean_y(v)
     call set_entrainment(self%cycles, self%grid)
   end subroutine entrain
+
+  !> Lets the oil that the film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
+  subroutine store(self, renewal, squeeze, stat)
+    type(point_contact), intent(inout) :: self
+    real(wp), intent(in) :: renewal, squeeze(:, :)
+    integer, intent(out) :: stat
+
+    stat = status_not_finite
+    if (.not. (abs(renewal) <= huge(1.0_wp) .and. all(abs(squeeze) <= huge(1.0_wp)))) return
+    stat = status_ok
+    self%grid%renewal = renewal
+    self%grid%squeeze = squeeze
+    self%cycles%renewal = real(renewal, pp)
+    self%wedge = wedge_flow(self%grid, self%gap)
+    self%load_weight = self%wedge/self%load/sqrt(real(size(squeeze), wp))
+  end subroutine store
 
   !> Gives the oil a flow law, in place of any it has, and `levels` levels across the film, all at the inlet temperature.
   !>
@@ -219,7 +236,7 @@ contains
     call self%work%flow%finish()
   end subroutine film_balance
 
-  !> Sum of |um . grad g| and of the squeeze over the inner nodes [m/s], g being the undeformed gap [m].
+  !> Sum of |um . grad g| and of what the gap stores over the inner nodes [m/s], g being the undeformed gap [m].
   pure real(wp) function wedge_flow(grid, gap)
     type(film_grid), intent(in) :: grid
     real(wp), intent(in) :: gap(:, :)
@@ -229,7 +246,8 @@ contains
     do j = 2, grid%ny - 1
       do i = 2, grid%nx - 1
         wedge_flow = wedge_flow + abs(grid%u(i, j)*(gap(i + 1, j) - gap(i - 1, j))/(2*grid%dx) &
-          + grid%v(i, j)*(gap(i, j + 1) - gap(i, j - 1))/(2*grid%dy)) + abs(grid%squeeze(i, j))
+          + grid%v(i, j)*(gap(i, j + 1) - gap(i, j - 1))/(2*grid%dy)) &
+          + abs(grid%renewal*gap(i, j) + grid%squeeze(i, j))
       end do
     end do
   end function wedge_flow

@@ -1,4 +1,4 @@
-!> Reynolds' equation div(rho h um) - div(rho h^3 / (12 eta) grad p) + rho dh/dt = 0 on a uniform grid.
+!> Reynolds' equation div(rho h um) - div(rho h^3 / (12 eta) grad p) + d(rho h)/dt = 0 on a uniform grid.
 !>
 !> Node-centred finite volumes: diffusive fluxes with the mean mobility of a face's two nodes, wedge fluxes
 !> with second-order upwind rho h by the sign of the entrainment at the face. Density is taken relative to
@@ -22,8 +22,10 @@ module reynolds
     real(wp) :: dx = 0, dy = 0
     !> Entrainment through the face after a node, along x and along y.
     real(wp), allocatable :: u(:, :), v(:, :)
-    !> Rate of change of the gap.
+    !> How the oil that the film stores changes: d(rho h)/dt = renewal rho h + squeeze, [1/s] and [m/s]. A film
+    !> of which only the past is known has both, one whose rate is known has the latter.
     real(wp), allocatable :: squeeze(:, :)
+    real(wp) :: renewal = 0
   end type film_grid
 
   !> Nodal fields at one pressure and film, with the derivatives that Newton's method needs.
@@ -176,7 +178,7 @@ contains
       k = min(j + 2, grid%ny)
       mass(:, mod(k, 5)) = fields%rho(:, k)*fields%h(:, k)
       call wedge_to_next_row(grid, j, mass, after)
-      stored = fields%rho(:, j)*grid%squeeze(:, j)
+      stored = grid%renewal*mass(:, mod(j, 5)) + grid%squeeze(:, j)
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
         stored, flux, imbalance(:, j))
       call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
@@ -211,7 +213,7 @@ contains
       k = j + 1
       mobility(:, mod(k, 3)) = fields%mobility_p(:, k)*dp(:, k) + fields%mobility_h(:, k)*dh(:, k)
       call wedge_to_next_row(grid, j, mass, after)
-      stored = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
+      stored = grid%renewal*mass(:, mod(j, 5))
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
         stored, flux, change(:, j))
       call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &

@@ -335,7 +335,7 @@ contains
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
       film%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
-      imbalance(:, j) = fields%rho(:, j)*grid%squeeze(:, j)
+      imbalance(:, j) = grid%renewal*film%mass(:, j) + grid%squeeze(:, j)
     end do
     call add_wedge(grid, film%mass, imbalance)
     call take_inflow(grid, film%along_x%flow, film%along_y%flow, imbalance)
@@ -353,7 +353,7 @@ contains
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
       film%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
-      change(:, j) = fields%rho_p(:, j)*grid%squeeze(:, j)*dp(:, j)
+      change(:, j) = grid%renewal*film%mass(:, j)
     end do
     call add_wedge(grid, film%mass, change)
     associate (x => film%along_x, y => film%along_y, slope_x => 1/(4*grid%dx), slope_y => 1/(4*grid%dy))

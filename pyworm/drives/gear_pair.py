@@ -20,7 +20,7 @@ from pyworm.drives.gear_gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_rating import GearRating, Surfaces, rate
 from pyworm.drives.involute import InvolutePair
 from pyworm.drives.load_sharing import LoadSharing, SharingRule
-from pyworm.drives.passing import with_neighbours
+from pyworm.drives.passing import with_past
 from pyworm.line.scene import LineScene
 from pyworm.oils import Oil
 from pyworm.scene import RigidMotion, Scene
@@ -265,7 +265,7 @@ class GearPairDrive:
         """
         at = self._line if self.contact == "line" else self._point
         base_speed = self.pinion_speed * self.teeth.cylinders[0].base
-        return with_neighbours(at, phase, base_speed / self.teeth.path_length)
+        return with_past(at, phase, base_speed / self.teeth.path_length)
 
     def _line(self, phase: float) -> LineScene:
         contact = self.contacts(phase)

@@ -1,20 +1,23 @@
-"""A contact with those that it comes from and goes to as its drive turns."""
+"""A contact with what it was earlier, as its drive turns."""
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import atan2
+
+import numpy as np
 
 from pyworm.line.scene import LineScene
-from pyworm.neighbours import Neighbours
-from pyworm.scene import Scene
-
-STEP = 0.005
-"""Phases to both sides at which the neighbours are."""
+from pyworm.past import Earlier, Past
+from pyworm.scene import Array, Scene
 
 
-def with_neighbours(
-    scene_at: Callable[[float], Scene | LineScene], phase: float, phases_per_second: float
+def with_past(
+    scene_at: Callable[[float], Scene | LineScene],
+    phase: float,
+    phases_per_second: float,
+    axes_at: Callable[[float], Array] = lambda phase: np.eye(3),
 ) -> Scene | LineScene:
-    """The scene at a phase with its neighbours; without them where the cycle begins or ends.
+    """The scene at a phase with its past.
 
     Parameters
     ----------
@@ -24,14 +27,15 @@ def with_neighbours(
         Place in the mesh cycle, 0 to 1.
     phases_per_second : float
         How fast the cycle passes [1/s], negative where it does so backwards.
+    axes_at : callable
+        Phase -> x, y and normal of the tangent plane, rows in axes that velocities are relative to.
     """
-    scene = scene_at(phase)
-    first, last = max(phase - STEP, 0.0), min(phase + STEP, 1.0)
-    try:
-        before, after = scene_at(first), scene_at(last)
-    except ValueError:  # no contact there, or none that carries
-        return scene
-    seconds = (last - first) / phases_per_second
-    if seconds < 0:
-        before, after, seconds = after, before, -seconds
-    return replace(scene, neighbours=Neighbours(before, after, seconds))
+
+    def before(seconds: float) -> Earlier:
+        then = phase - seconds * phases_per_second
+        x_axis, y_axis, _ = axes_at(phase)
+        x_then = axes_at(then)[0]
+        return Earlier(scene_at(then), atan2(float(x_then @ y_axis), float(x_then @ x_axis)))
+
+    passed = phase if phases_per_second > 0 else 1 - phase
+    return replace(scene_at(phase), past=Past(passed / abs(phases_per_second), before))

@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.bodies import Body
-from pyworm.drives.passing import with_neighbours
+from pyworm.drives.passing import with_past
 from pyworm.drives.roller_data import roller_cycle_data
 from pyworm.drives.roller_envelope import Array, LineContact, RollerEnvelope
 from pyworm.drives.roller_film import ClosedFilms, closed_films
@@ -304,7 +304,7 @@ class RollerWormDrive:
                 return self._whole(section, phase)
             return self._station(section, phase, station)
 
-        return with_neighbours(at, phase, self.wheel_speed / (part.last - part.first))
+        return with_past(at, phase, self.wheel_speed / (part.last - part.first))
 
     def _station(self, section: str, phase: float, station: float) -> LineScene:
         """The line contact at a share of a contact line."""

@@ -15,7 +15,7 @@ from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.helicoid import Array, Helicoid
 from pyworm.drives.meshing import WheelFlank, turned
-from pyworm.drives.passing import with_neighbours
+from pyworm.drives.passing import with_past
 from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.tooth_gap import ToothGap, ToothMotion, surface_points
 from pyworm.drives.zi_data import loaded_cycle_data, mesh_cycle_data, tooth_data
@@ -368,7 +368,11 @@ class ZiWormDrive:
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return with_neighbours(self._scene, phase, self.phases_per_second)
+
+        def axes_at(phase: float) -> Array:
+            return self.contact(phase).axes
+
+        return with_past(self._scene, phase, self.phases_per_second, axes_at)
 
     def _scene(self, phase: float) -> Scene:
         load = self.shared(phase).force(phase)

@@ -118,6 +118,11 @@ def as_line(scene: Contact) -> Contact:
             f"{scene.name}: entrainment and sliding do not lie along one axis of the contact; "
             "second-dimension cannot be left out"
         )
+    return _along(scene, axis)
+
+
+def _along(scene: Scene, axis: int) -> LineScene:
+    """The line contact across which an axis of a point contact lies."""
     radius = scene.radii[axis]
     pressure = hertz(*scene.radii, scene.load, scene.reduced_modulus).pressure_max
     origin = np.zeros(())
@@ -131,6 +136,7 @@ def as_line(scene: Contact) -> Contact:
         oil=scene.oil,
         phase=scene.phase,
         slide_roll_ratio=scene.slide_roll_ratio,
+        past=scene.past and scene.past.map(lambda then: _along(then, axis)),
     )
 
 
@@ -158,7 +164,8 @@ RINGS = (1.0, 2.0, 4.0)
 less, by the gap there."""
 
 
-def _departure(sketch: Sketch) -> float:
+def departure(sketch: Sketch) -> float:
+    """How far the gap is off the paraboloid's, over that, on outlines about the contact."""
     scene = sketch.scene
     if isinstance(scene, LineScene):
         outline = (np.array([-1.0, 1.0]) * sketch.half_width,)
@@ -179,7 +186,7 @@ def _departure(sketch: Sketch) -> float:
 def _by_departure(sketch: Sketch) -> Influence:
     if _spins_only(sketch.scene):
         return EVERYTHING  # the load of its film comes from all around, far out too
-    change = _departure(sketch)
+    change = departure(sketch)
     return Influence(change, change, change)
 
 
@@ -200,7 +207,7 @@ REAL_GAP = Effect(
     name="real-gap",
     symbol="|gap - paraboloid| / gap, at the rim",
     source="the gap at eight places of the outline of Hertz's contact",
-    indicator=_departure,
+    indicator=departure,
     influence=_by_departure,
     without=_plain_gap,
     lacking=_own_curves,

@@ -80,6 +80,11 @@ class Sketch:
     rise_bodies: float | None = None
 
     @property
+    def transit(self) -> float:
+        """Time that oil takes to pass through the middle of the contact [s]."""
+        return 2 * self.half_width / self.speed
+
+    @property
     def oil(self) -> Oil:
         """The oil."""
         return self.scene.oil

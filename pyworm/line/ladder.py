@@ -9,6 +9,7 @@ import xarray as xr
 
 from pyworm import kernels
 from pyworm.accuracy import HEAT_FIGURES, Convergence
+from pyworm.history import Storage
 from pyworm.ladder import Outcome, Stride, lead
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied, with_heat, with_shear
 from pyworm.line.grid import LineGrid
@@ -66,13 +67,16 @@ class LineLadder:
         The contact.
     plan : Plan
         What of it is simulated.
+    storage : Storage, optional
+        What its film stores as it changes; without it is steady.
     """
 
     kind: ClassVar[str] = "line"
     rungs: ClassVar[type] = LineRung
 
-    def __init__(self, scene: LineScene, plan: Plan):
+    def __init__(self, scene: LineScene, plan: Plan, storage: Storage | None = None):
         self._scene = scene
+        self._storage = storage
         self._model = plan.model
         self.convergence = HEATED_CONVERGENCE if plan.model.heated else CONVERGENCE
         self._size = line_scales(scene)
@@ -106,7 +110,7 @@ class LineLadder:
         """
         size = line_scales(scene)
         for lift in LIFTS:
-            rung = first_rung(scene, size, grid, lift * size.film)
+            rung = first_rung(scene, size, grid, lift * size.film, self._storage)
             strides = lead(rung, FIRST_TOLERANCE)
             if rung.film.balance.worst <= FIRST_TOLERANCE:
                 break

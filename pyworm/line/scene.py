@@ -11,8 +11,8 @@ from math import inf
 import numpy as np
 
 from pyworm.bodies import Body, composite_roughness, reduced_modulus
-from pyworm.neighbours import Neighbours
 from pyworm.oils import Oil
+from pyworm.past import Past
 
 Array = np.ndarray
 LineGap = Callable[[Array], tuple[Array, Array]]
@@ -63,8 +63,8 @@ class LineScene:
         Place on a traction curve: sliding over entrainment [-]; None outside one.
     section, station : str or None, float or None
         Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
-    neighbours : Neighbours or None
-        The contact before and after, as the drive turns; None where nothing changes.
+    past : Past or None
+        What the contact was earlier, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies keep their shape under the film.
     """
@@ -80,7 +80,7 @@ class LineScene:
     slide_roll_ratio: float | None = None
     section: str | None = None
     station: float | None = None
-    neighbours: "Neighbours[LineScene] | None" = None
+    past: "Past[LineScene] | None" = None
     rigid: bool = False
 
     @property

@@ -3,7 +3,7 @@
 program test_line_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact, line_residual, line_step, set_line_system
+  use line_film, only: line_contact, new_line_contact, store_line, line_residual, line_step, set_line_system
   use oil_laws, only: oil_law, law_barus, law_roelands
   use status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
@@ -40,8 +40,9 @@ contains
     along = cos(7*x)
     along([1, n]) = 0
     ! entrainment of both signs, a squeeze, a compressible Roelands oil: every term takes part
-    call new_line_contact(contact, x**2/2, [(.true., i=1, n)], sin(3*x), 0.2_wp*x, 0.05_wp, modulus, &
+    call new_line_contact(contact, x**2/2, [(.true., i=1, n)], sin(3*x), 0.05_wp, modulus, &
       oil_law(law_roelands, 0.01_wp, 0.6_wp, 0.3_wp, 0.5_wp, 1.5_wp), load, floor, stat)
+    if (stat == status_ok) call store_line(contact, 1.5_wp, 0.2_wp*x, stat)
     call check(stat == status_ok, "a contact is made")
     call line_residual(contact, p + step*along, h0 + step*along_h0, residual, load_error)
     forward = contact%imbalance
@@ -148,7 +149,7 @@ contains
     carried = load
     if (present(beyond)) carried = load - beyond
     covered = .true.
-    call new_line_contact(contact, x**2/2, covered, u, 0*x, x(2) - x(1), stiffness, oil, carried, floor, stat)
+    call new_line_contact(contact, x**2/2, covered, u, x(2) - x(1), stiffness, oil, carried, floor, stat)
     call check(stat == status_ok, "a contact is made")
     film = h0
     if (stiffness < 100) film = h0 - 1
@@ -172,22 +173,24 @@ contains
     field = 1
     covered = .true.
     infinite = ieee_value(1.0_wp, ieee_positive_inf)
-    call new_line_contact(contact, field, covered, field, field, 1.0_wp, modulus, barus, 0.0_wp, floor, stat)
+    call new_line_contact(contact, field, covered, field, 1.0_wp, modulus, barus, 0.0_wp, floor, stat)
     call check(stat == status_bad_argument, "no load is refused")
-    call new_line_contact(contact, field, covered, field, field, 1.0_wp, modulus, barus, infinite, floor, stat)
+    call new_line_contact(contact, field, covered, field, 1.0_wp, modulus, barus, infinite, floor, stat)
     call check(stat == status_not_finite, "an infinite load is refused")
-    call new_line_contact(contact, field, covered, field, field, 0.0_wp, modulus, barus, load, floor, stat)
+    call new_line_contact(contact, field, covered, field, 0.0_wp, modulus, barus, load, floor, stat)
     call check(stat == status_bad_argument, "no spacing is refused")
     oil = barus
     oil%eta0 = 0
-    call new_line_contact(contact, field, covered, field, field, 1.0_wp, modulus, oil, load, floor, stat)
+    call new_line_contact(contact, field, covered, field, 1.0_wp, modulus, oil, load, floor, stat)
     call check(stat == status_bad_argument, "an oil without viscosity is refused")
     broken = field
     broken(3) = infinite
-    call new_line_contact(contact, broken, covered, field, field, 1.0_wp, modulus, barus, load, floor, stat)
+    call new_line_contact(contact, broken, covered, field, 1.0_wp, modulus, barus, load, floor, stat)
     call check(stat == status_not_finite, "a gap that is not finite is refused")
-    call new_line_contact(contact, field, covered, broken, field, 1.0_wp, modulus, barus, load, floor, stat)
+    call new_line_contact(contact, field, covered, broken, 1.0_wp, modulus, barus, load, floor, stat)
     call check(stat == status_not_finite, "a velocity that is not finite is refused")
+    call store_line(contact, 1.0_wp, broken, stat)
+    call check(stat == status_not_finite, "and so is a squeeze")
   end subroutine refusals
 
 end program test_line_film

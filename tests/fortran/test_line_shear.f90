@@ -2,7 +2,7 @@
 program test_line_shear
   use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
   use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact, shear_line_contact, line_residual, line_step, set_line_system
+  use line_film, only: line_contact, new_line_contact, store_line, shear_line_contact, line_residual, line_step, set_line_system
   use line_nodal_shear, only: line_shear_field, line_shear_fields
   use oil_laws, only: oil_law, law_barus, law_roelands
   use status, only: status_ok
@@ -15,6 +15,7 @@ program test_line_shear
   type(oil_law), parameter :: oil = oil_law(law_roelands, 0.227_wp, 0.227_wp, 1.961e8_wp, 0.67e-9_wp, 2.68e-9_wp, &
     333.15_wp, 0.782_wp, 7.1e-4_wp, 1.5e-9_wp)
   real(wp), parameter :: tau0 = 3e6_wp
+  real(wp), parameter :: renewal = 300
   real(wp) :: x(n), p(n), u(n), sliding(n), squeeze(n), h0
   logical :: covered(n)
   integer :: stat
@@ -49,7 +50,8 @@ contains
   subroutine new_contact(contact)
     type(line_contact), intent(out) :: contact
 
-    call new_line_contact(contact, x**2/(2*radius), covered, u, squeeze, dx, modulus, oil, load, floor, stat)
+    call new_line_contact(contact, x**2/(2*radius), covered, u, dx, modulus, oil, load, floor, stat)
+    if (stat == status_ok) call store_line(contact, renewal, squeeze, stat)
     call check(stat == status_ok, "a contact is made")
   end subroutine new_contact
 
@@ -123,11 +125,10 @@ contains
     integer :: steps, krylov
 
     u = 1
-    squeeze = 0
     sliding = -1
     pressure = 4e8_wp*sqrt(max(0.0_wp, 1 - (x/6e-4_wp)**2)) + 1e2_wp
     pressure([1, n]) = 0
-    call new_line_contact(contact, x**2/(2*radius), covered, u, squeeze, dx, modulus, oil, 2e5_wp, floor, stat)
+    call new_line_contact(contact, x**2/(2*radius), covered, u, dx, modulus, oil, 2e5_wp, floor, stat)
     call shear_line_contact(contact, flow_law(law_eyring, tau0), levels, sliding, stat)
     call line_residual(contact, pressure, 0.0_wp, residual, load_error)
     film = 1.5e-6_wp - contact%fields%h(n/2, 1)
@@ -148,10 +149,10 @@ contains
     real(wp) :: residual, load_error, tau
 
     sliding = slide
-    squeeze = 1e-6_wp
     p = 0
-    call new_line_contact(contact, 0*x, covered, u, squeeze, dx, modulus, &
+    call new_line_contact(contact, 0*x, covered, u, dx, modulus, &
       oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp), load, floor, stat)
+    call store_line(contact, 0.0_wp, 0*x + 1e-6_wp, stat)
     call shear_line_contact(contact, flow_law(law_eyring, tau0), levels, sliding, stat)
     call line_residual(contact, p, film, residual, load_error)
     call line_shear_fields(contact, field, stat)

@@ -4,7 +4,7 @@ program test_line_temperature
   use flow_laws, only: flow_law, law_newton
   use heated_surface, only: heated_body
   use kinds, only: wp
-  use line_film, only: new_line_contact, shear_line_contact, line_residual
+  use line_film, only: new_line_contact, store_line, shear_line_contact, line_residual
   use line_nodal_shear, only: line_shear_field, line_shear_fields
   use line_source, only: line_body, new_line_body
   use line_temperature, only: heated_line, heat_line, line_heat_sweep
@@ -44,8 +44,9 @@ contains
 
     covered = .true.
     field = 1
-    call new_line_contact(contact%line_contact, 0*field, covered, (u1 + u2)/2*field, 1e-6_wp*field, dx, 2e11_wp, &
+    call new_line_contact(contact%line_contact, 0*field, covered, (u1 + u2)/2*field, dx, 2e11_wp, &
       oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp, 300.0_wp, thermal_exponent), 1e5_wp, 1e-9_wp, stat)
+    if (stat == status_ok) call store_line(contact%line_contact, 0.0_wp, 1e-6_wp*field, stat)
     call check(stat == status_ok, "a contact is made")
     call shear_line_contact(contact%line_contact, flow_law(law_newton), levels, (u2 - u1)*field, stat)
     allocate (moving)

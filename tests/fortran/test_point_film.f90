@@ -4,7 +4,7 @@ program test_point_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use kinds, only: wp
   use oil_laws, only: oil_law, law_barus
-  use point_film, only: point_contact, new_point_contact, film_residual, film_step
+  use point_film, only: point_contact, new_point_contact, store, film_residual, film_step
   use status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -47,7 +47,7 @@ contains
       end do
     end do
     covered = .true.
-    call new_point_contact(contact, gap, covered, 0*gap + u, 0*gap + v, 0*gap, place(2) - place(1), &
+    call new_point_contact(contact, gap, covered, 0*gap + u, 0*gap + v, place(2) - place(1), &
       place(2) - place(1), modulus, oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp), load, 1e-4_wp, stat)
     call check(stat == status_ok, "a contact is made")
     p = sqrt(max(0.0_wp, 1 - 2*gap))
@@ -83,19 +83,21 @@ contains
     field = 1
     covered = .true.
     oil = oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp)
-    call new_point_contact(contact, field, covered, field, field, field, 1.0_wp, 1.0_wp, modulus, oil, 0.0_wp, &
+    call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, 0.0_wp, &
       1e-4_wp, stat)
     call check(stat == status_bad_argument, "no load is refused")
     oil%eta0 = 0
-    call new_point_contact(contact, field, covered, field, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
+    call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
       1e-4_wp, stat)
     call check(stat == status_bad_argument, "an oil without viscosity is refused")
     oil%eta0 = eta0
     broken = field
     broken(3, 3) = ieee_value(1.0_wp, ieee_positive_inf)
-    call new_point_contact(contact, broken, covered, field, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
+    call new_point_contact(contact, broken, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
       1e-4_wp, stat)
     call check(stat == status_not_finite, "a gap that is not finite is refused")
+    call store(contact, 1.0_wp, broken, stat)
+    call check(stat == status_not_finite, "and so is a squeeze")
   end subroutine refusals
 
 end program test_point_film

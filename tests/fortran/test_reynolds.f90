@@ -162,7 +162,7 @@ contains
     integer :: i, j, stat
 
     grid = film_grid(nx, ny, 0.3_wp, 0.2_wp, spread([(1.0_wp - 0.2_wp*i, i=1, nx)], 2, ny), &
-      spread([(0.7_wp - 0.15_wp*j, j=1, ny)], 1, nx), spread([(0.1_wp*i, i=1, nx)], 2, ny))
+      spread([(0.7_wp - 0.15_wp*j, j=1, ny)], 1, nx), spread([(0.1_wp*i, i=1, nx)], 2, ny), 2.0_wp)
     oil = oil_law(law_roelands, 0.5_wp, 0.6_wp, 1.0_wp, 0.4_wp, 0.7_wp)
     do j = 1, ny
       do i = 1, nx

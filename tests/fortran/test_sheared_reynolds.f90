@@ -39,7 +39,7 @@ contains
     real(wp) :: x, y, bump
     integer :: i, j, k
 
-    grid = film_grid(nx, ny, 1e-4_wp, 1.2e-4_wp)
+    grid = film_grid(nx, ny, 1e-4_wp, 1.2e-4_wp, renewal=500.0_wp)
     allocate (grid%u(nx, ny), grid%v(nx, ny), grid%squeeze(nx, ny))
     call new_film_fields(nx, ny, fields, stat)
     call check(stat == status_ok, "fields are made")
