@@ -136,15 +136,6 @@ class Rung:
             self._shear_figures() | self._heat_figures(),
         )
 
-    def store(self, before: "Rung | None" = None) -> None:
-        """Lets the film change, as thick as it is on a rung before; it is to be started before it steps."""
-        if self.storage is None:
-            return
-        film = None
-        if before is not None and before.film.levels and not lost(before):
-            film = reading.carrying_film(before.film.thickness(), before.film.pressure)
-        self.film.store(*self.storage.on(self.grid, film))
-
     def model_errors(self) -> dict[str, float]:
         """Error of the temperatures by the bodies' models of conduction."""
         if not self.film.heated:
@@ -225,7 +216,6 @@ def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid, storage: Stor
     rigid_film = size.film - dry.approach
     beyond = far_field(far, grid, gap + rigid_film, covered)
     rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load, storage)
-    rung.store()
     everywhere = _with_trace(dry.pressure, covered)
     rung.film.start(np.where(beyond.outline, beyond.pressure, everywhere), rigid_film)
     return rung
@@ -269,7 +259,6 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
         far = kernels.prolong(far[window])
     coarser = _end(rung) if _same_window(rung, grid) else None
     finer = _rung(scene, size, grid, far, load, rung.storage, coarser)
-    finer.store(rung)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
 
@@ -295,9 +284,18 @@ def anew(scene: Scene, size: Scales, rung: Rung) -> None:
 def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
     """A scene on the grid of a rung, entered from its film."""
     again = _rung(scene, size, rung.grid, rung.far, rung.load, rung.storage)
-    again.store(rung)
     again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
     return again
+
+
+def take_over(rung: Rung, before: Rung) -> Start:
+    """Starts a rung from where another one on the same grid ended, but on its outline."""
+    end = _end(before)
+    pressure = np.where(rung.covered, end.pressure, 0.0)
+    for side in (np.s_[[0, -1], :], np.s_[:, [0, -1]]):
+        pressure[side] = rung.film.pressure[side]
+    rung.film.start(pressure, end.rigid_film)
+    return end
 
 
 def _end(rung: Rung) -> Start:
@@ -357,6 +355,8 @@ def _rung(
         scene.oil,
         FLOOR_SHARE * size.film,
     )
+    if storage is not None:
+        film.store(*storage.on(grid))
     sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
     newtonian = (scene.oil.viscosity, scene.sliding) if scene.oil.flow == NEWTONIAN else None
     return Rung(

@@ -2,13 +2,12 @@
 
 Reynolds' equation has d(rho h)/dt. Oil that is under pressure now came to the contact some time ago, when
 load, curvature and edges were others, and the film is what it was there then: it has to be marched through
-the past, as far back as oil stays. That is done on the first grid of the figures, with a Newtonian film of
-one temperature; how fast that film changes at the present tells what the film in question stores, as thick
-as it is.
+the past, as far back as oil stays. That is done on the first grid of the figures, and tells how fast the film
+changes at the present; finer grids take that rate as it is.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import cos, sin
 
 import numpy as np
@@ -20,8 +19,7 @@ from pyworm.ladder import Ladder, Rung, lead
 from pyworm.line.grid import LineGrid
 from pyworm.line.scene import LineScene
 from pyworm.past import Earlier
-from pyworm.planning import Model, Plan
-from pyworm.reading import carrying_film
+from pyworm.planning import Plan
 from pyworm.scene import Array, Scene
 
 TRANSITS = 2.0
@@ -39,104 +37,79 @@ NEST = 2
 LOST = 1e-2
 """Residual from which the film of a step is none."""
 
-BACKWARD = ((1.0, -1.0), (1.5, -2.0, 0.5))
-"""Weights of the present and of the steps before it, the latest first, in a rate of change: Euler's for the
-first step, then Gear's of second order."""
+SHORTENING = 1.5
+"""Power by which steps shorten towards the present."""
 
 
 @dataclass(frozen=True)
 class Instant:
-    """A film at one time.
+    """What a film held at one time.
 
     Attributes
     ----------
-    angle : float
-        Angle of its x axis [rad], as of `past.Earlier`.
+    seconds, angle : float
+        Time before the present [s], and angle of its x axis [rad], as of `past.Earlier`.
     gap, lift : callable
-        The undeformed gap, and what rho h is more than that [m], at places; the latter beyond the film's own
-        grid as at its edge.
-    film : float
-        Mean film by the load that it carries [m].
+        The undeformed gap, and what rho h is more than that [m], at places; beyond a grid as at its edge.
     """
 
+    seconds: float
     angle: float
     gap: Callable[..., Array]
     lift: Callable[..., Array]
-    film: float
 
-    def content(self, grid: Grid | LineGrid, angle: float = 0.0) -> Array:
+    def content(self, grid: Grid | LineGrid, angle: float) -> Array:
         """rho h [m] at nodes of a grid in axes whose x axis has an angle [rad]."""
         places = _places(grid, angle - self.angle)
         return self.gap(*places) + self.lift(*places)
 
 
 @dataclass(frozen=True)
-class Remembered:
-    """What a film stores of which only the past is known.
+class Storage:
+    """How the oil that a film stores changes: d(rho h)/dt, as `kernels.PointFilm.store` takes it.
 
     Attributes
     ----------
-    films : sequence of Instant
-        What it was, the latest first.
+    renewal : float
+        Its change by what the film holds [1/s].
+    films : tuple
+        Weights [1/s] of what it held at other times, and that.
     angle : float
-        Angle of the present x axis [rad], as of `past.Earlier`.
-    step : float
-        Time between them [s].
+        Angle of its x axis [rad], as of `past.Earlier`.
     """
 
-    films: Sequence[Instant]
-    angle: float
-    step: float
+    renewal: float
+    films: tuple[tuple[float, Instant], ...]
+    angle: float = 0.0
 
-    def on(self, grid: Grid | LineGrid, film: float | None) -> tuple[float, Array]:
-        """Renewal [1/s] and squeeze [m/s] on a grid, as of `kernels.PointFilm.store`."""
-        present, *past = BACKWARD[len(self.films) - 1]
-        known = (
-            weight * of.content(grid, self.angle)
-            for weight, of in zip(past, self.films, strict=True)
+    def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
+        """Renewal [1/s] and squeeze [m/s] at nodes of a grid."""
+        return self.renewal, sum(
+            weight * film.content(grid, self.angle) for weight, film in self.films
         )
-        return present / self.step, sum(known) / self.step
 
 
 @dataclass(frozen=True)
-class Changing:
-    """What a film stores that changes as a similar one does, of which past and present are known.
+class History:
+    """A film marched to the present.
 
     Attributes
     ----------
-    films : sequence of Instant
-        The similar film, the latest first.
-    step : float
-        Time between them [s].
+    storage : Storage
+        How what it stores changes.
+    rung : Rung
+        It, on its grid.
     flaw : str or None
         Why it is not to be trusted.
     """
 
-    films: Sequence[Instant]
-    step: float
-    flaw: str | None = None
-
-    def on(self, grid: Grid | LineGrid, film: float | None) -> tuple[float, Array]:
-        """Renewal [1/s] and squeeze [m/s] on a grid, as of `kernels.PointFilm.store`.
-
-        Where gaps are wide they change by themselves. Where there is hardly more than the film of the load
-        they change as thick as it is: `film` [m], where that is known, over the similar one's.
-        """
-        contents = [of.content(grid) for of in self.films]
-        weights = BACKWARD[len(contents) - 2]
-        rate = sum(w * content for w, content in zip(weights, contents, strict=True)) / self.step
-        similar = self.films[0].film
-        scale = 1.0 if film is None else film / similar
-        return 0.0, rate * (1 - (1 - scale) * similar / np.maximum(contents[0], similar))
+    storage: Storage
+    rung: Rung
+    flaw: str | None
 
 
-Storage = Remembered | Changing
-
-
-def changing(
-    scene: Scene | LineScene, plan: Plan, ladder: Callable[..., Ladder]
-) -> Changing | None:
-    """How the film of a scene that has a past changes at the present; None where the past holds nothing.
+def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History | None:
+    """The film of a scene as it came to be; None where the scene's past holds nothing.
 
     Parameters
     ----------
@@ -144,38 +117,56 @@ def changing(
         The contact.
     plan : Plan
         Its plan.
-    ladder : callable
+    climb : callable
         The climb of this kind of contact: scene, plan, storage -> `ladder.Ladder`.
     """
-    step = TRANSITS * sketch(scene).transit / STEPS
-    past = scene.past.back(step, STEPS)
+    span = TRANSITS * sketch(scene).transit
+    times = [span * (k / STEPS) ** SHORTENING for k in range(1, STEPS + 1)]
+    past = [] if scene.past is None else scene.past.back(times)
     if not past:
         return None
-    plain = replace(plan, model=Model())
-    wide = (plan.wider_grids or plan.grids)[0]
+    nest = plan.grids[-NEST:]
     films: list[Instant] = []
-    flaw = None
-    for moment in (*reversed(past), Earlier(scene)):
-        storage = Remembered(films[:2], moment.angle, step) if films else None
-        rung, _ = ladder(moment.contact, plain, storage).enter(plan.grids[-NEST:])
+    rung, flaw = None, None
+    for moment in (*reversed(past), Earlier(0.0, scene)):
+        storage = None
+        if films:
+            weights = _rate([moment.seconds, *(film.seconds for film in films[:2])])
+            storage = Storage(
+                weights[0], tuple(zip(weights[1:], films, strict=False)), moment.angle
+            )
+        ladder = climb(moment.contact, plan, storage)
+        rung, _ = ladder.enter(nest, rung)
         lead(rung, MARCH_TOLERANCE)
         if not rung.film.balance.worst <= LOST:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
-        films = [_instant(moment, rung, wide), *films[:2]]
-    return Changing(films, step, flaw)
+        films = [_instant(moment, rung, nest[0]), *films[:2]]
+    weights = _rate([film.seconds for film in films])
+    return History(Storage(0.0, tuple(zip(weights, films, strict=True))), rung, flaw)
+
+
+def _rate(times: Sequence[float]) -> list[float]:
+    """Weights [1/s] of values at times before the present, the latest first, in the rate of change at that.
+
+    That of a parabola, or of a line through two.
+    """
+    latest, *before = times
+    weights = []
+    for time in before:
+        others = [other for other in before if other != time]
+        weights.append(-1 / (time - latest) * np.prod([(o - latest) / (o - time) for o in others]))
+    return [-sum(weights), *weights]
 
 
 def _instant(moment: Earlier, rung: Rung, wide: Grid | LineGrid) -> Instant:
     film, density, _ = rung.film.fields()
     gap = _between(wide, moment.contact.gap(*_places(wide))[0])
     lift = density * film - gap(*_places(rung.grid))
-    return Instant(
-        moment.angle, gap, _between(rung.grid, lift), carrying_film(film, rung.film.pressure)
-    )
+    return Instant(moment.seconds, moment.angle, gap, _between(rung.grid, lift))
 
 
 def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:
-    """A field between nodes; outside the grid as at its edge."""
+    """A field between nodes; beyond the grid as at its edge."""
     if isinstance(grid, LineGrid):
         return lambda x: np.interp(x, grid.x, field)
     spline = RectBivariateSpline(grid.x, grid.y, field)
@@ -183,7 +174,7 @@ def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:
 
 
 def _places(grid: Grid | LineGrid, turn: float = 0.0) -> tuple[Array, ...]:
-    """Nodes of a grid in axes turned by less than it, by an angle [rad]."""
+    """Nodes of a grid in axes out of which its own are turned by an angle [rad]."""
     if isinstance(grid, LineGrid):
         return (grid.x,)
     x, y = grid.mesh()

@@ -1,6 +1,6 @@
 """What a contact was earlier, on its way through its drive's mesh."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
@@ -13,12 +13,15 @@ class Earlier(Generic[Contact]):
 
     Attributes
     ----------
+    seconds : float
+        Time before the present [s].
     contact : Scene or LineScene
         The contact, in axes of its own that go along with the contact point.
     angle : float
         Angle about the normal of its x axis to the present one [rad], positive from x to y.
     """
 
+    seconds: float
     contact: Contact
     angle: float = 0.0
 
@@ -38,12 +41,12 @@ class Past(Generic[Contact]):
     seconds: float
     before: Callable[[float], Earlier[Contact]]
 
-    def back(self, step: float, count: int) -> list[Earlier[Contact]]:
-        """The contact at up to `count` steps of time [s] back, the latest first, as far as it carried."""
+    def back(self, times: Sequence[float]) -> list[Earlier[Contact]]:
+        """The contact at times before the present [s], which increase, as far back as it carried."""
         found: list[Earlier[Contact]] = []
-        while len(found) < count and (len(found) + 1) * step <= self.seconds:
+        for seconds in times:
             try:
-                found.append(self.before((len(found) + 1) * step))
+                found.append(self.before(seconds))
             except ValueError:
                 break
         return found

@@ -11,6 +11,7 @@ from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
 from pyworm.climb import (
     Rung,
+    Start,
     anew,
     dry_contact,
     entry,
@@ -18,6 +19,7 @@ from pyworm.climb import (
     like,
     lost,
     next_rung,
+    take_over,
     with_heat,
     with_shear,
 )
@@ -80,7 +82,7 @@ class PointLadder:
             else {}
         )
 
-    def enter(self, grids: Sequence[Grid]) -> tuple[Rung, list[Stride]]:
+    def enter(self, grids: Sequence[Grid], near: Rung | None = None) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
         strides: list[Stride] = []
         rung = first_rung(self._lent, self._scene, self._size, grids[0], self._storage)
@@ -89,6 +91,9 @@ class PointLadder:
             before, rung = rung, next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
             if lost(before):
                 anew(self._scene, self._size, rung)
+        if near is not None and near.grid == rung.grid and not lost(near):
+            self._as_whole(rung, take_over(rung, near))
+            return rung, strides
         return rung, strides + self._complete(rung)
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
@@ -107,9 +112,6 @@ class PointLadder:
             with_heat(self._scene, self._size, rung)
             rung.film.restart()
             strides += self._taken_back(rung)
-        if self._model.levels:
-            rung.store(rung)
-            rung.film.restart()
         return strides
 
     def _sheared(self, rung: Rung) -> list[Stride]:
@@ -152,13 +154,17 @@ class PointLadder:
         finer = next_rung(self._lent, self._size, rung, grid, start)
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
-        if self._model.levels:
-            with_shear(self._scene, self._model, finer)
-        if self._model.heated:
-            with_heat(self._scene, self._size, finer, start.rise)
-        if self._model.levels:
-            finer.film.restart()
+        self._as_whole(finer, start)
         return finer, []
+
+    def _as_whole(self, rung: Rung, start: Start) -> None:
+        """Shear and heat at once, for a film that starts from one that has them."""
+        if self._model.levels:
+            with_shear(self._scene, self._model, rung)
+        if self._model.heated:
+            with_heat(self._scene, self._size, rung, start.rise)
+        if self._model.levels:
+            rung.film.restart()
 
     def outcome(self, rung: Rung) -> Outcome:
         """Figures of the lubricated and of the dry contact, and the fields."""

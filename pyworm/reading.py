@@ -34,11 +34,6 @@ def film_minimum(
     return value, (grid.west + grid.dx * i, grid.south + grid.dy * j)
 
 
-def carrying_film(film: Array, pressure: Array) -> float:
-    """Mean of a film by the load that it carries [m]."""
-    return float(np.sum(film * pressure) / np.sum(pressure))
-
-
 def maximum(field: Array, covered: Array | bool = True) -> float:
     """Largest value of a field, between nodes, where both surfaces exist."""
     counted = np.broadcast_to(covered, field.shape)

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import Reading, domain_errors, grid_errors
-from pyworm.history import changing
+from pyworm.history import marched
 from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
@@ -110,16 +110,15 @@ def _climb(
     if short is not None:
         raise NoMemoryError(short)
     started, started_work = perf_counter(), process_time()
-    storage = None
     if scene.past is not None:
         tell(f"{scene.name}: history of the film", 0.0)
-        storage = changing(scene, plan, climb)
-    ladder = climb(scene, plan, storage)
+    history = marched(scene, plan, climb)
+    ladder = climb(scene, plan, history and history.storage)
     tell(f"{scene.name}: first grids", 0.0)
     rung, strides = (
         ladder.resume(foot)
         if isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]
-        else ladder.enter(plan.grids)
+        else ladder.enter(plan.grids, history and history.rung)
     )
     foot = rung
     while True:
@@ -161,7 +160,7 @@ def _climb(
 
     unit = convolution_seconds(rung.film)
     outcome = ladder.outcome(rung)
-    stop_reason = (storage and storage.flaw) or outcome.flaw or stop_reason
+    stop_reason = (history and history.flaw) or outcome.flaw or stop_reason
     solution = Solution(
         name=scene.name,
         kind=ladder.kind,

@@ -35,7 +35,9 @@ def with_past(
         then = phase - seconds * phases_per_second
         x_axis, y_axis, _ = axes_at(phase)
         x_then = axes_at(then)[0]
-        return Earlier(scene_at(then), atan2(float(x_then @ y_axis), float(x_then @ x_axis)))
+        return Earlier(
+            seconds, scene_at(then), atan2(float(x_then @ y_axis), float(x_then @ x_axis))
+        )
 
     passed = phase if phases_per_second > 0 else 1 - phase
     return replace(scene_at(phase), past=Past(passed / abs(phases_per_second), before))

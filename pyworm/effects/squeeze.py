@@ -37,7 +37,7 @@ def _seconds(sketch: Sketch) -> float:
 
 
 def _before(sketch: Sketch) -> Sketch:
-    (then,) = sketch.scene.past.back(_seconds(sketch), 1)
+    (then,) = sketch.scene.past.back([_seconds(sketch)])
     return sketch_of(then.contact)
 
 
@@ -49,8 +49,7 @@ def _by_squeeze(sketch: Sketch) -> Influence:
 def _lasting(scene: Contact) -> str | None:
     if scene.past is None:
         return "steady"
-    past = scene.past
-    return None if past.back(min(sketch_of(scene).transit, past.seconds), 1) else "nothing before"
+    return None if scene.past.back([_seconds(sketch_of(scene))]) else "nothing before"
 
 
 SQUEEZE = Effect(

@@ -16,7 +16,7 @@ from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
-from pyworm.reading import carrying_film, line_maximum, newtonian_shear
+from pyworm.reading import line_maximum, newtonian_shear
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -66,15 +66,6 @@ class LineRung:
     film: LineFilm
     newtonian: Barus | Roelands | None = None
     storage: Storage | None = None
-
-    def store(self, before: "LineRung | None" = None) -> None:
-        """Lets the film change, as thick as it is on a rung before; it is to be started before it steps."""
-        if self.storage is None:
-            return
-        film = None
-        if before is not None and before.film.levels:
-            film = carrying_film(before.film.fields()[0], before.film.pressure)
-        self.film.store(*self.storage.on(self.grid, film))
 
     def model_errors(self) -> dict[str, float]:
         """None: Jaeger's line of heat is exact for a body of one velocity."""
@@ -139,7 +130,6 @@ def first_rung(
 ) -> LineRung:
     """The coarsest grid, entered from the dry contact lifted by a film [m]; no oil lies before its inlet."""
     rung = _rung(scene, size, grid, scene.load, storage)
-    rung.store()
     dry = size.hertz.pressure(grid.x)
     for _ in range(SMOOTHINGS):
         dry[1:-1] = (dry[:-2] + 2 * dry[1:-1] + dry[2:]) / 4
@@ -192,7 +182,6 @@ def _entered(
     # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
     load = scene.load - beyond.load + beyond.pressure * grid.dx / 2
     rung = _rung(scene, size, grid, load, before.storage)
-    rung.store(before)
     started = np.where(rung.covered, pressure, 0.0)
     started[[0, -1]] = (beyond.pressure, 0.0) if scene.entrainment > 0 else (0.0, beyond.pressure)
     rung.film.start(started, before.film.rigid_film)
@@ -213,6 +202,8 @@ def _rung(
         scene.oil,
         FLOOR_SHARE * size.film,
     )
+    if storage is not None:
+        film.store(*storage.on(grid))
     newtonian = scene.oil.viscosity if scene.oil.flow == NEWTONIAN else None
     return LineRung(grid, gap, covered, scene.sliding, scene.load, film, newtonian, storage)
 
