@@ -8,18 +8,18 @@ changes at the present; finer grids take that rate as it is.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import cos, sin
+from math import cos, isfinite, sin
 
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
 
-from pyworm.effects.sketch import sketch
+from pyworm.effects.sketch import Sketch, sketch
 from pyworm.grid import Grid
 from pyworm.ladder import Ladder, Rung, lead
 from pyworm.line.grid import LineGrid
 from pyworm.line.scene import LineScene
 from pyworm.past import Earlier
-from pyworm.planning import Plan
+from pyworm.planning import Plan, first_grids_of
 from pyworm.scene import Array, Scene
 
 TRANSITS = 2.0
@@ -36,6 +36,9 @@ NEST = 2
 
 LOST = 1e-2
 """Residual from which the film of a step is none."""
+
+OUTGROWN = 1.3
+"""Size of a contact, over the present one's, that the present one's grids do not hold."""
 
 SHORTENING = 1.5
 """Power by which steps shorten towards the present."""
@@ -120,12 +123,17 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     climb : callable
         The climb of this kind of contact: scene, plan, storage -> `ladder.Ladder`.
     """
-    span = TRANSITS * sketch(scene).transit
+    if scene.past is None:
+        return None
+    now = sketch(scene)
+    span = min(TRANSITS * now.transit, scene.past.seconds)
     times = [span * (k / STEPS) ** SHORTENING for k in range(1, STEPS + 1)]
-    past = [] if scene.past is None else scene.past.back(times)
+    past = scene.past.back(times)
     if not past:
         return None
-    nest = plan.grids[-NEST:]
+    largest = max((sketch(moment.contact) for moment in past), key=_size)
+    outgrown = _size(largest) > OUTGROWN * _size(now)
+    nest = (first_grids_of(largest.scene, plan) if outgrown else plan.grids)[-NEST:]
     films: list[Instant] = []
     rung, flaw = None, None
     for moment in (*reversed(past), Earlier(0.0, scene)):
@@ -136,13 +144,21 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
                 weights[0], tuple(zip(weights[1:], films, strict=False)), moment.angle
             )
         ladder = climb(moment.contact, plan, storage)
-        rung, _ = ladder.enter(nest, rung)
-        lead(rung, MARCH_TOLERANCE)
-        if not rung.film.balance.worst <= LOST:
+        for near in (rung, None):
+            rung, _ = ladder.enter(nest, near)
+            lead(rung, MARCH_TOLERANCE)
+            if rung.film.balance.worst <= LOST:
+                break
+        else:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
         films = [_instant(moment, rung, nest[0]), *films[:2]]
     weights = _rate([film.seconds for film in films])
     return History(Storage(0.0, tuple(zip(weights, films, strict=True))), rung, flaw)
+
+
+def _size(contact: Sketch) -> float:
+    """Area of a contact [m2], or width [m] of one along a line."""
+    return contact.half_width * (contact.half_length if isfinite(contact.half_length) else 1.0)
 
 
 def _rate(times: Sequence[float]) -> list[float]:
