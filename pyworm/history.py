@@ -40,6 +40,9 @@ LOST = 1e-2
 OUTGROWN = 1.3
 """Size of a contact, over the present one's, that the present one's grids do not hold."""
 
+ORDER = 3
+"""Order of it."""
+
 SHORTENING = 1.5
 """Power by which steps shorten towards the present."""
 
@@ -139,7 +142,7 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     for moment in (*reversed(past), Earlier(0.0, scene)):
         storage = None
         if films:
-            weights = _rate([moment.seconds, *(film.seconds for film in films[:2])])
+            weights = _rate([moment.seconds, *(film.seconds for film in films[:ORDER])])
             storage = Storage(
                 weights[0], tuple(zip(weights[1:], films, strict=False)), moment.angle
             )
@@ -151,7 +154,7 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
                 break
         else:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
-        films = [_instant(moment, rung, nest[0]), *films[:2]]
+        films = [_instant(moment, rung, nest[0]), *films[:ORDER]]
     weights = _rate([film.seconds for film in films])
     return History(Storage(0.0, tuple(zip(weights, films, strict=True))), rung, flaw)
 
