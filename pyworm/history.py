@@ -13,6 +13,7 @@ from math import cos, isfinite, sin
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
 
+from pyworm.accuracy import change
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.grid import Grid
 from pyworm.ladder import Ladder, Rung, lead
@@ -105,12 +106,15 @@ class History:
         How what it stores changes.
     rung : Rung
         It, on its grid.
+    errors : dict
+        Relative error of its figures by the steps of time.
     flaw : str or None
         Why it is not to be trusted.
     """
 
     storage: Storage
     rung: Rung
+    errors: dict[str, float]
     flaw: str | None
 
 
@@ -154,9 +158,17 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
                 break
         else:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
-        films = [_instant(moment, rung, nest[0]), *films[:ORDER]]
+        films = [_instant(moment, rung, nest[0]), *films[: 2 * ORDER]]
+    storage = _changing(films[: ORDER + 1])
+    rougher, _ = climb(scene, plan, _changing(films[::2])).enter(nest, rung)
+    lead(rougher, MARCH_TOLERANCE)
+    return History(storage, rung, change(rougher.read(), rung.read()), flaw)
+
+
+def _changing(films: Sequence[Instant]) -> Storage:
+    """What a film stores, of which the present and the past are known."""
     weights = _rate([film.seconds for film in films])
-    return History(Storage(0.0, tuple(zip(weights, films, strict=True))), rung, flaw)
+    return Storage(0.0, tuple(zip(weights, films, strict=True)))
 
 
 def _size(contact: Sketch) -> float:
