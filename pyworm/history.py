@@ -7,7 +7,7 @@ changes at the present; finer grids take that rate as it is.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, isfinite, sin
 
 import numpy as np
@@ -26,26 +26,33 @@ from pyworm.scene import Array, Scene
 TRANSITS = 2.0
 """How far back films are marched from, in the time that oil takes to pass through the contact's middle."""
 
-STEPS = 12
-"""Steps of time in it."""
+STEPS, LEAST = 12, 4
+"""Steps of time in it to begin with, and the least in a shorter past."""
 
-MARCH_TOLERANCE = 1e-5
-"""Residual to which the film of each step is solved; with 1e-4 films at the end were off by 0.3 %."""
+SHORTEST = 0.006
+"""Shortest step of time, in transits: over shorter ones what films are off by on their grids counts as change."""
 
-NEST = 2
-"""Grids of a nest that are climbed at each step; from one alone films at the end were off by 0.7 %."""
+SHORTENING = 1.5
+"""Power by which steps shorten towards the present: oil that came late is all over the contact, and what came
+early has nearly left it."""
+
+ORDER = 3
+"""Order of rates of change. Of second order, notches that an edge leaves in the film and that travel with the
+oil took four times as many steps."""
+
+WANTED, BORNE = 0.5, 0.8
+"""Error of the figures by steps of time beyond which there are more of these, and beyond which the figures
+are not to be trusted, as shares of the accuracy."""
+
+TOLERANCE = 2e-3
+"""Residual to which films are solved on the way, over the shortest step of time in transits: what is left
+unsolved counts as change."""
 
 LOST = 1e-2
 """Residual from which the film of a step is none."""
 
-OUTGROWN = 1.3
+OUTGROWN = 1.6
 """Size of a contact, over the present one's, that the present one's grids do not hold."""
-
-ORDER = 3
-"""Order of it."""
-
-SHORTENING = 1.5
-"""Power by which steps shorten towards the present."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +126,9 @@ class History:
 
 
 def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History | None:
-    """The film of a scene as it came to be; None where the scene's past holds nothing.
+    """The film of a scene as it came to be, in steps of time that accuracy calls for.
+
+    None where the scene has no past.
 
     Parameters
     ----------
@@ -132,37 +141,63 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     """
     if scene.past is None:
         return None
-    now = sketch(scene)
-    span = min(TRANSITS * now.transit, scene.past.seconds)
-    times = [span * (k / STEPS) ** SHORTENING for k in range(1, STEPS + 1)]
-    past = scene.past.back(times)
-    if not past:
-        return None
-    largest = max((sketch(moment.contact) for moment in past), key=_size)
-    outgrown = _size(largest) > OUTGROWN * _size(now)
-    nest = (first_grids_of(largest.scene, plan) if outgrown else plan.grids)[-NEST:]
+    transit = sketch(scene).transit
+    span = min(TRANSITS * transit, scene.past.seconds)
+    most = (span / (SHORTEST * transit)) ** (1 / SHORTENING)
+    steps = max(LEAST, round(STEPS * span / (TRANSITS * transit)))
+    while True:
+        times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
+        history = _march(scene, plan, climb, times, TOLERANCE * times[1] / transit)
+        error = plan.aim.worst(history.errors, history.rung.read().figures)
+        wanted = error / (WANTED * plan.accuracy)
+        if history.flaw or wanted <= 1:
+            return history
+        further = steps * (2 if wanted <= 2**ORDER else 4)
+        if further > most:
+            flaw = f"{steps} steps of time leave an error of {error:.1%}"
+            return history if error <= BORNE * plan.accuracy else replace(history, flaw=flaw)
+        steps = further
+
+
+def _march(
+    scene: Scene | LineScene,
+    plan: Plan,
+    climb: Callable[..., Ladder],
+    times: Sequence[float],
+    tolerance: float,
+) -> History:
+    """The same through times before the present, the latest first, as far back as the contact carried."""
+    moments = [Earlier(0.0, scene), *scene.past.back(times[1:])]
+    nest = _nest(moments, plan)
     films: list[Instant] = []
     rung, flaw = None, None
-    for moment in (*reversed(past), Earlier(0.0, scene)):
+    for moment in reversed(moments):
         storage = None
         if films:
             weights = _rate([moment.seconds, *(film.seconds for film in films[:ORDER])])
-            storage = Storage(
-                weights[0], tuple(zip(weights[1:], films, strict=False)), moment.angle
-            )
+            past = zip(weights[1:], films, strict=False)
+            storage = Storage(weights[0], tuple(past), moment.angle)
         ladder = climb(moment.contact, plan, storage)
         for near in (rung, None):
             rung, _ = ladder.enter(nest, near)
-            lead(rung, MARCH_TOLERANCE)
+            lead(rung, tolerance)
             if rung.film.balance.worst <= LOST:
                 break
         else:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
         films = [_instant(moment, rung, nest[0]), *films[: 2 * ORDER]]
-    storage = _changing(films[: ORDER + 1])
     rougher, _ = climb(scene, plan, _changing(films[::2])).enter(nest, rung)
-    lead(rougher, MARCH_TOLERANCE)
-    return History(storage, rung, change(rougher.read(), rung.read()), flaw)
+    lead(rougher, tolerance)
+    return History(_changing(films[: ORDER + 1]), rung, change(rougher.read(), rung.read()), flaw)
+
+
+def _nest(moments: Sequence[Earlier], plan: Plan) -> tuple[Grid | LineGrid, ...]:
+    """The plan's grids, or those of the largest contact if they do not hold it."""
+    now, *earlier = (sketch(moment.contact) for moment in moments)
+    largest = max(earlier, key=_size, default=now)
+    if _size(largest) <= OUTGROWN * _size(now):
+        return plan.grids
+    return first_grids_of(largest.scene, plan)
 
 
 def _changing(films: Sequence[Instant]) -> Storage:

@@ -49,7 +49,8 @@ def _by_squeeze(sketch: Sketch) -> Influence:
 def _lasting(scene: Contact) -> str | None:
     if scene.past is None:
         return "steady"
-    return None if scene.past.back([_seconds(sketch_of(scene))]) else "nothing before"
+    seconds = _seconds(sketch_of(scene))
+    return None if seconds > 0 and scene.past.back([seconds]) else "nothing before"
 
 
 SQUEEZE = Effect(
