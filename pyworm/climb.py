@@ -66,6 +66,17 @@ class Start:
             None if self.rise is None else kernels.prolong_levels(self.rise[window]),
         )
 
+    def onward(self, before: "Start", share: float) -> "Start":
+        """What a share of the way from the one before leads to, if it goes on."""
+        moved = self.pressure + share * np.where(
+            self.pressure > 0, self.pressure - before.pressure, 0.0
+        )
+        return Start(
+            np.maximum(moved, 0.0),
+            self.rigid_film + share * (self.rigid_film - before.rigid_film),
+            None if self.rise is None else self.rise + share * (self.rise - before.rise),
+        )
+
     def beyond(self, coarser: "Start") -> "Start":
         """What half the spacing leads to at second order, where twice the spacing led to `coarser`."""
         pressure = (
@@ -135,6 +146,11 @@ class Rung:
             at,
             self._shear_figures() | self._heat_figures(),
         )
+
+    def end(self) -> Start:
+        """Its present state."""
+        film = self.film
+        return Start(film.pressure, film.rigid_film, film.rise() if film.heated else None)
 
     def model_errors(self) -> dict[str, float]:
         """Error of the temperatures by the bodies' models of conduction."""
@@ -238,7 +254,7 @@ def lost(rung: Rung) -> bool:
 
 def entry(rung: Rung, grid: Grid) -> Start:
     """Where a grid of half the spacing within the present one is entered."""
-    here = _end(rung)
+    here = rung.end()
     if rung.coarser is not None and _same_window(rung, grid):
         return here.beyond(rung.coarser.finer()).finer()
     return here.finer(rung.grid.window_of(grid))
@@ -257,7 +273,7 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
         far = kernels.prolong(far[window])
-    coarser = _end(rung) if _same_window(rung, grid) else None
+    coarser = rung.end() if _same_window(rung, grid) else None
     finer = _rung(scene, size, grid, far, load, rung.storage, coarser)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
@@ -288,20 +304,12 @@ def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
     return again
 
 
-def take_over(rung: Rung, before: Rung) -> Start:
-    """Starts a rung from where another one on the same grid ended, but on its outline."""
-    end = _end(before)
-    pressure = np.where(rung.covered, end.pressure, 0.0)
+def take_over(rung: Rung, start: Start) -> None:
+    """Starts a rung, but for its outline."""
+    pressure = np.where(rung.covered, start.pressure, 0.0)
     for side in (np.s_[[0, -1], :], np.s_[:, [0, -1]]):
         pressure[side] = rung.film.pressure[side]
-    rung.film.start(pressure, end.rigid_film)
-    return end
-
-
-def _end(rung: Rung) -> Start:
-    """The present state of a rung."""
-    film = rung.film
-    return Start(film.pressure, film.rigid_film, film.rise() if film.heated else None)
+    rung.film.start(pressure, start.rigid_film)
 
 
 def _same_window(rung: Rung, grid: Grid) -> bool:

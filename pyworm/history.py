@@ -9,6 +9,7 @@ changes at the present; finer grids take that rate as it is.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import cos, isfinite, sin
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
@@ -30,7 +31,8 @@ STEPS, LEAST = 12, 4
 """Steps of time in it to begin with, and the least in a shorter past."""
 
 SHORTEST = 0.006
-"""Shortest step of time, in transits: over shorter ones what films are off by on their grids counts as change."""
+"""Shortest step of time, in transits: over shorter ones what films are off by on their grids counts as
+change."""
 
 SHORTENING = 1.5
 """Power by which steps shorten towards the present: oil that came late is all over the contact, and what came
@@ -40,7 +42,7 @@ ORDER = 3
 """Order of rates of change. Of second order, notches that an edge leaves in the film and that travel with the
 oil took four times as many steps."""
 
-WANTED, BORNE = 0.5, 0.8
+WANTED, BORNE = 0.4, 0.5
 """Error of the figures by steps of time beyond which there are more of these, and beyond which the figures
 are not to be trusted, as shares of the accuracy."""
 
@@ -124,6 +126,10 @@ class History:
     errors: dict[str, float]
     flaw: str | None
 
+    def start(self, grids: Sequence[Grid | LineGrid]) -> Any:
+        """Where a film on such grids may begin; None where this one has others."""
+        return self.rung.end() if self.rung.grid == grids[-1] and not self.flaw else None
+
 
 def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History | None:
     """The film of a scene as it came to be, in steps of time that accuracy calls for.
@@ -170,7 +176,8 @@ def _march(
     moments = [Earlier(0.0, scene), *scene.past.back(times[1:])]
     nest = _nest(moments, plan)
     films: list[Instant] = []
-    rung, flaw = None, None
+    ends: list[Any] = []
+    flaw = None
     for moment in reversed(moments):
         storage = None
         if films:
@@ -178,17 +185,26 @@ def _march(
             past = zip(weights[1:], films, strict=False)
             storage = Storage(weights[0], tuple(past), moment.angle)
         ladder = climb(moment.contact, plan, storage)
-        for near in (rung, None):
+        for near in (*_ahead(ends, films, moment), None):
             rung, _ = ladder.enter(nest, near)
             lead(rung, tolerance)
             if rung.film.balance.worst <= LOST:
                 break
         else:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
+        ends = [rung.end(), *ends[:1]]
         films = [_instant(moment, rung, nest[0]), *films[: 2 * ORDER]]
-    rougher, _ = climb(scene, plan, _changing(films[::2])).enter(nest, rung)
+    rougher, _ = climb(scene, plan, _changing(films[::2])).enter(nest, ends[0])
     lead(rougher, tolerance)
     return History(_changing(films[: ORDER + 1]), rung, change(rougher.read(), rung.read()), flaw)
+
+
+def _ahead(ends: Sequence[Any], films: Sequence[Instant], moment: Earlier) -> list[Any]:
+    """Where the film of a moment may begin, by the ends of the two before."""
+    if len(ends) < 2:
+        return list(ends)
+    first, second, third = films[1].seconds, films[0].seconds, moment.seconds
+    return [ends[0].onward(ends[1], (second - third) / (first - second))]
 
 
 def _nest(moments: Sequence[Earlier], plan: Plan) -> tuple[Grid | LineGrid, ...]:

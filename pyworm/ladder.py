@@ -187,8 +187,8 @@ class Ladder(Protocol):
     convergence: Convergence
     origins: dict[str, float]
 
-    def enter(self, grids: Sequence[Any], near: Rung | None = None) -> tuple[Rung, list[Stride]]:
-        """Up the plan's grids to the last of them, not yet settled there; a film that is near may help."""
+    def enter(self, grids: Sequence[Any], near: Any = None) -> tuple[Rung, list[Stride]]:
+        """Up the plan's grids to the last of them, not yet settled there; near what a film ended at, if any."""
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film, on which the contact was solved with fewer effects."""

@@ -82,7 +82,7 @@ class PointLadder:
             else {}
         )
 
-    def enter(self, grids: Sequence[Grid], near: Rung | None = None) -> tuple[Rung, list[Stride]]:
+    def enter(self, grids: Sequence[Grid], near: Start | None = None) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
         strides: list[Stride] = []
         rung = first_rung(self._lent, self._scene, self._size, grids[0], self._storage)
@@ -91,8 +91,9 @@ class PointLadder:
             before, rung = rung, next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
             if lost(before):
                 anew(self._scene, self._size, rung)
-        if near is not None and near.grid == rung.grid and not lost(near):
-            self._as_whole(rung, take_over(rung, near))
+        if near is not None:
+            take_over(rung, near)
+            self._as_whole(rung, near)
             return rung, strides
         return rung, strides + self._complete(rung)
 

@@ -118,7 +118,7 @@ def _climb(
     rung, strides = (
         ladder.resume(foot)
         if isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]
-        else ladder.enter(plan.grids, history and history.rung)
+        else ladder.enter(plan.grids, history and history.start(plan.grids))
     )
     foot = rung
     while True:

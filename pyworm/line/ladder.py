@@ -86,9 +86,7 @@ class LineLadder:
             else {}
         )
 
-    def enter(
-        self, grids: Sequence[LineGrid], near: LineRung | None = None
-    ) -> tuple[LineRung, list[Stride]]:
+    def enter(self, grids: Sequence[LineGrid], near: Any = None) -> tuple[LineRung, list[Stride]]:
         """The first grid. What lies before its inlet follows from a film, and that from it."""
         (grid,) = grids
         rung, strides = self._warmed(self._scene, grid)
