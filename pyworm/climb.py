@@ -297,9 +297,10 @@ def anew(scene: Scene, size: Scales, rung: Rung) -> None:
     rung.film.start(pressure, size.film - dry.approach)
 
 
-def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
+def like(scene: Scene, size: Scales, rung: Rung, storage: Storage | None) -> Rung:
     """A scene on the grid of a rung, entered from its film."""
-    again = _rung(scene, size, rung.grid, rung.far, rung.load, rung.storage)
+    share = scene.load / rung.whole_load  # what lies beyond the grid goes with the load
+    again = _rung(scene, size, rung.grid, rung.far * share, rung.load * share, storage)
     again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
     return again
 

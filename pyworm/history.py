@@ -65,19 +65,17 @@ class Instant:
     ----------
     seconds, angle : float
         Time before the present [s], and angle of its x axis [rad], as of `past.Earlier`.
-    gap, lift : callable
-        The undeformed gap, and what rho h is more than that [m], at places; beyond a grid as at its edge.
+    held : callable
+        rho h [m] at places; beyond its grid as at the edge.
     """
 
     seconds: float
     angle: float
-    gap: Callable[..., Array]
-    lift: Callable[..., Array]
+    held: Callable[..., Array]
 
     def content(self, grid: Grid | LineGrid, angle: float) -> Array:
         """rho h [m] at nodes of a grid in axes whose x axis has an angle [rad]."""
-        places = _places(grid, angle - self.angle)
-        return self.gap(*places) + self.lift(*places)
+        return self.held(*_places(grid, angle - self.angle))
 
 
 @dataclass(frozen=True)
@@ -177,7 +175,7 @@ def _march(
     nest = _nest(moments, plan)
     films: list[Instant] = []
     ends: list[Any] = []
-    flaw = None
+    rung, flaw = None, None
     for moment in reversed(moments):
         storage = None
         if films:
@@ -185,26 +183,27 @@ def _march(
             past = zip(weights[1:], films, strict=False)
             storage = Storage(weights[0], tuple(past), moment.angle)
         ladder = climb(moment.contact, plan, storage)
-        for near in (*_ahead(ends, films, moment), None):
-            rung, _ = ladder.enter(nest, near)
+        if rung is not None:
+            rung = ladder.follow(rung, _ahead(ends, films, moment))
             lead(rung, tolerance)
-            if rung.film.balance.worst <= LOST:
-                break
-        else:
+        if rung is None or not rung.film.balance.worst <= LOST:
+            rung, _ = ladder.enter(nest)
+            lead(rung, tolerance)
+        if not rung.film.balance.worst <= LOST:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
         ends = [rung.end(), *ends[:1]]
-        films = [_instant(moment, rung, nest[0]), *films[: 2 * ORDER]]
-    rougher, _ = climb(scene, plan, _changing(films[::2])).enter(nest, ends[0])
+        films = [_instant(moment, rung), *films[: 2 * ORDER]]
+    rougher = climb(scene, plan, _changing(films[::2])).follow(rung, ends[0])
     lead(rougher, tolerance)
     return History(_changing(films[: ORDER + 1]), rung, change(rougher.read(), rung.read()), flaw)
 
 
-def _ahead(ends: Sequence[Any], films: Sequence[Instant], moment: Earlier) -> list[Any]:
+def _ahead(ends: Sequence[Any], films: Sequence[Instant], moment: Earlier) -> Any:
     """Where the film of a moment may begin, by the ends of the two before."""
-    if len(ends) < 2:
-        return list(ends)
+    if len(ends) == 1:
+        return ends[0]
     first, second, third = films[1].seconds, films[0].seconds, moment.seconds
-    return [ends[0].onward(ends[1], (second - third) / (first - second))]
+    return ends[0].onward(ends[1], (second - third) / (first - second))
 
 
 def _nest(moments: Sequence[Earlier], plan: Plan) -> tuple[Grid | LineGrid, ...]:
@@ -240,11 +239,9 @@ def _rate(times: Sequence[float]) -> list[float]:
     return [-sum(weights), *weights]
 
 
-def _instant(moment: Earlier, rung: Rung, wide: Grid | LineGrid) -> Instant:
+def _instant(moment: Earlier, rung: Rung) -> Instant:
     film, density, _ = rung.film.fields()
-    gap = _between(wide, moment.contact.gap(*_places(wide))[0])
-    lift = density * film - gap(*_places(rung.grid))
-    return Instant(moment.seconds, moment.angle, gap, _between(rung.grid, lift))
+    return Instant(moment.seconds, moment.angle, _between(rung.grid, density * film))
 
 
 def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:

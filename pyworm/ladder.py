@@ -190,6 +190,9 @@ class Ladder(Protocol):
     def enter(self, grids: Sequence[Any], near: Any = None) -> tuple[Rung, list[Stride]]:
         """Up the plan's grids to the last of them, not yet settled there; near what a film ended at, if any."""
 
+    def follow(self, rung: Rung, near: Any) -> Rung:
+        """The grid of a rung of the same contact at another time, from the end of a near film."""
+
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film, on which the contact was solved with fewer effects."""
 

@@ -97,9 +97,16 @@ class PointLadder:
             return rung, strides
         return rung, strides + self._complete(rung)
 
+    def follow(self, rung: Rung, near: Start) -> Rung:
+        """The grid of a rung of the same contact at another time, from the end of a near film."""
+        again = like(self._lent, self._size, rung, self._storage)
+        again.film.start(np.where(again.covered, near.pressure, 0.0), near.rigid_film)
+        self._as_whole(again, near)
+        return again
+
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film."""
-        again = like(self._lent, self._size, rung)
+        again = like(self._lent, self._size, rung, self._storage)
         return again, self._complete(again)
 
     def _complete(self, rung: Rung) -> list[Stride]:

@@ -130,6 +130,10 @@ class LineLadder:
             strides += lead(rung, FIRST_TOLERANCE)
         return strides
 
+    def follow(self, rung: LineRung, near: Any) -> LineRung:
+        """The grid of a rung of the same contact at another time."""
+        return self.enter((rung.grid,))[0]
+
     def resume(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
         """The grid of a rung, from its film."""
         again = supplied(self._scene, self._size, rung)
