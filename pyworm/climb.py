@@ -15,6 +15,7 @@ from pyworm import kernels, reading
 from pyworm.accuracy import HEAT_FIGURES, Reading
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
+from pyworm.history import Storage
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
 from pyworm.scales import Scales
@@ -65,6 +66,17 @@ class Start:
             None if self.rise is None else kernels.prolong_levels(self.rise[window]),
         )
 
+    def onward(self, before: "Start", share: float) -> "Start":
+        """What a share of the way from the one before leads to, if it goes on."""
+        moved = self.pressure + share * np.where(
+            self.pressure > 0, self.pressure - before.pressure, 0.0
+        )
+        return Start(
+            np.maximum(moved, 0.0),
+            self.rigid_film + share * (self.rigid_film - before.rigid_film),
+            None if self.rise is None else self.rise + share * (self.rise - before.rise),
+        )
+
     def beyond(self, coarser: "Start") -> "Start":
         """What half the spacing leads to at second order, where twice the spacing led to `coarser`."""
         pressure = (
@@ -105,6 +117,8 @@ class Rung:
     newtonian : tuple or None
         Viscosity against pressure and sliding velocities against place, by which a film without levels is
         sheared; None where the oil's flow law is not known.
+    storage : Storage or None
+        What the film stores as it changes; None of a steady one.
     """
 
     forcing: ClassVar[float] = 0.1
@@ -119,6 +133,7 @@ class Rung:
     film: kernels.PointFilm
     coarser: Start | None = None
     newtonian: tuple[Barus | Roelands, Motion] | None = None
+    storage: Storage | None = None
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
@@ -131,6 +146,11 @@ class Rung:
             at,
             self._shear_figures() | self._heat_figures(),
         )
+
+    def end(self) -> Start:
+        """Its present state."""
+        film = self.film
+        return Start(film.pressure, film.rigid_film, film.rise() if film.heated else None)
 
     def model_errors(self) -> dict[str, float]:
         """Error of the temperatures by the bodies' models of conduction."""
@@ -201,7 +221,9 @@ def dry_contact(
     )
 
 
-def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
+def first_rung(
+    scene: Scene, far: Scene, size: Scales, grid: Grid, storage: Storage | None = None
+) -> Rung:
     """The outermost grid, entered from the dry contact lifted by the expected film.
 
     `far` is the scene that the oil beyond the grid belongs to.
@@ -211,7 +233,7 @@ def first_rung(scene: Scene, far: Scene, size: Scales, grid: Grid) -> Rung:
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
     rigid_film = size.film - dry.approach
     beyond = far_field(far, grid, gap + rigid_film, covered)
-    rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load)
+    rung = _rung(scene, size, grid, 0.0, scene.load - beyond.load, storage)
     everywhere = _with_trace(dry.pressure, covered)
     rung.film.start(np.where(beyond.outline, beyond.pressure, everywhere), rigid_film)
     return rung
@@ -234,7 +256,7 @@ def lost(rung: Rung) -> bool:
 
 def entry(rung: Rung, grid: Grid) -> Start:
     """Where a grid of half the spacing within the present one is entered."""
-    here = _end(rung)
+    here = rung.end()
     if rung.coarser is not None and _same_window(rung, grid):
         return here.beyond(rung.coarser.finer()).finer()
     return here.finer(rung.grid.window_of(grid))
@@ -253,8 +275,8 @@ def next_rung(scene: Scene, size: Scales, rung: Rung, grid: Grid, start: Start) 
         load = load - outside.sum() * rung.grid.dx * rung.grid.dy
     if np.ndim(far):
         far = kernels.prolong(far[window])
-    coarser = _end(rung) if _same_window(rung, grid) else None
-    finer = _rung(scene, size, grid, far, load, coarser)
+    coarser = rung.end() if _same_window(rung, grid) else None
+    finer = _rung(scene, size, grid, far, load, rung.storage, coarser)
     finer.film.start(np.where(finer.covered, start.pressure, 0.0), start.rigid_film)
     return finer
 
@@ -277,17 +299,20 @@ def anew(scene: Scene, size: Scales, rung: Rung) -> None:
     rung.film.start(pressure, size.film - dry.approach)
 
 
-def like(scene: Scene, size: Scales, rung: Rung) -> Rung:
+def like(scene: Scene, size: Scales, rung: Rung, storage: Storage | None) -> Rung:
     """A scene on the grid of a rung, entered from its film."""
-    again = _rung(scene, size, rung.grid, rung.far, rung.load)
+    share = scene.load / rung.whole_load  # what lies beyond the grid goes with the load
+    again = _rung(scene, size, rung.grid, rung.far * share, rung.load * share, storage)
     again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
     return again
 
 
-def _end(rung: Rung) -> Start:
-    """The present state of a rung."""
-    film = rung.film
-    return Start(film.pressure, film.rigid_film, film.rise() if film.heated else None)
+def take_over(rung: Rung, start: Start) -> None:
+    """Starts a rung, but for its outline."""
+    pressure = np.where(rung.covered, start.pressure, 0.0)
+    for side in (np.s_[[0, -1], :], np.s_[:, [0, -1]]):
+        pressure[side] = rung.film.pressure[side]
+    rung.film.start(pressure, start.rigid_film)
 
 
 def _same_window(rung: Rung, grid: Grid) -> bool:
@@ -321,7 +346,13 @@ def with_heat(scene: Scene, size: Scales, rung: Rung, rise: np.ndarray | None = 
 
 
 def _rung(
-    scene: Scene, size: Scales, grid: Grid, far, load: float, coarser: Start | None = None
+    scene: Scene,
+    size: Scales,
+    grid: Grid,
+    far,
+    load: float,
+    storage: Storage | None,
+    coarser: Start | None = None,
 ) -> Rung:
     gap, covered = scene.gap(*grid.mesh())
     film = kernels.PointFilm(
@@ -335,6 +366,10 @@ def _rung(
         scene.oil,
         FLOOR_SHARE * size.film,
     )
+    if storage is not None:
+        film.store(*storage.on(grid))
     sliding = tuple(float(component) for component in scene.sliding(np.array(0.0), np.array(0.0)))
     newtonian = (scene.oil.viscosity, scene.sliding) if scene.oil.flow == NEWTONIAN else None
-    return Rung(grid, gap, covered, far, load, scene.load, sliding, film, coarser, newtonian)
+    return Rung(
+        grid, gap, covered, far, load, scene.load, sliding, film, coarser, newtonian, storage
+    )

@@ -187,8 +187,11 @@ class Ladder(Protocol):
     convergence: Convergence
     origins: dict[str, float]
 
-    def enter(self, grids: Sequence[Any]) -> tuple[Rung, list[Stride]]:
-        """Up the plan's grids to the last of them, not yet settled there."""
+    def enter(self, grids: Sequence[Any], near: Any = None) -> tuple[Rung, list[Stride]]:
+        """Up the plan's grids to the last of them, not yet settled there; near what a film ended at, if any."""
+
+    def follow(self, rung: Rung, near: Any) -> Rung:
+        """The grid of a rung of the same contact at another time, from the end of a near film."""
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film, on which the contact was solved with fewer effects."""

@@ -1,7 +1,7 @@
 """What a contact was earlier, on its way through its drive's mesh."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
 Contact = TypeVar("Contact")
@@ -50,3 +50,12 @@ class Past(Generic[Contact]):
             except ValueError:
                 break
         return found
+
+    def map(self, change: Callable[[Contact], Contact]) -> "Past[Contact]":
+        """The same of a contact that is changed."""
+
+        def before(seconds: float) -> Earlier[Contact]:
+            earlier = self.before(seconds)
+            return replace(earlier, contact=change(earlier.contact))
+
+        return replace(self, before=before)

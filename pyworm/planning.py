@@ -222,6 +222,11 @@ def planned(
     return Plan(accuracy, quantities, asked, judgements, regime, aim, model, **vars(numerics))
 
 
+def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGrid, ...]:
+    """The grids that a plan would have if it were one of this scene."""
+    return PLANS[type(scene)](scene, plan.accuracy, plan.model).grids
+
+
 def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
     """The figures that tell what is asked for, as far as the model has them."""
     figures = {

@@ -11,6 +11,7 @@ from pyworm import kernels, reading
 from pyworm.accuracy import FIGURES, HEAT_FIGURES, SHEAR_FIGURES, Convergence
 from pyworm.climb import (
     Rung,
+    Start,
     anew,
     dry_contact,
     entry,
@@ -18,10 +19,12 @@ from pyworm.climb import (
     like,
     lost,
     next_rung,
+    take_over,
     with_heat,
     with_shear,
 )
 from pyworm.grid import Grid
+from pyworm.history import Storage
 from pyworm.kernels import DryContact
 from pyworm.ladder import Outcome, Stride, lead
 from pyworm.lent import TAKEN_BACK, lent
@@ -53,6 +56,8 @@ class PointLadder:
         The contact.
     plan : Plan
         What of it is simulated.
+    storage : Storage, optional
+        What its film stores as it changes; without it is steady.
     """
 
     kind: ClassVar[str] = "point"
@@ -65,8 +70,9 @@ class PointLadder:
         wider_share=0.35,
     )
 
-    def __init__(self, scene: Scene, plan: Plan):
+    def __init__(self, scene: Scene, plan: Plan, storage: Storage | None = None):
         self._scene = scene
+        self._storage = storage
         self._model = plan.model
         self._lent = lent(scene) if plan.model.heated else scene
         self._size = scales(self._lent)
@@ -76,20 +82,31 @@ class PointLadder:
             else {}
         )
 
-    def enter(self, grids: Sequence[Grid]) -> tuple[Rung, list[Stride]]:
+    def enter(self, grids: Sequence[Grid], near: Start | None = None) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
         strides: list[Stride] = []
-        rung = first_rung(self._lent, self._scene, self._size, grids[0])
+        rung = first_rung(self._lent, self._scene, self._size, grids[0], self._storage)
         for grid in grids[1:]:
             strides += lead(rung, COARSE_TOLERANCE)
             before, rung = rung, next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
             if lost(before):
                 anew(self._scene, self._size, rung)
+        if near is not None:
+            take_over(rung, near)
+            self._as_whole(rung, near)
+            return rung, strides
         return rung, strides + self._complete(rung)
+
+    def follow(self, rung: Rung, near: Start) -> Rung:
+        """The grid of a rung of the same contact at another time, from the end of a near film."""
+        again = like(self._lent, self._size, rung, self._storage)
+        again.film.start(np.where(again.covered, near.pressure, 0.0), near.rigid_film)
+        self._as_whole(again, near)
+        return again
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film."""
-        again = like(self._lent, self._size, rung)
+        again = like(self._lent, self._size, rung, self._storage)
         return again, self._complete(again)
 
     def _complete(self, rung: Rung) -> list[Stride]:
@@ -145,13 +162,17 @@ class PointLadder:
         finer = next_rung(self._lent, self._size, rung, grid, start)
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
-        if self._model.levels:
-            with_shear(self._scene, self._model, finer)
-        if self._model.heated:
-            with_heat(self._scene, self._size, finer, start.rise)
-        if self._model.levels:
-            finer.film.restart()
+        self._as_whole(finer, start)
         return finer, []
+
+    def _as_whole(self, rung: Rung, start: Start) -> None:
+        """Shear and heat at once, for a film that starts from one that has them."""
+        if self._model.levels:
+            with_shear(self._scene, self._model, rung)
+        if self._model.heated:
+            with_heat(self._scene, self._size, rung, start.rise)
+        if self._model.levels:
+            rung.film.restart()
 
     def outcome(self, rung: Rung) -> Outcome:
         """Figures of the lubricated and of the dry contact, and the fields."""

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from pyworm.accuracy import Reading, domain_errors, grid_errors
+from pyworm.history import History, marched
 from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
 from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
@@ -100,7 +101,7 @@ def _climb(
 
     Returns the first rung of the figures too.
     """
-    ladder = LADDERS[type(scene)](scene, plan)
+    climb = LADDERS[type(scene)]
     domain: dict[str, float] = {}
     readings: list[Reading] = []
     unsettled = 0
@@ -109,11 +110,15 @@ def _climb(
     if short is not None:
         raise NoMemoryError(short)
     started, started_work = perf_counter(), process_time()
+    if scene.past is not None:
+        tell(f"{scene.name}: history of the film", 0.0)
+    history = marched(scene, plan, climb)
+    ladder = climb(scene, plan, history and history.storage)
     tell(f"{scene.name}: first grids", 0.0)
     rung, strides = (
         ladder.resume(foot)
         if isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]
-        else ladder.enter(plan.grids)
+        else ladder.enter(plan.grids, history and history.start(plan.grids))
     )
     foot = rung
     while True:
@@ -121,7 +126,7 @@ def _climb(
         strides += settled.strides
         readings.append(settled.reading)
         unsettled += rung.film.balance.worst > plan.tolerance
-        stop_reason = None
+        stop_reason = history and history.flaw
         if _film_is_sound(rung, settled, plan) and plan.wider_grids and not domain:
             tell(f"{scene.name}: wider window", 1 - 0.7 ** len(readings))
             try:
@@ -139,7 +144,7 @@ def _climb(
                         left = ladder.convergence.wider_share
                         domain = {name: left * error for name, error in domain.items()}
                         rung, settled, readings = wider, settled_wider, [settled_wider.reading]
-        estimates = _estimates(ladder, rung, readings, domain, settled, plan)
+        estimates = _estimates(ladder, rung, readings, domain, settled, plan, history)
         stop_reason = stop_reason or _stop_reason(rung, settled, estimates, unsettled, plan)
         if stop_reason is not None:
             break
@@ -221,19 +226,21 @@ def _estimates(
     domain: Mapping[str, float],
     settled: Settled,
     plan: Plan,
+    history: History | None,
 ) -> dict[str, Estimate]:
     """The figures with their error bars, which are infinite where the film is none."""
     grid = grid_errors(readings, ladder.convergence.orders)
     if not _film_is_sound(rung, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
     modelled = rung.model_errors()
+    timed = {} if history is None else history.errors
     return {
         name: Estimate(
             ladder.origins.get(name, 0.0) + value,
             grid[name],
             domain.get(name, np.inf),
             settled.algebra[name],
-            modelled.get(name, 0.0),
+            modelled.get(name, 0.0) + timed.get(name, 0.0),
         )
         for name, value in settled.reading.figures.items()
     }

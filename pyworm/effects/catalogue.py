@@ -9,7 +9,8 @@ from pyworm.effects.oil import (
     PRESSURE_VISCOSITY,
     SHEAR_THINNING,
 )
-from pyworm.effects.unsimulated import ROUGHNESS, SQUEEZE, STARVATION
+from pyworm.effects.squeeze import SQUEEZE
+from pyworm.effects.unsimulated import ROUGHNESS, STARVATION
 
 EFFECTS: tuple[Effect, ...] = (
     SECOND_DIMENSION,
@@ -23,7 +24,7 @@ EFFECTS: tuple[Effect, ...] = (
     ELASTIC_DEFLECTION,
     PRESSURE_VISCOSITY,
     COMPRESSIBILITY,
-    STARVATION,
     SQUEEZE,
+    STARVATION,
     ROUGHNESS,
 )

@@ -101,6 +101,8 @@ def simplified(scene: Contact, on: frozenset[str]) -> Contact:
     for effect in EFFECTS:
         if effect.without is not None and effect.name not in on:
             scene = effect.without(scene)
+            if scene.past is not None:
+                scene = replace(scene, past=scene.past.map(effect.without))
     return scene
 
 

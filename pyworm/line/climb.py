@@ -8,6 +8,7 @@ import numpy as np
 from pyworm.accuracy import Reading
 from pyworm.climb import CONTACT_PRESSURE
 from pyworm.extremum import line_minimum
+from pyworm.history import Storage
 from pyworm.kernels import LineFilm
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
@@ -51,6 +52,8 @@ class LineRung:
         The kernel's film, in its present state.
     newtonian : Barus, Roelands or None
         Viscosity by which a film without levels is sheared; None where the oil's flow law is not known.
+    storage : Storage or None
+        What the film stores as it changes; None of a steady one.
     """
 
     forcing: ClassVar[float] = 1e-3
@@ -62,6 +65,7 @@ class LineRung:
     load: float
     film: LineFilm
     newtonian: Barus | Roelands | None = None
+    storage: Storage | None = None
 
     def model_errors(self) -> dict[str, float]:
         """None: Jaeger's line of heat is exact for a body of one velocity."""
@@ -121,9 +125,11 @@ class LineRung:
         return {name: line_maximum(values) for name, values in places.items()}
 
 
-def first_rung(scene: LineScene, size: LineScales, grid: LineGrid, lift: float) -> LineRung:
+def first_rung(
+    scene: LineScene, size: LineScales, grid: LineGrid, lift: float, storage: Storage | None = None
+) -> LineRung:
     """The coarsest grid, entered from the dry contact lifted by a film [m]; no oil lies before its inlet."""
-    rung = _rung(scene, size, grid, scene.load)
+    rung = _rung(scene, size, grid, scene.load, storage)
     dry = size.hertz.pressure(grid.x)
     for _ in range(SMOOTHINGS):
         dry[1:-1] = (dry[:-2] + 2 * dry[1:-1] + dry[2:]) / 4
@@ -174,14 +180,17 @@ def _entered(
     film, _, _ = before.film.fields()
     beyond = line_far_field(scene, before.grid, before.film.pressure, film)
     # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
-    rung = _rung(scene, size, grid, scene.load - beyond.load + beyond.pressure * grid.dx / 2)
+    load = scene.load - beyond.load + beyond.pressure * grid.dx / 2
+    rung = _rung(scene, size, grid, load, before.storage)
     started = np.where(rung.covered, pressure, 0.0)
     started[[0, -1]] = (beyond.pressure, 0.0) if scene.entrainment > 0 else (0.0, beyond.pressure)
     rung.film.start(started, before.film.rigid_film)
     return rung
 
 
-def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> LineRung:
+def _rung(
+    scene: LineScene, size: LineScales, grid: LineGrid, load: float, storage: Storage | None
+) -> LineRung:
     gap, covered = scene.gap(grid.x)
     film = LineFilm(
         gap,
@@ -193,8 +202,10 @@ def _rung(scene: LineScene, size: LineScales, grid: LineGrid, load: float) -> Li
         scene.oil,
         FLOOR_SHARE * size.film,
     )
+    if storage is not None:
+        film.store(*storage.on(grid))
     newtonian = scene.oil.viscosity if scene.oil.flow == NEWTONIAN else None
-    return LineRung(grid, gap, covered, scene.sliding, scene.load, film, newtonian)
+    return LineRung(grid, gap, covered, scene.sliding, scene.load, film, newtonian, storage)
 
 
 def _prolonged(field: Array) -> Array:

@@ -9,6 +9,7 @@ import xarray as xr
 
 from pyworm import kernels
 from pyworm.accuracy import HEAT_FIGURES, Convergence
+from pyworm.history import Storage
 from pyworm.ladder import Outcome, Stride, lead
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied, with_heat, with_shear
 from pyworm.line.grid import LineGrid
@@ -66,13 +67,16 @@ class LineLadder:
         The contact.
     plan : Plan
         What of it is simulated.
+    storage : Storage, optional
+        What its film stores as it changes; without it is steady.
     """
 
     kind: ClassVar[str] = "line"
     rungs: ClassVar[type] = LineRung
 
-    def __init__(self, scene: LineScene, plan: Plan):
+    def __init__(self, scene: LineScene, plan: Plan, storage: Storage | None = None):
         self._scene = scene
+        self._storage = storage
         self._model = plan.model
         self.convergence = HEATED_CONVERGENCE if plan.model.heated else CONVERGENCE
         self._size = line_scales(scene)
@@ -82,7 +86,7 @@ class LineLadder:
             else {}
         )
 
-    def enter(self, grids: Sequence[LineGrid]) -> tuple[LineRung, list[Stride]]:
+    def enter(self, grids: Sequence[LineGrid], near: Any = None) -> tuple[LineRung, list[Stride]]:
         """The first grid. What lies before its inlet follows from a film, and that from it."""
         (grid,) = grids
         rung, strides = self._warmed(self._scene, grid)
@@ -106,7 +110,7 @@ class LineLadder:
         """
         size = line_scales(scene)
         for lift in LIFTS:
-            rung = first_rung(scene, size, grid, lift * size.film)
+            rung = first_rung(scene, size, grid, lift * size.film, self._storage)
             strides = lead(rung, FIRST_TOLERANCE)
             if rung.film.balance.worst <= FIRST_TOLERANCE:
                 break
@@ -125,6 +129,10 @@ class LineLadder:
             with_heat(scene, rung)
             strides += lead(rung, FIRST_TOLERANCE)
         return strides
+
+    def follow(self, rung: LineRung, near: Any) -> LineRung:
+        """The grid of a rung of the same contact at another time."""
+        return self.enter((rung.grid,))[0]
 
     def resume(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
         """The grid of a rung, from its film."""

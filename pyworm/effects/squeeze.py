@@ -1,0 +1,64 @@
+"""The effect of time: films of contacts that change while oil passes through them."""
+
+from dataclasses import replace
+from math import cos, inf, isfinite, log, sin
+
+from pyworm.effects.bodies import SPEED_POWER, departure
+from pyworm.effects.effect import Contact, Effect, Influence
+from pyworm.effects.sketch import Sketch
+from pyworm.effects.sketch import sketch as sketch_of
+from pyworm.line.scene import LineScene
+from pyworm.scales import scales
+
+
+def lag(sketch: Sketch) -> float:
+    """Change of the expected film while oil passes through the contact [-]."""
+    then = _before(sketch)
+    real = abs(departure(sketch) - departure(then))
+    shift = abs(log(sketch.film_central / then.film_central))
+    return shift + real if isfinite(real) else inf
+
+
+def spread(sketch: Sketch) -> float:
+    """What a contact that grows or shrinks gains or loses in area, over what oil sweeps: u + da/dt for u."""
+    then = _before(sketch)
+    passed = sketch.speed * _seconds(sketch)
+    if isinstance(sketch.scene, LineScene):
+        return abs(sketch.half_width - then.half_width) / passed
+    size, was = scales(sketch.scene), scales(then.scene)
+    a_x, a_y = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    gained = abs(a_x - was.hertz.semi_axis_x) * a_y + abs(a_y - was.hertz.semi_axis_y) * a_x
+    return gained / (passed * (abs(cos(size.angle)) * a_y + abs(sin(size.angle)) * a_x))
+
+
+def _seconds(sketch: Sketch) -> float:
+    """Time that oil takes to pass, or since the contact's mesh cycle began."""
+    return min(sketch.transit, sketch.scene.past.seconds)
+
+
+def _before(sketch: Sketch) -> Sketch:
+    (then,) = sketch.scene.past.back([_seconds(sketch)])
+    return sketch_of(then.contact)
+
+
+def _by_squeeze(sketch: Sketch) -> Influence:
+    change = lag(sketch) + SPEED_POWER * spread(sketch)
+    return Influence(change, change, change)
+
+
+def _lasting(scene: Contact) -> str | None:
+    if scene.past is None:
+        return "steady"
+    seconds = _seconds(sketch_of(scene))
+    return None if seconds > 0 and scene.past.back([seconds]) else "nothing before"
+
+
+SQUEEZE = Effect(
+    name="squeeze",
+    symbol="d ln h + da/2b, in 2b/u",
+    source="a film is as old as the oil in it; the contact's edge runs to the oil or from it, h ~ u^0.7",
+    indicator=lambda sketch: lag(sketch) + spread(sketch),
+    influence=_by_squeeze,
+    without=lambda scene: replace(scene, past=None),
+    lacking=_lasting,
+)
