@@ -15,7 +15,7 @@ from pyworm import kernels, reading
 from pyworm.accuracy import HEAT_FIGURES, Reading
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
-from pyworm.history import Storage
+from pyworm.ladder import Storage
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
 from pyworm.scales import Scales
@@ -305,14 +305,6 @@ def like(scene: Scene, size: Scales, rung: Rung, storage: Storage | None) -> Run
     again = _rung(scene, size, rung.grid, rung.far * share, rung.load * share, storage)
     again.film.start(np.where(again.covered, rung.film.pressure, 0.0), rung.film.rigid_film)
     return again
-
-
-def take_over(rung: Rung, start: Start) -> None:
-    """Starts a rung, but for its outline."""
-    pressure = np.where(rung.covered, start.pressure, 0.0)
-    for side in (np.s_[[0, -1], :], np.s_[:, [0, -1]]):
-        pressure[side] = rung.film.pressure[side]
-    rung.film.start(pressure, start.rigid_film)
 
 
 def _same_window(rung: Rung, grid: Grid) -> bool:

@@ -74,6 +74,12 @@ class Grid:
             self.west, self.south, self.dx / 2, self.dy / 2, 2 * self.nx - 1, 2 * self.ny - 1
         )
 
+    def coarser(self) -> "Grid":
+        """The grid of twice the spacing over the same rectangle, if that is an even number of cells wide."""
+        return Grid(
+            self.west, self.south, self.dx * 2, self.dy * 2, (self.nx + 1) // 2, (self.ny + 1) // 2
+        )
+
     def window_of(self, fine: "Grid") -> tuple[slice, slice]:
         """Nodes of this grid that a grid of half the spacing, aligned with it, covers."""
         first_x = round((fine.west - self.west) / self.dx)

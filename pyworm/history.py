@@ -1,20 +1,20 @@
-"""The film of a contact that changes while oil passes through it.
+"""How the film of a contact changes while oil passes through it.
 
 Reynolds' equation has d(rho h)/dt. Oil that is under pressure now came to the contact some time ago, when
 load, curvature and edges were others, and the film is what it was there then: it has to be marched through
-the past, as far back as oil stays. That is done on the first grid of the figures, and tells how fast the film
-changes at the present; finer grids take that rate as it is.
+the past, as far back as oil stays. What a march tells is the rate of change at present, which films on all
+grids of the figures then take. A march on grids of half the spacing and in half the steps of time shows how
+good that is.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import cos, isfinite, sin
-from typing import Any
 
 import numpy as np
-from scipy.interpolate import RectBivariateSpline
+from scipy.interpolate import CubicSpline, RectBivariateSpline
 
-from pyworm.accuracy import change
+from pyworm.accuracy import Reading, grid_errors
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.grid import Grid
 from pyworm.ladder import Ladder, Rung, lead
@@ -28,11 +28,11 @@ TRANSITS = 2.0
 """How far back films are marched from, in the time that oil takes to pass through the contact's middle."""
 
 STEPS, LEAST = 12, 4
-"""Steps of time in it to begin with, and the least in a shorter past."""
+"""Steps of time in it at the first level, and the least in a shorter past."""
 
-SHORTEST = 0.006
-"""Shortest step of time, in transits: over shorter ones what films are off by on their grids counts as
-change."""
+LEVELS, SHARE = 3, 0.5
+"""Marches at most, and the error of the figures by them that asks for no further one, as a share of the
+accuracy."""
 
 SHORTENING = 1.5
 """Power by which steps shorten towards the present: oil that came late is all over the contact, and what came
@@ -42,13 +42,13 @@ ORDER = 3
 """Order of rates of change. Of second order, notches that an edge leaves in the film and that travel with the
 oil took four times as many steps."""
 
-WANTED, BORNE = 0.4, 0.5
-"""Error of the figures by steps of time beyond which there are more of these, and beyond which the figures
-are not to be trusted, as shares of the accuracy."""
-
-TOLERANCE = 2e-3
+TOLERANCE = 5e-3
 """Residual to which films are solved on the way, over the shortest step of time in transits: what is left
 unsolved counts as change."""
+
+WARMING = 1e-3
+"""Change of temperatures, over their largest rise, down to which they are: films feel them at the inlet,
+where they are small."""
 
 LOST = 1e-2
 """Residual from which the film of a step is none."""
@@ -79,8 +79,8 @@ class Instant:
 
 
 @dataclass(frozen=True)
-class Storage:
-    """How the oil that a film stores changes: d(rho h)/dt, as `kernels.PointFilm.store` takes it.
+class Change:
+    """d(rho h)/dt of a film at one time, a `ladder.Storage`.
 
     Attributes
     ----------
@@ -105,120 +105,111 @@ class Storage:
 
 @dataclass(frozen=True)
 class History:
-    """A film marched to the present.
+    """What a contact's past makes of its film.
 
     Attributes
     ----------
-    storage : Storage
-        How what it stores changes.
+    storage : Change
+        How what the film stores changes at present.
     rung : Rung
-        It, on its grid.
+        The film that changes so, on the plan's first grid of the figures.
     errors : dict
-        Relative error of its figures by the steps of time.
+        Relative error of its figures by the grids and the steps of the march.
     flaw : str or None
-        Why it is not to be trusted.
+        Why none of it is to be trusted.
     """
 
-    storage: Storage
+    storage: Change
     rung: Rung
     errors: dict[str, float]
     flaw: str | None
 
-    def start(self, grids: Sequence[Grid | LineGrid]) -> Any:
-        """Where a film on such grids may begin; None where this one has others."""
-        return self.rung.end() if self.rung.grid == grids[-1] and not self.flaw else None
 
-
-def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History | None:
-    """The film of a scene as it came to be, in steps of time that accuracy calls for.
-
-    None where the scene has no past.
+def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History:
+    """March a film through its past, ever more finely until that changes it little enough.
 
     Parameters
     ----------
     scene : Scene or LineScene
-        The contact.
+        The contact, with a past.
     plan : Plan
         Its plan.
     climb : callable
         The climb of this kind of contact: scene, plan, storage -> `ladder.Ladder`.
     """
-    if scene.past is None:
-        return None
-    transit = sketch(scene).transit
-    span = min(TRANSITS * transit, scene.past.seconds)
-    most = (span / (SHORTEST * transit)) ** (1 / SHORTENING)
-    steps = max(LEAST, round(STEPS * span / (TRANSITS * transit)))
-    while True:
-        times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
-        history = _march(scene, plan, climb, times, TOLERANCE * times[1] / transit)
-        error = plan.aim.worst(history.errors, history.rung.read().figures)
-        wanted = error / (WANTED * plan.accuracy)
-        if history.flaw or wanted <= 1:
-            return history
-        further = steps * (2 if wanted <= 2**ORDER else 4)
-        if further > most:
-            flaw = f"{steps} steps of time leave an error of {error:.1%}"
-            return history if error <= BORNE * plan.accuracy else replace(history, flaw=flaw)
-        steps = further
+    rung, _ = climb(scene, plan).enter(plan.grids)
+    readings: list[Reading] = []
+    for level in range(LEVELS):
+        storage, flaw = _march(scene, plan, climb, level)
+        ladder = climb(scene, plan, storage)
+        rung = ladder.follow((rung,), 0.0)
+        lead(rung, plan.tolerance)
+        readings.append(rung.read())
+        errors = grid_errors(readings, ladder.convergence.orders)
+        if flaw or plan.aim.worst(errors, readings[-1].figures) <= SHARE * plan.accuracy:
+            break
+    return History(storage, rung, errors, flaw)
 
 
 def _march(
-    scene: Scene | LineScene,
-    plan: Plan,
-    climb: Callable[..., Ladder],
-    times: Sequence[float],
-    tolerance: float,
-) -> History:
-    """The same through times before the present, the latest first, as far back as the contact carried."""
+    scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], level: int
+) -> tuple[Change, str | None]:
+    """How a film changes at present, with grids and steps halved at each level; its flaw, if any."""
+    transit = sketch(scene).transit
+    span = min(TRANSITS * transit, scene.past.seconds)
+    steps = max(LEAST, round(STEPS * span / (TRANSITS * transit))) * 2**level
+    times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
+    tolerance = TOLERANCE * times[1] / transit
     moments = [Earlier(0.0, scene), *scene.past.back(times[1:])]
-    nest = _nest(moments, plan)
+    nest = _nest(moments, plan, level)
     films: list[Instant] = []
-    ends: list[Any] = []
-    rung, flaw = None, None
+    rungs: list[Rung] = []
+    flaw = None
     for moment in reversed(moments):
-        storage = None
-        if films:
-            weights = _rate([moment.seconds, *(film.seconds for film in films[:ORDER])])
-            past = zip(weights[1:], films, strict=False)
-            storage = Storage(weights[0], tuple(past), moment.angle)
-        ladder = climb(moment.contact, plan, storage)
-        if rung is not None:
-            rung = ladder.follow(rung, _ahead(ends, films, moment))
-            lead(rung, tolerance)
-        if rung is None or not rung.film.balance.worst <= LOST:
+        ladder = climb(moment.contact, plan, _backwards(moment, films))
+        if rungs:
+            rung = ladder.follow(rungs, _onward(films, moment))
+            lead(rung, tolerance, WARMING)
+        if not rungs or not rung.film.balance.worst <= LOST:
             rung, _ = ladder.enter(nest)
-            lead(rung, tolerance)
+            lead(rung, tolerance, WARMING)
         if not rung.film.balance.worst <= LOST:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
-        ends = [rung.end(), *ends[:1]]
-        films = [_instant(moment, rung), *films[: 2 * ORDER]]
-    rougher = climb(scene, plan, _changing(films[::2])).follow(rung, ends[0])
-    lead(rougher, tolerance)
-    return History(_changing(films[: ORDER + 1]), rung, change(rougher.read(), rung.read()), flaw)
+        rungs = [rung, *rungs[:1]]
+        films = [_instant(moment, rung), *films[:ORDER]]
+    weights = _rate([film.seconds for film in films])
+    return Change(0.0, tuple(zip(weights, films, strict=True))), flaw
 
 
-def _ahead(ends: Sequence[Any], films: Sequence[Instant], moment: Earlier) -> Any:
-    """Where the film of a moment may begin, by the ends of the two before."""
-    if len(ends) == 1:
-        return ends[0]
-    first, second, third = films[1].seconds, films[0].seconds, moment.seconds
-    return ends[0].onward(ends[1], (second - third) / (first - second))
+def _backwards(moment: Earlier, films: Sequence[Instant]) -> Change | None:
+    """What the film of a moment stores, by itself and those before it; None of the first, which is steady."""
+    if not films:
+        return None
+    before = films[:ORDER]
+    weights = _rate([moment.seconds, *(film.seconds for film in before)])
+    return Change(weights[0], tuple(zip(weights[1:], before, strict=True)), moment.angle)
 
 
-def _nest(moments: Sequence[Earlier], plan: Plan) -> tuple[Grid | LineGrid, ...]:
-    """The plan's grids, or those of the largest contact if they do not hold it."""
+def _onward(films: Sequence[Instant], moment: Earlier) -> float:
+    """Time from the last film to a moment over that between the last two; 0 where there is but one."""
+    if len(films) == 1:
+        return 0.0
+    latest, before = films[0].seconds, films[1].seconds
+    return (latest - moment.seconds) / (before - latest)
+
+
+def _nest(moments: Sequence[Earlier], plan: Plan, level: int) -> tuple[Grid | LineGrid, ...]:
+    """Grids to march on at a level: the plan's, or those of the largest contact if they do not hold it."""
     now, *earlier = (sketch(moment.contact) for moment in moments)
     largest = max(earlier, key=_size, default=now)
-    if _size(largest) <= OUTGROWN * _size(now):
-        return plan.grids
-    return first_grids_of(largest.scene, plan)
-
-
-def _changing(films: Sequence[Instant]) -> Storage:
-    """What a film stores, of which the present and the past are known."""
-    weights = _rate([film.seconds for film in films])
-    return Storage(0.0, tuple(zip(weights, films, strict=True)))
+    grids = plan.grids
+    if _size(largest) > OUTGROWN * _size(now):
+        grids = first_grids_of(largest.scene, plan)
+    if isinstance(grids[-1], Grid):  # those of lines cost next to nothing
+        grids = *grids[:-2], grids[-1].coarser()
+    for _ in range(level):
+        grids = *grids, grids[-1].finer()
+    return grids
 
 
 def _size(contact: Sketch) -> float:
@@ -247,7 +238,8 @@ def _instant(moment: Earlier, rung: Rung) -> Instant:
 def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:
     """A field between nodes; beyond the grid as at its edge."""
     if isinstance(grid, LineGrid):
-        return lambda x: np.interp(x, grid.x, field)
+        spline = CubicSpline(grid.x, field)
+        return lambda x: spline(np.clip(x, grid.x[0], grid.x[-1]))
     spline = RectBivariateSpline(grid.x, grid.y, field)
     return lambda x, y: spline(x, y, grid=False)
 

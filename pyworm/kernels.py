@@ -3,7 +3,7 @@
 import os
 import weakref
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
@@ -154,6 +154,13 @@ class Balance:
         """The largest of them; without bound if one is no number."""
         parts = (self.residual, abs(self.load_error), self.warming)
         return max(parts) if all(np.isfinite(part) for part in parts) else np.inf
+
+    def within(self, tolerance: float, warming: float | None = None) -> bool:
+        """Whether all of them are within a tolerance, or warming within its own."""
+        cold = replace(self, warming=0.0)
+        return (self if warming is None else cold).worst <= tolerance and (
+            warming is None or self.warming <= warming
+        )
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,21 @@ import xarray as xr
 from pyworm.accuracy import Aim, Convergence, Reading, algebra_errors, change
 from pyworm.kernels import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError, LineFilm, PointFilm
 
+Array = np.ndarray
+
 MOST_STEPS = 30
 """Newton steps on one grid before it is given up."""
 
 HOPELESS = 1e6
 """Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law was asked
 for what its oil cannot bear."""
+
+
+class Storage(Protocol):
+    """How the oil that a film stores changes."""
+
+    def on(self, grid: Any) -> tuple[float, Array]:
+        """Renewal [1/s] and squeeze [m/s] at nodes of a grid, as `kernels.PointFilm.store` takes them."""
 
 
 class Rung(Protocol):
@@ -101,10 +110,13 @@ def stride(rung: Rung) -> Stride | None:
     )
 
 
-def lead(rung: Rung, tolerance: float) -> list[Stride]:
-    """Newton steps on a grid that only leads to others, until its equations are met within a tolerance."""
+def lead(rung: Rung, tolerance: float, warming: float | None = None) -> list[Stride]:
+    """Newton steps on a grid that only leads to others, until its equations are met within a tolerance.
+
+    Its temperatures may be off by another share, `warming`, of their largest rise.
+    """
     strides: list[Stride] = []
-    while len(strides) < MOST_STEPS and rung.film.balance.worst > tolerance:
+    while len(strides) < MOST_STEPS and not rung.film.balance.within(tolerance, warming):
         taken = stride(rung)
         if taken is None:
             break
@@ -187,11 +199,14 @@ class Ladder(Protocol):
     convergence: Convergence
     origins: dict[str, float]
 
-    def enter(self, grids: Sequence[Any], near: Any = None) -> tuple[Rung, list[Stride]]:
-        """Up the plan's grids to the last of them, not yet settled there; near what a film ended at, if any."""
+    def enter(self, grids: Sequence[Any]) -> tuple[Rung, list[Stride]]:
+        """Up the plan's grids to the last of them, not yet settled there."""
 
-    def follow(self, rung: Rung, near: Any) -> Rung:
-        """The grid of a rung of the same contact at another time, from the end of a near film."""
+    def follow(self, earlier: Sequence[Rung], share: float) -> Rung:
+        """The contact on the grid of its rungs at earlier times, the latest first, from where they lead.
+
+        `share` is the time since the latest over that between it and the one before.
+        """
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """The grid of a rung, from its film, on which the contact was solved with fewer effects."""

@@ -19,14 +19,12 @@ from pyworm.climb import (
     like,
     lost,
     next_rung,
-    take_over,
     with_heat,
     with_shear,
 )
 from pyworm.grid import Grid
-from pyworm.history import Storage
 from pyworm.kernels import DryContact
-from pyworm.ladder import Outcome, Stride, lead
+from pyworm.ladder import Outcome, Storage, Stride, lead
 from pyworm.lent import TAKEN_BACK, lent
 from pyworm.planning import Plan
 from pyworm.scales import scales
@@ -82,7 +80,7 @@ class PointLadder:
             else {}
         )
 
-    def enter(self, grids: Sequence[Grid], near: Start | None = None) -> tuple[Rung, list[Stride]]:
+    def enter(self, grids: Sequence[Grid]) -> tuple[Rung, list[Stride]]:
         """Up the nest to the first grid of the figures."""
         strides: list[Stride] = []
         rung = first_rung(self._lent, self._scene, self._size, grids[0], self._storage)
@@ -91,17 +89,16 @@ class PointLadder:
             before, rung = rung, next_rung(self._scene, self._size, rung, grid, entry(rung, grid))
             if lost(before):
                 anew(self._scene, self._size, rung)
-        if near is not None:
-            take_over(rung, near)
-            self._as_whole(rung, near)
-            return rung, strides
         return rung, strides + self._complete(rung)
 
-    def follow(self, rung: Rung, near: Start) -> Rung:
-        """The grid of a rung of the same contact at another time, from the end of a near film."""
-        again = like(self._lent, self._size, rung, self._storage)
-        again.film.start(np.where(again.covered, near.pressure, 0.0), near.rigid_film)
-        self._as_whole(again, near)
+    def follow(self, earlier: Sequence[Rung], share: float) -> Rung:
+        """The contact on the grid of its rungs at earlier times, from where the last two lead."""
+        start, *before = (rung.end() for rung in earlier[:2])
+        if before:
+            start = start.onward(*before, share)
+        again = like(self._scene, self._size, earlier[0], self._storage)
+        again.film.start(np.where(again.covered, start.pressure, 0.0), start.rigid_film)
+        self._as_whole(again, start)
         return again
 
     def resume(self, rung: Rung) -> tuple[Rung, list[Stride]]:

@@ -110,16 +110,15 @@ def _climb(
     if short is not None:
         raise NoMemoryError(short)
     started, started_work = perf_counter(), process_time()
-    if scene.past is not None:
-        tell(f"{scene.name}: history of the film", 0.0)
-    history = marched(scene, plan, climb)
-    ladder = climb(scene, plan, history and history.storage)
     tell(f"{scene.name}: first grids", 0.0)
-    rung, strides = (
-        ladder.resume(foot)
-        if isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]
-        else ladder.enter(plan.grids, history and history.start(plan.grids))
-    )
+    history = marched(scene, plan, climb) if scene.past else None
+    ladder = climb(scene, plan, history and history.storage)
+    if history is not None:
+        rung, strides = ladder.follow((history.rung,), 0.0), []
+    elif isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]:
+        rung, strides = ladder.resume(foot)
+    else:
+        rung, strides = ladder.enter(plan.grids)
     foot = rung
     while True:
         settled = _settle_figures(rung, plan)
@@ -233,14 +232,14 @@ def _estimates(
     if not _film_is_sound(rung, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
     modelled = rung.model_errors()
-    timed = {} if history is None else history.errors
+    marching = {} if history is None else history.errors
     return {
         name: Estimate(
             ladder.origins.get(name, 0.0) + value,
             grid[name],
             domain.get(name, np.inf),
             settled.algebra[name],
-            modelled.get(name, 0.0) + timed.get(name, 0.0),
+            modelled.get(name, 0.0) + marching.get(name, 0.0),
         )
         for name, value in settled.reading.figures.items()
     }

@@ -8,8 +8,8 @@ import numpy as np
 from pyworm.accuracy import Reading
 from pyworm.climb import CONTACT_PRESSURE
 from pyworm.extremum import line_minimum
-from pyworm.history import Storage
 from pyworm.kernels import LineFilm
+from pyworm.ladder import Storage
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import LineScales

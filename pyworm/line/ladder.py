@@ -9,8 +9,7 @@ import xarray as xr
 
 from pyworm import kernels
 from pyworm.accuracy import HEAT_FIGURES, Convergence
-from pyworm.history import Storage
-from pyworm.ladder import Outcome, Stride, lead
+from pyworm.ladder import Outcome, Storage, Stride, lead
 from pyworm.line.climb import LineRung, first_rung, next_rung, supplied, with_heat, with_shear
 from pyworm.line.grid import LineGrid
 from pyworm.line.scales import line_scales
@@ -86,9 +85,9 @@ class LineLadder:
             else {}
         )
 
-    def enter(self, grids: Sequence[LineGrid], near: Any = None) -> tuple[LineRung, list[Stride]]:
+    def enter(self, grids: Sequence[LineGrid]) -> tuple[LineRung, list[Stride]]:
         """The first grid. What lies before its inlet follows from a film, and that from it."""
-        (grid,) = grids
+        grid = grids[-1]
         rung, strides = self._warmed(self._scene, grid)
         if self._model.levels and not rung.film.balance.worst <= FIRST_TOLERANCE:
             slowest, *faster = (
@@ -130,9 +129,9 @@ class LineLadder:
             strides += lead(rung, FIRST_TOLERANCE)
         return strides
 
-    def follow(self, rung: LineRung, near: Any) -> LineRung:
-        """The grid of a rung of the same contact at another time."""
-        return self.enter((rung.grid,))[0]
+    def follow(self, earlier: Sequence[LineRung], share: float) -> LineRung:
+        """The contact on the grid of its rungs at earlier times; entered anew, which costs little."""
+        return self.enter((earlier[0].grid,))[0]
 
     def resume(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
         """The grid of a rung, from its film."""
