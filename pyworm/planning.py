@@ -7,7 +7,7 @@ from math import cos, hypot, pi, sin, sqrt
 import numpy as np
 
 from pyworm.accuracy import FILMS, HEAT_FIGURES, Aim
-from pyworm.effects.choice import chosen
+from pyworm.effects.choice import beside_auto, chosen
 from pyworm.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.effects.judgement import Judgement, judge, simplified
 from pyworm.effects.sketch import Sketch, sketch
@@ -165,8 +165,8 @@ def plan(
     accuracy : float
         Relative error wanted [-], between 1e-5 and 0.5.
     effects : str
-        "auto": what the accuracy calls for; otherwise what `pyworm.effects.choice.chosen` reads: "all",
-        "isothermal", or names of effects with commas.
+        "auto": what the accuracy calls for, and effects named after a comma; otherwise what
+        `pyworm.effects.choice.chosen` reads: "all", "isothermal", or names of effects with commas.
     quantities : sequence of str, optional
         What is asked for: "film", "friction", "temperature"; by default all that the oil is known for.
 
@@ -189,10 +189,11 @@ def plan(
                 f"quantities: {quantity} cannot be told, give [oil.shear] or [oil.heat]"
             )
     wanted = known if quantities is None else tuple(quantities)
-    asked = None if effects == "auto" else effects
+    named = beside_auto(effects)
+    asked = effects if named is None else None
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
-            return planned(scene, accuracy, wanted, sketch(scene), asked)
+            return planned(scene, accuracy, wanted, sketch(scene), asked, named or frozenset())
     except ArithmeticError as error:
         raise ValueError(
             f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "

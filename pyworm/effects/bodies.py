@@ -118,11 +118,6 @@ def as_line(scene: Contact) -> Contact:
             f"{scene.name}: entrainment and sliding do not lie along one axis of the contact; "
             "second-dimension cannot be left out"
         )
-    return _along(scene, axis)
-
-
-def _along(scene: Scene, axis: int) -> LineScene:
-    """The line contact across which an axis of a point contact lies."""
     radius = scene.radii[axis]
     pressure = hertz(*scene.radii, scene.load, scene.reduced_modulus).pressure_max
     origin = np.zeros(())
@@ -136,7 +131,7 @@ def _along(scene: Scene, axis: int) -> LineScene:
         oil=scene.oil,
         phase=scene.phase,
         slide_roll_ratio=scene.slide_roll_ratio,
-        past=scene.past and scene.past.map(lambda then: _along(then, axis)),
+        past=scene.past,
     )
 
 

@@ -17,12 +17,15 @@ OF_HEAT_AND_FLOW = frozenset(
 
 SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
 
+ONLY_NAMED = frozenset(name for name, effect in SIMULATED.items() if effect.only_named)
+"""Effects that no word for several of them means."""
+
 GROUPS = ("all", "isothermal")
 """Words for several effects."""
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The words of a choice.
+    """The words of a choice; after "auto", effects that are simulated only where they are named.
 
     Raises
     ------
@@ -30,12 +33,36 @@ def words(text: str) -> tuple[str, ...]:
         For one that means nothing.
     """
     said = tuple(part.strip() for part in text.split(","))
-    for word in said if text != "auto" else ():
+    if said[0] == "auto":
+        for word in said[1:]:
+            if word not in ONLY_NAMED:
+                raise ValueError(f"auto,{word}: auto chooses all but {', '.join(ONLY_NAMED)}")
+        return said
+    for word in said:
         if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
             raise ValueError(
                 f"{word or 'nothing'} is none of auto, {', '.join(GROUPS)}, {', '.join(SIMULATED)}"
             )
     return said
+
+
+def beside_auto(text: str) -> frozenset[str] | None:
+    """Names of the effects that are asked for beside "auto"; None of a choice without it.
+
+    Raises
+    ------
+    ValueError
+        For a word that means nothing.
+    """
+    first, *names = _understood(text)
+    return frozenset(names) if first == "auto" else None
+
+
+def _understood(text: str) -> tuple[str, ...]:
+    try:
+        return words(text)
+    except ValueError as error:
+        raise ValueError(f"effects = {text}: {error}") from None
 
 
 def chosen(scene: Contact, text: str) -> frozenset[str]:
@@ -46,8 +73,9 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
     scene : Scene or LineScene
         The contact.
     text : str
-        With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a
-        Newtonian film of one temperature), names of effects, and names after a minus, which are taken away.
+        With commas between: "all" (all that are simulated and the contact has, but for `ONLY_NAMED`),
+        "isothermal" (these for a Newtonian film of one temperature), names of effects, and names after a
+        minus, which are taken away.
 
     Raises
     ------
@@ -55,13 +83,10 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
         For a word that means nothing, and for an effect that is not simulated or the contact has none of.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
-    groups = {"all": whole, "isothermal": whole - OF_HEAT_AND_FLOW}
+    most = whole - ONLY_NAMED
+    groups = {"all": most, "isothermal": most - OF_HEAT_AND_FLOW}
     on: set[str] = set()
-    try:
-        said = words(text)
-    except ValueError as error:
-        raise ValueError(f"effects = {text}: {error}") from None
-    for word in said:
+    for word in _understood(text):
         name = word.removeprefix("-")
         if word.startswith("-"):
             on -= groups.get(name) or _with_dependents(name)

@@ -68,6 +68,8 @@ class Effect:
         Effects that are kept beside it: they cost nothing more there and make it easier to solve.
     part_of : str or None
         An effect earlier in the catalogue without which there is nothing of it.
+    only_named : bool
+        Whether it is simulated only where it is asked for by its name: its cost is out of proportion.
     """
 
     name: str
@@ -80,3 +82,4 @@ class Effect:
     together: tuple[str, ...] = ()
     eased_by: tuple[str, ...] = ()
     part_of: str | None = None
+    only_named: bool = False

@@ -75,6 +75,9 @@ def judge(
         elif asked is not None:
             on = effect.name in asked
             reason = "asked for" if on else "not asked for"
+        elif effect.only_named:
+            on = effect.name in kept
+            reason = "asked for" if on else f"simulated if asked for: auto,{effect.name}"
         elif effect.part_of is not None and not judgements[effect.part_of].on:
             on, reason = False, f"none without {effect.part_of}"
         elif effect.name in kept:
@@ -97,13 +100,13 @@ def judge(
 
 
 def simplified(scene: Contact, on: frozenset[str]) -> Contact:
-    """The contact without the effects that are not on."""
+    """The contact, and what it was, without the effects that are not on."""
     for effect in EFFECTS:
         if effect.without is not None and effect.name not in on:
             scene = effect.without(scene)
-            if scene.past is not None:
-                scene = replace(scene, past=scene.past.map(effect.without))
-    return scene
+    if scene.past is None:
+        return scene
+    return replace(scene, past=scene.past.map(lambda then: simplified(then, on)))
 
 
 def _needed(allowed: float) -> str:

@@ -61,4 +61,5 @@ SQUEEZE = Effect(
     influence=_by_squeeze,
     without=lambda scene: replace(scene, past=None),
     lacking=_lasting,
+    only_named=True,
 )
