@@ -360,7 +360,7 @@ class ZiWormDrive:
             return None
         return replace(self, load=replace(self.load, lifts=()))
 
-    @property
+    @cached_property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
         still = replace(self.load, sharing="elastic", friction=0.0, lifts=())
