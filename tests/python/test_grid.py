@@ -53,6 +53,25 @@ def test_a_window_reaches_until_the_gap_has_risen():
     assert south == pytest.approx(-north)
 
 
+def test_windows_that_grow_together_are_those_that_grow_alone():
+    scene = circular(100, 10)
+    size, reaches = scales(scene), [Reach(50.0, 5.0), Reach(3.0, 3.0), Reach(600.0, 120.0)]
+    alone = tuple(box for reach in reaches for box in windows(scene, size, reach))
+    assert windows(scene, size, *reaches) == alone
+
+
+def test_a_gap_is_looked_at_inside_the_contact_once_and_then_on_the_sides_alone():
+    scene, asked = circular(100, 10), []
+
+    def gap(x, y):
+        asked.append(np.broadcast(x, y).size)
+        return scene.gap(x, y)
+
+    windows(replace(scene, gap=gap), scales(scene), Reach(50.0, 5.0), Reach(100.0, 10.0))
+    assert len(asked) > 3
+    assert sum(asked[1:]) < len(asked[1:]) * asked[0] / 5
+
+
 @pytest.mark.parametrize("relief", [-3e-6, 20e-6, 1e-3])
 def test_a_window_is_the_same_wherever_the_gap_counts_from(relief):
     scene = circular(100, 10)
