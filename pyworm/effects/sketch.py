@@ -5,6 +5,7 @@ Friction and temperatures are estimated together: oil that shears warms, and war
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import cos, hypot, inf, log, pi, sin, sqrt
 
 import numpy as np
@@ -83,6 +84,17 @@ class Sketch:
     def transit(self) -> float:
         """Time that oil takes to pass through the middle of the contact [s]."""
         return 2 * self.half_width / self.speed
+
+    @property
+    def age(self) -> float:
+        """Time since that oil came in, or the contact's mesh cycle began [s]."""
+        return min(self.transit, self.scene.past.seconds)
+
+    @cached_property
+    def before(self) -> "Sketch | None":
+        """The contact as it was then; None where there was nothing."""
+        then = self.scene.past.back([self.age]) if self.age > 0 else []
+        return sketch(then[0].contact) if then else None
 
     @property
     def oil(self) -> Oil:

@@ -13,7 +13,7 @@ from pyworm.scales import scales
 
 def lag(sketch: Sketch) -> float:
     """Change of the expected film while oil passes through the contact [-]."""
-    then = _before(sketch)
+    then = sketch.before
     real = abs(departure(sketch) - departure(then))
     shift = abs(log(sketch.film_central / then.film_central))
     return shift + real if isfinite(real) else inf
@@ -21,24 +21,14 @@ def lag(sketch: Sketch) -> float:
 
 def spread(sketch: Sketch) -> float:
     """What a contact that grows or shrinks gains or loses in area, over what oil sweeps: u + da/dt for u."""
-    then = _before(sketch)
-    passed = sketch.speed * _seconds(sketch)
+    then = sketch.before
+    passed = sketch.speed * sketch.age
     if isinstance(sketch.scene, LineScene):
         return abs(sketch.half_width - then.half_width) / passed
     size, was = scales(sketch.scene), scales(then.scene)
     a_x, a_y = size.hertz.semi_axis_x, size.hertz.semi_axis_y
     gained = abs(a_x - was.hertz.semi_axis_x) * a_y + abs(a_y - was.hertz.semi_axis_y) * a_x
     return gained / (passed * (abs(cos(size.angle)) * a_y + abs(sin(size.angle)) * a_x))
-
-
-def _seconds(sketch: Sketch) -> float:
-    """Time that oil takes to pass, or since the contact's mesh cycle began."""
-    return min(sketch.transit, sketch.scene.past.seconds)
-
-
-def _before(sketch: Sketch) -> Sketch:
-    (then,) = sketch.scene.past.back([_seconds(sketch)])
-    return sketch_of(then.contact)
 
 
 def _by_squeeze(sketch: Sketch) -> Influence:
@@ -49,8 +39,7 @@ def _by_squeeze(sketch: Sketch) -> Influence:
 def _lasting(scene: Contact) -> str | None:
     if scene.past is None:
         return "steady"
-    seconds = _seconds(sketch_of(scene))
-    return None if seconds > 0 and scene.past.back([seconds]) else "nothing before"
+    return "nothing before" if sketch_of(scene).before is None else None
 
 
 SQUEEZE = Effect(
