@@ -57,10 +57,10 @@ def _influence(effects: Sequence[Judgement]) -> str:
 def assumptions_section(case: Case, result: Result) -> Section:
     """What was assumed: numbers that the source does not give, and what the models take for granted."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
-    items += [
-        "Smooth flanks, an inlet full of oil, and at each phase a steady film (the table of effects says "
-        "what squeeze may change).",
-    ]
+    items.append("Smooth flanks and an inlet full of oil.")
+    on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
+    if "squeeze" not in on:
+        items.append("A steady film (the table of effects says what squeeze may change).")
     items += _drive_items(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:

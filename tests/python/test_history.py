@@ -1,0 +1,84 @@
+"""Films of contacts that change while oil passes through them."""
+
+from dataclasses import replace
+from math import cos, sin
+
+import numpy as np
+import pytest
+from plan_scenes import STEEL, mineral, point
+
+import pyworm
+from pyworm.effects.bodies import as_line
+from pyworm.effects.sketch import sketch
+from pyworm.past import Earlier, Past
+
+AGES = 1.0
+"""Age of the contacts [s], which is many times that of the oil in them."""
+
+
+def ball(speed=1.0, angle=0.0):
+    """A ball that rolls at a speed [m/s], in axes turned by an angle [rad]."""
+    velocity = speed * cos(angle), -speed * sin(angle)
+    return point(
+        "ball", (0.02, 0.02), 50.0, (velocity, velocity), (STEEL, STEEL), mineral(0.09, 2e-8)
+    )
+
+
+def solved(scene, effects="isothermal", accuracy=0.05):
+    return pyworm.solve(scene, pyworm.plan(scene, accuracy, effects, ("film",)))
+
+
+def films(solution):
+    assert solution.converged, solution.stop_reason
+    return {name: getattr(solution.figures, name).value for name in ("film_min", "film_central")}
+
+
+TURN = 0.5
+"""Angle by which axes turn while oil passes [rad]."""
+
+
+@pytest.mark.parametrize("turn", [0.0, TURN, -TURN])
+def test_what_was_always_the_same_is_steady_in_axes_that_turn_too(turn):
+    rate = turn / sketch(ball()).transit
+    past = Past(AGES, lambda back: Earlier(back, ball(angle=-rate * back), -rate * back))
+    marched = solved(replace(ball(), past=past), "isothermal,squeeze")
+    assert films(marched) == pytest.approx(films(solved(ball())), rel=0.005)
+
+
+def test_what_a_contact_was_long_ago_is_forgotten():
+    transit = sketch(ball()).transit
+    past = Past(AGES, lambda back: Earlier(back, ball(1.0 if back < 1.5 * transit else 0.8)))
+    marched = solved(replace(ball(), past=past), "isothermal,squeeze")
+    assert films(marched) == pytest.approx(films(solved(ball())), rel=0.01)
+
+
+@pytest.mark.parametrize("kind", [lambda scene: scene, as_line])
+def test_oil_carries_its_film_through_the_contact(kind):
+    """Each place keeps the film of the speed at which its oil came in: later ones that of a lower speed."""
+    of = sketch(kind(ball()))
+    past = Past(AGES, lambda back: Earlier(back, kind(ball(1 - 0.1 * back / of.transit))))
+    middle = {"x": [-of.half_width / 2, 0.0, of.half_width / 2]} | (
+        {} if kind is as_line else {"y": 0.0}
+    )
+    now, then, marched = (
+        solved(scene, effects).fields["film"].interp(middle).values
+        for scene, effects in (
+            (kind(ball()), "isothermal"),
+            (kind(ball(0.95)), "isothermal"),
+            (replace(kind(ball()), past=past), "isothermal,squeeze"),
+        )
+    )
+    # 0.95 is half a passage ago, and so far lie these places apart
+    assert np.diff(now - marched) == pytest.approx(
+        np.diff(now - then) + (now - then)[1] / 2, rel=0.1
+    )
+
+
+def test_error_bars_of_a_tooth_pair_s_film_in_motion_hold():
+    scene = pyworm.load("cases/zi_drive.toml").scene(phase=0.5)
+    rough, fine = (solved(scene, "isothermal,squeeze", accuracy) for accuracy in (0.15, 0.05))
+    assert films(rough) != pytest.approx(films(solved(scene, accuracy=0.15)), rel=0.05)
+    for name, value in films(rough).items():
+        better = getattr(fine.figures, name)
+        bars = getattr(rough.figures, name).error + better.error
+        assert abs(value - better.value) <= bars * better.value
