@@ -77,7 +77,7 @@ def judge(
             reason = "asked for" if on else "not asked for"
         elif effect.only_named:
             on = effect.name in kept
-            reason = "asked for" if on else f"simulated if asked for: auto,{effect.name}"
+            reason = "asked for" if on else f"only if named: auto,{effect.name}"
         elif effect.part_of is not None and not judgements[effect.part_of].on:
             on, reason = False, f"none without {effect.part_of}"
         elif effect.name in kept:

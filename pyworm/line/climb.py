@@ -141,16 +141,17 @@ def first_rung(
     return rung
 
 
-def supplied(scene: LineScene, size: LineScales, rung: LineRung) -> LineRung:
+def supplied(
+    scene: LineScene, size: LineScales, rung: LineRung, storage: Storage | None
+) -> LineRung:
     """The same grid and film, with oil before its inlet as the film lets it come."""
-    return _entered(scene, size, rung.grid, rung.film.pressure, rung)
+    return _entered(scene, size, rung.grid, rung.film.pressure, rung, storage)
 
 
 def next_rung(scene: LineScene, size: LineScales, rung: LineRung) -> LineRung:
     """The grid of half the spacing, entered from the present film."""
-    return _entered(
-        scene, size, rung.grid.finer(), np.maximum(_prolonged(rung.film.pressure), 0.0), rung
-    )
+    pressure = np.maximum(_prolonged(rung.film.pressure), 0.0)
+    return _entered(scene, size, rung.grid.finer(), pressure, rung, rung.storage)
 
 
 def with_shear(scene: LineScene, model: Model, rung: LineRung) -> None:
@@ -174,14 +175,19 @@ def with_heat(scene: LineScene, rung: LineRung, before: LineRung | None = None) 
 
 
 def _entered(
-    scene: LineScene, size: LineScales, grid: LineGrid, pressure: Array, before: LineRung
+    scene: LineScene,
+    size: LineScales,
+    grid: LineGrid,
+    pressure: Array,
+    before: LineRung,
+    storage: Storage | None,
 ) -> LineRung:
     """A grid entered from a pressure on it; oil comes to its inlet as the rung before lets it."""
     film, _, _ = before.film.fields()
     beyond = line_far_field(scene, before.grid, before.film.pressure, film)
     # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
     load = scene.load - beyond.load + beyond.pressure * grid.dx / 2
-    rung = _rung(scene, size, grid, load, before.storage)
+    rung = _rung(scene, size, grid, load, storage)
     started = np.where(rung.covered, pressure, 0.0)
     started[[0, -1]] = (beyond.pressure, 0.0) if scene.entrainment > 0 else (0.0, beyond.pressure)
     rung.film.start(started, before.film.rigid_film)

@@ -86,8 +86,8 @@ class LineLadder:
         )
 
     def enter(self, grids: Sequence[LineGrid]) -> tuple[LineRung, list[Stride]]:
-        """The first grid. What lies before its inlet follows from a film, and that from it."""
-        grid = grids[-1]
+        """Up the grids. What lies before the first one's inlet follows from a film, and that from it."""
+        grid, *finer = grids
         rung, strides = self._warmed(self._scene, grid)
         if self._model.levels and not rung.film.balance.worst <= FIRST_TOLERANCE:
             slowest, *faster = (
@@ -97,9 +97,17 @@ class LineLadder:
             rung, further = self._warmed(slowest, grid)
             strides += further
             for scene in faster:
-                rung = self._like(rung, supplied(scene, line_scales(scene), rung))
+                rung = self._like(rung, supplied(scene, line_scales(scene), rung, self._storage))
                 strides += lead(rung, FIRST_TOLERANCE)
-        return self._like(rung, supplied(self._scene, self._size, rung)), strides
+        rung = self._supplied(rung)
+        for _ in finer:
+            strides += lead(rung, FIRST_TOLERANCE)
+            rung, _ = self.higher(rung)
+        return rung, strides
+
+    def _supplied(self, rung: LineRung) -> LineRung:
+        """The contact on the grid of a rung, from its film, shear and heat."""
+        return self._like(rung, supplied(self._scene, self._size, rung, self._storage))
 
     def _warmed(self, scene: LineScene, grid: LineGrid) -> tuple[LineRung, list[Stride]]:
         """A film on the first grid, step by step: of a Newtonian oil of one temperature, sheared, heated.
@@ -114,7 +122,7 @@ class LineLadder:
             if rung.film.balance.worst <= FIRST_TOLERANCE:
                 break
         for _ in range(SUPPLIES - 1):
-            rung = supplied(scene, size, rung)
+            rung = supplied(scene, size, rung, self._storage)
             strides += lead(rung, FIRST_TOLERANCE)
         return rung, strides + self._complete(scene, rung)
 
@@ -130,14 +138,14 @@ class LineLadder:
         return strides
 
     def follow(self, earlier: Sequence[LineRung], share: float) -> LineRung:
-        """The contact on the grid of its rungs at earlier times; entered anew, which costs little."""
-        return self.enter((earlier[0].grid,))[0]
+        """The contact on the grid of its rungs at earlier times, from the latest one's film."""
+        return self._supplied(earlier[0])
 
     def resume(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
         """The grid of a rung, from its film."""
-        again = supplied(self._scene, self._size, rung)
+        again = supplied(self._scene, self._size, rung, self._storage)
         strides = self._complete(self._scene, again)
-        return self._like(again, supplied(self._scene, self._size, again)), strides
+        return self._supplied(again), strides
 
     def higher(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
         """Half the spacing."""

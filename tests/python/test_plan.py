@@ -178,7 +178,9 @@ def test_a_solution_adds_what_its_plan_missed():
 def test_heat_that_was_missed_gets_the_window_it_needs():
     """The inlet of a line reaches farther where it warms; a window found without heat is not taken over."""
     trial = TRIALS["long roller"]
-    solution = pyworm.solve(trial.scene(), pyworm.plan(trial.scene(), 0.05, None, trial.quantities))
+    solution = pyworm.solve(
+        trial.scene(), pyworm.plan(trial.scene(), 0.05, "auto", trial.quantities)
+    )
     assert solution.converged
     on = {one.name for one in solution.effects if one.on}
     whole = pyworm.plan(trial.scene(), 0.05, ",".join(on), trial.quantities)
@@ -331,3 +333,19 @@ def test_scenes_travel_to_other_processes_with_their_past(case, place):
     assert (
         judged(pyworm.plan(again, 0.05))["squeeze"] == judged(pyworm.plan(scene, 0.05))["squeeze"]
     )
+
+
+def test_squeeze_is_simulated_where_it_is_named():
+    scene = replace(ball(), past=Past(1.0, lambda seconds: Earlier(seconds, ball(speed=1.0))))
+    for effects, on in (
+        ("auto", False),
+        ("all", False),
+        ("auto,squeeze", True),
+        ("isothermal,squeeze", True),
+    ):
+        told = judged(pyworm.plan(scene, 0.05, effects))["squeeze"]
+        assert told.on is on
+    assert "only if named" in judged(pyworm.plan(scene, 0.05))["squeeze"].reason
+    assert not judged(pyworm.plan(ball(), 0.05, "auto,squeeze"))["squeeze"].on  # steady
+    with pytest.raises(ValueError, match="auto,film-heating: auto chooses all but squeeze"):
+        pyworm.plan(scene, 0.05, "auto,film-heating")
