@@ -13,7 +13,7 @@ def draw_across_film(case_name: str, solution: Solution) -> Figure:
     profile = solution.profile
     axes_here = [axis for axis in "xy" if f"profile_{axis}" in profile]
     place = {axis: float(profile[f"profile_{axis}"]) for axis in axes_here}
-    film = float(solution.fields["film"].interp(place))
+    film = float(solution.fields["film"].interp(place, assume_sorted=True))
     height = (profile["level_position"].values + 0.5) * film * MICRO
     at = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
     figure = new_figure(9, 4.6, heading(case_name, solution))

@@ -20,11 +20,12 @@ def draw_profiles(case_name: str, solution: Solution) -> Figure:
     figure = new_figure(9, 7.5, heading(case_name, solution))
     window = contact_window(solution.fields)
     contact = _hertz_of(solution.fields)
+    fields = solution.fields[["pressure", "dry_pressure", "film", "covered"]]
     ideal = {"x": lambda x: contact.pressure(x, 0.0), "y": lambda y: contact.pressure(0.0, y)}
     top = thickest_shown(solution) * MICRO
     sides = {"x": (window.left, window.right), "y": (window.bottom, window.top)}
     for axes, (along, across) in zip(figure.subplots(2), (("x", "y"), ("y", "x")), strict=True):
-        line = solution.fields.interp({across: 0.0})
+        line = fields.interp({across: 0.0}, assume_sorted=True)
         handles = draw_profile(axes, line, along, ideal[along], top)
         axes.set_xlim(*sides[along])
         axes.set_xlabel(f"{along} / mm   (at {across} = 0)")
