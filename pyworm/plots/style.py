@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from math import ceil
 from pathlib import Path
 from textwrap import fill
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -214,6 +215,31 @@ def new_figure(width: float, height: float, heading: str) -> Figure:
     return figure
 
 
+def placed_panels(
+    size: tuple[float, float], heading: str, room: tuple[float, float, float, float], **kind: Any
+) -> tuple[Figure, Any]:
+    """A figure and its panels by hand, as to find their places takes as long as drawing them.
+
+    Parameters
+    ----------
+    size : (float, float)
+        Width and height of the figure [inch].
+    heading : str
+        Its heading.
+    room : (float, float, float, float)
+        Left of the panels, right of them, below and between them and the heading [inch].
+    kind
+        What `Figure.subplots` takes, its spaces in shares of a panel.
+    """
+    (width, height), (left, right, below, above) = size, room
+    heading = fill(heading, int(LETTERS_PER_INCH * width))
+    above += LINE * (heading.count("\n") + 1)
+    figure = Figure(figsize=size)
+    figure.suptitle(heading, y=1 - 0.03 / height, verticalalignment="top")
+    figure.subplots_adjust(left / width, below / height, 1 - right / width, 1 - above / height)
+    return figure, figure.subplots(**kind)
+
+
 def _stretch_note(stretch: float) -> str:
     return f"  (stretched {stretch:.0f} times)" if stretch > 1 else ""
 
@@ -350,7 +376,7 @@ def write(figure: Figure, path: Path) -> Path:
     figure.set_dpi(DOTS_PER_INCH)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    # Without its opacity, which is full, a picture takes half the time and less room even if little compressed.
+    # Without its opacity, which is full, a picture takes half the time and no more room, little compressed.
     opaque = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
     opaque.save(path, dpi=(DOTS_PER_INCH, DOTS_PER_INCH), compress_level=1)
     return path
