@@ -12,7 +12,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
-from matplotlib.colorbar import Colorbar
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -194,12 +193,14 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
     return figure, panels
 
 
-def colour_bar(axes: Axes, mappable: ScalarMappable, label: str) -> Colorbar:
+def colour_bar(
+    axes: Axes, mappable: ScalarMappable, label: str, ticks: np.ndarray | None = None
+) -> None:
     """A colour bar beside a panel, as tall as it."""
     figure = axes.get_figure()
     width, _ = _size(axes)
     bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
-    return figure.colorbar(mappable, cax=bar_axes, label=label)
+    figure.colorbar(mappable, cax=bar_axes, label=label, ticks=ticks)
 
 
 def _size(axes: Axes) -> tuple[float, float]:
