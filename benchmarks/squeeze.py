@@ -2,13 +2,13 @@
 
 Each contact's film, isothermal and Newtonian, is marched through the two transits of oil before it, in steps
 that shorten towards the present and with rates of change of third order, from a steady film on. Loads are
-shared dry. Neither the steps of time nor the grids are refined: changes are good to a few per cent of the
-film. Run from the repository's root (it takes ten minutes):
+shared dry. Steps of time and grids are not refined by themselves; half the steps and a finer grid show how
+good the changes are. Run from the repository's root (it takes ten minutes):
 
-    python benchmarks/squeeze.py [CASE]
+    python benchmarks/squeeze.py [CASE] [--phase PHASE ...] [--steps 24] [--finer 0]
 """
 
-import sys
+from argparse import ArgumentParser
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, prod, sin
@@ -30,8 +30,8 @@ from pyworm.scene import Array, Scene
 TRANSITS = 2.0
 """How far back films are marched from, in the time that oil takes to pass through the contact's middle."""
 
-STEPS, SHORTENING, ORDER = 24, 1.5, 3
-"""Steps of time, the power by which they shorten, and the order of rates of change."""
+SHORTENING, ORDER = 1.5, 3
+"""Power by which steps of time shorten, and the order of rates of change."""
 
 ACCURACY, TOLERANCE = 0.05, 1e-6
 """Accuracy of the plan whose first grids are taken, and residual to which films are solved."""
@@ -85,29 +85,32 @@ def solved(moment: Earlier, nest: Sequence[Grid], films: Sequence[Instant]) -> I
     return Instant(moment, rungs)
 
 
-def marched(scene: Scene, nest: Sequence[Grid]) -> Instant:
+def marched(scene: Scene, nest: Sequence[Grid], steps: int) -> Instant:
     """The film of a scene as it came to be."""
     span = min(TRANSITS * sketch(scene).transit, scene.past.seconds)
-    times = [span * (k / STEPS) ** SHORTENING for k in range(1, STEPS + 1)]
+    times = [span * (k / steps) ** SHORTENING for k in range(1, steps + 1)]
     films: list[Instant] = []
     for moment in (*reversed(scene.past.back(times)), Earlier(0.0, scene)):
         films = [solved(moment, nest, films), *films[: ORDER - 1]]
     return films[0]
 
 
-def nest_of(scene: Scene) -> Sequence[Grid]:
-    """Grids that hold the contact now and as it was."""
+def nest_of(scene: Scene, finer: int) -> Sequence[Grid]:
+    """Grids that hold the contact now and as it was, the last of them refined some times."""
     span = min(TRANSITS * sketch(scene).transit, scene.past.seconds)
     moments = [Earlier(0.0, scene), *scene.past.back([span / 2, span])]
     largest = max((moment.contact for moment in moments), key=lambda contact: contact.load)
-    return pyworm.plan(largest, ACCURACY, "isothermal", ("film",)).grids
+    nest = list(pyworm.plan(largest, ACCURACY, "isothermal", ("film",)).grids)
+    for _ in range(finer):
+        nest.append(nest[-1].finer())
+    return nest
 
 
-def main(path: str) -> None:
-    """A row for each contact that the case lists."""
-    heads = ("lag", "spread", "told", "central", "least")
+def main(path: str, phases: Sequence[float] | None, steps: int, finer: int) -> None:
+    """A row for each contact that the case lists, or at some of its phases."""
+    heads = ("ms", "lag", "spread", "told", "central", "least")
     print(f"{'':>32} " + " ".join(f"{head:>8}" for head in heads))
-    for scene in pyworm.load(path).scenes():
+    for scene in pyworm.load(path).scenes(phase=phases):
         lacking = SQUEEZE.lacking(scene)
         if lacking is not None:
             print(f"{scene.name:>32} {lacking}")
@@ -115,15 +118,22 @@ def main(path: str) -> None:
         of = sketch(scene)
         shares = [lag(of), spread(of), SQUEEZE.influence(of).film]
         if not isinstance(scene, LineScene):
-            nest = nest_of(scene)
-            films = marched(scene, nest), solved(Earlier(0.0, scene), nest, ())
+            nest = nest_of(scene, finer)
+            films = marched(scene, nest, steps), solved(Earlier(0.0, scene), nest, ())
             after, steady = (film.rungs[-1].read() for film in films)
             shares.append(after.film_central / steady.film_central - 1)
             shares.append(after.film_min / steady.film_min - 1)
             if max(film.rungs[-1].film.balance.worst for film in films) > TOLERANCE:
                 shares[-2:] = [np.nan, np.nan]
-        print(f"{scene.name:>32} " + " ".join(f"{share:8.1%}" for share in shares), flush=True)
+        told = " ".join(f"{share:8.1%}" for share in shares)
+        print(f"{scene.name:>32} {of.transit * 1e3:8.2f} {told}", flush=True)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:] or ["cases/zi_drive.toml"])
+    parser = ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("case", nargs="?", default="cases/zi_drive.toml")
+    parser.add_argument("--phase", type=float, nargs="+")
+    parser.add_argument("--steps", type=int, default=24)
+    parser.add_argument("--finer", type=int, default=0)
+    asked = parser.parse_args()
+    main(asked.case, asked.phase, asked.steps, asked.finer)

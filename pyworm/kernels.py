@@ -320,7 +320,7 @@ class _Film:
         Raises
         ------
         KernelError
-            If they are not finite.
+            If they are not finite, or of another grid.
         """
         _check(self._binding("store")(self._handle, renewal, _field(squeeze)))
 

@@ -131,6 +131,8 @@ contains
     real(wp), intent(in) :: renewal, squeeze(:, :)
     integer, intent(out) :: stat
 
+    stat = status_bad_argument
+    if (any(shape(squeeze) /= shape(self%gap))) return
     stat = status_not_finite
     if (.not. (abs(renewal) <= huge(1.0_wp) .and. all(abs(squeeze) <= huge(1.0_wp)))) return
     stat = status_ok

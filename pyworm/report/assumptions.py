@@ -59,7 +59,7 @@ def assumptions_section(case: Case, result: Result) -> Section:
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     items += [
         "Smooth flanks, an inlet full of oil, and at each phase a steady film (the table of effects says "
-        "what squeeze would change at most).",
+        "what squeeze may change).",
     ]
     items += _drive_items(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}

@@ -189,8 +189,11 @@ contains
     call check(stat == status_not_finite, "a gap that is not finite is refused")
     call new_line_contact(contact, field, covered, broken, 1.0_wp, modulus, barus, load, floor, stat)
     call check(stat == status_not_finite, "a velocity that is not finite is refused")
+    call new_line_contact(contact, field, covered, field, 1.0_wp, modulus, barus, load, floor, stat)
     call store_line(contact, 1.0_wp, broken, stat)
-    call check(stat == status_not_finite, "and so is a squeeze")
+    call check(stat == status_not_finite, "a squeeze that is not finite is refused")
+    call store_line(contact, 1.0_wp, field(:2), stat)
+    call check(stat == status_bad_argument, "a squeeze of another grid is refused")
   end subroutine refusals
 
 end program test_line_film

@@ -96,8 +96,12 @@ contains
     call new_point_contact(contact, broken, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
       1e-4_wp, stat)
     call check(stat == status_not_finite, "a gap that is not finite is refused")
+    call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
+      1e-4_wp, stat)
     call store(contact, 1.0_wp, broken, stat)
-    call check(stat == status_not_finite, "and so is a squeeze")
+    call check(stat == status_not_finite, "a squeeze that is not finite is refused")
+    call store(contact, 1.0_wp, field(:8, :), stat)
+    call check(stat == status_bad_argument, "a squeeze of another grid is refused")
   end subroutine refusals
 
 end program test_point_film

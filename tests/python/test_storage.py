@@ -3,12 +3,15 @@
 import numpy as np
 import pytest
 from plan_scenes import STEEL, mineral, point
-from scipy.interpolate import RectBivariateSpline
+from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 import pyworm
 from pyworm import climb
+from pyworm.effects.bodies import as_line
 from pyworm.kernels import KernelError
 from pyworm.ladder import lead
+from pyworm.line.climb import first_rung
+from pyworm.line.scales import line_scales
 from pyworm.scales import scales
 
 THIRD_ORDER = (11 / 6, -3.0, 3 / 2, -1 / 3)
@@ -50,7 +53,41 @@ def test_a_film_in_axes_that_it_moves_through_is_that_of_its_own():
         assert carried - slow == pytest.approx(0.0, abs=0.03 * (steady - slow))
 
 
-def test_what_is_not_finite_is_not_stored():
-    rung = film_of(ball(1.0), pyworm.plan(ball(1.0), 0.05, "isothermal", ("film",)).grids[-1])
-    with pytest.raises(KernelError):
-        rung.film.store(np.inf, np.zeros(rung.grid.shape))
+def line_of(scene, grid, store=None):
+    rung = first_rung(scene, line_scales(scene), grid, line_scales(scene).film)
+    if store is not None:
+        rung.film.store(*store)
+        rung.film.restart()
+    lead(rung, 1e-8)
+    assert rung.film.balance.worst <= 1e-8
+    return rung
+
+
+def test_so_is_that_of_a_line_contact():
+    own, fast = (as_line(ball(speed)) for speed in (1.0, 1.2))
+    (grid,) = pyworm.plan(own, 0.01, "isothermal", ("film",)).grids
+    steady = [line_of(scene, grid) for scene in (own, fast)]
+    film, density, _ = steady[0].film.fields()
+    seconds = grid.dx / 0.4
+    present, *past = THIRD_ORDER
+    lift = CubicSpline(grid.x, density * film - own.gap(grid.x)[0])
+    squeeze = 0.0
+    for back, weight in enumerate(past, start=1):
+        there = grid.x + 0.2 * back * seconds
+        squeeze = squeeze + weight * (lift(there) + own.gap(there)[0])
+    moving = line_of(fast, grid, (present / seconds, squeeze / seconds))
+    for name in ("film_central", "film_min"):
+        slow, fast_one, carried = (rung.read().figures[name] for rung in (*steady, moving))
+        assert carried - slow == pytest.approx(0.0, abs=0.03 * (fast_one - slow))
+
+
+@pytest.mark.parametrize("wrong", ["not finite", "another grid"])
+def test_what_makes_no_sense_is_not_stored(wrong):
+    grid = pyworm.plan(ball(1.0), 0.05, "isothermal", ("film",)).grids[-1]
+    line = as_line(ball(1.0))
+    (axis,) = pyworm.plan(line, 0.05, "isothermal", ("film",)).grids
+    for rung in (film_of(ball(1.0), grid), line_of(line, axis)):
+        shape = np.shape(rung.gap)
+        fields = {"not finite": np.full(shape, np.nan), "another grid": np.zeros([3] * len(shape))}
+        with pytest.raises(KernelError):
+            rung.film.store(1.0, fields[wrong])
