@@ -13,10 +13,17 @@ positively about Z; the other flank is the same one turned by half a turn about 
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import cos, sin
 
 import numpy as np
 
 Array = np.ndarray
+
+Components = tuple[Array | float, Array | float, Array | float]
+"""A vector's components along X, Y and Z, apart: cheaper at many places than an array of them."""
+
+Plane = tuple[Array | float, Components]
+"""Distance from the wheel's centre, support [m], and unit normal of a plane normal . x = support."""
 
 
 @dataclass(frozen=True)
@@ -69,40 +76,46 @@ class Helicoid:
     @cached_property
     def axes(self) -> Array:
         """Columns: the screw's own x, y and z (its axis) directions in the drive frame, (3, 3)."""
-        cos, sin = np.cos(self.swivel), np.sin(self.swivel)
-        return np.array([[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]])
+        upright, tilt = cos(self.swivel), sin(self.swivel)
+        return np.array([[1.0, 0.0, 0.0], [0.0, upright, -tilt], [0.0, tilt, upright]])
+
+    def planes(self, theta: Array) -> tuple[Plane, Plane, Plane]:
+        """The tangent plane of a generator at rotation angle 0 and its first two derivatives by theta.
+
+        Turning the screw by psi takes base_travel psi off the support.
+        """
+        across, along = sin(self.base_lead_angle), cos(self.base_lead_angle)
+        x, y = across * np.cos(theta), across * np.sin(theta)
+        tilt, upright = sin(self.swivel), cos(self.swivel)
+
+        def seated(normal: Components, travel: Array | float) -> Plane:
+            to_axis = self.axial_shift * normal[1] - self.centre_distance * normal[0]
+            return to_axis + travel, normal
+
+        return (
+            seated(
+                (y, -upright * x - tilt * along, upright * along - tilt * x),
+                self.base_travel * theta,
+            ),
+            seated((x, upright * y, tilt * y), self.base_travel),
+            seated((-y, upright * x, tilt * x), 0.0),
+        )
 
     def normals(self, theta: Array) -> tuple[Array, Array, Array]:
         """Unit normal of the tangent plane and its first two derivatives by theta, each (3, ...).
 
         The normal is the binormal of the base helix; it points into the thread.
         """
-        theta = np.asarray(theta)
-        across, along = np.sin(self.base_lead_angle), np.cos(self.base_lead_angle)
-        cos, sin = across * np.cos(theta), across * np.sin(theta)
-        zero = np.zeros_like(cos)
-
-        def seated(x: Array, y: Array, z: Array) -> Array:
-            return np.tensordot(self.axes, np.stack([x, y, z]), 1)
-
-        return (
-            seated(sin, -cos, zero + along),
-            seated(cos, sin, zero),
-            seated(-sin, cos, zero),
-        )
+        normal, slope, bend = (np.stack(normal) for _, normal in self.planes(theta))
+        return normal, slope, bend
 
     def supports(self, theta: Array) -> tuple[Array, Array, Array]:
         """Distance of the tangent plane from the wheel's centre [m] and its theta derivatives.
 
         At rotation angle psi of the screw the plane is normal . x = support - base_travel psi.
         """
-        normal, slope, bend = self.normals(theta)
-        at = self.axis_point
-        return (
-            np.tensordot(at, normal, 1) + self.base_travel * theta,
-            np.tensordot(at, slope, 1) + self.base_travel,
-            np.tensordot(at, bend, 1),
-        )
+        support, slope, bend = (support for support, _ in self.planes(theta))
+        return support, slope, bend
 
     def point(self, theta: Array, along: Array, angle: float = 0.0) -> Array:
         """Point on the flank, (3, ...) [m].
@@ -117,13 +130,13 @@ class Helicoid:
             Rotation of the screw about its axis [rad].
         """
         theta, along = np.broadcast_arrays(np.asarray(theta), np.asarray(along))
-        cos, sin = np.cos(theta), np.sin(theta)
-        across = along * np.cos(self.base_lead_angle)
+        x, y = np.cos(theta), np.sin(theta)
+        across = along * cos(self.base_lead_angle)
         own = np.stack(
             [
-                self.base_radius * cos - across * sin,
-                self.base_radius * sin + across * cos,
-                self.screw * (theta - angle) + along * np.sin(self.base_lead_angle),
+                self.base_radius * x - across * y,
+                self.base_radius * y + across * x,
+                self.screw * (theta - angle) + along * sin(self.base_lead_angle),
             ]
         )
         at = self.axis_point.reshape((3,) + (1,) * theta.ndim)

@@ -19,6 +19,7 @@ class Kept:
 
     def __init__(self, most: int):
         self._most = most
+        self._points = 0
         self._found: OrderedDict[bytes, tuple[int, Any]] = OrderedDict()
 
     def __reduce__(self) -> tuple:
@@ -32,7 +33,8 @@ class Kept:
         key = digest.digest()
         if key not in self._found:
             self._found[key] = points[0].size, find()
+            self._points += points[0].size
         self._found.move_to_end(key)
-        while len(self._found) > 1 and sum(size for size, _ in self._found.values()) > self._most:
-            self._found.popitem(last=False)
+        while len(self._found) > 1 and self._points > self._most:
+            self._points -= self._found.popitem(last=False)[1][0]
         return self._found[key][1]

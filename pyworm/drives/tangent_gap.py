@@ -1,49 +1,71 @@
 """Heights of the two flanks over the common tangent plane, and the gap between them.
 
 A flank is an envelope of planes, so its height over a point (x, y) of the tangent plane is the stationary
-value, over the family's parameters q, of the height T(q) = A / B at which the plane q crosses the line
-through (x, y) along the common normal:
+value, over the family's parameters q, of the height T(q) at which the plane q crosses the line through
+(x, y) along the common normal:
 
-    A = support(q) - normal(q) . (origin + x ex + y ey),     B = normal(q) . ez.
+    T = (support(q) - normal(q) . (origin + x ex + y ey)) / B,     B = normal(q) . ez.
 
-Newton's method on dT/dq = 0 settles it; since T is stationary there, its error is the square of that in q
-and the height is right to rounding.  Slopes and curvatures of the flank follow from the same derivatives:
-dT/dx = -normal . ex / B, and d2T/dx2 = -T_xq T_qq^-1 T_qx by implicit differentiation.
+Newton's method on dT/dq = 0 settles it.  With p the point of the crossing and n_i, s_i the derivatives of
+normal and support by q,
+
+    T_i = (s_i - n_i . p) / B,     T_ij = (s_ij - n_ij . p) / B,
+
+the latter where T_i = 0, which is near enough for Newton's method.  Its step h also gives the stationary
+value itself, T - T_i h_i / 2, to the step's cube: the height is right to rounding where q is not yet.  Slopes
+and curvatures of the flank follow from the same derivatives: T_x = -normal . ex / B, and
+T_xy = -T_xi (T_ij)^-1 T_yj by implicit differentiation, with T_xi = -n_i . (ex + T_x ez) / B.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from pyworm.drives.helicoid import Array, Helicoid
+from pyworm.drives.helicoid import Array, Components, Helicoid, Plane
 from pyworm.drives.kept import Kept
-from pyworm.drives.meshing import WheelFlank, across_axis, turned
-
-STEPS = 2
-"""Steps from the contact point out to (x, y) while Newton's method follows the flank."""
+from pyworm.drives.meshing import WheelFlank
 
 EDGE = 0.1
-"""Part of the contact point's det T_qq left where a flank counts as ending.
+"""Part of the contact point's det T_ij left where a flank counts as ending.
 
-det T_qq falls to zero at the flank's edge of regression (the base helix), where curvature grows without
+det T_ij falls to zero at the flank's edge of regression (the base helix), where curvature grows without
 bound; the flank is continued from a little before it."""
 
-SETTLED = 1e-7
-"""Newton step [rad] below which the height, whose error is the step's square, is right to rounding."""
+SETTLED = 1e-6
+"""Newton step [rad] below which the height, whose error is the step's cube, is right to rounding."""
+
+MOST_STEPS = 8
+"""Newton steps after which a plane is not found."""
+
+LONGEST = 0.3
+"""Newton step [rad] beyond which it is not either: such steps led to other parts of the flank."""
+
+STENCIL = np.array([[0, 1, -1, 0, 0, 1], [0, 0, 0, 1, -1, 1]])
+"""Places from which q as a quadratic of x and y follows."""
+
+SPREAD = 0.01
+"""How far they are apart, as the change of q from one to the next [rad]."""
+
+ENDED = 1e-8
+"""Accuracy of the flank's end: of the square of det T_ij over the contact point's, and of its place on the
+ray from there as a share of its length."""
+
+MOST_TRIES = 64
+"""Places of a ray tried for the flank's end."""
 
 REACH = np.pi / 2
 """Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
 
-BLOCK = 16384
+BLOCK = 4096
 """Points solved at once: keeps the work arrays within the processor's cache."""
 
 MOST_KEPT = 500_000
 """Points of a flank that are kept: a grid of the figures, the one before it, and what windows sampled."""
 
-Expansion = tuple[Array, list[Array], list[list[Array]]]
-"""A function of q with its gradient and its (symmetric) matrix of second derivatives."""
+Family = tuple[Plane, list[Plane], list[Plane]]
+"""A plane with its derivatives by the parameters, and its second ones: 11, or 11, 12 and 22."""
 
 
 @dataclass(frozen=True)
@@ -61,13 +83,10 @@ class WormPlanes:
     worm: Helicoid
     angle: float
 
-    def expand(self, q: Sequence[Array], *vectors: Array) -> tuple[Expansion, ...]:
-        """Support [m] of the planes, then normal . vector for each of the vectors (3, ...)."""
-        normal, slope, bend = self.worm.normals(q[0])
-        value, value_slope, value_bend = self.worm.supports(q[0])
-        support = value - self.worm.base_travel * self.angle, [value_slope], [[value_bend]]
-        dots = [[np.sum(n * vector, 0) for n in (normal, slope, bend)] for vector in vectors]
-        return support, *((d[0], [d[1]], [[d[2]]]) for d in dots)
+    def at(self, q: Sequence[Array]) -> Family:
+        """The planes of parameters q."""
+        (support, normal), slope, bend = self.worm.planes(q[0])
+        return (support - self.worm.base_travel * self.angle, normal), [slope], [bend]
 
 
 @dataclass(frozen=True)
@@ -85,45 +104,53 @@ class WheelPlanes:
     flank: WheelFlank
     angle: float
 
-    def expand(self, q: Sequence[Array], *vectors: Array) -> tuple[Expansion, ...]:
-        """Support [m] of the planes, then normal . vector for each of the vectors (3, ...)."""
-        normal, slope, bend = self.flank.hob.normals(q[0])
-        value, value_slope, value_bend = self.flank.hob.supports(q[0])
-        lever = self.flank.lever
-        expansions: list[Expansion] = [
-            (
-                value - lever * (q[1] + self.angle),
-                [value_slope, np.full_like(value, -lever)],
-                [[value_bend, 0.0], [0.0, 0.0]],
-            )
-        ]
-        for vector in vectors:
-            # turning the vector back is cheaper than turning three normals
-            back = turned(vector, -q[1])
-            swing = -across_axis(back)
-            mixed = np.sum(slope * swing, 0)
-            # swinging twice takes the part across the axis, reversed
-            twice = -(normal[0] * back[0] + normal[2] * back[2])
-            expansions.append(
-                (
-                    np.sum(normal * back, 0),
-                    [np.sum(slope * back, 0), np.sum(normal * swing, 0)],
-                    [[np.sum(bend * back, 0), mixed], [mixed, twice]],
-                )
-            )
-        return tuple(expansions)
+    def at(self, q: Sequence[Array]) -> Family:
+        """The planes of parameters q."""
+        cos, sin, lever = np.cos(q[1]), np.sin(q[1]), self.flank.lever
+        (support, (x, y, z)), slope, bend = (
+            (support, (cos * x + sin * z, y, cos * z - sin * x))
+            for support, (x, y, z) in self.flank.hob.planes(q[0])
+        )
+        across = slope[1]
+        return (
+            (support - lever * (q[1] + self.angle), (x, y, z)),
+            [slope, (-lever, (z, 0.0, -x))],
+            [bend, (0.0, (across[2], 0.0, -across[0])), (0.0, (-x, 0.0, -z))],
+        )
 
 
-def _solved(matrix: list[list[Array]], right: list[Array]) -> tuple[list[Array], Array]:
-    """Solution of 1 x 1 or symmetric 2 x 2 systems, and their determinants."""
+def _dot(one: Components, other: Components) -> Array:
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+
+
+def _along(point: Components, way: Array | float, direction: Components) -> Components:
+    """Points some way along a direction."""
+    x, y, z = (at + way * along for at, along in zip(point, direction, strict=True))
+    return x, y, z
+
+
+def _powers(x: Array, y: Array) -> Array:
+    """Powers of x and y up to the second."""
+    return np.array([np.ones(x.shape), x, y, x * x, x * y, y * y])
+
+
+def _determinant(matrix: list[Array]) -> Array:
+    return matrix[0] if len(matrix) == 1 else matrix[0] * matrix[2] - matrix[1] * matrix[1]
+
+
+def _solved(matrix: list[Array], right: list[Array]) -> list[Array]:
+    """Solution of 1 x 1 or symmetric 2 x 2 systems."""
     if len(right) == 1:
-        return [right[0] / matrix[0][0]], matrix[0][0]
-    (a, b), (_, c) = matrix
-    determinant = a * c - b * b
-    return [
-        (c * right[0] - b * right[1]) / determinant,
-        (a * right[1] - b * right[0]) / determinant,
-    ], determinant
+        return [right[0] / matrix[0]]
+    a, b, c = matrix
+    scale = 1 / _determinant(matrix)
+    return [(c * right[0] - b * right[1]) * scale, (a * right[1] - b * right[0]) * scale]
+
+
+def _in_blocks(find: Callable[[Array, Array], Array], x: Array, y: Array) -> Array:
+    """What is found at points, with a row for each quantity."""
+    blocks = [slice(first, first + BLOCK) for first in range(0, max(x.size, 1), BLOCK)]
+    return np.concatenate([find(x[block], y[block]) for block in blocks], axis=1)
 
 
 @dataclass(frozen=True)
@@ -147,97 +174,84 @@ class FlankHeight:
     axes: Array
     start: tuple[float, ...]
 
-    def _crossing(
-        self, q: Sequence[Array], x: Array, y: Array, *along: Array
-    ) -> tuple[Array, list[Array], list[list[Array]], list[tuple[Array, list[Array]]]]:
-        """T and its q derivatives at fixed (x, y); then dT/d(along) and its q slopes.
+    def _line(self, x: Array, y: Array) -> Components:
+        """Where lines along the common normal cross the tangent plane [m]."""
+        ex, ey, _ = self.axes
+        return _along(_along(self.origin, x, ex), y, ey)
 
-        Parameters
-        ----------
-        q : sequence of array
-            Parameters of the planes.
-        x, y : array
-            Points of the tangent plane [m].
-        along : ndarray
-            Axes of the tangent plane, (3,), whose slopes are wanted.
-        """
-        ex, ey, ez = self.axes
-        line = np.stack([o + x * a + y * b for o, a, b in zip(self.origin, ex, ey, strict=True)])
-        constant = [axis.reshape((3,) + (1,) * np.ndim(x)) for axis in (ez, *along)]
-        (s, s1, s2), (n, n1, n2), (b, b1, b2), *rest = self.planes.expand(q, line, *constant)
-        size = range(len(q))
-        t = (s - n) / b
-        t1 = [(s1[i] - n1[i] - t * b1[i]) / b for i in size]
-        t2 = [
-            [(s2[i][j] - n2[i][j] - t1[i] * b1[j] - t1[j] * b1[i] - t * b2[i][j]) / b for j in size]
-            for i in size
-        ]
-        slopes = []
-        for value, value1, _ in rest:
-            slope = -value / b
-            slopes.append((slope, [-(value1[i] + slope * b1[i]) / b for i in size]))
-        return t, t1, t2, slopes
+    def _crossing(self, q: list[Array], line: Components) -> tuple[Array, list[Array], list[Array]]:
+        """T, T_i and T_ij of planes where they cross lines along the common normal [m]."""
+        (support, normal), first, second = self.planes.at(q)
+        ez = self.axes[2]
+        lift = _dot(normal, ez)
+        height = (support - _dot(normal, line)) / lift
+        point = _along(line, height, ez)
+        slope, bend = (
+            [(support - _dot(normal, point)) / lift for support, normal in derivatives]
+            for derivatives in (first, second)
+        )
+        return height, slope, bend
 
-    def expansion(self, q: Sequence[Array], x: Array, y: Array) -> tuple[Array, Array, Array]:
+    def _tilt(self, q: list[Array], direction: Components) -> tuple[Array, list[Array]]:
+        """T_x along a direction of the tangent plane, and T_xi, at solved q."""
+        (_, normal), first, _ = self.planes.at(q)
+        ez = self.axes[2]
+        lift = _dot(normal, ez)
+        slope = -_dot(normal, direction) / lift
+        tangent = _along(direction, slope, ez)
+        return slope, [-_dot(swing, tangent) / lift for _, swing in first]
+
+    def expansion(self, q: list[Array], x: Array, y: Array) -> tuple[Array, Array, Array]:
         """Height [m], gradient (2, ...) and second derivatives (2, 2, ...) [1/m] at solved q."""
-        t, _, t2, slopes = self._crossing(q, x, y, *self.axes[:2])
-        crosses = [cross for _, cross in slopes]
-        rates = [_solved(t2, cross)[0] for cross in crosses]
+        height, _, matrix = self._crossing(q, self._line(x, y))
+        slopes, crosses = zip(*(self._tilt(q, axis) for axis in self.axes[:2]), strict=True)
+        rates = [_solved(matrix, cross) for cross in crosses]
         bend = [
-            [-sum(c * r for c, r in zip(crosses[i], rates[j], strict=True)) for j in range(2)]
-            for i in range(2)
+            [-sum(c * r for c, r in zip(cross, rate, strict=True)) for rate in rates]
+            for cross in crosses
         ]
-        return t, np.stack([slope for slope, _ in slopes]), np.array(bend)
+        return height, np.array(slopes), np.array(bend)
 
     @cached_property
     def curvatures(self) -> Array:
         """Second derivatives of the height at the contact point, (2, 2) [1/m]."""
-        q = [np.array(value) for value in self.start]
-        return self.expansion(q, np.array(0.0), np.array(0.0))[2]
+        return self.expansion(list(self.start), 0.0, 0.0)[2]
 
     @cached_property
-    def _start_determinant(self) -> float:
-        q = [np.array(value) for value in self.start]
-        _, t1, t2, _ = self._crossing(q, np.array(0.0), np.array(0.0))
-        return float(_solved(t2, t1)[1])
+    def _contact_determinant(self) -> float:
+        return _determinant(self._crossing(list(self.start), self.origin)[2])
 
-    def _newton(
-        self, q: list[Array], x: Array, y: Array, count: int
-    ) -> tuple[list[Array], Array, Array]:
-        """Newton steps towards dT/dq = 0; also the height and whether the flank is sound there."""
-        for _ in range(count):
-            _, t1, t2, _ = self._crossing(q, x, y)
-            step, _ = _solved(t2, t1)
-            # beyond the edge a step may be wild; such points are given up, here kept finite
-            step = [np.clip(np.nan_to_num(s), -0.3, 0.3) for s in step]
-            q = [value - s for value, s in zip(q, step, strict=True)]
-            if max(np.max(np.abs(s), initial=0.0) for s in step) < SETTLED:
+    @cached_property
+    def _guess(self) -> Array:
+        """Coefficients of the powers of x and y in q near the contact point, (q, 6)."""
+        start = list(self.start)
+        matrix = self._crossing(start, self.origin)[2]
+        rates = np.array([_solved(matrix, self._tilt(start, axis)[1]) for axis in self.axes[:2]])
+        x, y = SPREAD / np.abs(rates).max() * STENCIL
+        q = [at - a * x - b * y for at, (a, b) in zip(start, rates.T, strict=True)]
+        _, q, _ = self._settled(q, self._line(x, y))
+        return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
+
+    def _settled(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
+        """Height and q by Newton's method, and what is left to the flank's end: nan where no plane is.
+
+        What is left is the square of det T_ij over the contact point's, less that of EDGE, or the share of
+        REACH where that is less.
+        """
+        for _ in range(MOST_STEPS):
+            height, slope, matrix = self._crossing(q, line)
+            step = _solved(matrix, slope)
+            size = np.max(np.abs(step), axis=0)
+            near = size < LONGEST
+            q = [np.where(near, value - h, np.nan) for value, h in zip(q, step, strict=True)]
+            if np.all(size < SETTLED):
                 break
-        t, t1, t2, _ = self._crossing(q, x, y)
-        step, determinant = _solved(t2, t1)
-        sound = determinant / self._start_determinant > EDGE
-        sound &= np.max(np.abs(step), axis=0) < SETTLED
+        height = height - sum(a * h for a, h in zip(slope, step, strict=True)) / 2
+        part = _determinant(matrix) / self._contact_determinant
+        left = np.where((size < SETTLED) & (part > 0), part * part - EDGE**2, np.nan)
         for value, start in zip(q, self.start, strict=True):
-            sound &= np.abs(value - start) < REACH
-        return q, t, sound
-
-    def _follow(
-        self,
-        q: list[Array],
-        x: Array,
-        y: Array,
-        here: Array | float,
-        there: Array | float,
-        count: int,
-    ) -> tuple[list[Array], Array, Array]:
-        """Parameters carried along the rays from here (x, y) to there (x, y), 0 to 1 of the ray."""
-        _, _, t2, slopes = self._crossing(q, here * x, here * y, *self.axes[:2])
-        ahead = there - here
-        (_, cross_x), (_, cross_y) = slopes
-        drift = [cx * x * ahead + cy * y * ahead for cx, cy in zip(cross_x, cross_y, strict=True)]
-        step, _ = _solved(t2, drift)
-        q = [value - s for value, s in zip(q, step, strict=True)]
-        return self._newton(q, there * x, there * y, count)
+            left = np.minimum(left, 1 - np.abs(value - start) / REACH)
+        return height, q, left
 
     def solve(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         """Height [m] of the flank at points (x, y), the touching planes' q, and where it exists.
@@ -258,49 +272,81 @@ class FlankHeight:
 
     def _solve_all(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         flat = x.ravel(), y.ravel()
-        height = np.empty(x.size)
-        exists = np.empty(x.size, dtype=bool)
-        q = [np.empty(x.size) for _ in self.start]
-        for first in range(0, x.size, BLOCK):
-            block = slice(first, first + BLOCK)
-            height[block], parts, exists[block] = self._solve_block(flat[0][block], flat[1][block])
-            for whole, part in zip(q, parts, strict=True):
-                whole[block] = part
-        found = height, *q, exists
-        for part in found:
-            part.flags.writeable = False
-        height, *q, exists = (part.reshape(x.shape) for part in found)
-        return height, q, exists
-
-    def _solve_block(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
-        q = [np.full(x.shape, value) for value in self.start]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            for k in range(STEPS):
-                count = 6 if k == STEPS - 1 else 1
-                q, height, sound = self._follow(q, x, y, k / STEPS, (k + 1) / STEPS, count)
-            lost = np.flatnonzero(~sound)
+            found = _in_blocks(self._solve_block, *flat)
+            lost = np.flatnonzero(found[-1] == 0)
             if lost.size:
-                height[lost], parts = self._continued(x[lost], y[lost])
-                for whole, part in zip(q, parts, strict=True):
-                    whole[lost] = part
-        return height, q, sound
+                found[:, lost] = _in_blocks(self._continued, *(place[lost] for place in flat))
+        found.flags.writeable = False
+        height, *q, exists = found.reshape(-1, *x.shape)
+        return height, q, exists == 1
 
-    def _continued(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
-        """Heights beyond the flank's end, and q where the flank ends on each ray."""
-        reach, beyond = np.zeros(x.shape), np.ones(x.shape)
-        q = [np.full(x.shape, value) for value in self.start]
-        step = np.full(x.shape, 1 / 16)
-        for _ in range(64):
-            there = np.minimum(reach + step, beyond)
-            tried, _, sound = self._follow(q, x, y, reach, there, 4)
-            q = [np.where(sound, new, old) for new, old in zip(tried, q, strict=True)]
-            reach = np.where(sound, there, reach)
-            step = np.where(sound, step, step / 2)
-            if np.all(step < 1e-7):
-                break
+    def _solve_block(self, x: Array, y: Array) -> Array:
+        """Rows: height, q and 1 where the flank is found from the contact point, else 0."""
+        height, q, left = self._settled(list(self._guess @ _powers(x, y)), self._line(x, y))
+        return np.array([height, *q, left > 0])
+
+    def _continued(self, x: Array, y: Array) -> Array:
+        """Rows: height on or beyond the flank, q on the flank and share of the ray that lies on it."""
+        reach, q = self._end(x, y)
         height, slope, _ = self.expansion(q, reach * x, reach * y)
         dx, dy = (1 - reach) * x, (1 - reach) * y
         rise = slope[0] * dx + slope[1] * dy
         bend = self.curvatures
         curl = bend[0, 0] * dx**2 + 2 * bend[0, 1] * dx * dy + bend[1, 1] * dy**2
-        return height + rise + curl / 2, q
+        return np.array([height + rise + curl / 2, *q, reach])
+
+    def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
+        """Share of the ray to (x, y) that lies on the flank, and q there.
+
+        What is left to the flank's end falls nearly linearly: the secant method finds it, with steps halved
+        where no plane is found.
+        """
+        none, half = np.zeros(x.shape), np.full(x.shape, 0.5)
+        whole = np.full(x.shape, 1 - EDGE**2)
+        q = [np.full(x.shape, value) for value in self.start]
+        rays = np.array([none, half, whole, none, whole, none, whole, *q])
+        tried = np.arange(x.size)
+        for _ in range(MOST_TRIES):
+            rays[:, tried] = self._farther(rays[:, tried], x[tried], y[tried])
+            reach, step, left = rays[:3, tried]
+            tried = tried[(left > ENDED) & (step > ENDED) & (reach < 1)]
+            if not tried.size:
+                break
+        return rays[0], list(rays[7:])
+
+    def _farther(self, rays: Array, x: Array, y: Array) -> Array:
+        """Rays after one more try.
+
+        Rows: share of the ray on the flank, next step, what is left there; the last place where a plane was
+        found, and what was left; the same of the place before; q.
+        """
+        reach, step, left, last, last_left, before, before_left, *q = rays
+        goal = last - last_left * (last - before) / (last_left - before_left)
+        goal = np.where(goal > reach, np.minimum(goal, 1.0), 1.0)
+        there = np.minimum(goal, reach + step)
+        tried, ahead = self._followed(q, x, y, reach, there)
+        sound, found = ahead > -ENDED, ~np.isnan(ahead)
+        return np.array(
+            [
+                np.where(sound, there, reach),
+                np.where(sound, 2 * step, (there - reach) / 2),
+                np.where(sound, ahead, left),
+                np.where(found, there, last),
+                np.where(found, ahead, last_left),
+                np.where(found, last, before),
+                np.where(found, last_left, before_left),
+                *(np.where(sound, new, old) for new, old in zip(tried, q, strict=True)),
+            ]
+        )
+
+    def _followed(
+        self, q: list[Array], x: Array, y: Array, here: Array, there: Array
+    ) -> tuple[list[Array], Array]:
+        """q carried along the rays from here (x, y) to there (x, y), and what is left there."""
+        ray = _along(_along((0.0, 0.0, 0.0), x, self.axes[0]), y, self.axes[1])
+        _, _, matrix = self._crossing(q, _along(self.origin, here, ray))
+        rates = _solved(matrix, self._tilt(q, ray)[1])
+        q = [value - (there - here) * rate for value, rate in zip(q, rates, strict=True)]
+        _, q, left = self._settled(q, _along(self.origin, there, ray))
+        return q, left

@@ -7,6 +7,7 @@ import pytest
 from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
+from pyworm.drives.kept import Kept
 from pyworm.drives.tooth_boundary import TipRelief
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
@@ -192,6 +193,61 @@ def test_gap_goes_on_beyond_the_teeth():
     fine, _ = scene.gap(0 * line, line)
     steps = np.diff(fine, 2) / (line[1] - line[0]) ** 2
     assert np.max(np.abs(steps)) < 500
+
+
+def test_what_was_found_is_kept_while_there_is_room():
+    kept, asked = Kept(10), []
+
+    def ask(count, value):
+        points = np.full(count, value), np.zeros(count)
+        return kept.recall(points, lambda: asked.append(value) or value)
+
+    assert [ask(4, 1.0), ask(4, 2.0), ask(4, 1.0), ask(2, 3.0)] == [1.0, 2.0, 1.0, 3.0]
+    assert asked == [1.0, 2.0, 3.0]
+    ask(4, 4.0)  # room for it is made by what was not asked for longest
+    ask(4, 1.0)
+    ask(20, 5.0)  # kept alone, larger than all room
+    ask(20, 5.0)
+    ask(4, 1.0)
+    assert asked == [1.0, 2.0, 3.0, 4.0, 5.0, 1.0]
+
+
+@pytest.mark.parametrize("phase", (-0.2, 0.3, 1.1))
+def test_a_flank_goes_on_along_rays_without_a_jump(phase):
+    """Newton's method from afar must find the part of the flank that the contact lies on."""
+    contact = sharif().cycle.contact(phase)
+    angle = np.linspace(0, 2 * np.pi, 37)[:, None]
+    reach = np.linspace(0, 0.045, 451)
+    for flank in (contact.worm_height, contact.wheel_height):
+        height, q, exists = flank.solve(reach * np.cos(angle), reach * np.sin(angle))
+        on_flank = np.logical_and.accumulate(exists, axis=1)
+        both = on_flank[:, 1:] & on_flank[:, :-1]
+        assert on_flank[:, 20].all() and not on_flank.all()
+        for part in q:
+            assert np.abs(np.diff(part, axis=1))[both].max() < 0.05
+        assert np.abs(np.diff(height, axis=1))[both].max() < 1e-4
+
+
+@pytest.mark.parametrize("phase", (-0.2, 0.1, 0.4))
+def test_the_worm_ends_on_the_ray_near_its_base_helix(phase):
+    """There the generator has a tenth of its length from the base helix to the contact point."""
+    drive = sharif()
+    worm, contact = drive.worm_flank, drive.cycle.contact(phase)
+    angle = np.linspace(0, 2 * np.pi, 73)
+    x, y = 0.04 * np.cos(angle), 0.04 * np.sin(angle)
+    _, (theta,), exists = contact.worm_height.solve(x, y)
+    ended = ~exists & (np.abs(theta - contact.worm_height.start[0]) < 1.5)
+    assert ended.sum() > 10
+    x, y, theta = x[ended], y[ended], theta[ended]
+    along = np.sqrt(worm.radius(contact.point) ** 2 - worm.base_radius**2)
+    along = along / np.cos(worm.base_lead_angle)
+    # det T_ij is this length over normal . ez, which is -1 at the contact point
+    along = -0.1 * along * (contact.normal @ worm.normals(theta)[0])
+    end = worm.point(theta, along, contact.worm_angle) - contact.point[:, None]
+    seen = contact.axes[:2] @ end
+    np.testing.assert_allclose(seen[0] * y - seen[1] * x, 0, atol=1e-8 * 0.04)
+    share = (seen[0] * x + seen[1] * y) / 0.04**2
+    assert np.all((share > 0) & (share < 1))
 
 
 def test_a_window_takes_well_below_a_second():
