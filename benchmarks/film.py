@@ -22,7 +22,7 @@ from pyworm.planning import Plan
 from pyworm.scales import scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution
-from pyworm.window import FAR, near_reach, window
+from pyworm.window import FAR, near_reach, windows
 
 COARSEST = 64
 TOLERANCE = 1e-6
@@ -48,7 +48,7 @@ PARTS = ("convolution_seconds", "flow_seconds", "cycle_seconds", "vector_seconds
 def on_window(scene: Scene, effects: str) -> Plan:
     """Grids of the scene's own window, from COARSEST cells along each direction; the window is not judged."""
     size = scales(scene)
-    inner, outer = (window(scene, size, reach) for reach in (near_reach(size), FAR))
+    inner, outer = windows(scene, size, near_reach(size), FAR)
     spacing = ((inner[1] - inner[0]) / COARSEST, (inner[3] - inner[2]) / COARSEST)
     return replace(
         pyworm.plan(scene, effects=effects),

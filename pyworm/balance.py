@@ -95,7 +95,7 @@ class _Search:
         """The case as last solved, what came out and the tasks; all of it solved at most so often."""
         losses: list[tuple[float, float]] = []
         while True:
-            tasks = [replace(task, case=case) for task in tasks]
+            tasks = [task if task.case is case else replace(task, case=case) for task in tasks]
             result = run(case, tasks, *how)
             passes -= 1
             new = case if passes == 0 else self._next(case, result, losses)
@@ -109,15 +109,16 @@ class _Search:
         if cycle is None or cycle.loss is None:
             return case
         found = self._found(case, cycle, losses)
-        if not found:
+        new = case.with_found(found)
+        if self._enough(case, new, cycle):
             return case
         self.say(f"solved again with {' and '.join(_told(found))}")
-        return case.with_found(found)
+        return new
 
     def _found(
         self, case: Case, cycle: DriveCycle, losses: list[tuple[float, float]]
     ) -> dict[str, dict[str, Any]]:
-        """What is to be changed; nothing if it hardly matters."""
+        """What is to be taken next."""
         loss = cycle.loss
         of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
         found = {
@@ -125,16 +126,18 @@ class _Search:
             for table, keys in self.open.items()
             if table == "operation"
         }
-        enough = not found or (
-            load_change(case, found["operation"], cycle.phases) <= LOAD_SHARE * self.accuracy
-        )
         if "cooling" in self.open:
-            assumed = tooth_loss_of(case)
-            losses.append((assumed, loss.power))
-            misses = abs(loss.power - assumed) / case.tables.cooling.conductance
-            enough = enough and misses <= WARMTH
+            losses.append((tooth_loss_of(case), loss.power))
             found["cooling"] = {"tooth_loss": float(f"{_next_loss(losses):.3g}")}
-        return {} if enough else found
+        return found
+
+    def _enough(self, case: Case, new: Case, cycle: DriveCycle) -> bool:
+        """Whether what was found hardly changes the case."""
+        if "cooling" in self.open:
+            misses = abs(cycle.loss.power - tooth_loss_of(case)) / case.tables.cooling.conductance
+            if misses > WARMTH:
+                return False
+        return load_change(case, new, cycle.phases) <= LOAD_SHARE * self.accuracy
 
 
 def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:
@@ -173,11 +176,10 @@ def _told(found: dict[str, dict[str, Any]]) -> list[str]:
     return said
 
 
-def load_change(case: Case, operation: dict[str, Any], phases: Sequence[float]) -> float:
-    """Largest share by which loads at some phases change with other values in `[operation]`."""
-    drives = case.drive, case.with_found({"operation": operation}).drive
+def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
+    """Largest share by which loads at some phases change from a case to another."""
     before, after = (
-        np.array([drive.shared(phase).force(phase) for phase in phases]) for drive in drives
+        np.array([of.drive.shared(phase).force(phase) for phase in phases]) for of in (case, new)
     )
     return float(np.max(np.abs(after / before - 1)))
 

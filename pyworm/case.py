@@ -153,8 +153,9 @@ class Case:
         return Case(self.name, self.directory, self.tables.model_copy(update=tables))
 
     def __reduce__(self) -> tuple:
-        # A drive is made again where the case goes, rather than sent along; files must be found from there.
-        return Case, (self.name, self.directory.absolute(), self.tables)
+        # Files must be found from where the case goes; its drive, once made, goes along with what it knows.
+        given = self.name, self.directory.absolute(), self.tables
+        return Case, given, {"drive": self.drive} if "drive" in vars(self) else None
 
     @cached_property
     def drive(self) -> Drive | None:

@@ -12,7 +12,7 @@ from pyworm.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.effects.judgement import Judgement, judge, simplified
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.formulas.regimes import Regime, line_regime, point_regime
-from pyworm.grid import Grid, nest
+from pyworm.grid import Box, Grid, nest
 from pyworm.lent import lent
 from pyworm.line.grid import LineGrid, first_grids
 from pyworm.line.scales import line_scales
@@ -21,7 +21,7 @@ from pyworm.oils import NEWTONIAN
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
 from pyworm.solution import Solution
-from pyworm.window import FAR, Reach, near_reach, window
+from pyworm.window import FAR, near_reach, windows
 from pyworm.work import LENT_CHANGE, Work, expected_work, first_change, stiffness
 
 
@@ -209,8 +209,7 @@ def planned(
     kept: frozenset[str] = frozenset(),
 ) -> Plan:
     """The plan by a sketch of the contact; effects that are `kept` stay on whatever it says."""
-    names = None if asked is None else chosen(scene, asked)
-    judgements = judge(scene, accuracy, quantities, seen, names, kept)
+    judgements = _judged(scene, accuracy, quantities, seen, asked, kept)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
     model = _model(simple, accuracy, on)
@@ -234,9 +233,27 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, solution: Solution) -> Plan:
-    """The plan judged again by what its solution says; effects that are on stay on."""
+    """The plan judged again by what its solution says; effects that are on stay on.
+
+    Only where effects come in is anything else of it planned anew.
+    """
     seen = sketch(scene).seen(solution)
-    return planned(scene, plan.accuracy, plan.quantities, seen, plan.asked, plan.on)
+    how = scene, plan.accuracy, plan.quantities, seen, plan.asked, plan.on
+    again = replace(plan, effects=_judged(*how))
+    return again if again.on == plan.on else planned(*how)
+
+
+def _judged(
+    scene: Scene | LineScene,
+    accuracy: float,
+    quantities: tuple[str, ...],
+    seen: Sketch,
+    asked: str | None,
+    kept: frozenset[str],
+) -> tuple[Judgement, ...]:
+    """The effects, judged as of `planned`."""
+    names = None if asked is None else chosen(scene, asked)
+    return judge(scene, accuracy, quantities, seen, names, kept)
 
 
 def _known(scene: Scene | LineScene) -> tuple[str, ...]:
@@ -263,8 +280,10 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     size = scales(drawn)
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
     nested = slice(None) if drawn is scene else slice(-1, None)
-    grids = _grids(scene, size, near_reach(size), FAR)[nested]
-    wider_grids = _grids(scene, size, near_reach(size).doubled(), FAR.doubled())[nested]
+    near = near_reach(size)
+    inner, outer, *wider = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
+    grids = _grids(scene, size, inner, outer)[nested]
+    wider_grids = _grids(scene, size, *wider)[nested]
     half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
     change = LENT_CHANGE
     if drawn is scene:
@@ -341,8 +360,8 @@ PLANS = {Scene: _plan_point, LineScene: _plan_line}
 """What plans each kind of contact, by its scene."""
 
 
-def _grids(scene: Scene, size: Scales, near: Reach, far: Reach) -> tuple[Grid, ...]:
-    """Grids from the far window down to the first one of the figures."""
+def _grids(scene: Scene, size: Scales, inner: Box, outer: Box) -> tuple[Grid, ...]:
+    """Grids from the outer window down to the first one of the figures, in the inner."""
     lengths = [
         sqrt(semi_axis**2 + 2 * radius * size.film)
         for semi_axis, radius in zip(
@@ -351,4 +370,4 @@ def _grids(scene: Scene, size: Scales, near: Reach, far: Reach) -> tuple[Grid, .
     ]
     short = min(lengths)
     dx, dy = (min(length, LARGEST_STRETCH * short) / COARSE_CELLS for length in lengths)
-    return nest(window(scene, size, near), window(scene, size, far), dx, dy)
+    return nest(inner, outer, dx, dy)

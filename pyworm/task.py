@@ -28,7 +28,7 @@ KEY_LENGTH = 24
 class Task:
     """One scene of a case and how accurately to solve it.
 
-    Sent to another process it makes its scene again there.
+    Sent to another process it takes along its plan, if it has been made, and makes its scene again there.
 
     Attributes
     ----------
@@ -79,7 +79,8 @@ class Task:
         return sha256(json.dumps(self.identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]
 
     def __reduce__(self) -> tuple:
-        return Task, (self.case, self.place, self.accuracy, self.effects, self.quantities)
+        given = self.case, self.place, self.accuracy, self.effects, self.quantities
+        return Task, given, {"plan": self.plan} if "plan" in vars(self) else None
 
     def solved(self, progress: Progress | None = None) -> Result:
         """Solve the scene.

@@ -7,10 +7,10 @@ import numpy as np
 from pyworm.formulas.film import point_asymptotes
 from pyworm.grid import Box
 from pyworm.scales import Scales
-from pyworm.scene import Scene
+from pyworm.scene import Array, Scene
 
 SAMPLES = 65
-"""Points of the sampling grid along each direction."""
+"""Points along each side at which the gap is looked at."""
 
 GROWTH = 1.4
 """How much a side moves out at a time."""
@@ -31,7 +31,7 @@ class Reach:
     inlet : float
         In films, where oil comes in or passes by.
     exit : float
-        In films, where it leaves.
+        In films, where it leaves; no more than `inlet`.
     """
 
     inlet: float
@@ -73,63 +73,54 @@ def near_reach(size: Scales) -> Reach:
     return Reach.around(NEAR_ELASTIC + NEAR_RIGID * share_squared)
 
 
-def window(scene: Scene, size: Scales, reach: Reach) -> Box:
-    """Smallest rectangle around the contact on whose sides the gap is as high as `reach` asks.
+def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
+    """Smallest rectangles around the contact on whose sides the gap is as high as each of some reaches asks.
 
     The gap counts from the surface that a dry contact would flatten to: Hertz's approach above the least
-    gap around the contact point, where relieved tips leave some tens of micrometres. Where the teeth end the
+    gap around the contact point, where relieved tips leave some tens of micrometres. Where the teeth end a
     window ends one sample beyond them.
     """
-    box = [
-        -1.5 * size.hertz.semi_axis_x,
-        1.5 * size.hertz.semi_axis_x,
-        -1.5 * size.hertz.semi_axis_y,
-        1.5 * size.hertz.semi_axis_y,
-    ]
-    gap, covered = _sampled(scene, box)
-    least = gap[covered].min() if covered.any() else 0.0
-    flat = least + size.hertz.approach
+    half_x, half_y = 1.5 * size.hertz.semi_axis_x, 1.5 * size.hertz.semi_axis_y
+    # the windows grow together: few large calls of the gap cost less than many small ones
+    boxes = np.tile([-half_x, half_x, -half_y, half_y], (len(reaches), 1))
+    inlet, exit_ = (
+        np.array([[getattr(reach, at)] for reach in reaches]) for at in ("inlet", "exit")
+    )
+    flat = _least(scene, boxes[0]) + size.hertz.approach
     for _ in range(MOST_GROWTHS):
-        open_sides = [
-            side
-            for side, (low, exists) in enumerate(_sides(gap, covered))
-            if exists.any()
-            and low[exists].min() < flat + _height(scene, box, side, reach) * size.film
-        ]
-        if not open_sides:
-            return tuple(box)
-        for side in open_sides:
-            box[side] *= GROWTH
-        gap, covered = _sampled(scene, box)
+        rise = (_lowest(scene, boxes) - flat) / size.film
+        open_ = rise < inlet
+        enough = open_ & (rise >= exit_)  # if the side is an exit
+        if enough.any():
+            open_[enough] = ~_leaves(scene, np.nonzero(enough)[1], boxes[enough])
+        if not open_.any():
+            return tuple(tuple(box) for box in boxes.tolist())
+        boxes = np.where(open_, GROWTH * boxes, boxes)
+    last = int(open_.any(axis=1).argmax())
     raise ValueError(
-        f"{scene.name}: the gap does not rise above {reach.inlet:g} films within {abs(box[0]):.1g} m of the "
-        "contact point; give it curvature, or ends, in every direction"
+        f"{scene.name}: the gap does not rise above {reaches[last].inlet:g} films within "
+        f"{abs(boxes[last, 0]):.1g} m of the contact point; give it curvature, or ends, in every direction"
     )
 
 
-def _sampled(scene: Scene, box) -> tuple[np.ndarray, np.ndarray]:
-    """Gap and where both surfaces exist, on the sampling grid."""
+def _least(scene: Scene, box: Array) -> float:
+    """Least gap in a rectangle [m]; 0 where no surfaces are."""
     x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
-    return scene.gap(*np.meshgrid(x, y, indexing="ij"))
+    gap, covered = scene.gap(*np.meshgrid(x, y, indexing="ij"))
+    return float(gap[covered].min()) if covered.any() else 0.0
 
 
-def _sides(gap, covered):
-    """Gap and existence along the west, east, south and north side."""
-    return (
-        (gap[0], covered[0]),
-        (gap[-1], covered[-1]),
-        (gap[:, 0], covered[:, 0]),
-        (gap[:, -1], covered[:, -1]),
-    )
+def _lowest(scene: Scene, boxes: Array) -> Array:
+    """Least gap along the sides of rectangles, (boxes, sides) [m]; infinite where no surfaces are."""
+    west, east, south, north = (np.tile(place, (SAMPLES, 1)) for place in boxes.T)
+    x, y = np.linspace(west[0], east[0], SAMPLES), np.linspace(south[0], north[0], SAMPLES)
+    gap, covered = scene.gap(np.array([west, east, x, x]).T, np.array([y, y, south, north]).T)
+    return np.where(covered, gap, np.inf).min(axis=1)
 
 
-def _height(scene: Scene, box, side: int, reach: Reach) -> float:
-    """Films that the gap must have risen at a side, by whether it is an exit."""
-    middle_x, middle_y = np.array(0.0), np.array(0.0)
-    if side < 2:
-        middle_x = np.array(box[side])
-    else:
-        middle_y = np.array(box[side])
-    u, v = scene.entrainment(middle_x, middle_y)
-    outward = (-u, u, -v, v)[side]
-    return reach.exit if outward > OUTFLOW_SHARE * np.hypot(u, v) else reach.inlet
+def _leaves(scene: Scene, side: Array, place: Array) -> Array:
+    """Whether sides are exits, by where they cross the axes [m], (sides,)."""
+    on_x = side < 2
+    u, v = scene.entrainment(np.where(on_x, place, 0.0), np.where(on_x, 0.0, place))
+    outward = np.where(on_x, u, v) * np.where(side % 2, 1, -1)
+    return outward > OUTFLOW_SHARE * np.hypot(u, v)

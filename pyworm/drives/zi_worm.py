@@ -360,11 +360,12 @@ class ZiWormDrive:
             return None
         return replace(self, load=replace(self.load, lifts=()))
 
-    @property
+    @cached_property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
-        still = replace(self.load, sharing="elastic", friction=0.0, lifts=())
-        return _springs(replace(self, load=still, speed=1.0, driver="worm"))
+        whole = self.load.torque / float(self.arms(np.array([0.5])).of(self.load.shaft, 0.0)[0])
+        teeth = self.wheel_flank, self.worm_tooth, self.wheel_tooth
+        return _springs(*teeth, reduced_modulus(*self.bodies), whole, self.load.stiffness)
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
@@ -480,16 +481,23 @@ class ZiWormDrive:
 
 
 @lru_cache(maxsize=2)
-def _springs(drive: ZiWormDrive) -> ToothSprings:
-    """Compliance by all that decides it; kept, since processes make a drive anew for each of its scenes."""
-    whole = drive.load.torque / float(drive.arms(np.array([0.5])).of(drive.load.shaft, 0.0)[0])
+def _springs(
+    flank: WheelFlank,
+    worm_tooth: WormTooth,
+    wheel_tooth: WheelTooth,
+    modulus: float,
+    whole_load: float,
+    stiffness: float,
+) -> ToothSprings:
+    """Compliance by all that decides it; kept, since drives differ in friction, lifts and oil alone."""
+    cycle = find_mesh_cycle(worm_tooth.worm, flank, worm_tooth, wheel_tooth)
     return tooth_springs(
-        gap_at=lambda phase: drive.gap(drive.cycle.contact(phase)),
-        radii_at=lambda phase: drive.cycle.contact(phase).radii,
-        reduced_modulus=reduced_modulus(*drive.bodies),
-        whole_load=whole,
-        stiffness=drive.load.stiffness,
-        longest=drive.wheel.face_width,
+        gap_at=lambda phase: ToothGap(cycle.contact(phase), worm_tooth, wheel_tooth),
+        radii_at=lambda phase: cycle.contact(phase).radii,
+        reduced_modulus=modulus,
+        whole_load=whole_load,
+        stiffness=stiffness,
+        longest=wheel_tooth.face_width,
     )
 
 

@@ -1,6 +1,7 @@
 """Batches: the same bits in any order and by any number of processes; what is solved is never lost."""
 
 import os
+import pickle
 import random
 import re
 import signal
@@ -58,6 +59,13 @@ def bits(store, tasks):
         (one.figures, {name: one.fields[name].values.tobytes() for name in one.fields})
         for one in solutions
     ]
+
+
+def test_a_task_takes_its_plan_along_once_made(monkeypatch):
+    task, other = some_tasks(2)
+    made = task.plan
+    monkeypatch.setattr("pyworm.task.plan", lambda *scene_and_more: None)
+    assert [pickle.loads(pickle.dumps(one)).plan for one in (task, other)] == [made, None]
 
 
 @pytest.fixture(scope="module")

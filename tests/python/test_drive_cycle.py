@@ -267,7 +267,8 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     assert ran == [[0.02] * 3]
     # of a wheel's torque, friction takes little
     wheel = pyworm.load(CASES / "zi_drive.toml")
-    moved = [balance.load_change(of, {"friction": 0.02}, (0.3, 0.6)) for of in (wheel, worm_case)]
+    more = {"operation": {"friction": 0.02}}
+    moved = [balance.load_change(of, of.with_found(more), (0.3, 0.6)) for of in (wheel, worm_case)]
     assert moved[0] < 0.005 < 0.02 < moved[1]
 
 

@@ -12,7 +12,7 @@ from test_film import RADIUS, circular
 from pyworm.grid import CELLS_MULTIPLE, Grid, nest
 from pyworm.kernels import prolong
 from pyworm.scales import scales
-from pyworm.window import Reach, window
+from pyworm.window import Reach, windows
 
 side = st.floats(0.5, 20.0)
 
@@ -44,13 +44,32 @@ def test_a_finer_grid_keeps_the_nodes():
 def test_a_window_reaches_until_the_gap_has_risen():
     scene = circular(100, 10)
     size = scales(scene)
-    west, east, south, north = window(scene, size, Reach(inlet=50.0, exit=5.0))
+    ((west, east, south, north),) = windows(scene, size, Reach(inlet=50.0, exit=5.0))
     wanted = size.hertz.approach + 50 * size.film
     assert west**2 / (2 * RADIUS) >= wanted
     assert north**2 / (2 * RADIUS) >= wanted
     assert (west / 1.4) ** 2 / (2 * RADIUS) < wanted
     assert east < -west
     assert south == pytest.approx(-north)
+
+
+def test_windows_that_grow_together_are_those_that_grow_alone():
+    scene = circular(100, 10)
+    size, reaches = scales(scene), [Reach(50.0, 5.0), Reach(3.0, 3.0), Reach(600.0, 120.0)]
+    alone = tuple(box for reach in reaches for box in windows(scene, size, reach))
+    assert windows(scene, size, *reaches) == alone
+
+
+def test_a_gap_is_looked_at_inside_the_contact_once_and_then_on_the_sides_alone():
+    scene, asked = circular(100, 10), []
+
+    def gap(x, y):
+        asked.append(np.broadcast(x, y).size)
+        return scene.gap(x, y)
+
+    windows(replace(scene, gap=gap), scales(scene), Reach(50.0, 5.0), Reach(100.0, 10.0))
+    assert len(asked) > 3
+    assert sum(asked[1:]) < len(asked[1:]) * asked[0] / 5
 
 
 @pytest.mark.parametrize("relief", [-3e-6, 20e-6, 1e-3])
@@ -62,8 +81,8 @@ def test_a_window_is_the_same_wherever_the_gap_counts_from(relief):
         return gap + relief, covered
 
     size, reach = scales(scene), Reach(50.0, 10.0)
-    lowered = window(replace(scene, gap=relieved), size, reach)
-    assert lowered == pytest.approx(window(scene, size, reach))
+    lowered = windows(replace(scene, gap=relieved), size, reach)
+    np.testing.assert_allclose(lowered, windows(scene, size, reach))
 
 
 def test_a_window_ends_where_the_teeth_do():
@@ -74,5 +93,6 @@ def test_a_window_ends_where_the_teeth_do():
         return gap, y < 1e-4
 
     size = scales(scene)
-    north = window(replace(scene, gap=short), size, Reach(150.0, 10.0))[3]
-    assert north < window(scene, size, Reach(150.0, 10.0))[3]
+    reach = Reach(150.0, 10.0)
+    (cut,), (whole,) = (windows(of, size, reach) for of in (replace(scene, gap=short), scene))
+    assert cut[3] < whole[3]

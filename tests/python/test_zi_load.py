@@ -1,5 +1,6 @@
 """How tooth pairs of the ZI drive share a torque."""
 
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from zi_drives import sharif
 
-from pyworm.drives import zi_load
+from pyworm.drives import zi_load, zi_worm
 from pyworm.drives.zi_load import Arms, ToothSprings, Transmission, share, tooth_springs
 from pyworm.formulas.hertz import hertz
 from pyworm.scene import Paraboloid
@@ -200,13 +201,18 @@ def test_the_x_axis_of_an_earlier_contact_is_turned_by_its_angle(drive):
     assert x_then @ (np.cos(then.angle) * x + np.sin(then.angle) * y) > 1 - 1e-4
 
 
-def test_dry_contacts_are_solved_once_for_equal_drives(monkeypatch):
+def test_dry_contacts_are_solved_once_for_equal_teeth(monkeypatch):
+    """Whatever friction, lifts and driver are; drives take them along to processes that know nothing."""
     calls = []
     solve = zi_load.kernels.dry_contact
     monkeypatch.setattr(zi_load, "SPRING_PHASES", np.array([0.0, 0.5, 1.0]))
     monkeypatch.setattr(
         zi_load.kernels, "dry_contact", lambda *given: calls.append(1) or solve(*given)
     )
-    for _ in range(2):
-        _ = loaded(torque=1.01 * TORQUE).springs
+    for change in ({}, {"friction": 0.03, "lifts": ((0.5, 1e-6),)}):
+        drive = loaded(torque=1.01 * TORQUE, **change)
+        springs = replace(drive, driver="wheel").springs, drive.springs
+        assert springs[0] is springs[1]
+    zi_worm._springs.cache_clear()
+    _ = pickle.loads(pickle.dumps(drive)).springs
     assert len(calls) == 3 * len(zi_load.LOAD_SHARES)
