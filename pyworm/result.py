@@ -16,11 +16,14 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
+import h5py
 import xarray as xr
 
+from pyworm.netcdf import read_attributes, read_dataset, write_attributes, write_dataset
 from pyworm.output import whole_file
 from pyworm.solution import Solution
 
@@ -60,16 +63,14 @@ class Result:
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
         path = Path(path)
-        tree = xr.DataTree.from_dict(_groups(self))
-        encoding = {
-            f"{group.path}": {name: {"zlib": True, "complevel": 1} for name in group.data_vars}
-            for group in tree.subtree
-            if group.name == "fields"
-        }
         # made in memory: where the disk is full the library closes its file again and again, and says so
-        content = tree.to_netcdf(None, engine="h5netcdf", encoding=encoding)
+        content = BytesIO()
+        with h5py.File(content, "w", track_order=True) as file:
+            write_attributes(file, _about(self))
+            for name, dataset in _groups(self).items():
+                write_dataset(file.create_group(name, track_order=True), dataset)
         with whole_file(path) as partial:
-            partial.write_bytes(content)
+            partial.write_bytes(content.getbuffer())
         return path
 
 
@@ -87,56 +88,58 @@ def open_result(path: str | os.PathLike) -> Result:
     if not path.is_file():
         raise FileNotFoundError(f"there is no result file at {path}")
     try:
-        # Times are numbers of seconds here, not dates to be decoded.
-        tree = xr.load_datatree(path, engine="h5netcdf", decode_times=False)
-    except Exception as error:  # whatever a damaged file makes the library stumble over
+        file = h5py.File(path)
+    except OSError as error:
         raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
-    if tree.attrs.get("format") != FORMAT:
-        raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
-    version = tree.attrs.get("format_version")
-    if version != FORMAT_VERSION:
-        raise ValueError(
-            f"{path} has result format {version}; this version of pyworm reads format {FORMAT_VERSION}"
-        )
-    try:
-        return _read(tree)
-    except (LookupError, TypeError, ValueError, AttributeError) as error:
-        raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
+    with file:
+        said = read_attributes(file)
+        if said.get("format") != FORMAT:
+            raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
+        version = said.get("format_version")
+        if version != FORMAT_VERSION:
+            raise ValueError(
+                f"{path} has result format {version}; "
+                f"this version of pyworm reads format {FORMAT_VERSION}"
+            )
+        try:
+            return _read(file, said)
+        except Exception as error:  # whatever a damaged file makes the library stumble over
+            raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
 
 
-def _read(tree: xr.DataTree) -> Result:
-    scenes = [tree[name] for name in sorted(tree.children) if name.startswith("scene_")]
+def _read(file: h5py.File, said: dict) -> Result:
+    scenes = [file[name] for name in sorted(file) if name.startswith("scene_")]
     return Result(
-        case_name=tree.attrs["case_name"],
-        case=json.loads(tree.attrs["case"]),
+        case_name=said["case_name"],
+        case=json.loads(said["case"]),
         solutions=tuple(_read_solution(scene) for scene in scenes),
-        mesh_cycle=tree["mesh_cycle"].to_dataset() if "mesh_cycle" in tree.children else None,
-        provenance=json.loads(tree.attrs["provenance"]),
+        mesh_cycle=read_dataset(file["mesh_cycle"]) if "mesh_cycle" in file else None,
+        provenance=json.loads(said["provenance"]),
     )
 
 
 def case_in(path: Path) -> dict | None:
     """The case of a results file, without reading what came out; None if there is no such file."""
     try:
-        with xr.open_dataset(path, engine="h5netcdf") as root:
-            known = root.attrs.get("format") == FORMAT
-            return json.loads(root.attrs["case"]) if known else None
+        with h5py.File(path) as file:
+            known = file.attrs.get("format") == FORMAT
+            return json.loads(file.attrs["case"]) if known else None
     except OSError:
         return None
 
 
-def _groups(result: Result) -> dict[str, xr.Dataset]:
-    groups = {
-        "/": xr.Dataset(
-            attrs={
-                "format": FORMAT,
-                "format_version": FORMAT_VERSION,
-                "case_name": result.case_name,
-                "case": _to_json(result.case),
-                "provenance": _to_json(result.provenance),
-            }
-        )
+def _about(result: Result) -> dict[str, Any]:
+    return {
+        "format": FORMAT,
+        "format_version": FORMAT_VERSION,
+        "case_name": result.case_name,
+        "case": _to_json(result.case),
+        "provenance": _to_json(result.provenance),
     }
+
+
+def _groups(result: Result) -> dict[str, xr.Dataset]:
+    groups = {}
     if result.mesh_cycle is not None:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
@@ -179,13 +182,9 @@ def _to_json(value: Any) -> str:
     return json.dumps(value, default=lambda item: item.tolist())
 
 
-def _read_solution(scene: xr.DataTree) -> Solution:
-    parts = json.loads(scene.attrs["solution"])
-    parts["fields"] = scene["fields"].to_dataset()
-    parts["history"] = scene["history"].to_dataset()
-    if "profile" in scene.children:
-        parts["profile"] = scene["profile"].to_dataset()
-    return _rebuild(Solution, parts)
+def _read_solution(scene: h5py.Group) -> Solution:
+    datasets = {name: read_dataset(group) for name, group in scene.items()}
+    return _rebuild(Solution, json.loads(scene.attrs["solution"]) | datasets)
 
 
 def _rebuild(kind: Any, value: Any) -> Any:

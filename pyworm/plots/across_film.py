@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure
 
-from pyworm.plots.style import MICRO, MILLI, heading, new_figure
+from pyworm.plots.style import MICRO, MILLI, heading, placed_panels
 from pyworm.solution import ZERO_CELSIUS, Solution
 
 VELOCITY_COLOURS = {"x": "tab:blue", "y": "tab:orange"}
@@ -13,11 +13,13 @@ def draw_across_film(case_name: str, solution: Solution) -> Figure:
     profile = solution.profile
     axes_here = [axis for axis in "xy" if f"profile_{axis}" in profile]
     place = {axis: float(profile[f"profile_{axis}"]) for axis in axes_here}
-    film = float(solution.fields["film"].interp(place))
+    film = float(solution.fields["film"].interp(place, assume_sorted=True))
     height = (profile["level_position"].values + 0.5) * film * MICRO
     at = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
-    figure = new_figure(9, 4.6, heading(case_name, solution))
-    warm_axes, fast_axes = figure.subplots(1, 2, sharey=True)
+    spaced = {"ncols": 2, "sharey": True, "gridspec_kw": {"wspace": 0.04}}
+    room = (0.75, 0.7, 0.55, 0.3)
+    figure, panels = placed_panels((9, 4.6), heading(case_name, solution), room, **spaced)
+    warm_axes, fast_axes = panels
     warm_axes.plot(
         profile["profile_temperature"] - ZERO_CELSIUS,
         height,
@@ -26,7 +28,9 @@ def draw_across_film(case_name: str, solution: Solution) -> Figure:
         markersize=4,
         clip_on=False,
     )
-    warm_axes.set_title(f"across the film where it is hottest, {at}", fontsize="medium", loc="left")
+    warm_axes.set_title(
+        f"across the film where it is hottest, {at}", fontsize="medium", loc="left", y=1
+    )
     warm_axes.set_xlabel("temperature / °C")
     warm_axes.set_ylabel("height above body 1 / µm")
     for axis in axes_here:

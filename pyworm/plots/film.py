@@ -63,7 +63,7 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
         markeredgecolor="tab:red",
         markeredgewidth=1.5,
     )
-    colour_bar(film_axes, bands, "film / µm").set_ticks(lines)
+    colour_bar(film_axes, bands, "film / µm", lines)
 
     light_axes.imshow(
         interferogram(fields, window),

@@ -54,7 +54,7 @@ def _draw_map(axes: Axes, fields: xr.Dataset, values: np.ndarray, colours: str, 
     bands = axes.contourf(x, y, values, levels=levels, cmap=colours)
     draw_tooth(axes, fields)
     draw_dry_outline(axes, fields, "tab:cyan")
-    colour_bar(axes, bands, label).set_ticks(levels)
+    colour_bar(axes, bands, label, levels)
 
 
 def _draw_slip(axes: Axes, fields: xr.Dataset) -> None:

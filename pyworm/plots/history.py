@@ -1,11 +1,15 @@
 """How a solution converged."""
 
+from math import ceil
+
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from pyworm.plots.style import heading, new_figure
+from pyworm.plots.style import heading, placed_panels
 from pyworm.solution import Solution
+
+LEGEND_COLUMNS = 4
 
 
 def draw_history(case_name: str, solution: Solution) -> Figure:
@@ -14,8 +18,9 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
     iteration = history["iteration"].values
     grids = np.stack([history[name].values for name in ("points_x", "points_y") if name in history])
     starts = np.flatnonzero(np.any(np.diff(grids, axis=1) != 0, axis=0)) + 1
-    figure = new_figure(8, 5.2, heading(case_name, solution))
-    axes = figure.subplots()
+    rows = ceil((starts.size + 2) / LEGEND_COLUMNS)  # the stages and the load error
+    room = (0.75, 0.1, 0.6 + 0.21 * rows, 0.1)
+    figure, axes = placed_panels((8, 5.2), heading(case_name, solution), room)
     for stage in np.split(np.arange(iteration.size), starts):
         if stage.size == 0:
             continue
@@ -38,7 +43,7 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
     axes.set_xlabel("iteration")
     axes.set_ylabel("residual, relative")
     axes.grid(True, color="0.9")
-    figure.legend(loc="outside lower center", ncols=4, frameon=False)
+    figure.legend(loc="lower center", ncols=LEGEND_COLUMNS, frameon=False)
     return figure
 
 

@@ -15,17 +15,21 @@ def signed_square(pressure: np.ndarray) -> np.ndarray:
     pressure : array
         Dry pressure over a regular grid, zero outside the contact [any unit].
     """
-    padded = np.pad(np.square(pressure), 2)
-    total, count = np.zeros_like(padded), np.zeros_like(padded)
+    square = np.square(pressure)
+    padded = np.pad(square, 2)
+    total, count = np.zeros_like(square), np.zeros_like(square)
     for axis in (0, 1):
         for step in (1, -1):
-            next_in = np.roll(padded, step, axis)
-            second_in = np.roll(padded, 2 * step, axis)
-            reached = (padded == 0) & (next_in > 0)
-            continued = np.where(second_in > next_in, 2 * next_in - second_in, -next_in)
+            next_in, second_in = (
+                np.roll(padded, distance * step, axis)[2:-2, 2:-2] for distance in (1, 2)
+            )
+            reached = (square == 0) & (next_in > 0)
+            first, second = next_in[reached], second_in[reached]
+            continued = np.where(second > first, 2 * first - second, -first)
             # The continuation may still be positive where the pressure is not that of a parabola.
-            total += np.where(reached, np.minimum(continued, -1e-3 * next_in), 0)
-            count += reached
-    field = np.where(padded > 0, padded, -padded.max())
-    field = np.where(count > 0, total / np.maximum(count, 1), field)
-    return field[2:-2, 2:-2]
+            total[reached] += np.minimum(continued, -1e-3 * first)
+            count[reached] += 1
+    field = np.where(square > 0, square, -square.max())
+    beside = count > 0
+    field[beside] = total[beside] / count[beside]
+    return field

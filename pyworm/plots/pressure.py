@@ -47,5 +47,5 @@ def draw_pressure(case_name: str, solution: Solution) -> Figure:
         )
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "tab:cyan")
-        colour_bar(panel, scale, "pressure / MPa").set_ticks(bounds)
+        colour_bar(panel, scale, "pressure / MPa", bounds)
     return figure

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzContact, hertz
 from pyworm.plots.film import thickest_shown
-from pyworm.plots.style import MEGA, MICRO, MILLI, contact_window, heading, new_figure
+from pyworm.plots.style import MEGA, MICRO, MILLI, contact_window, heading, placed_panels
 from pyworm.solution import Solution
 
 PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
@@ -17,18 +17,21 @@ PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
 
 def draw_profiles(case_name: str, solution: Solution) -> Figure:
     """Film pressure, dry pressure, Hertz pressure (dashed) and film along x and along y."""
-    figure = new_figure(9, 7.5, heading(case_name, solution))
+    room = (0.7, 0.72, 0.85, 0.1)
+    spaced = {"nrows": 2, "gridspec_kw": {"hspace": 0.18}}
+    figure, panels = placed_panels((9, 7.5), heading(case_name, solution), room, **spaced)
     window = contact_window(solution.fields)
     contact = _hertz_of(solution.fields)
+    fields = solution.fields[["pressure", "dry_pressure", "film", "covered"]]
     ideal = {"x": lambda x: contact.pressure(x, 0.0), "y": lambda y: contact.pressure(0.0, y)}
     top = thickest_shown(solution) * MICRO
     sides = {"x": (window.left, window.right), "y": (window.bottom, window.top)}
-    for axes, (along, across) in zip(figure.subplots(2), (("x", "y"), ("y", "x")), strict=True):
-        line = solution.fields.interp({across: 0.0})
+    for axes, (along, across) in zip(panels, (("x", "y"), ("y", "x")), strict=True):
+        line = fields.interp({across: 0.0}, assume_sorted=True)
         handles = draw_profile(axes, line, along, ideal[along], top)
         axes.set_xlim(*sides[along])
         axes.set_xlabel(f"{along} / mm   (at {across} = 0)")
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, frameon=False)
+    figure.legend(handles=handles, loc="lower center", ncols=4, frameon=False)
     return figure
 
 

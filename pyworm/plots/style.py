@@ -5,13 +5,15 @@ from dataclasses import dataclass
 from math import ceil
 from pathlib import Path
 from textwrap import fill
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
-from matplotlib.colorbar import Colorbar
 from matplotlib.figure import Figure
+from PIL import Image
 
 from pyworm.place import Place
 from pyworm.plots.outline import signed_square
@@ -181,7 +183,7 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
                 height / total_height,
             )
         )
-        panel.set_title(title, fontsize="medium")
+        panel.set_title(title, fontsize="medium", y=1)  # said, or it is sought among the ticks
         panel.set_xlim(window.left, window.right)
         panel.set_ylim(window.bottom, window.top)
         panel.set_aspect(window.stretch)
@@ -191,12 +193,14 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
     return figure, panels
 
 
-def colour_bar(axes: Axes, mappable: ScalarMappable, label: str) -> Colorbar:
+def colour_bar(
+    axes: Axes, mappable: ScalarMappable, label: str, ticks: np.ndarray | None = None
+) -> None:
     """A colour bar beside a panel, as tall as it."""
     figure = axes.get_figure()
     width, _ = _size(axes)
     bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
-    return figure.colorbar(mappable, cax=bar_axes, label=label)
+    figure.colorbar(mappable, cax=bar_axes, label=label, ticks=ticks)
 
 
 def _size(axes: Axes) -> tuple[float, float]:
@@ -210,6 +214,31 @@ def new_figure(width: float, height: float, heading: str) -> Figure:
     figure = Figure(figsize=(width, height), layout="constrained")
     figure.suptitle(fill(heading, int(LETTERS_PER_INCH * width)))
     return figure
+
+
+def placed_panels(
+    size: tuple[float, float], heading: str, room: tuple[float, float, float, float], **kind: Any
+) -> tuple[Figure, Any]:
+    """A figure and its panels by hand, as to find their places takes as long as drawing them.
+
+    Parameters
+    ----------
+    size : (float, float)
+        Width and height of the figure [inch].
+    heading : str
+        Its heading.
+    room : (float, float, float, float)
+        Left of the panels, right of them, below and between them and the heading [inch].
+    kind
+        What `Figure.subplots` takes, its spaces in shares of a panel.
+    """
+    (width, height), (left, right, below, above) = size, room
+    heading = fill(heading, int(LETTERS_PER_INCH * width))
+    above += LINE * (heading.count("\n") + 1)
+    figure = Figure(figsize=size)
+    figure.suptitle(heading, y=1 - 0.03 / height, verticalalignment="top")
+    figure.subplots_adjust(left / width, below / height, 1 - right / width, 1 - above / height)
+    return figure, figure.subplots(**kind)
 
 
 def _stretch_note(stretch: float) -> str:
@@ -282,7 +311,8 @@ def draw_arrows(axes: Axes, u: xr.DataArray, v: xr.DataArray) -> None:
         for (low, high), count in ((limits, max(1, round(side / step))) for limits, side in sides)
     )
     u, v = (
-        part.interp(x=x / MILLI, y=y / MILLI).transpose("y", "x").values.ravel() for part in (u, v)
+        part.interp(x=x / MILLI, y=y / MILLI, assume_sorted=True).transpose("y", "x").values.ravel()
+        for part in (u, v)
     )
     size = np.hypot(u, v)
     moving = size > STANDSTILL * np.nanmax(size, initial=0)
@@ -344,5 +374,10 @@ def draw_largest_temperatures(
 
 def write(figure: Figure, path: Path) -> Path:
     """Write a picture to a file; returns that."""
-    figure.savefig(path, dpi=DOTS_PER_INCH)
+    figure.set_dpi(DOTS_PER_INCH)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    # Without its opacity, which is full, a picture takes half the time and no more room, little compressed.
+    opaque = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    opaque.save(path, dpi=(DOTS_PER_INCH, DOTS_PER_INCH), compress_level=1)
     return path

@@ -55,7 +55,7 @@ def draw_temperature(case_name: str, solution: Solution) -> Figure:
         _draw_map(panel, fields["x"].values * MILLI, fields["y"].values * MILLI, values, scale)
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "tab:cyan")
-        colour_bar(panel, scale, "temperature / °C").set_ticks(bounds)
+        colour_bar(panel, scale, "temperature / °C", bounds)
     covered = fields["covered"] > 0.5
     for panel, sign in zip(axes, (1, -1), strict=False):
         motion = [fields[f"entrainment_{k}"] + sign / 2 * fields[f"sliding_{k}"] for k in "xy"]
