@@ -23,16 +23,16 @@ from pyworm.line.scene import LineScene
 from pyworm.past import Earlier
 from pyworm.planning import Plan, first_grids_of
 from pyworm.scene import Array, Scene
+from pyworm.work import INSTANTS
 
 TRANSITS = 2.0
 """How far back films are marched from, in the time that oil takes to pass through the contact's middle."""
 
-STEPS, LEAST = 12, 4
-"""Steps of time in it at the first level, and the least in a shorter past."""
+LEAST = 4
+"""Least steps of time in a shorter past."""
 
-LEVELS, SHARE = 3, 0.5
-"""Marches at most, and the error of the figures by them that asks for no further one, as a share of the
-accuracy."""
+SHARE = 0.5
+"""Error of the figures by a march that asks for no finer one, as a share of the accuracy."""
 
 SHORTENING = 1.5
 """Power by which steps shorten towards the present: oil that came late is all over the contact, and what came
@@ -42,13 +42,9 @@ ORDER = 3
 """Order of rates of change. Of second order, notches that an edge leaves in the film and that travel with the
 oil took four times as many steps."""
 
-TOLERANCE = 5e-3
-"""Residual to which films are solved on the way, over the shortest step of time in transits: what is left
-unsolved counts as change."""
-
-WARMING = 1e-3
-"""Change of temperatures, over their largest rise, down to which they are: films feel them at the inlet,
-where they are small."""
+TOLERANCE, WARMING = 1e-3, 5e-3
+"""Residual to which films are solved on the way, and last change of their temperatures over the largest rise,
+both over the shortest step of time in transits: what is left unsolved counts as change."""
 
 LOST = 1e-2
 """Residual from which the film of a step is none."""
@@ -139,7 +135,7 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     """
     rung, _ = climb(scene, plan).enter(plan.grids)
     readings: list[Reading] = []
-    for level in range(LEVELS):
+    for level in range(len(INSTANTS)):
         storage, flaw = _march(scene, plan, climb, level)
         ladder = climb(scene, plan, storage)
         rung = ladder.follow((rung,), 0.0)
@@ -157,9 +153,10 @@ def _march(
     """How a film changes at present, with grids and steps halved at each level; its flaw, if any."""
     transit = sketch(scene).transit
     span = min(TRANSITS * transit, scene.past.seconds)
-    steps = max(LEAST, round(STEPS * span / (TRANSITS * transit))) * 2**level
+    steps = max(LEAST, round(INSTANTS[level] * span / (TRANSITS * transit)))
     times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
-    tolerance = TOLERANCE * times[1] / transit
+    shortest = times[1] / transit
+    tolerances = TOLERANCE * shortest, WARMING * shortest
     moments = [Earlier(0.0, scene), *scene.past.back(times[1:])]
     nest = _nest(moments, plan, level)
     films: list[Instant] = []
@@ -169,10 +166,10 @@ def _march(
         ladder = climb(moment.contact, plan, _backwards(moment, films))
         if rungs:
             rung = ladder.follow(rungs, _onward(films, moment))
-            lead(rung, tolerance, WARMING)
+            lead(rung, *tolerances)
         if not rungs or not rung.film.balance.worst <= LOST:
             rung, _ = ladder.enter(nest)
-            lead(rung, tolerance, WARMING)
+            lead(rung, *tolerances)
         if not rung.film.balance.worst <= LOST:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
         rungs = [rung, *rungs[:1]]

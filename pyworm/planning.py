@@ -315,6 +315,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
             full=model.levels > 0,
             stiffness=stiffness(model.heated, size.groups.moes_l),
             lent=drawn is not scene,
+            moving=scene.past is not None,
         ),
     )
 
@@ -344,6 +345,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
             LARGEST_LINE,
             full=model.levels > 0,
             stiffness=stiffness(model.heated, size.groups.moes_l),
+            moving=scene.past is not None,
         ),
     )
 

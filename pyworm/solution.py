@@ -28,8 +28,8 @@ class Estimate:
     algebra : float
         Error by stopping the Newton iteration [-].
     model : float
-        Error of a temperature by the model of conduction in the bodies [-]
-        (`fortran/heat/conduction_model.f90`).
+        Error of a temperature by the model of conduction in the bodies (`fortran/heat/conduction_model.f90`),
+        and of all figures of a film in motion by the march through its past (`pyworm.history`) [-].
     """
 
     value: float

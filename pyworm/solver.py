@@ -110,8 +110,8 @@ def _climb(
     if short is not None:
         raise NoMemoryError(short)
     started, started_work = perf_counter(), process_time()
-    tell(f"{scene.name}: first grids", 0.0)
-    history = marched(scene, plan, climb) if scene.past else None
+    tell(f"{scene.name}: {'first grids' if scene.past is None else 'its past'}", 0.0)
+    history = None if scene.past is None else marched(scene, plan, climb)
     ladder = climb(scene, plan, history and history.storage)
     if history is not None:
         rung, strides = ladder.follow((history.rung,), 0.0), []

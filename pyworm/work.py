@@ -68,6 +68,15 @@ THICKENING, THICKENING_POWER = 10.0, 0.7
 STIFF, STIFF_POWER = 15.0, 2.5
 """The same for the steps of a film that warms."""
 
+INSTANTS = (12, 24, 48)
+"""Steps of time in the first march of a film in motion, and in those on finer grids (`pyworm.history`)."""
+
+MARCHED_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
+"""Newton steps at each of them."""
+
+FINEST_MARCH = 0.06
+"""Accuracy from which on the last of these marches is likely."""
+
 LENT_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
 """Those of a film that heat alone carries."""
 
@@ -163,6 +172,7 @@ def expected_work(
     full: bool,
     stiffness: float = 1.0,
     lent: bool = False,
+    moving: bool = False,
 ) -> Work:
     """What a solve is expected to do.
 
@@ -184,6 +194,8 @@ def expected_work(
         How many times as much work as usual the steps are (`stiffness`).
     lent : bool
         Whether heat alone carries the film.
+    moving : bool
+        Whether it is marched through its past.
     """
     steps = LENT_STEPS if lent else STEPS[kind]
     cold = 1.0 if full else stiffness
@@ -192,6 +204,11 @@ def expected_work(
         stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
         stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
+    marches = INSTANTS[: len(INSTANTS) - (accuracy > FINEST_MARCH)] if moving else ()
+    for level, instants in enumerate(marches):
+        count = stiffness * MARCHED_STEPS[kind] * instants
+        nodes = nests[0][-1] * growth ** (level - (kind == "point"))
+        stages.append(Stage(nodes, count * (not full), count * full))
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
     halvings = min(most, float(np.interp(log(change / accuracy), LOG_CHANGE, HALVINGS)))
     for number in range(int(halvings)):
