@@ -1,5 +1,6 @@
 """Uniform grids over the tangent plane, and nests of them around a contact."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil, floor
 
@@ -63,6 +64,11 @@ class Grid:
         """Area of a cell [m2]."""
         return self.dx * self.dy
 
+    @property
+    def box(self) -> Box:
+        """Its rectangle."""
+        return self.west, float(self.x[-1]), self.south, float(self.y[-1])
+
     def mesh(self) -> tuple[np.ndarray, np.ndarray]:
         """Positions of all nodes, each (nx, ny) in Fortran order."""
         x, y = np.meshgrid(self.x, self.y)
@@ -72,12 +78,6 @@ class Grid:
         """The grid of half the spacing over the same rectangle."""
         return Grid(
             self.west, self.south, self.dx / 2, self.dy / 2, 2 * self.nx - 1, 2 * self.ny - 1
-        )
-
-    def coarser(self) -> "Grid":
-        """The grid of twice the spacing over the same rectangle, if that is an even number of cells wide."""
-        return Grid(
-            self.west, self.south, self.dx * 2, self.dy * 2, (self.nx + 1) // 2, (self.ny + 1) // 2
         )
 
     def window_of(self, fine: "Grid") -> tuple[slice, slice]:
@@ -111,6 +111,12 @@ def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
     return tuple(grids)
 
 
+def coarsened(grids: Sequence[Grid]) -> tuple[Grid, ...]:
+    """A nest over the same rectangles, or a little more, to twice the spacing."""
+    outermost, innermost = grids[0], grids[-1]
+    return nest(innermost.box, outermost.box, 2 * innermost.dx, 2 * innermost.dy)
+
+
 def _span(low: float, high: float, step: float) -> tuple[int, int]:
     """First node and number of cells of a grid around an interval.
 
@@ -137,7 +143,7 @@ def _towards(grid: Grid, outer: Box) -> Box:
     """The grid's rectangle, each side moved outwards by half its span but not beyond `outer`."""
     reach_x = (grid.nx - 1) * grid.dx / 2
     reach_y = (grid.ny - 1) * grid.dy / 2
-    west, east, south, north = grid.west, grid.x[-1], grid.south, grid.y[-1]
+    west, east, south, north = grid.box
     return (
         min(west, max(outer[0], west - reach_x)),
         max(east, min(outer[1], east + reach_x)),

@@ -16,8 +16,8 @@ from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 from pyworm.accuracy import Reading, grid_errors
 from pyworm.effects.sketch import Sketch, sketch
-from pyworm.grid import Grid
-from pyworm.ladder import Ladder, Rung, lead
+from pyworm.grid import Grid, coarsened
+from pyworm.ladder import ALGEBRA_SHARE, Ladder, Rung, lead, settle
 from pyworm.line.grid import LineGrid
 from pyworm.line.scene import LineScene
 from pyworm.past import Earlier
@@ -139,8 +139,9 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
         storage, flaw = _march(scene, plan, climb, level)
         ladder = climb(scene, plan, storage)
         rung = ladder.follow((rung,), 0.0)
-        lead(rung, plan.tolerance)
-        readings.append(rung.read())
+        # at least two steps: a march that changes little leaves less than the tolerance, but not nothing
+        settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+        readings.append(settled.reading)
         errors = grid_errors(readings, ladder.convergence.orders)
         if flaw or plan.aim.worst(errors, readings[-1].figures) <= SHARE * plan.accuracy:
             break
@@ -168,7 +169,10 @@ def _march(
             rung = ladder.follow(rungs, _onward(films, moment))
             lead(rung, *tolerances)
         if not rungs or not rung.film.balance.worst <= LOST:
-            rung, _ = ladder.enter(nest)
+            # steady at first: on the way to these grids nothing is known of what the film held
+            rung, _ = climb(moment.contact, plan).enter(nest)
+            if rungs:
+                rung = ladder.follow((rung,), 0.0)
             lead(rung, *tolerances)
         if not rung.film.balance.worst <= LOST:
             flaw = f"the film was not found at {moment.contact.name}, through which it came"
@@ -203,7 +207,7 @@ def _nest(moments: Sequence[Earlier], plan: Plan, level: int) -> tuple[Grid | Li
     if _size(largest) > OUTGROWN * _size(now):
         grids = first_grids_of(largest.scene, plan)
     if isinstance(grids[-1], Grid):  # those of lines cost next to nothing
-        grids = *grids[:-2], grids[-1].coarser()
+        grids = coarsened(grids)
     for _ in range(level):
         grids = *grids, grids[-1].finer()
     return grids

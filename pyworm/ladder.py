@@ -20,6 +20,10 @@ HOPELESS = 1e6
 for what its oil cannot bear."""
 
 
+ALGEBRA_SHARE = 0.1
+"""Error of the figures by unfinished algebra that is left on a grid, as a share of the accuracy."""
+
+
 class Storage(Protocol):
     """How the oil that a film stores changes."""
 

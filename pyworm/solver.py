@@ -11,7 +11,7 @@ import xarray as xr
 from pyworm.accuracy import Reading, domain_errors, grid_errors
 from pyworm.history import History, marched
 from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
-from pyworm.ladder import Ladder, Rung, Settled, Stride, lead, settle
+from pyworm.ladder import ALGEBRA_SHARE, Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
 from pyworm.memory import NoMemoryError, shortage
@@ -29,9 +29,6 @@ LADDERS: dict[type, type[Ladder]] = {Scene: PointLadder, LineScene: LineLadder}
 
 ACCURATE = "the figures are as accurate as asked for"
 """The stop reason of a converged solution."""
-
-ALGEBRA_SHARE = 0.1
-"""Error of the films by unfinished algebra that is left on a grid, as a share of the accuracy."""
 
 DOMAIN_SHARE = 0.3
 """Error of the films by the window beyond which the wider one is taken, as a share of the accuracy."""
@@ -114,7 +111,7 @@ def _climb(
     history = None if scene.past is None else marched(scene, plan, climb)
     ladder = climb(scene, plan, history and history.storage)
     if history is not None:
-        rung, strides = ladder.follow((history.rung,), 0.0), []
+        rung, strides = history.rung, []
     elif isinstance(foot, ladder.rungs) and foot.grid == plan.grids[-1]:
         rung, strides = ladder.resume(foot)
     else:

@@ -36,8 +36,13 @@ def words(text: str) -> tuple[str, ...]:
     if said[0] == "auto":
         for word in said[1:]:
             if word not in ONLY_NAMED:
-                raise ValueError(f"auto,{word}: auto chooses all but {', '.join(ONLY_NAMED)}")
+                raise ValueError(
+                    f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} "
+                    "beside it and chooses all else by the accuracy"
+                )
         return said
+    if "auto" in said:
+        raise ValueError("auto comes first, as in auto,squeeze, and goes with no other choice")
     for word in said:
         if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
             raise ValueError(

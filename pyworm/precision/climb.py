@@ -5,10 +5,10 @@ from dataclasses import dataclass, field, replace
 from itertools import count, islice, takewhile
 from time import process_time
 
-from pyworm.ladder import Rung, lead, settle
+from pyworm.ladder import ALGEBRA_SHARE, Rung, lead, settle
 from pyworm.planning import Plan
 from pyworm.precision.fidelity import Fidelity
-from pyworm.solver import ALGEBRA_SHARE, LADDERS, convolution_seconds
+from pyworm.solver import LADDERS, convolution_seconds
 
 FIGURES = ("film_min", "film_central", "friction_coefficient", "temperature_max_film")
 """The figures whose errors are shown; temperatures count from the inlet's."""

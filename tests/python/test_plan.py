@@ -347,5 +347,5 @@ def test_squeeze_is_simulated_where_it_is_named():
         assert told.on is on
     assert "only if named" in judged(pyworm.plan(scene, 0.05))["squeeze"].reason
     assert not judged(pyworm.plan(ball(), 0.05, "auto,squeeze"))["squeeze"].on  # steady
-    with pytest.raises(ValueError, match="auto,film-heating: auto chooses all but squeeze"):
+    with pytest.raises(ValueError, match="film-heating after auto, which takes only squeeze"):
         pyworm.plan(scene, 0.05, "auto,film-heating")
