@@ -85,7 +85,8 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
     Raises
     ------
     ValueError
-        For a word that means nothing, and for an effect that is not simulated or the contact has none of.
+        For a word that means nothing, and for an effect that is not simulated or, but for `ONLY_NAMED`, the
+        contact has none of.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     most = whole - ONLY_NAMED
@@ -99,7 +100,7 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
             on |= groups[name]
         elif name in whole:
             on |= {name, *SIMULATED[name].together}
-        else:
+        elif name not in ONLY_NAMED:  # of a drive's contacts one may lack these, as where its cycle begins
             raise ValueError(f"effects = {text}: {name}: {SIMULATED[name].lacking(scene)}")
     return frozenset(on & whole)
 

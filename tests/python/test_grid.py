@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from test_film import RADIUS, circular
 
-from pyworm.grid import CELLS_MULTIPLE, Grid, nest
+from pyworm.grid import CELLS_MULTIPLE, Grid, coarsened, nest
 from pyworm.kernels import prolong
 from pyworm.scales import scales
 from pyworm.window import Reach, windows
@@ -22,8 +22,15 @@ def test_every_grid_of_a_nest_is_a_window_of_the_one_before(w, e, s, n, growth, 
     inner = (-w, e, -s, n)
     outer = tuple(growth * place for place in inner)
     grids = nest(inner, outer, dx, dy)
+    check_nest(grids, inner, outer, dx, dy)
+    check_nest(coarsened(grids), grids[-1].box, grids[0].box, 2 * dx, 2 * dy)
+
+
+def check_nest(grids, inner, outer, dx, dy):
     assert grids[-1].dx == dx and grids[-1].dy == dy
-    assert grids[0].west <= outer[0] + 1e-9 and grids[0].x[-1] >= outer[1] - 1e-9
+    for grid, (west, east, south, north) in ((grids[-1], inner), (grids[0], outer)):
+        assert grid.west <= west + 1e-9 and grid.x[-1] >= east - 1e-9
+        assert grid.south <= south + 1e-9 and grid.y[-1] >= north - 1e-9
     for grid in grids:
         assert (grid.nx - 1) % CELLS_MULTIPLE == 0 == (grid.ny - 1) % CELLS_MULTIPLE
         assert np.abs(grid.x).min() < 1e-9 and np.abs(grid.y).min() < 1e-9

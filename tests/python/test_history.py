@@ -74,11 +74,38 @@ def test_oil_carries_its_film_through_the_contact(kind):
     )
 
 
+def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
+    """Rigid flanks z(x, y, t) that move with u, v, w: dz/dt = w - u dz/dx - v dz/dy."""
+    drive = pyworm.load("cases/zi_drive.toml").drive
+    contact = drive.contact(0.4)
+    across, step, instant = 1e-3, 1e-6, 1e-5
+    x, y = across * np.cos(np.arange(8)), across * np.sin(np.arange(8))
+    rates = []
+    for motion in drive.motions(contact):
+        u, v, w = motion.velocity(x, y)
+        places = ((x + step, y), (x - step, y), (x, y + step), (x, y - step))
+        east, west, north, south = (motion.flank.solve(*place)[0] for place in places)
+        rates.append(w - (u * (east - west) + v * (north - south)) / (2 * step))
+
+    def gap(seconds):
+        passed = drive.scene(0.4).past.before(seconds)
+        turn = -passed.angle
+        there = x * cos(turn) - y * sin(turn), y * cos(turn) + x * sin(turn)
+        then = drive.contact(0.4 - seconds * drive.phases_per_second)
+        worm, wheel = (motion.flank.solve(*there)[0] for motion in drive.motions(then))
+        return wheel - worm
+
+    assert (gap(-instant) - gap(instant)) / (2 * instant) == pytest.approx(
+        rates[1] - rates[0], rel=1e-3, abs=1e-6
+    )
+
+
 def test_error_bars_of_a_tooth_pair_s_film_in_motion_hold():
     scene = pyworm.load("cases/zi_drive.toml").scene(phase=0.5)
     rough, fine = (solved(scene, "isothermal,squeeze", accuracy) for accuracy in (0.15, 0.05))
     assert films(rough) != pytest.approx(films(solved(scene, accuracy=0.15)), rel=0.05)
     for name, value in films(rough).items():
+        assert getattr(rough.figures, name).model > 0
         better = getattr(fine.figures, name)
         bars = getattr(rough.figures, name).error + better.error
         assert abs(value - better.value) <= bars * better.value

@@ -346,6 +346,15 @@ def test_squeeze_is_simulated_where_it_is_named():
         told = judged(pyworm.plan(scene, 0.05, effects))["squeeze"]
         assert told.on is on
     assert "only if named" in judged(pyworm.plan(scene, 0.05))["squeeze"].reason
-    assert not judged(pyworm.plan(ball(), 0.05, "auto,squeeze"))["squeeze"].on  # steady
-    with pytest.raises(ValueError, match="film-heating after auto, which takes only squeeze"):
-        pyworm.plan(scene, 0.05, "auto,film-heating")
+    begun = replace(scene, past=replace(scene.past, seconds=0.0))
+    for still, why in ((ball(), "steady"), (begun, "nothing before")):
+        for effects in ("auto,squeeze", "isothermal,squeeze"):
+            told = judged(pyworm.plan(still, 0.05, effects))["squeeze"]
+            assert not told.on and told.reason == why
+    for effects, why in (
+        ("auto,film-heating", "film-heating after auto, which takes only squeeze"),
+        ("auto,", "nothing after auto"),
+        ("squeeze,auto", "auto comes first, as in auto,squeeze"),
+    ):
+        with pytest.raises(ValueError, match=f"effects = {effects}: {why}"):
+            pyworm.plan(scene, 0.05, effects)
