@@ -9,7 +9,7 @@ good that is.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import cos, isfinite, sin
+from math import cos, inf, isfinite, sin
 
 import numpy as np
 from scipy.interpolate import CubicSpline, RectBivariateSpline
@@ -17,9 +17,11 @@ from scipy.interpolate import CubicSpline, RectBivariateSpline
 from pyworm.accuracy import Reading, grid_errors
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.grid import Grid, coarsened
+from pyworm.kernels import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
 from pyworm.ladder import ALGEBRA_SHARE, Ladder, Rung, lead, settle
 from pyworm.line.grid import LineGrid
 from pyworm.line.scene import LineScene
+from pyworm.memory import shortage
 from pyworm.past import Earlier
 from pyworm.planning import Plan, first_grids_of
 from pyworm.scene import Array, Scene
@@ -105,8 +107,8 @@ class History:
 
     Attributes
     ----------
-    storage : Change
-        How what the film stores changes at present.
+    storage : Change or None
+        How what the film stores changes at present; None where that was not found.
     rung : Rung
         The film that changes so, on the plan's first grid of the figures.
     errors : dict
@@ -115,10 +117,14 @@ class History:
         Why none of it is to be trusted.
     """
 
-    storage: Change
+    storage: Change | None
     rung: Rung
     errors: dict[str, float]
     flaw: str | None
+
+
+class LostError(Exception):
+    """A film on the way was not found; the message says which, and why if that is known."""
 
 
 def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History:
@@ -135,23 +141,33 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     """
     rung, _ = climb(scene, plan).enter(plan.grids)
     readings: list[Reading] = []
+    storage = flaw = None
+    errors = dict.fromkeys(rung.read().figures, inf)
     for level in range(len(INSTANTS)):
-        storage, flaw = _march(scene, plan, climb, level)
+        try:
+            storage = _march(scene, plan, climb, level)
+        except LostError as lost:
+            flaw = str(lost)
+            break
         ladder = climb(scene, plan, storage)
         rung = ladder.follow((rung,), 0.0)
         # at least two steps: a march that changes little leaves less than the tolerance, but not nothing
         settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
         readings.append(settled.reading)
         errors = grid_errors(readings, ladder.convergence.orders)
-        if flaw or plan.aim.worst(errors, readings[-1].figures) <= SHARE * plan.accuracy:
+        left = plan.aim.worst(errors, settled.reading.figures)
+        if left <= SHARE * plan.accuracy:
             break
+    else:
+        if not left <= plan.accuracy:  # finer grids of the present film would not mend that
+            flaw = f"the march through the contact's past leaves an error of {left:.1%}"
     return History(storage, rung, errors, flaw)
 
 
 def _march(
     scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], level: int
-) -> tuple[Change, str | None]:
-    """How a film changes at present, with grids and steps halved at each level; its flaw, if any."""
+) -> Change:
+    """How a film changes at present, with grids and steps halved at each level; else LostError."""
     transit = sketch(scene).transit
     span = min(TRANSITS * transit, scene.past.seconds)
     steps = max(LEAST, round(INSTANTS[level] * span / (TRANSITS * transit)))
@@ -160,26 +176,34 @@ def _march(
     tolerances = TOLERANCE * shortest, WARMING * shortest
     moments = [Earlier(0.0, scene), *scene.past.back(times[1:])]
     nest = _nest(moments, plan, level)
+    short = shortage(nest[-1], plan.model)
+    if short is not None:
+        raise LostError(short)
     films: list[Instant] = []
     rungs: list[Rung] = []
-    flaw = None
     for moment in reversed(moments):
         ladder = climb(moment.contact, plan, _backwards(moment, films))
-        if rungs:
-            rung = ladder.follow(rungs, _onward(films, moment))
-            lead(rung, *tolerances)
-        if not rungs or not rung.film.balance.worst <= LOST:
-            # steady at first: on the way to these grids nothing is known of what the film held
-            rung, _ = climb(moment.contact, plan).enter(nest)
+        where = f"the film of {moment.seconds:.2g} s before, which it comes from, was not found"
+        try:
             if rungs:
-                rung = ladder.follow((rung,), 0.0)
-            lead(rung, *tolerances)
+                rung = ladder.follow(rungs, _onward(films, moment))
+                lead(rung, *tolerances)
+            if not rungs or not rung.film.balance.worst <= LOST:
+                # steady at first: on the way to these grids nothing is known of what the film held
+                rung, _ = climb(moment.contact, plan).enter(nest)
+                if rungs:
+                    rung = ladder.follow((rung,), 0.0)
+                lead(rung, *tolerances)
+        except KernelError as error:
+            if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
+                raise
+            raise LostError(f"{where}: {error}") from error
         if not rung.film.balance.worst <= LOST:
-            flaw = f"the film was not found at {moment.contact.name}, through which it came"
+            raise LostError(where)
         rungs = [rung, *rungs[:1]]
         films = [_instant(moment, rung), *films[:ORDER]]
     weights = _rate([film.seconds for film in films])
-    return Change(0.0, tuple(zip(weights, films, strict=True))), flaw
+    return Change(0.0, tuple(zip(weights, films, strict=True)))
 
 
 def _backwards(moment: Earlier, films: Sequence[Instant]) -> Change | None:

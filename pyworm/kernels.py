@@ -27,6 +27,7 @@ _MESSAGES = {
     7: "it was interrupted",
 }
 
+NO_SENSE = 1
 NOT_FINITE = 2
 NOT_CONVERGED = 4
 NO_DESCENT = 5

@@ -74,6 +74,14 @@ def test_oil_carries_its_film_through_the_contact(kind):
     )
 
 
+def test_a_past_whose_film_is_not_found_says_so():
+    """Oil before the inlet alone carries more than so little."""
+    past = Past(AGES, lambda back: Earlier(back, as_line(replace(ball(), load=50e-6))))
+    marched = solved(replace(as_line(ball()), past=past), "isothermal,squeeze")
+    assert not marched.converged and "which it comes from, was not found" in marched.stop_reason
+    assert marched.figures.film_min.error == np.inf
+
+
 def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
     """Rigid flanks z(x, y, t) that move with u, v, w: dz/dt = w - u dz/dx - v dz/dy."""
     drive = pyworm.load("cases/zi_drive.toml").drive
