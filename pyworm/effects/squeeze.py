@@ -7,6 +7,7 @@ from pyworm.effects.bodies import SPEED_POWER, departure
 from pyworm.effects.effect import Contact, Effect, Influence
 from pyworm.effects.sketch import Sketch
 from pyworm.effects.sketch import sketch as sketch_of
+from pyworm.lent import lent
 from pyworm.line.scene import LineScene
 from pyworm.scales import scales
 
@@ -25,7 +26,7 @@ def spread(sketch: Sketch) -> float:
     passed = sketch.speed * sketch.age
     if isinstance(sketch.scene, LineScene):
         return abs(sketch.half_width - then.half_width) / passed
-    size, was = scales(sketch.scene), scales(then.scene)
+    size, was = scales(lent(sketch.scene)), scales(lent(then.scene))
     a_x, a_y = size.hertz.semi_axis_x, size.hertz.semi_axis_y
     gained = abs(a_x - was.hertz.semi_axis_x) * a_y + abs(a_y - was.hertz.semi_axis_y) * a_x
     return gained / (passed * (abs(cos(size.angle)) * a_y + abs(sin(size.angle)) * a_x))
