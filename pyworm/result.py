@@ -14,6 +14,7 @@ Attributes that are not numbers or plain text (case, provenance, solution) are J
 
 import json
 import os
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
@@ -21,6 +22,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 
 import numpy as np
 import xarray as xr
+from xarray.backends import NetCDF4DataStore
 
 from pyworm.output import whole_file
 from pyworm.solution import Solution
@@ -64,13 +66,7 @@ class Result:
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
         path = Path(path)
-        tree = xr.DataTree.from_dict(_groups(self))
-        encoding = {
-            group.path: {name: _storage(data.values) for name, data in group.data_vars.items()}
-            for group in tree.subtree
-        }
-        # made in memory: of a full disk the library says no more than that something went wrong
-        content = tree.to_netcdf(None, engine="netcdf4", encoding=encoding)
+        content = _as_netcdf(_groups(self))
         with whole_file(path) as partial:
             partial.write_bytes(content)
         return path
@@ -90,31 +86,43 @@ def open_result(path: str | os.PathLike) -> Result:
     if not path.is_file():
         raise FileNotFoundError(f"there is no result file at {path}")
     try:
-        # Times are numbers of seconds here, not dates to be decoded.
-        tree = xr.load_datatree(path, engine="netcdf4", decode_times=False)
+        groups = _load(path)
     except Exception as error:  # whatever a damaged file makes the library stumble over
         raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
-    if tree.attrs.get("format") != FORMAT:
+    said = groups["/"].attrs
+    if said.get("format") != FORMAT:
         raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
-    version = tree.attrs.get("format_version")
+    version = said.get("format_version")
     if version != FORMAT_VERSION:
         raise ValueError(
             f"{path} has result format {version}; this version of pyworm reads format {FORMAT_VERSION}"
         )
     try:
-        return _read(tree)
+        return _read(groups)
     except Exception as error:  # whatever is missing or of another kind
         raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
 
 
-def _read(tree: xr.DataTree) -> Result:
-    scenes = [tree[name] for name in sorted(tree.children) if name.startswith("scene_")]
+def _load(path: Path) -> dict[str, xr.Dataset]:
+    """All groups by their paths."""
+    # Times are numbers of seconds here, not dates to be decoded.
+    groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
+    try:
+        return {name: group.load() for name, group in groups.items()}
+    finally:
+        for group in groups.values():
+            group.close()
+
+
+def _read(groups: dict[str, xr.Dataset]) -> Result:
+    said = groups["/"].attrs
+    scenes = sorted(name for name in groups if re.fullmatch(r"/scene_\d+", name))
     return Result(
-        case_name=tree.attrs["case_name"],
-        case=json.loads(tree.attrs["case"]),
-        solutions=tuple(_read_solution(scene) for scene in scenes),
-        mesh_cycle=tree["mesh_cycle"].to_dataset() if "mesh_cycle" in tree.children else None,
-        provenance=json.loads(tree.attrs["provenance"]),
+        case_name=said["case_name"],
+        case=json.loads(said["case"]),
+        solutions=tuple(_read_solution(groups, scene) for scene in scenes),
+        mesh_cycle=groups.get("/mesh_cycle"),
+        provenance=json.loads(said["provenance"]),
     )
 
 
@@ -179,6 +187,21 @@ def _to_json(value: Any) -> str:
     return json.dumps(value, default=lambda item: item.tolist())
 
 
+def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
+    """The content of a file of these groups.
+
+    Made in memory: of a full disk the library says no more than that something went wrong. Not as xarray's
+    tree, whose nodes know each other and outlive their use.
+    """
+    from netCDF4 import Dataset
+
+    file = Dataset("result", "w", memory=0)
+    for name, group in groups.items():
+        encoding = {of: _storage(data.values) for of, data in group.data_vars.items()}
+        group.dump_to_store(NetCDF4DataStore(file.createGroup(name)), encoding=encoding)
+    return file.close()
+
+
 def _storage(values: np.ndarray) -> dict[str, Any]:
     """How values are kept: of those that do not repeat, compression saves a tenth for most of the time."""
     if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
@@ -186,9 +209,13 @@ def _storage(values: np.ndarray) -> dict[str, Any]:
     return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}
 
 
-def _read_solution(scene: xr.DataTree) -> Solution:
-    datasets = {name: group.to_dataset() for name, group in scene.children.items()}
-    return _rebuild(Solution, json.loads(scene.attrs["solution"]) | datasets)
+def _read_solution(groups: dict[str, xr.Dataset], scene: str) -> Solution:
+    datasets = {
+        part: groups[f"{scene}/{part}"]
+        for part in ("fields", "history", "profile")
+        if f"{scene}/{part}" in groups
+    }
+    return _rebuild(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
 
 
 def _rebuild(kind: Any, value: Any) -> Any:
