@@ -1,5 +1,7 @@
 """A result on disk: what is read is what was written, and other files are refused."""
 
+import gc
+import weakref
 from dataclasses import replace
 
 import netCDF4
@@ -149,6 +151,21 @@ def test_file_explains_itself(saved):
             for name, variable in file[group].variables.items():
                 assert variable.units, name
                 assert variable.long_name, name
+
+
+def test_nothing_keeps_a_result_that_was_read_and_saved(saved):
+    """Not even until garbage is collected: what goes through many results would need memory for several."""
+    gc.collect()
+    gc.disable()
+    try:
+        read = open_result(saved)
+        read.save(saved)
+        pressure = weakref.ref(read.solutions[0].fields["pressure"].values)
+        assert pressure() is not None
+        del read
+        assert pressure() is None
+    finally:
+        gc.enable()
 
 
 def test_saving_over_a_result_leaves_only_the_new_one(result, saved):
