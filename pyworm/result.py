@@ -116,7 +116,8 @@ def _load(path: Path) -> dict[str, xr.Dataset]:
 
 def _read(groups: dict[str, xr.Dataset]) -> Result:
     said = groups["/"].attrs
-    scenes = sorted(name for name in groups if re.fullmatch(r"/scene_\d+", name))
+    scenes = [name for name in groups if re.fullmatch(r"/scene_\d+", name)]
+    scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
         case_name=said["case_name"],
         case=json.loads(said["case"]),
