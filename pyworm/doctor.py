@@ -18,8 +18,7 @@ PACKAGES = (
     "pydantic",
     "pint",
     "xarray",
-    "h5netcdf",
-    "h5py",
+    "netCDF4",
     "matplotlib",
     "rich",
 )

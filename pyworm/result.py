@@ -14,21 +14,24 @@ Attributes that are not numbers or plain text (case, provenance, solution) are J
 
 import json
 import os
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass
-from io import BytesIO
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
-import h5py
+import numpy as np
 import xarray as xr
+from xarray.backends import NetCDF4DataStore
 
-from pyworm.netcdf import read_attributes, read_dataset, write_attributes, write_dataset
 from pyworm.output import whole_file
 from pyworm.solution import Solution
 
 FORMAT = "pyworm result"
 FORMAT_VERSION = 4
+
+_WORTH, _REPEATED = 1000, 0.1
+"""Least size of values that are compressed, and least share of them that repeat their neighbours."""
 
 
 @dataclass(frozen=True)
@@ -63,14 +66,9 @@ class Result:
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
         path = Path(path)
-        # made in memory: where the disk is full the library closes its file again and again, and says so
-        content = BytesIO()
-        with h5py.File(content, "w", track_order=True) as file:
-            write_attributes(file, _about(self))
-            for name, dataset in _groups(self).items():
-                write_dataset(file.create_group(name, track_order=True), dataset)
+        content = _as_netcdf(_groups(self))
         with whole_file(path) as partial:
-            partial.write_bytes(content.getbuffer())
+            partial.write_bytes(content)
         return path
 
 
@@ -88,32 +86,43 @@ def open_result(path: str | os.PathLike) -> Result:
     if not path.is_file():
         raise FileNotFoundError(f"there is no result file at {path}")
     try:
-        file = h5py.File(path)
-    except OSError as error:
+        groups = _load(path)
+    except Exception as error:  # whatever a damaged file makes the library stumble over
         raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
-    with file:
-        said = read_attributes(file)
-        if said.get("format") != FORMAT:
-            raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
-        version = said.get("format_version")
-        if version != FORMAT_VERSION:
-            raise ValueError(
-                f"{path} has result format {version}; "
-                f"this version of pyworm reads format {FORMAT_VERSION}"
-            )
-        try:
-            return _read(file, said)
-        except Exception as error:  # whatever a damaged file makes the library stumble over
-            raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
+    said = groups["/"].attrs
+    if said.get("format") != FORMAT:
+        raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
+    version = said.get("format_version")
+    if version != FORMAT_VERSION:
+        raise ValueError(
+            f"{path} has result format {version}; this version of pyworm reads format {FORMAT_VERSION}"
+        )
+    try:
+        return _read(groups)
+    except Exception as error:  # whatever is missing or of another kind
+        raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
 
 
-def _read(file: h5py.File, said: dict) -> Result:
-    scenes = [file[name] for name in sorted(file) if name.startswith("scene_")]
+def _load(path: Path) -> dict[str, xr.Dataset]:
+    """All groups by their paths."""
+    # Times are numbers of seconds here, not dates to be decoded.
+    groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
+    try:
+        return {name: group.load() for name, group in groups.items()}
+    finally:
+        for group in groups.values():
+            group.close()
+
+
+def _read(groups: dict[str, xr.Dataset]) -> Result:
+    said = groups["/"].attrs
+    scenes = [name for name in groups if re.fullmatch(r"/scene_\d+", name)]
+    scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
         case_name=said["case_name"],
         case=json.loads(said["case"]),
-        solutions=tuple(_read_solution(scene) for scene in scenes),
-        mesh_cycle=read_dataset(file["mesh_cycle"]) if "mesh_cycle" in file else None,
+        solutions=tuple(_read_solution(groups, scene) for scene in scenes),
+        mesh_cycle=groups.get("/mesh_cycle"),
         provenance=json.loads(said["provenance"]),
     )
 
@@ -121,25 +130,22 @@ def _read(file: h5py.File, said: dict) -> Result:
 def case_in(path: Path) -> dict | None:
     """The case of a results file, without reading what came out; None if there is no such file."""
     try:
-        with h5py.File(path) as file:
-            known = file.attrs.get("format") == FORMAT
-            return json.loads(file.attrs["case"]) if known else None
+        with xr.open_dataset(path, engine="netcdf4") as root:
+            known = root.attrs.get("format") == FORMAT
+            return json.loads(root.attrs["case"]) if known else None
     except OSError:
         return None
 
 
-def _about(result: Result) -> dict[str, Any]:
-    return {
+def _groups(result: Result) -> dict[str, xr.Dataset]:
+    about = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
         "case_name": result.case_name,
         "case": _to_json(result.case),
         "provenance": _to_json(result.provenance),
     }
-
-
-def _groups(result: Result) -> dict[str, xr.Dataset]:
-    groups = {}
+    groups = {"/": xr.Dataset(attrs=about)}
     if result.mesh_cycle is not None:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
@@ -182,9 +188,35 @@ def _to_json(value: Any) -> str:
     return json.dumps(value, default=lambda item: item.tolist())
 
 
-def _read_solution(scene: h5py.Group) -> Solution:
-    datasets = {name: read_dataset(group) for name, group in scene.items()}
-    return _rebuild(Solution, json.loads(scene.attrs["solution"]) | datasets)
+def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
+    """The content of a file of these groups.
+
+    Made in memory: of a full disk the library says no more than that something went wrong. Not as xarray's
+    tree, whose nodes know each other and outlive their use.
+    """
+    from netCDF4 import Dataset
+
+    file = Dataset("result", "w", memory=0)
+    for name, group in groups.items():
+        encoding = {of: _storage(data.values) for of, data in group.data_vars.items()}
+        group.dump_to_store(NetCDF4DataStore(file.createGroup(name)), encoding=encoding)
+    return file.close()
+
+
+def _storage(values: np.ndarray) -> dict[str, Any]:
+    """How values are kept: of those that do not repeat, compression saves a tenth for most of the time."""
+    if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
+        return {}
+    return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}
+
+
+def _read_solution(groups: dict[str, xr.Dataset], scene: str) -> Solution:
+    datasets = {
+        part: groups[f"{scene}/{part}"]
+        for part in ("fields", "history", "profile")
+        if f"{scene}/{part}" in groups
+    }
+    return _rebuild(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
 
 
 def _rebuild(kind: Any, value: Any) -> Any:

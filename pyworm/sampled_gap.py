@@ -242,7 +242,7 @@ def _read_netcdf(path: Path) -> SampledGap:
     import xarray as xr
 
     try:
-        with xr.open_dataset(path, engine="h5netcdf") as file:
+        with xr.open_dataset(path, engine="netcdf4") as file:
             _require_readable(max((array.size for array in file.variables.values()), default=0))
             file.load()
     except Exception as error:

@@ -64,8 +64,9 @@ class SweepResult:
             "axes": json.dumps(self.axes),
             "provenance": json.dumps(self.provenance, default=str),  # TOML has dates
         }
+        content = self.table.assign_attrs(attributes).to_netcdf(None, engine="netcdf4")
         with whole_file(path) as partial:
-            self.table.assign_attrs(attributes).to_netcdf(partial, engine="h5netcdf")
+            partial.write_bytes(content)
         return path
 
     def save_csv(self, path: str | os.PathLike) -> Path:
@@ -92,7 +93,7 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
         It is one of another format version.
     """
     try:
-        table = xr.load_dataset(path, engine="h5netcdf", decode_times=False)
+        table = xr.load_dataset(path, engine="netcdf4", decode_times=False)
     except OSError:
         return None
     attributes, table.attrs = table.attrs, {}

@@ -321,7 +321,7 @@ def test_npz_and_netcdf_hold_the_same_gap(tmp_path):
     np.savez(tmp_path / "a.npz", gap=values, dx=x[1] - x[0], dy=y[1] - y[0], x0=x[0], y0=y[0])
     np.savez(tmp_path / "b.npz", gap=values, dx=x[1] - x[0], dy=y[1] - y[0])
     dataset = xr.Dataset({"gap": (("x", "y"), values.T)}, coords={"x": x, "y": y})
-    dataset.to_netcdf(tmp_path / "c.nc", engine="h5netcdf")
+    dataset.to_netcdf(tmp_path / "c.nc", engine="netcdf4")
     for name in ("a.npz", "b.npz", "c.nc"):
         gap = read_gap(tmp_path / name)
         assert gap.x == pytest.approx(x)
@@ -362,8 +362,6 @@ def test_a_gap_that_does_not_open_is_refused():
 
 
 def test_a_netcdf_gap_needs_its_coordinates(tmp_path):
-    xr.Dataset({"gap": (("y", "x"), crowned()[2])}).to_netcdf(
-        tmp_path / "gap.nc", engine="h5netcdf"
-    )
+    xr.Dataset({"gap": (("y", "x"), crowned()[2])}).to_netcdf(tmp_path / "gap.nc", engine="netcdf4")
     with pytest.raises(ValueError, match="x is missing"):
         read_gap(tmp_path / "gap.nc")
