@@ -358,3 +358,11 @@ def test_squeeze_is_simulated_where_it_is_named():
     ):
         with pytest.raises(ValueError, match=f"effects = {effects}: {why}"):
             pyworm.plan(scene, 0.05, effects)
+
+
+def test_surfaces_that_entrain_nothing_may_have_a_past():
+    """Opposite sliding: heat alone carries the film."""
+    against = (1.5, 0.0), (-1.5, 0.0)
+    scene = point("ball", (0.01, 0.01), 40.0, against, (STEEL, STEEL), mineral(0.04, 2e-8))
+    moving = replace(scene, past=Past(1.0, lambda seconds: Earlier(seconds, scene)))
+    assert judged(pyworm.plan(moving, 0.05))["squeeze"].indicator == 0
