@@ -93,7 +93,7 @@ def _parser() -> argparse.ArgumentParser:
     how.add_argument("--accuracy", help='relative error wanted, such as "1%%"; else the case\'s')
     how.add_argument(
         "--effects",
-        help="auto, all, isothermal, or names of effects with commas between; auto,squeeze; else the case's",
+        help="auto, auto,squeeze, all, isothermal, or names of effects with commas between; else the case's",
     )
     case = argparse.ArgumentParser(add_help=False)
     case.add_argument("case", type=Path, metavar="CASE.toml")
