@@ -14,7 +14,7 @@ from math import cos, inf, isfinite, sin
 import numpy as np
 from scipy.interpolate import CubicSpline, RectBivariateSpline
 
-from pyworm.accuracy import Reading, grid_errors
+from pyworm.accuracy import Reading, change, grid_errors
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.grid import Grid, coarsened
 from pyworm.kernels import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
@@ -27,8 +27,9 @@ from pyworm.planning import Plan, first_grids_of
 from pyworm.scene import Array, Scene
 from pyworm.work import INSTANTS
 
-TRANSITS = 2.0
-"""How far back films are marched from, in the time that oil takes to pass through the contact's middle."""
+TRANSITS, FARTHER = 2.0, 3.0
+"""How far back films are marched from, in the time that oil takes to pass through the contact's middle, and
+from where they are once more to see what that leaves."""
 
 LEAST = 4
 """Least steps of time in a shorter past."""
@@ -112,7 +113,7 @@ class History:
     rung : Rung
         The film that changes so, on the plan's first grid of the figures.
     errors : dict
-        Relative error of its figures by the grids and the steps of the march.
+        Relative error of its figures by the grids, the steps and the start of the march.
     flaw : str or None
         Why none of it is to be trusted.
     """
@@ -139,38 +140,59 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     climb : callable
         The climb of this kind of contact: scene, plan, storage -> `ladder.Ladder`.
     """
-    rung, _ = climb(scene, plan).enter(plan.grids)
+    ladder = climb(scene, plan)
+    rung, _ = ladder.enter(plan.grids)
+    errors = dict.fromkeys(rung.read().figures, inf)
     readings: list[Reading] = []
     storage = flaw = None
-    errors = dict.fromkeys(rung.read().figures, inf)
-    for level in range(len(INSTANTS)):
-        try:
-            storage = _march(scene, plan, climb, level)
-        except LostError as lost:
-            flaw = str(lost)
-            break
-        ladder = climb(scene, plan, storage)
-        rung = ladder.follow((rung,), 0.0)
-        # at least two steps: a march that changes little leaves less than the tolerance, but not nothing
-        settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
-        readings.append(settled.reading)
-        errors = grid_errors(readings, ladder.convergence.orders)
-        left = plan.aim.worst(errors, settled.reading.figures)
-        if left <= SHARE * plan.accuracy:
-            break
-    else:
+    try:
+        changed = _march(scene, plan, climb, 0, FARTHER)
+        rung, from_farther = _changing(scene, plan, climb, changed, rung)
+        for level in range(len(INSTANTS)):
+            storage = _march(scene, plan, climb, level, TRANSITS)
+            rung, now = _changing(scene, plan, climb, storage, rung)
+            readings.append(now)
+            errors = grid_errors(readings, ladder.convergence.orders)
+            if plan.aim.worst(errors, now.figures) <= SHARE * plan.accuracy:
+                break
+        start = change(from_farther, readings[0])
+        errors = {name: error + start[name] for name, error in errors.items()}
+        left = plan.aim.worst(errors, now.figures)
         if not left <= plan.accuracy:  # finer grids of the present film would not mend that
             flaw = f"the march through the contact's past leaves an error of {left:.1%}"
+    except LostError as lost:
+        flaw = str(lost)
+        errors = dict.fromkeys(errors, inf)
     return History(storage, rung, errors, flaw)
 
 
+def _changing(
+    scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], storage: Change, rung: Rung
+) -> tuple[Rung, Reading]:
+    """The film that changes so, on the grid of a rung and from its film, and its figures."""
+    rung = climb(scene, plan, storage).follow((rung,), 0.0)
+    # at least two steps: a march that changes little leaves less than the tolerance, but not nothing
+    settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+    return rung, settled.reading
+
+
 def _march(
-    scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], level: int
+    scene: Scene | LineScene,
+    plan: Plan,
+    climb: Callable[..., Ladder],
+    level: int,
+    transits: float,
 ) -> Change:
-    """How a film changes at present, with grids and steps halved at each level; else LostError."""
+    """How a film changes at present, marched from some transits before, as finely as its level says.
+
+    Raises LostError.
+    """
     transit = sketch(scene).transit
-    span = min(TRANSITS * transit, scene.past.seconds)
-    steps = max(LEAST, round(INSTANTS[level] * span / (TRANSITS * transit)))
+    span = min(transits * transit, scene.past.seconds)
+    finer = (span / (TRANSITS * transit)) ** (
+        1 / SHORTENING
+    )  # which leaves the shortest step as it is
+    steps = max(LEAST, round(INSTANTS[level] * finer))
     times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
     shortest = times[1] / transit
     tolerances = TOLERANCE * shortest, WARMING * shortest
