@@ -3,8 +3,8 @@
 Reynolds' equation has d(rho h)/dt. Oil that is under pressure now came to the contact some time ago, when
 load, curvature and edges were others, and the film is what it was there then: it has to be marched through
 the past, as far back as oil stays. What a march tells is the rate of change at present, which films on all
-grids of the figures then take. A march on grids of half the spacing and in half the steps of time shows how
-good that is.
+grids of the figures then take. A march from farther back, on grids of half the spacing and in shorter steps of
+time, shows how good that is.
 """
 
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ from math import cos, inf, isfinite, sin
 import numpy as np
 from scipy.interpolate import CubicSpline, RectBivariateSpline
 
-from pyworm.accuracy import Reading, change, grid_errors
+from pyworm.accuracy import Reading, grid_errors
 from pyworm.effects.sketch import Sketch, sketch
 from pyworm.grid import Grid, coarsened
 from pyworm.kernels import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
@@ -27,9 +27,9 @@ from pyworm.planning import Plan, first_grids_of
 from pyworm.scene import Array, Scene
 from pyworm.work import INSTANTS
 
-TRANSITS, FARTHER = 2.0, 3.0
-"""How far back films are marched from, in the time that oil takes to pass through the contact's middle, and
-from where they are once more to see what that leaves."""
+TRANSITS = 1.5, 2.0, 2.7
+"""How far back films are marched from at each level, in the time that oil takes to pass through the contact's
+middle."""
 
 LEAST = 4
 """Least steps of time in a shorter past."""
@@ -146,18 +146,14 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
     readings: list[Reading] = []
     storage = flaw = None
     try:
-        changed = _march(scene, plan, climb, 0, FARTHER)
-        rung, from_farther = _changing(scene, plan, climb, changed, rung)
         for level in range(len(INSTANTS)):
-            storage = _march(scene, plan, climb, level, TRANSITS)
+            storage = _march(scene, plan, climb, level)
             rung, now = _changing(scene, plan, climb, storage, rung)
             readings.append(now)
             errors = grid_errors(readings, ladder.convergence.orders)
-            if plan.aim.worst(errors, now.figures) <= SHARE * plan.accuracy:
+            left = plan.aim.worst(errors, now.figures)
+            if left <= SHARE * plan.accuracy:
                 break
-        start = change(from_farther, readings[0])
-        errors = {name: error + start[name] for name, error in errors.items()}
-        left = plan.aim.worst(errors, now.figures)
         if not left <= plan.accuracy:  # finer grids of the present film would not mend that
             flaw = f"the march through the contact's past leaves an error of {left:.1%}"
     except LostError as lost:
@@ -177,22 +173,13 @@ def _changing(
 
 
 def _march(
-    scene: Scene | LineScene,
-    plan: Plan,
-    climb: Callable[..., Ladder],
-    level: int,
-    transits: float,
+    scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], level: int
 ) -> Change:
-    """How a film changes at present, marched from some transits before, as finely as its level says.
-
-    Raises LostError.
-    """
+    """How a film changes at present, from as far back and as finely as the level says; else LostError."""
     transit = sketch(scene).transit
-    span = min(transits * transit, scene.past.seconds)
-    finer = (span / (TRANSITS * transit)) ** (
-        1 / SHORTENING
-    )  # which leaves the shortest step as it is
-    steps = max(LEAST, round(INSTANTS[level] * finer))
+    whole = TRANSITS[level] * transit
+    span = min(whole, scene.past.seconds)
+    steps = max(LEAST, round(INSTANTS[level] * (span / whole) ** (1 / SHORTENING)))
     times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
     shortest = times[1] / transit
     tolerances = TOLERANCE * shortest, WARMING * shortest

@@ -68,7 +68,7 @@ THICKENING, THICKENING_POWER = 10.0, 0.7
 STIFF, STIFF_POWER = 15.0, 2.5
 """The same for the steps of a film that warms."""
 
-INSTANTS = (12, 24, 48)
+INSTANTS = (10, 24, 58)
 """Steps of time in the first march of a film in motion, and in those on finer grids (`pyworm.history`)."""
 
 MARCHED_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
