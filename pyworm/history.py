@@ -3,8 +3,8 @@
 Reynolds' equation has d(rho h)/dt. Oil that is under pressure now came to the contact some time ago, when
 load, curvature and edges were others, and the film is what it was there then: it has to be marched through
 the past, as far back as oil stays. What a march tells is the rate of change at present, which films on all
-grids of the figures then take. A march from farther back, on grids of half the spacing and in shorter steps of
-time, shows how good that is.
+grids of the figures then take. A march from farther back, on grids of half the spacing and in shorter steps
+of time, shows how good that is.
 """
 
 from collections.abc import Callable, Sequence
