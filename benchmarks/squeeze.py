@@ -1,6 +1,6 @@
 """What squeeze does to a drive's films: as plans tell it, and found by marching films through their past.
 
-Loads are shared dry. Run from the repository's root (it takes six minutes):
+Loads are shared dry. Run from the repository's root (it takes eleven minutes):
 
     python benchmarks/squeeze.py [CASE] [--phase PHASE ...] [--accuracy 0.05] [--effects auto]
 """

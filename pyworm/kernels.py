@@ -158,10 +158,9 @@ class Balance:
 
     def within(self, tolerance: float, warming: float | None = None) -> bool:
         """Whether all of them are within a tolerance, or warming within its own."""
-        cold = replace(self, warming=0.0)
-        return (self if warming is None else cold).worst <= tolerance and (
-            warming is None or self.warming <= warming
-        )
+        if warming is None:
+            return self.worst <= tolerance
+        return self.warming <= warming and replace(self, warming=0.0).worst <= tolerance
 
 
 @dataclass(frozen=True)

@@ -100,9 +100,7 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
             on |= groups[name]
         elif name in whole:
             on |= {name, *SIMULATED[name].together}
-        elif (
-            name not in ONLY_NAMED
-        ):  # of a drive's contacts one may lack these, as where its cycle begins
+        elif name not in ONLY_NAMED:  # a drive lacks these where its cycle begins
             raise ValueError(f"effects = {text}: {name}: {SIMULATED[name].lacking(scene)}")
     return frozenset(on & whole)
 

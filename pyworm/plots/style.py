@@ -372,7 +372,7 @@ def draw_largest_temperatures(
 
 def write(figure: Figure, path: Path) -> Path:
     """Write a picture to a file; returns that."""
-    # little compressed, a PNG takes a third of the time and hardly more room
+    # little compressed, a PNG takes less time and some more room
     options = {"pil_kwargs": {"compress_level": 1}} if path.suffix == ".png" else {}
     figure.savefig(path, dpi=DOTS_PER_INCH, **options)
     return path

@@ -24,7 +24,10 @@ def ball(speed):
 
 
 def film_of(scene, grid, store=None):
-    rung = climb.first_rung(scene, scene, scales(scene), grid)
+    return storing(climb.first_rung(scene, scene, scales(scene), grid), store)
+
+
+def storing(rung, store):
     if store is not None:
         rung.film.store(*store)
         rung.film.restart()
@@ -54,13 +57,7 @@ def test_a_film_in_axes_that_it_moves_through_is_that_of_its_own():
 
 
 def line_of(scene, grid, store=None):
-    rung = first_rung(scene, line_scales(scene), grid, line_scales(scene).film)
-    if store is not None:
-        rung.film.store(*store)
-        rung.film.restart()
-    lead(rung, 1e-8)
-    assert rung.film.balance.worst <= 1e-8
-    return rung
+    return storing(first_rung(scene, line_scales(scene), grid, line_scales(scene).film), store)
 
 
 def test_so_is_that_of_a_line_contact():
