@@ -20,7 +20,7 @@ help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test     run the Fortran and the Python tests"
-	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one of them)"
+	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
 	@echo "make lint     run the linters"
 	@echo "make clean    remove the virtual environment and all that was built (results stay)"
@@ -48,7 +48,7 @@ test-python: $(INSTALLED)
 	python -m pytest -n 2 --dist loadfile
 
 hard: $(INSTALLED)
-	python tests/hard $(SCENE)
+	python tests/hard $(SCENE) $(if $(SEED),--seed $(SEED))
 
 $(DOCS): $(INSTALLED)
 	python -m pip install --quiet --disable-pip-version-check --no-build-isolation --editable ".[docs]"

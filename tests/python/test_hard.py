@@ -1,5 +1,8 @@
 """A quick part of the suite of hard scenes (tests/hard): seeded draws, and the closest looks at stability."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +10,8 @@ import pytest
 import stability
 from draws import DRAWS, HOT_LIMITS, HOT_RANGES, LIMITS, RANGES
 from named import ISOTHERMAL, REFUSED
-from trial import trial, verdict
+from promise import COUNTS, complaints
+from trial import Verdict, trial, verdict
 
 import pyworm
 from pyworm import climb, kernels
@@ -39,6 +43,38 @@ def test_draws_depend_on_their_number_alone_and_keep_to_their_ranges(kind):
         assert low <= values.min() and values.max() <= high
         # two thirds of the decades are met even by these few
         assert np.log(values.max() / values.min()) > 0.6 * np.log(high / low)
+
+
+def came_to(outcome, number=0):
+    return Verdict(f"thermal:{number}", outcome, "a reason", 1.0, (9, 9), {})
+
+
+def test_only_the_default_seed_has_a_list_of_scenes_that_do_not_converge():
+    verdicts = [came_to("not converged", 10**6), came_to("broken")]
+    assert [said.split()[0] for said in complaints("thermal", verdicts)] == [
+        "thermal:0",
+        "thermal:1000000",
+    ]
+    assert complaints("thermal", verdicts, seed=7) == ["thermal:0 broke: a reason"]
+
+
+@pytest.mark.parametrize(("missed", "kept"), [(4, True), (5, False)])
+def test_the_promise_holds_for_any_seed(missed, kept):
+    whole = COUNTS["thermal"]
+    verdicts = [came_to("converged")] * (whole - missed) + [came_to("not converged")] * missed
+    assert (complaints("thermal", verdicts, seed=7) == []) == kept
+
+
+def test_results_of_seeds_are_kept_apart(tmp_path):
+    suite = Path(__file__).parents[1] / "hard"
+    told = {}
+    for seed in ("7", "8"):
+        command = [sys.executable, suite, "isothermal:3-3", "--seed", seed, "--out", tmp_path]
+        run = subprocess.run(command, capture_output=True, text=True, env=os.environ, check=True)
+        told[seed] = run.stdout
+        assert len(list((tmp_path / f"seed-{seed}" / "scenes").glob("*.json"))) == 1
+    rows = [next(row for row in out.splitlines() if "isothermal:3" in row) for out in told.values()]
+    assert rows[0] != rows[1]
 
 
 def test_a_grid_on_which_newton_is_lost_costs_only_itself():
