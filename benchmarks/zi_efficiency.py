@@ -18,8 +18,9 @@ GEAR = WormGear(
     starts=3,
     teeth=59,
     module=28.73e-3 / pi,
-    diameter_factor=7.66,  # makes the centre distance
+    diameter_factor=8.5,  # the reference cylinder one module below the tip
     face_width=60.33e-3,
+    profile_shift=-0.42,  # makes the centre distance
 )
 
 ROUGHNESS = (0.1e-6, 0.3e-6, 0.5e-6)

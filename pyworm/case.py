@@ -172,6 +172,13 @@ class Case:
 
         return case_drive(self.tables)
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is unusual in it, a sentence each, beginning with the key that says it."""
+        if self.drive is None:
+            return ()
+        return tuple(f"drive.{warning}" for warning in self.drive.warnings)
+
     def scene(
         self,
         phase: float | None = None,

@@ -196,6 +196,7 @@ def _run(options: argparse.Namespace) -> int:
     directory = options.out or Path("results") / case.name
     check_writable(directory)
     tasks = _tasks(case, options)
+    _warn(case)
 
     from rich.console import Console
 
@@ -226,6 +227,7 @@ def _run(options: argparse.Namespace) -> int:
                 "case": case.name,
                 "scenes": summaries,
                 "failed": failed,
+                "warnings": case.warnings,
                 **({} if cycle is None else {"cycle": cycle.summary()}),
                 "results": str(directory / RESULT_NAME),
                 "pictures": [str(directory / name) for name in pictures],
@@ -264,6 +266,7 @@ def _run(options: argparse.Namespace) -> int:
 def _check(options: argparse.Namespace) -> int:
     case = load(options.case)
     tasks = _tasks(case, options)
+    _warn(case)
 
     from rich.console import Console
 
@@ -283,7 +286,8 @@ def _check(options: argparse.Namespace) -> int:
             }
             for task, of in zip(tasks, expected, strict=True)
         ]
-        print_json({"case": case.name, "resolved": case.resolved, "scenes": scenes})
+        content = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
+        print_json(content | {"warnings": case.warnings})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
@@ -417,6 +421,12 @@ def _doctor(options: argparse.Namespace) -> int:
     from pyworm.doctor import examine
 
     return examine()
+
+
+def _warn(case: Case) -> None:
+    """Say what is unusual in a case."""
+    for warning in case.warnings:
+        _say(f"warning: {warning}")
 
 
 def _tasks(case: Case, options: argparse.Namespace) -> list:

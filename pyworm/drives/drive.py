@@ -9,7 +9,15 @@ from pyworm.scene import Scene
 
 
 class Drive(Protocol):
-    """A machine that makes contacts. It never solves them."""
+    """A machine that makes contacts. It never solves them.
+
+    Attributes
+    ----------
+    warnings : tuple of str
+        What is unusual in it and changes its contacts, a sentence each, beginning with a key of `[drive]`.
+    """
+
+    warnings: tuple[str, ...]
 
     def scene(self, phase: float) -> Scene | LineScene:
         """The lubricated contact at a phase of the mesh cycle, 0 to 1.

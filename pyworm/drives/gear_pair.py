@@ -9,7 +9,7 @@ drives, contact runs that way; where the gear drives (a speed increaser), it run
 from dataclasses import dataclass
 from functools import cached_property
 from math import cos, isfinite, sin
-from typing import Literal, get_args
+from typing import ClassVar, Literal, get_args
 
 import numpy as np
 import xarray as xr
@@ -147,6 +147,8 @@ class GearPairDrive:
     surfaces : Surfaces or None
         What the closed forms of friction and scuffing need beside; None if not known.
     """
+
+    warnings: ClassVar[tuple[str, ...]] = ()
 
     teeth: InvolutePair
     driver: Driver

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from math import degrees, pi
+from typing import ClassVar
 
 import numpy as np
 import xarray as xr
@@ -158,6 +159,8 @@ class RollerWormDrive:
     oil : Oil
         The oil.
     """
+
+    warnings: ClassVar[tuple[str, ...]] = ()
 
     worm: RollerWorm
     rollers: Rollers

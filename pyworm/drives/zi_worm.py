@@ -40,6 +40,10 @@ BASE_PITCH_MISMATCH = 0.01
 """Relative difference of normal base pitches above which worm and wheel cannot mesh in turn."""
 
 
+PITCH_TOLD = 5e-6
+"""Difference of normal base pitches [m] that is told: tables of four digits leave up to 3 um."""
+
+
 @dataclass(frozen=True)
 class Worm:
     """The worm's design table.
@@ -202,6 +206,27 @@ class ZiWormDrive:
         _check_table(self)
         _check_fit(self)
         self.cycle  # noqa: B018  a drive whose teeth do not touch is refused here
+
+    @property
+    def base_pitches(self) -> tuple[float, float]:
+        """Normal base pitches of the worm and of the hob, which is the wheel's [m]."""
+        screws = self.worm_flank, self.wheel_flank.hob
+        worm, hob = (2 * pi * screw.base_travel / self.worm.threads for screw in screws)
+        return worm, hob
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is unusual in the drive, a sentence each: a hob of another base pitch than the worm's."""
+        worm, hob = self.base_pitches
+        apart = hob - worm
+        if abs(apart) <= PITCH_TOLD:
+            return ()
+        return (
+            f"hob.lead and hob.base_radius give a normal base pitch of {hob * 1e3:.4f} mm, "
+            f"{abs(apart) * 1e6:.1f} um {'more' if apart > 0 else 'less'} than the worm's "
+            f"{worm * 1e3:.4f} mm: each tooth pair meets that far off its neighbours and carries most of the "
+            "load at one end of its mesh; equal base pitches, lead x cos(base_lead_angle), share it evenly",
+        )
 
     @property
     def ratio(self) -> float:
@@ -564,12 +589,11 @@ def _check_table(drive: ZiWormDrive) -> None:
             f"wheel.tip_radius is {drive.wheel.tip_radius * 1e3:.2f} mm; it must not be below "
             f"wheel.throat_radius, {drive.wheel.throat_radius * 1e3:.2f} mm"
         )
-    worm, hob = drive.worm_flank.base_travel, drive.wheel_flank.hob.base_travel
-    if abs(hob / worm - 1) > BASE_PITCH_MISMATCH:
-        pitches = [2e3 * pi * travel / drive.worm.threads for travel in (worm, hob)]
+    pitch, cut = drive.base_pitches
+    if abs(cut / pitch - 1) > BASE_PITCH_MISMATCH:
         raise ValueError(
-            f"hob.lead and hob.base_radius give a normal base pitch of {pitches[1]:.3f} mm, but the "
-            f"worm has {pitches[0]:.3f} mm; they must be equal to mesh"
+            f"hob.lead and hob.base_radius give a normal base pitch of {cut * 1e3:.3f} mm, but the "
+            f"worm has {pitch * 1e3:.3f} mm; they must be equal to mesh"
         )
 
 

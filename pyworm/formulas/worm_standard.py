@@ -7,7 +7,7 @@ units are used inside only.
 """
 
 from dataclasses import dataclass
-from math import atan, pi, sqrt, tan
+from math import atan, cos, pi, sqrt, tan
 from typing import Literal
 
 from pyworm.formulas.ranges import one_of, positive, within
@@ -39,6 +39,13 @@ _WEAR = {"mineral": (2.4e-11, -3.1, 400e-9), "PAG": (1.27e-10, -2.24, 400e-9)}
 
 REFERENCE_FILM = 0.07
 """h* of the reference gear, nominal."""
+
+STATIC_FRICTION = 0.13
+"""mu_0 at rest of steel on tin bronze; aluminium bronze has 0.15 and cast iron 0.18. From a public
+transcription of DIN 3996 (the worksheet on worm gears of MITCalc), not checked against its text."""
+
+ALLOWED_WEAR = 0.3
+"""Depth worn off the wheel's flanks over m_x cos gamma that the standard allows (the same transcription)."""
 
 _RPM = 30 / pi
 
@@ -101,6 +108,21 @@ class WormGear:
     def tan_lead(self) -> float:
         """Tangent of the lead angle gamma at the worm's reference cylinder, z1/q [-]."""
         return self.starts / self.diameter_factor
+
+    @property
+    def lead_angle(self) -> float:
+        """Lead angle gamma at the worm's reference cylinder [rad]."""
+        return atan(self.tan_lead)
+
+    @property
+    def tooth_thickness(self) -> float:
+        """Nominal normal thickness of the wheel's teeth, pi m_x cos(gamma)/2 [m]."""
+        return pi / 2 * self.module * cos(self.lead_angle)
+
+    @property
+    def wear_limit(self) -> float:
+        """Largest depth that may wear off the wheel's flanks, 0.3 m_x cos(gamma) [m]."""
+        return ALLOWED_WEAR * self.module * cos(self.lead_angle)
 
     @property
     def film_parameter(self) -> float:
@@ -283,6 +305,30 @@ def tooth_friction(
     return base * size * shape * material_factor * (roughness / 0.5e-6) ** 0.25
 
 
+def static_friction(
+    centre_distance: float, roughness: float, material_factor: float = 1.0
+) -> float:
+    """Coefficient of tooth friction at rest [-], mu_0 sqrt(Y_S) Y_W Y_R with `STATIC_FRICTION` as mu_0.
+
+    The factors are those of `tooth_friction`. Source as of `STATIC_FRICTION`. Checked: above the friction of
+    running teeth at every speed. Range: tin bronze.
+
+    Parameters
+    ----------
+    centre_distance : float
+        [m].
+    roughness : float
+        Mean roughness Ra of the worm's flanks [m].
+    material_factor : float
+        Y_W of the wheel's material [-].
+    """
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    within("roughness Ra", roughness, 1e-8, 1e-5, "m")
+    within("Y_W", material_factor, 0.5, 2, "")
+    size = (0.1 / centre_distance) ** 0.25
+    return STATIC_FRICTION * size * material_factor * (roughness / 0.5e-6) ** 0.25
+
+
 def forward_efficiency(tan_lead: float, friction: float) -> float:
     """Efficiency of the teeth with the worm driving [-], tan gamma/tan(gamma + atan mu)."""
     positive("tangent of the lead angle", tan_lead, "")
@@ -303,7 +349,8 @@ def backward_efficiency(tan_lead: float, friction: float) -> float:
 def self_locking_margin(tan_lead: float, friction: float) -> float:
     """mu/tan gamma [-]: above 1 the teeth hold the load at this friction, below 1 the wheel drives the worm.
 
-    Running friction is meant; shaking and the rise of the film can release teeth that lock at rest.
+    Friction is that of running teeth (`tooth_friction`) or that at rest (`static_friction`); shaking and the
+    rise of the film can release teeth that lock at rest.
     """
     positive("tangent of the lead angle", tan_lead, "")
     within("tooth friction", friction, 0, 0.5, "")
@@ -479,7 +526,9 @@ class WormRating:
     forward_efficiency, backward_efficiency : float
         Of the teeth [-]; backward zero or less where the wheel cannot drive.
     self_locking_margin : float
-        mu/tan gamma [-].
+        mu/tan gamma [-], running.
+    static_friction, static_locking_margin : float
+        mu and mu/tan gamma at rest [-].
     tooth_loss : float
         Power lost between the teeth, worm driving [W].
     bulk_temperature : float or None
@@ -488,6 +537,8 @@ class WormRating:
         S_H [-]; None without a strength and a life.
     wear_intensity, wear_depth : float or None
         J [-] and depth [m] in the life; None without a life or W_S, and with PAO.
+    wear_safety : float or None
+        S_W [-], `WormGear.wear_limit` over that depth; None likewise.
     temperature_safety : float or None
         S_T [-]; None without a limit.
     source : str
@@ -504,11 +555,14 @@ class WormRating:
     forward_efficiency: float
     backward_efficiency: float
     self_locking_margin: float
+    static_friction: float
+    static_locking_margin: float
     tooth_loss: float
     bulk_temperature: float | None
     pitting_safety: float | None
     wear_intensity: float | None
     wear_depth: float | None
+    wear_safety: float | None
     temperature_safety: float | None
     source: str = SOURCE
 
@@ -579,6 +633,8 @@ def rate_worm(
     pressure = mean_pressure(gear.pressure_parameter, torque, reduced_modulus, a)
     sliding = gear.sliding_speed(worm_speed)
     friction = tooth_friction(oil, sliding, a, gear.film_parameter, roughness, material_factor)
+    # of a small gear that creeps the running one is larger: teeth at rest rub no less
+    at_rest = max(friction, static_friction(a, roughness, material_factor))
     forward = forward_efficiency(gear.tan_lead, friction)
     output = torque * worm_speed / gear.ratio
     loss = output * (1 / forward - 1)
@@ -605,11 +661,14 @@ def rate_worm(
         forward_efficiency=forward,
         backward_efficiency=backward_efficiency(gear.tan_lead, friction),
         self_locking_margin=self_locking_margin(gear.tan_lead, friction),
+        static_friction=at_rest,
+        static_locking_margin=self_locking_margin(gear.tan_lead, at_rest),
         tooth_loss=loss,
         bulk_temperature=bulk,
         pitting_safety=safety,
         wear_intensity=intensity,
         wear_depth=depth,
+        wear_safety=None if depth is None else gear.wear_limit / depth,
         temperature_safety=(
             None
             if sump_temperature is None or temperature_limit is None

@@ -20,6 +20,7 @@ from pyworm.ratings.worm import (
     worm_duty_of_drive,
     worm_duty_of_table,
 )
+from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result import Result
 from pyworm.scene import Scene
 from pyworm.schema.rating import RATING_TABLES, RatedCase, RatingCase
@@ -47,6 +48,13 @@ class Asked:
     directory: Path
     tables: RatedCase | RatingCase
     drive: ZiWormDrive | GearPairDrive | None = None
+
+    @property
+    def worm_gear(self) -> bool:
+        """Whether it is about a worm gear that the standards know."""
+        if isinstance(self.drive, ZiWormDrive):
+            return True
+        return getattr(self.tables, "worm_gear", None) is not None
 
     @property
     def worm_duty(self) -> WormDuty | None:
@@ -129,3 +137,25 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     except ValueError as error:
         raise CaseError(f"{asked.name}: {error}") from error
     return tuple(made)
+
+
+def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
+    """Everything of a case that is not rated, each with the reason: what ratings leave out, and whole ones.
+
+    Parameters
+    ----------
+    asked : Asked
+        The case.
+    made : tuple of Rating
+        Its ratings.
+    """
+    left = [sentence for rating in made for sentence in rating.not_rated]
+    if asked.worm_gear and asked.tables.worm_rating is None:
+        left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
+    if isinstance(asked.drive, GearPairDrive):
+        left.append("Pitting and tooth root strength: no formulas of them are known here.")
+        if asked.drive.surfaces is None:
+            left.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
+    if not asked.tables.bearings:
+        left.append("Bearings: the case has no [bearings.NAME].")
+    return tuple(left)

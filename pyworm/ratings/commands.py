@@ -62,7 +62,7 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
 
 def _rate(options: argparse.Namespace) -> int:
-    from pyworm.ratings.asked import load_asked, ratings
+    from pyworm.ratings.asked import load_asked, not_rated, ratings
     from pyworm.schema.shown import assumptions
 
     asked = load_asked(options.case)
@@ -77,6 +77,7 @@ def _rate(options: argparse.Namespace) -> int:
             {
                 "case": asked.name,
                 "ratings": [rating.summary() for rating in made],
+                "not_rated": not_rated(asked, made),
                 "assumed": asked.tables.assumed,
             }
         )
@@ -87,6 +88,11 @@ def _rate(options: argparse.Namespace) -> int:
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n", highlight=False)
     for rating in made:
         _print(console, rating)
+    left = not_rated(asked, made)
+    if left:
+        console.print("Not rated:", highlight=False)
+    for sentence in left:
+        console.print(f"  {sentence}", highlight=False, soft_wrap=True, markup=False)
     if asked.tables.assumed:
         console.print("Assumed, since the source does not give it:", highlight=False)
     for what, why in assumptions(asked.tables).items():
@@ -117,6 +123,8 @@ def _print(console, rating: "Rating") -> None:
     for figure in rating.figures:
         table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
     console.print(table)
+    for reason in rating.failed:
+        console.print(f"FAILED: {reason}", highlight=False, markup=False, style="bold")
     for words in rating.words:
         console.print(words, highlight=False)
     console.print()

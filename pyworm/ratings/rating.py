@@ -56,6 +56,10 @@ class Rating:
         The figures.
     words : tuple of str
         What they mean, and what was assumed.
+    failed : tuple of str
+        Why it fails, a sentence each; none where nothing of what is rated does.
+    not_rated : tuple of str
+        What is not rated, each with the reason.
     """
 
     key: str
@@ -64,6 +68,8 @@ class Rating:
     columns: tuple[str, ...]
     figures: tuple[RatedFigure, ...]
     words: tuple[str, ...] = ()
+    failed: tuple[str, ...] = ()
+    not_rated: tuple[str, ...] = ()
 
     def summary(self) -> dict[str, Any]:
         """The rating as one object, column by column."""
@@ -80,6 +86,8 @@ class Rating:
                 for number, column in enumerate(self.columns)
             },
             "words": list(self.words),
+            "failed": list(self.failed),
+            "not_rated": list(self.not_rated),
         }
 
 

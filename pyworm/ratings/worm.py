@@ -21,6 +21,7 @@ from pyworm.formulas.worm_standard import (
 from pyworm.ratings.loss import mesh_loss
 from pyworm.ratings.oils import oil_called
 from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.ratings.worm_verdict import failures, left_unrated, locking
 from pyworm.result import Result
 from pyworm.schema.rating import WormGearTable, WormRatingTable
 from pyworm.solution import ZERO_CELSIUS
@@ -84,9 +85,9 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
 def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
     """A ZI drive as the standards see it; CaseError where the roughness of its flanks is not known.
 
-    The module is the axial pitch over pi; the diameter factor is that by which the pitch cylinders,
-    without profile shift, touch. The torque is the wheel's; of a tooth load that of every tooth in contact,
-    on average over the mesh cycle.
+    The module is the axial pitch over pi. The worm's reference cylinder lies one module below its tip, as
+    usual (DIN 3975); the profile shift of the wheel makes the centre distance. The torque is the wheel's; of
+    a tooth load that of every tooth in contact, on average over the mesh cycle.
     """
     roughness = tuple(body.roughness for body in drive.bodies)
     for name, height in zip(("worm", "wheel"), roughness, strict=True):
@@ -95,7 +96,8 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
                 f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
             )
     module = drive.worm.axial_pitch / pi
-    factor = 2 * drive.centre_distance / module - drive.wheel.teeth
+    factor = 2 * (drive.worm.tip_radius / module - 1)
+    shift = drive.centre_distance / module - (factor + drive.wheel.teeth) / 2
     gear = WormGear(
         centre_distance=drive.centre_distance,
         starts=drive.worm.threads,
@@ -103,6 +105,7 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
         module=module,
         diameter_factor=factor,
         face_width=drive.wheel.face_width,
+        profile_shift=shift,
     )
     torque = "wheel torque as the drive has it"
     if not isinstance(drive.load, Transmission):
@@ -117,8 +120,9 @@ def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
         reduced_modulus=reduced_modulus(*drive.bodies),
         roughness=roughness,
         words=(
-            f"Derived from the drive: axial module {module * 1e3:.3f} mm, diameter factor {factor:.2f} "
-            f"without profile shift; {torque}.",
+            f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, the "
+            f"reference cylinder one module below the worm's tip; profile shift of the wheel {shift:.3f}; "
+            f"{torque}.",
         ),
     )
 
@@ -213,10 +217,7 @@ def rate_worm_table(
         f"{oil.name}: {oil.viscosity(rated.bulk_temperature) * 1e3:.0f} mPa s on the wheel's flanks of "
         f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
     )
-    if rated.backward_efficiency <= 0:
-        words.append("Self-locking while it runs at this friction: the wheel cannot drive.")
-    else:
-        words.append("Not self-locking: the wheel can drive the worm.")
+    words.append(locking(duty.gear, rated))
     return Rating(
         key="worm",
         title="Worm gear",
@@ -224,6 +225,8 @@ def rate_worm_table(
         columns=("standard", "simulation") if simulated else ("standard",),
         figures=tuple(figures),
         words=tuple(words),
+        failed=failures(duty.gear, rated),
+        not_rated=left_unrated(table, rated),
     )
 
 
@@ -231,6 +234,7 @@ def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
     """Key, label, the standard's value, scale and unit of every row."""
     ratio = float(specific_film(rated.film, duty.composite_roughness))
     bulk = None if rated.bulk_temperature is None else rated.bulk_temperature - ZERO_CELSIUS
+    worn = rated.wear_depth
     return [
         ("wheel_torque_Nm", "Wheel torque T2", duty.torque, 1e-3, "kN m"),
         ("sliding_speed_m_s", "Sliding speed v_g", rated.sliding_speed, 1.0, "m/s"),
@@ -245,11 +249,21 @@ def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
         ("efficiency", "Efficiency, worm driving", rated.forward_efficiency, 100.0, "%"),
         ("efficiency_back", "Efficiency, wheel driving", rated.backward_efficiency, 100.0, "%"),
         ("locking", "mu/tan gamma (locks above 1)", rated.self_locking_margin, 1.0, ""),
+        ("friction_rest", "Tooth friction at rest", rated.static_friction, 1.0, ""),
+        (
+            "locking_rest",
+            "mu/tan gamma at rest (locks above 1)",
+            rated.static_locking_margin,
+            1.0,
+            "",
+        ),
         ("loss_W", "Loss between the teeth", rated.tooth_loss, 1e-3, "kW"),
         ("bulk_temperature_C", "Wheel's bulk temperature", bulk, 1.0, "°C"),
         ("surface_temperature_max_C", "Largest flank temperature", None, 1.0, "°C"),
         ("pitting_safety", "Safety against pitting S_H", rated.pitting_safety, 1.0, ""),
         ("wear_depth_m", "Wear in its life", rated.wear_depth, 1e6, "µm"),
+        ("wear_limit_m", "Wear allowed", worn and duty.gear.wear_limit, 1e6, "µm"),
+        ("wear_safety", "Safety against wear S_W", rated.wear_safety, 1.0, ""),
         ("temperature_safety", "Safety of temperature S_T", rated.temperature_safety, 1.0, ""),
     ]
 

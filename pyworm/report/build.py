@@ -2,9 +2,7 @@
 
 from pyworm.case import Case, case_again
 from pyworm.case_error import CaseError
-from pyworm.drives.gear_pair import GearPairDrive
-from pyworm.drives.zi_worm import ZiWormDrive
-from pyworm.ratings.asked import asked_of, ratings
+from pyworm.ratings.asked import asked_of, not_rated, ratings
 from pyworm.ratings.rating import Rating
 from pyworm.report.assumptions import assumptions_section, plan_section, provenance_section
 from pyworm.report.content import Block, Items, Report, Section, Table, Words
@@ -39,12 +37,14 @@ def build_report(result: Result) -> Report:
         f"{name} could not be solved: {reason}"
         for name, reason in result.provenance.get("failed", {}).items()
     )
-    made, not_rated = _rated(case, result)
+    made, unrated = _rated(case, result)
+    warnings += case.warnings
+    warnings += tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
     sections = (
         glance_section(case, result, made),
         film_section(case, result),
         heat_section(case, result),
-        _ratings_section(made, not_rated),
+        _ratings_section(made, unrated),
         printed_section(case, result),
         sensitivity_section(case, result),
         cycle_pictures(result),
@@ -65,30 +65,20 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
         kinds = "drives of kind zi-worm and gear-pair"
         return (), (f"Gears, scuffing and bearings: only {kinds} are rated.",)
     try:
-        made = ratings(asked_of(case), result)
+        asked = asked_of(case)
+        made = ratings(asked, result)
     except CaseError as error:
         return (), (f"Not rated: {error}.",)
-    missing = []
-    if isinstance(case.drive, ZiWormDrive):
-        if case.tables.worm_rating is None:
-            missing.append("Worm gear: the case has no [worm_rating].")
-        missing.append(
-            "Scuffing: the closed forms are those of steel on steel, a worm gear has a bronze wheel."
-        )
-    if isinstance(case.drive, GearPairDrive) and case.drive.surfaces is None:
-        missing.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
-    if not case.tables.bearings:
-        missing.append("Bearings: the case has no [bearings.NAME].")
-    return made, tuple(missing)
+    return made, not_rated(asked, made)
 
 
-def _ratings_section(made: tuple[Rating, ...], not_rated: tuple[str, ...]) -> Section | None:
+def _ratings_section(made: tuple[Rating, ...], unrated: tuple[str, ...]) -> Section | None:
     """The ratings that the case asks for, and what is not rated; None of a contact without a drive."""
-    if not made and not not_rated:
+    if not made and not unrated:
         return None
     blocks = [block for rating in made for block in _rating_blocks(rating)]
-    if not_rated:
-        blocks += [Words("Not rated:"), Items(not_rated)]
+    if unrated:
+        blocks += [Words("Not rated:"), Items(unrated)]
     return Section("Ratings: gears, scuffing, bearings", tuple(blocks))
 
 
@@ -102,4 +92,5 @@ def _rating_blocks(rating: Rating) -> list[Block]:
         title=rating.title,
         note=f"Source: {rating.source}.",
     )
-    return [table, Items(rating.words)] if rating.words else [table]
+    said = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)
+    return [table, Items(said)] if said else [table]

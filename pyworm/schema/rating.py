@@ -10,6 +10,7 @@ from pyworm.formulas.worm_standard import OilKind
 from pyworm.named_oils import Base
 from pyworm.schema.bodies import Roughness
 from pyworm.schema.case import CaseTable, FileTable, Published
+from pyworm.schema.one_oil import check_one_oil
 from pyworm.schema.table import Count, Number, PositiveNumber, Table, Text
 
 _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
@@ -122,11 +123,27 @@ class WormGearTable(Table):
     wheel_roughness: Roughness
 
 
+def _oils_named(worm: WormRatingTable | None, bearings: dict[str, BearingTable]) -> dict[str, str]:
+    """Oils of a drive's sump that its ratings name, by their keys; a bearing in grease has its own."""
+    named = {} if worm is None else {"worm_rating.oil": worm.oil}
+    return named | {
+        f"bearings.{name}.oil": table.oil
+        for name, table in bearings.items()
+        if table.oil is not None and table.lubrication != "grease"
+    }
+
+
 class RatedCase(CaseTable):
     """What case files about drives may ask to be rated."""
 
     bearings: dict[str, BearingTable] = Field(default_factory=dict)
     oil_choice: OilChoiceTable | None = None
+
+    @model_validator(mode="after")
+    def _one_oil(self):
+        worm = getattr(self, "worm_rating", None)
+        check_one_oil(self.oil, _oils_named(worm, self.bearings))
+        return self
 
 
 class RatingCase(FileTable):
@@ -142,6 +159,12 @@ class RatingCase(FileTable):
         for key in ("worm_rating", "oil_choice"):
             if getattr(self, key) is not None and self.worm_gear is None:
                 raise ValueError(f"[{key}] needs a [worm_gear] or a [drive]")
+        return self
+
+    @model_validator(mode="after")
+    def _one_oil_of_a_worm_gear(self):
+        if self.worm_gear is not None:
+            check_one_oil(None, _oils_named(self.worm_rating, self.bearings))
         return self
 
 

@@ -1,5 +1,6 @@
 """`pyworm report`: one page that needs nothing else, says what the result says, and marks what is wrong."""
 
+import json
 import re
 from base64 import b64decode
 from dataclasses import replace
@@ -201,7 +202,7 @@ def test_a_glance_tells_the_worst_of_every_figure(worm):
     teeth = pyworm.load(CASES / "zi_sharif_2001.toml").drive.mean_teeth_in_contact
     assert glance["Loss between the teeth"][0].startswith(f"{np.mean(losses) * teeth:.4g} W ±")
     assert float(glance["Efficiency of the teeth, forward"][0].split(" %")[0]) > 90
-    assert glance["Safety against pitting S_H"] == ("1.263", "Worm gear, standard")
+    assert glance["Safety against pitting S_H"] == ("1.231", "Worm gear, standard")
     assert glance["Modified life L_nmh"][0].endswith(" h")
 
 
@@ -272,6 +273,27 @@ def test_inputs_are_in_workshop_units(increaser):
     for said in ("406.4 mm", "375 rpm", "6.6 mPa s", "0.508 µm", "110 °C", "0.20684 MPa"):
         assert said in text
     assert not re.search(r"\d um\b|degC", text)
+
+
+def test_a_hob_of_another_base_pitch_is_told_before_all_else(tmp_path, capsys):
+    text = (CASES / "zi_sharif_2001.toml").read_text()
+    for old, new in (
+        ('"85.97 mm"', '"86.3 mm"'),
+        ('"28.66 mm"', '"28.767 mm"'),
+        ("27.33", "27.41"),
+    ):
+        assert old in text
+        text = text.replace(old, new, 1)
+    path = tmp_path / "apart.toml"
+    path.write_text(text)
+    case = pyworm.load(path)
+    result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
+    (told,) = build_report(result).warnings
+    assert "um more than the worm's" in told
+    assert main(["check", str(path), "--phase", "0.5", "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert json.loads(out)["warnings"] == [told]
+    assert err == f"pyworm: warning: {told}\n"
 
 
 def test_what_did_not_converge_is_told_before_all_else():

@@ -21,6 +21,7 @@ from pyworm.formulas.worm_standard import (
     pitting_safety,
     rate_worm,
     self_locking_margin,
+    static_friction,
     temperature_safety,
     tooth_friction,
     wear_depth,
@@ -272,3 +273,21 @@ def test_duties_in_wrong_units_are_refused(change, sentence):
     with pytest.raises(ValueError, match=sentence) as refused:
         rate_worm(REFERENCE_GEAR, **{**DUTY, **change})
     assert "\n" not in str(refused.value)
+
+
+def test_static_friction_of_the_reference_gear():
+    """0.13 of bronze; its factors are those of running friction, the size's only by the root of the root."""
+    assert static_friction(0.1, 0.5e-6) == pytest.approx(0.13)
+    assert static_friction(0.4, 0.5e-6) == pytest.approx(0.13 / 2**0.5)
+    assert static_friction(0.1, 8e-6, 1.2) == pytest.approx(0.13 * 1.2 * 2)
+    for oil in OIL_KINDS:
+        assert tooth_friction(oil, 0.05, 0.1, 0.07, 0.5e-6) < static_friction(0.1, 0.5e-6)
+
+
+def test_teeth_at_rest_rub_no_less_than_creeping_ones():
+    """Of a small gear the running friction near standstill is above 0.13 sqrt(Y_S)."""
+    small = WormGear(0.025, 1, 41, 1e-3, 9.0, 7.5e-3)
+    duty = DUTY | {"oil": "mineral", "worm_speed": 110 * RPM, "torque": 5.0}
+    rated = rate_worm(small, **duty)
+    assert rated.friction > static_friction(0.025, 0.5e-6)
+    assert rated.static_friction == rated.friction

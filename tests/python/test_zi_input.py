@@ -56,3 +56,26 @@ def test_bad_geometry_is_refused(changes, says):
 def test_phase_outside_the_cycle_is_refused():
     with pytest.raises(ValueError, match="phase is 1"):
         sharif().contact(1.5)
+
+
+def other_lead(by):
+    """The hob with a lead that differs."""
+    lead = HOB.lead + by
+    angle = np.arctan(lead / (2 * np.pi * HOB.base_radius))
+    return changed(HOB, lead=lead, axial_pitch=lead / 3, base_lead_angle=angle)
+
+
+@pytest.mark.parametrize("by", [0.2 * MM, -0.15 * MM])
+def test_a_hob_of_another_base_pitch_is_told_in_micrometres(by):
+    """The normal base pitch is lead x cos(base lead angle) over the threads."""
+    hob = other_lead(by)
+    worm_pitch = WORM.lead / 3 * np.cos(np.arctan(WORM.lead / (2 * np.pi * WORM.base_radius)))
+    apart = (hob.lead / 3 * np.cos(hob.base_lead_angle) - worm_pitch) / MM * 1e3
+    (said,) = sharif(hob=hob).warnings
+    which = "more" if by > 0 else "less"
+    assert f"{abs(apart):.1f} um {which} than the worm's {worm_pitch / MM:.4f} mm" in said
+    assert said.startswith("hob.lead and hob.base_radius give")
+
+
+def test_the_rounding_of_a_printed_table_is_no_other_base_pitch():
+    assert sharif().warnings == ()
