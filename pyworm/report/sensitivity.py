@@ -6,9 +6,9 @@ the same share. Nothing is solved again.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import isnan, nan
 
 from pyworm.case import Case
-from pyworm.case_error import CaseError
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.line.scales import line_scales
@@ -55,7 +55,7 @@ class Variation:
     label : str
         What.
     film : float
-        Least film of all contacts that follows [m].
+        Least film of all contacts that follows [m]; nan, as the ratios, where there is no contact.
     film_ratio, pressure_ratio : float
         Film there and largest Hertz pressure of all contacts over what they were [-].
     note : str
@@ -80,7 +80,7 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
     rows += [
         (
             one.label,
-            f"{one.film * 1e6:.3g} µm",
+            "" if isnan(one.film) else f"{one.film * 1e6:.3g} µm",
             _change(one.film_ratio),
             *_lambda(one.film, roughness),
             _change(one.pressure_ratio),
@@ -102,11 +102,13 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
 
 def _change(ratio: float) -> str:
     """A change in percent; nothing where there is none."""
-    return "" if abs(ratio - 1) < 1e-9 else f"{(ratio - 1) * 100:+.1f} %"
+    return "" if isnan(ratio) or abs(ratio - 1) < 1e-9 else f"{(ratio - 1) * 100:+.1f} %"
 
 
 def _lambda(film: float, roughness: float | None) -> tuple[str, ...]:
-    return (f"{film / roughness:.3g}",) if roughness else ()
+    if not roughness:
+        return ()
+    return ("" if isnan(film) else f"{film / roughness:.3g}",)
 
 
 def variations(case: Case, result: Result) -> list[Variation]:
@@ -182,8 +184,9 @@ def _worm_misaligned(
             try:
                 other = drive.varied(entry, by)
                 after = [other.scene_under(of.load, of.phase) for of in result.solutions]
-            except ValueError as error:
-                raise CaseError(f"{called}: {error}") from error
+            except ValueError:
+                found.append(Variation(called, nan, nan, nan, "the teeth no longer touch"))
+                continue
             found.append(_variation(called, scenes, films, after, _moved(drive, other)))
     return found
 

@@ -290,6 +290,9 @@ def test_a_hob_of_another_base_pitch_is_told_before_all_else(tmp_path, capsys):
     result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
     (told,) = build_report(result).warnings
     assert "um more than the worm's" in told
+    # a worm turned by 1 mrad misses this wheel, which does not cost the report
+    lost = rows(build_report(result), "Sensitivity")["shaft angle -1.0 mrad"]
+    assert lost[-1] == "the teeth no longer touch" and not any(lost[:-1])
     assert main(["check", str(path), "--phase", "0.5", "--json"]) == 0
     out, err = capsys.readouterr()
     assert json.loads(out)["warnings"] == [told]
