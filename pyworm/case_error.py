@@ -55,7 +55,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     # A misspelt key also leaves another one missing: the misspelling is the one to tell.
     problem = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
-    name = _dotted(keys)
+    name = shortened(_dotted(keys))
     if problem["type"] == "extra_forbidden":
         return f"{name}: no such key; {_nearest(keys[-1], _valid_keys(model, problem['loc'][:-1]))}"
     if problem["type"] == "missing":
@@ -71,7 +71,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
         return wanted
     if isinstance(value, dict):
         return f"{name}: {wanted}"
-    return f"{name} = {toml(value)}: {wanted}"
+    return f"{name} = {shortened(toml(value))}: {wanted}"
 
 
 def _as_written(loc: tuple, data: dict[str, Any], absent: bool) -> tuple[list, Any]:
@@ -126,6 +126,15 @@ def _nearest(key: str, valid: list[str]) -> str:
     if close:
         return f"did you mean {' or '.join(close)}?"
     return f"valid keys are {', '.join(valid)}"
+
+
+LONGEST = 80
+"""Characters of a value that a sentence shows."""
+
+
+def shortened(text: str) -> str:
+    """A text, or its beginning where it is long."""
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}... ({len(text)} characters)"
 
 
 def toml(value: Any) -> str:

@@ -340,7 +340,6 @@ def read_oil(path: str | Path) -> NamedOil:
 
 # -------------------------------------------------------------------------------------------- files
 
-_KinematicViscosity = units.quantity("a kinematic viscosity", "m^2/s", "220 mm^2/s")
 _AgmaFactor = units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")
 _Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
 _Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
@@ -366,12 +365,12 @@ class HeatCourseTable(_Table):
 class _StockTable(_Table):
     """What of a base stock an oil may have of its own."""
 
-    density_15: units.MassDensity | None = None
+    density_15: units.OilDensity | None = None
     density_coefficient: units.TemperatureCoefficient | None = None
     density_d1: units.PressureCoefficientOrZero = 0.6e-9
     density_d2: units.PressureCoefficientOrZero = 1.7e-9
     specific_heat: units.SpecificHeat | None = None
-    conductivity: units.Conductivity | None = None
+    conductivity: units.OilConductivity | None = None
     gold_s: _Positive | None = None
     gold_t: _Fraction | None = None
     agma_k: _AgmaFactor | None = None
@@ -404,7 +403,7 @@ class _StockTable(_Table):
 class _BaseStockTable(_StockTable):
     """One base stock of the table: everything said, each with its source."""
 
-    density_15: units.MassDensity
+    density_15: units.OilDensity
     density_coefficient: units.TemperatureCoefficient
     specific_heat: units.SpecificHeat
     gold_s: _Positive
@@ -425,8 +424,8 @@ class _OilTable(_StockTable):
     name: Annotated[str, Field(min_length=1)]
     source: Annotated[str, Field(min_length=1)]
     base: Base
-    viscosity_40: _KinematicViscosity
-    viscosity_100: _KinematicViscosity | None = None
+    viscosity_40: units.KinematicViscosity
+    viscosity_100: units.KinematicViscosity | None = None
     viscosity_index: _Positive | None = None
 
     @model_validator(mode="after")

@@ -2,23 +2,12 @@
 
 from typing import Annotated
 
-from pydantic import AfterValidator, Field
+from pydantic import Field
 
 from pyworm import units
 from pyworm.bodies import Body
-from pyworm.formulas.wear_distress import FINEST, ROUGHEST
 from pyworm.oils import Oil
 from pyworm.schema.table import Table
-
-
-def _as_surfaces_have(height: float) -> float:
-    if not FINEST <= height <= ROUGHEST:
-        raise ValueError('must be a root mean square height, 0.1 nm to 0.1 mm, such as "0.4 um"')
-    return height
-
-
-Roughness = Annotated[units.Length, AfterValidator(_as_surfaces_have)]
-"""Root mean square height Rq of a surface."""
 
 
 class BodyTable(Table):
@@ -28,13 +17,13 @@ class BodyTable(Table):
     mean square height Rq, not Ra, which is about 0.8 Rq.
     """
 
-    youngs_modulus: units.Pressure
+    youngs_modulus: units.Modulus
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity | None = None
     conductivity: units.Conductivity | None = None
     specific_heat: units.SpecificHeat | None = None
     bulk_temperature: units.Temperature | None = None
-    roughness: Roughness | None = None
+    roughness: units.Roughness | None = None
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""

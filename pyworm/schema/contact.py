@@ -22,7 +22,7 @@ class PointContactTable(Table):
     """`[contact]`, kind = "point-contact": a paraboloid on a plane."""
 
     kind: Literal["point-contact"]
-    radii: tuple[units.Length, units.Length]
+    radii: tuple[units.Radius, units.Radius]
     load: units.Force
 
 
@@ -30,7 +30,7 @@ class LineContactTable(Table):
     """`[contact]`, kind = "line-contact": a parabolic cylinder on a plane."""
 
     kind: Literal["line-contact"]
-    radius: units.Length
+    radius: units.Radius
     load: units.ForcePerLength
 
 

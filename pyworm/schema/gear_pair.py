@@ -28,7 +28,7 @@ class GearTable(Table):
     addendum: PositiveNumber = 1.0
     dedendum: PositiveNumber = 1.25
     fillet: NumberOrZero = 0.38
-    tip_relief: units.LengthOrZero = 0.0
+    tip_relief: units.Relief = 0.0
     tip_relief_length: units.LengthOrZero = 0.0
 
 
@@ -40,8 +40,8 @@ class GearPairTable(Table):
     module: units.Length
     pressure_angle: units.Angle
     helix_angle: units.AngleOrZero = 0.0
-    face_width: units.Length
-    lead_crowning: units.LengthOrZero = 0.0
+    face_width: units.FaceWidth
+    lead_crowning: units.Relief = 0.0
     load_sharing: Literal["ramp", "uniform", "elastic"] = "ramp"
     contact: Literal["line", "point"] = "line"
     pinion: GearTable
@@ -62,7 +62,7 @@ class SurfacesTable(Table):
     """`[surfaces]`: what the closed forms of friction and scuffing need."""
 
     friction_coefficient: PositiveNumber
-    scuffing_temperature: units.Temperature | None = None
+    scuffing_temperature: units.ScuffingTemperature | None = None
 
 
 class GearPairCase(RatedCase):

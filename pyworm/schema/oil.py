@@ -9,7 +9,6 @@ from pyworm import units
 from pyworm.named_oils import HeatCourseTable, names
 from pyworm.oils import (
     ROELANDS_POLE_LOG,
-    ROELANDS_POLE_TEMPERATURE,
     ROELANDS_PRESSURE,
     Barus,
     Density,
@@ -30,7 +29,7 @@ class BarusTable(Table):
 
     law: Literal["barus"]
     eta0: units.Viscosity
-    alpha: units.PressureCoefficientOrZero
+    alpha: units.PressureViscosityOrZero
 
     def viscosity(self) -> Barus:
         """The law."""
@@ -47,7 +46,7 @@ class RoelandsTable(Table):
     law: Literal["roelands"]
     eta0: units.Viscosity
     z: PositiveNumber | None = None
-    alpha: units.PressureCoefficient | None = None
+    alpha: units.PressureViscosity | None = None
     pole_pressure: units.Pressure | None = None
     pole_coefficient: units.PressureCoefficient | None = None
 
@@ -84,7 +83,7 @@ class DensityTable(Table):
     """`[oil.density]` with a published set of coefficients."""
 
     law: Literal["dowson-higginson", "dowson-higginson-pole", "incompressible"]
-    rho0: units.MassDensity
+    rho0: units.OilDensity
 
     def density(self) -> Density:
         """The law."""
@@ -100,7 +99,7 @@ class GeneralDensityTable(Table):
     """`[oil.density]`, law = "general": rho0 [1 + d1 p / (1 + d2 p)] with its own coefficients."""
 
     law: Literal["general"]
-    rho0: units.MassDensity
+    rho0: units.OilDensity
     d1: units.PressureCoefficientOrZero
     d2: units.PressureCoefficientOrZero
 
@@ -176,16 +175,9 @@ class HeatTable(HeatCourseTable):
     inlet_temperature: units.Temperature
     s0: PositiveNumber | None = None
     beta: units.TemperatureCoefficient | None = None
-    conductivity: units.Conductivity
+    conductivity: units.OilConductivity
     specific_heat: units.SpecificHeat
     expansivity: units.TemperatureCoefficientOrZero = 0.0
-
-    @field_validator("inlet_temperature")
-    @classmethod
-    def _above_the_pole(cls, kelvin: float) -> float:
-        if kelvin <= ROELANDS_POLE_TEMPERATURE:
-            raise ValueError('must be above -135.15 degC, the pole of viscosity, such as "60 degC"')
-        return kelvin
 
     def heat(self, viscosity: Barus | Roelands) -> OilHeat:
         """The laws of an oil of this viscosity."""
@@ -212,7 +204,7 @@ class OilTable(Table):
     density: Annotated[DensityTable | GeneralDensityTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
-    supply: units.Length | None = None
+    supply: units.Film | None = None
 
     @model_validator(mode="before")
     @classmethod

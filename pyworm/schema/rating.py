@@ -8,7 +8,6 @@ from pyworm import units
 from pyworm.formulas.bearing_life import Direction, Elements
 from pyworm.formulas.worm_standard import OilKind
 from pyworm.named_oils import Base
-from pyworm.schema.bodies import Roughness
 from pyworm.schema.case import CaseTable, FileTable, Published
 from pyworm.schema.one_oil import check_one_oil
 from pyworm.schema.table import Count, Number, PositiveNumber, Table, Text
@@ -114,13 +113,13 @@ class WormGearTable(Table):
     teeth: Count
     module: units.Length
     diameter_factor: PositiveNumber
-    face_width: units.Length
+    face_width: units.FaceWidth
     profile_shift: Number = 0.0
     worm_speed: units.Speed
     wheel_torque: units.Torque
-    reduced_modulus: units.Pressure
-    worm_roughness: Roughness
-    wheel_roughness: Roughness
+    reduced_modulus: units.Modulus
+    worm_roughness: units.Roughness
+    wheel_roughness: units.Roughness
 
 
 def _oils_named(worm: WormRatingTable | None, bearings: dict[str, BearingTable]) -> dict[str, str]:

@@ -25,7 +25,7 @@ class RollerBodies(Bodies):
 class CrownTable(Table):
     """`[drive.rollers.crown]`: what is taken off the rollers, not off the tool that cuts the worm."""
 
-    radius: units.Length
+    radius: units.Radius
     straight: units.LengthOrZero = 0.0
 
 

@@ -25,7 +25,7 @@ class WormBodies(Bodies):
 class _Relieved(Table):
     """What worm and wheel share: a relief of the tips, beginning that far below them."""
 
-    tip_relief: units.LengthOrZero = 0.0
+    tip_relief: units.Relief = 0.0
     tip_relief_length: units.LengthOrZero = 0.0
 
 
@@ -50,7 +50,7 @@ class WheelTable(_Relieved):
     """`[drive.wheel]`."""
 
     teeth: Count
-    face_width: units.Length
+    face_width: units.FaceWidth
     tip_radius: units.Length
     throat_radius: units.Length
 
@@ -100,7 +100,7 @@ class OperationTable(Table):
     power: units.Power | None = None
     sharing: Sharing | None = None
     friction: Friction | None = None
-    lifts: Annotated[tuple[tuple[Phase, units.Length], ...], Field(min_length=1)] | None = None
+    lifts: Annotated[tuple[tuple[Phase, units.Film], ...], Field(min_length=1)] | None = None
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
     @model_validator(mode="after")
@@ -154,7 +154,7 @@ class CoolingTable(Table):
     conductance: units.ThermalConductance
     other_loss: units.PowerOrZero = 0.0
     immersion: PositiveNumber = 1.0
-    worm_excess: units.Warmth = 0.0
+    worm_excess: units.TemperatureDifference = 0.0
     tooth_loss: units.Power | None = None
 
 

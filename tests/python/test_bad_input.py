@@ -101,7 +101,7 @@ def refuse(tmp_path, monkeypatch, capsys):
         (
             '"14 kN"',
             '"14e30 kN"',
-            'load = "14e30 kN": must be a force of a size that there is, suc',
+            'load = "14e30 kN": must be a force between 1e-12 N and 1e12 N, s',
         ),
         ("z = 0.227", "z = 1e7", "oil.viscosity.z = 10000000.0: must be at most 1e+06"),
         ("z = 0.227", "z = 400", "out of all proportion"),
@@ -136,7 +136,7 @@ def test_wrong_values_in_a_drive(refuse, old, new, sentence):
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ('["10 mm", "10 mm"]', '["10 mm", "-10 mm"]', 'contact.radii[1] = "-10 mm": must be a len'),
+        ('["10 mm", "10 mm"]', '["10 mm", "-10 mm"]', 'contact.radii[1] = "-10 mm": must be a rad'),
         ('["10 mm", "10 mm"]', '["10 mm"]', "contact.radii[1] is missing"),
         ('"point-contact"', '"pin"', 'must be "point-contact", "line-contact" or "gap"'),
         ('"point-contact"', "[1]", 'must be "point-contact", "line-contact" or "gap"'),
@@ -169,7 +169,7 @@ def test_wrong_values_in_a_contact(refuse, old, new, sentence):
         ),
         ("[motion]", '[motion]\nspin_1 = "2 rad/s"', "motion.spin_1: no such key; valid keys are"),
         ('"0.46227 m/s"', '"-0.46227 m/s"', "the surfaces entrain no oil"),
-        ('"182.84 kN/m"', '"1e20 kN/m"', "check their units"),
+        ('"182.84 kN/m"', '"1e20 kN/m"', "between 1e-3 N/m and 1e6 kN/m"),
     ],
 )
 def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
@@ -261,7 +261,7 @@ def test_wrong_values_of_carreau(refuse, exponent, sentence):
     [
         ("[oil.heat]", "[oil.thermal]", "oil.thermal: no such key"),
         ('inlet_temperature = "60 degC"', "", "oil.heat.inlet_temperature is missing"),
-        ('"60 degC"', '"60 K"', 'oil.heat.inlet_temperature = "60 K": must be above -135.15 degC'),
+        ('"60 degC"', '"60 K"', 'oil.heat.inlet_temperature = "60 K": must be a temperature betw'),
         ('"60 degC"', "60", "oil.heat.inlet_temperature = 60: must be a temperature with its unit"),
         ("s0 = 0.782", "", "heat needs either s0 or beta, one of the two"),
         ("s0 = 0.782", 's0 = 0.782\nbeta = "0.04 1/K"', "heat needs either s0 or beta"),
@@ -375,8 +375,8 @@ def test_a_gap_that_is_least_elsewhere(refuse, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ('radii = ["10 mm", "10 mm"]', 'radii = ["1e20 mm", "10 mm"]', "within a factor of 1e+06"),
-        ('load = "3.6774 N"', 'load = "1e15 N"', "beyond all experience"),
+        ('radii = ["10 mm", "10 mm"]', 'radii = ["100 km", "10 mm"]', "within a factor of 1e+06"),
+        ('"0.46227 m/s"', '"1e-20 m/s"', "beyond all experience"),
     ],
 )
 def test_values_out_of_all_proportion(tmp_path, capsys, old, new, sentence):

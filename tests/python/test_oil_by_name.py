@@ -119,8 +119,8 @@ def test_without_a_temperature_a_name_is_only_a_name(tmp_path):
             "oil.temperature = 60: must be a temperature with",
         ),
         (
-            'name = "PAG VG 460"\ntemperature = "60 K"',
-            'oil.temperature = "60 K": too far from what is known of PAG VG 460, give one such as "60',
+            'name = "PAG VG 460"\ntemperature = "-105 degC"',
+            'oil.temperature = "-105 degC": too far from what is known of PAG VG 460, give one',
         ),
         (
             'name = "PAG VG 460"\ntemperature = "60 degC"\nviscosty.alpha = "9 1/GPa"',
@@ -132,7 +132,7 @@ def test_without_a_temperature_a_name_is_only_a_name(tmp_path):
         ),
         (
             'name = "PAG VG 460"\ntemperature = "60 degC"\nviscosity.alpha = "9 mm"',
-            'oil.viscosity.alpha = "9 mm": must be a pressure coefficient with its unit',
+            'oil.viscosity.alpha = "9 mm": must be a pressure-viscosity coefficient with its unit',
         ),
         (
             'name = "PAG VG 460"\ntemperature = "60 degC"\nviscosity = {alpha = "9 1/GPa", z = 0.2}',

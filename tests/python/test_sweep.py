@@ -152,7 +152,7 @@ BAD = [
     ('"200 kN/m"]', '"-2 kN/m"]', 'with contact.load = "-2 kN/m", motion.velocity_1 = "0.5 m/s", '),
     ('"200 kN/m"]', '"-2 kN/m"]', 'contact.load = "-2 kN/m": must be a force per length greater'),
     ('"200 kN/m"]', '"2 kN"]', 'contact.load = "2 kN": must be a force per length with its unit'),
-    (', "200 kN/m"', ', "1e20 kN/m"', "check their units"),
+    (', "200 kN/m"', ', "1e20 kN/m"', "between 1e-3 N/m and 1e6 kN/m"),
     ('["100 kN/m", "200 kN/m"]', "[]", "vary[0].contact.load = []: has too few entries, at least"),
     ('["100 kN/m", "200 kN/m"]', "3", "vary[0].contact.load = 3: must be a list"),
     (

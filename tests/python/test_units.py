@@ -14,6 +14,9 @@ ANGLE = Kind("an angle", "rad", "27.5 deg")
 SPEED = Kind("a speed of rotation", "rad/s", "1500 rpm")
 TEMPERATURE = Kind("a temperature", "K", "60 degC")
 PER_PRESSURE = Kind("a pressure coefficient", "1/Pa", "9.5 1/GPa", "not negative")
+TORQUE = Kind("a torque", "N m", "30 N m")
+VISCOSITY = Kind("a dynamic viscosity", "Pa s", "0.23 Pa s")
+LINE_LOAD = Kind("a force per length", "N/m", "100 kN/m")
 CONDUCTIVITY = Kind("a thermal conductivity", "W/(m K)", "47 W/(m K)")
 
 
@@ -32,6 +35,18 @@ CONDUCTIVITY = Kind("a thermal conductivity", "W/(m K)", "47 W/(m K)")
         ("9.5 1/GPa", PER_PRESSURE, 9.5e-9),
         ("0 1/GPa", PER_PRESSURE, 0.0),
         ("0.148 W/(m K)", CONDUCTIVITY, 0.148),
+        ("0.148 W/(m·K)", CONDUCTIVITY, 0.148),
+        ("0.148 W m-1 K-1", CONDUCTIVITY, 0.148),
+        ("0.148 W/(m °C)", CONDUCTIVITY, 0.148),
+        ("600 Nm", TORQUE, 600.0),
+        ("0.6 kNm", TORQUE, 600.0),
+        ("600 N·m", TORQUE, 600.0),
+        ("40 mPas", VISCOSITY, 0.04),
+        ("1500 1/min", SPEED, 50 * math.pi),
+        ("1500 min-1", SPEED, 50 * math.pi),
+        ("1500 min^-1", SPEED, 50 * math.pi),
+        ("1500 min⁻¹", SPEED, 50 * math.pi),
+        ("1500 r/min", SPEED, 50 * math.pi),
         ("1%", SHARE, 0.01),
         ("0.01", SHARE, 0.01),
     ],
@@ -63,6 +78,15 @@ def test_quantities_are_read_into_si(text, kind, value):
         ("40 %", ANGLE),
         ("25 Hz", SPEED),
         ("25 1/s", SPEED),
+        ("1 degC*kN/m/K", LINE_LOAD),
+        ("182 pi kN/m", LINE_LOAD),
+        ("182 %kN/m", LINE_LOAD),
+        ("182 kN/m**(9**9**9)", LINE_LOAD),
+        ("182 kN/m 2", LINE_LOAD),
+        ("182 kN//m", LINE_LOAD),
+        ("182 (kN/m", LINE_LOAD),
+        ("1 pi", SHARE),
+        ("5 1", SHARE),
     ],
 )
 def test_what_does_not_measure_the_right_thing_is_refused(value, kind):
@@ -82,6 +106,17 @@ def test_what_does_not_measure_the_right_thing_is_refused(value, kind):
 def test_a_wrong_sign_is_told(text, kind, wanted):
     with pytest.raises(ValueError, match=wanted):
         parse(text, kind)
+
+
+@pytest.mark.parametrize(
+    ("text", "written"),
+    [("1,5 kN", '"1.5 kN"'), ("-0,25 N", '"-0.25 N"'), ("14,5kN", '"14.5 kN"')],
+)
+def test_a_decimal_comma_is_named(text, written):
+    with pytest.raises(ValueError, match=f"decimals follow a point, write {written}"):
+        parse(text, FORCE)
+    with pytest.raises(ValueError, match=f"decimals follow a point, write {written}"):
+        parse_any(text)
 
 
 @given(st.floats(min_value=1e-12, max_value=1e12), st.sampled_from(["mm", "um", "m", "inch"]))
