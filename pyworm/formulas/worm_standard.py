@@ -31,7 +31,7 @@ _OIL_LIFE = {"mineral": 0.89, "PAO": 0.94, "PAG": 1.0}
 _FRICTION = {
     "mineral": (0.028, 0.026, 0.17, 0.76, 0.1),
     "PAO": (0.026, 0.017, 0.17, 0.92, 0.096),
-    "PAG": (0.02, 0.02, 0.2, 0.97, 0.096),
+    "PAG": (0.02, 0.02, 0.2, 0.97, 0.094),
 }
 
 # factor and exponent of J_0T, and its largest value; wheel of CuSn12Ni2
@@ -269,7 +269,7 @@ def tooth_friction(
     """Mean coefficient of tooth friction mu_zm [-] = mu_0T Y_S Y_G Y_W Y_R.
 
         mu_0T   0.028 + 0.026/(vg + 0.17)^0.76 (mineral), 0.026 + 0.017/(vg + 0.17)^0.92 (PAO),
-                0.02 + 0.02/(vg + 0.2)^0.97 (PAG), at most 0.1, 0.096, 0.096
+                0.02 + 0.02/(vg + 0.2)^0.97 (PAG), at most 0.1, 0.096, 0.094
         Y_S     sqrt(100 mm/a)
         Y_G     sqrt(0.07/h*)
         Y_R     (Ra/0.5 um)^(1/4)

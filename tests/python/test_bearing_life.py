@@ -87,14 +87,6 @@ def test_nu2210_recomputed_with_the_sources_kappa(kappa, expected):
     assert life_modification(exact, 0.342, "roller") == pytest.approx(expected, abs=2e-3)
 
 
-@pytest.mark.parametrize(("kappa", "k", "own"), [(0.80, 0.19087, 40.4), (1.52, 0.071739, 43.4)])
-def test_the_sources_modification_follows_from_neither_formula(kappa, k, own):
-    """It prints 1.14 and 1.75; its own formula, e_C misplaced and another exponent, has 40.4 and 43.4."""
-    printed_formula = 0.1 * (1 - (1.5859 - 1.2348 * 0.6) * (11.4 / 20) ** 0.4) ** -5.38 * kappa**k
-    assert printed_formula == pytest.approx(own, rel=2e-3)
-    assert life_modification(kappa, 0.342, "roller") < 1.5
-
-
 @pytest.mark.parametrize(
     ("reliability", "expected"),
     [(0.90, 1.00), (0.95, 0.64), (0.96, 0.55), (0.97, 0.47), (0.98, 0.37), (0.99, 0.25)],

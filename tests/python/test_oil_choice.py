@@ -220,8 +220,13 @@ def test_pressure_viscosity_by_both_laws(tmp_path):
     figure.savefig(tmp_path / "alpha.png")
 
 
-def test_one_oil_draws():
-    draw_viscosity([named_oil("PAG VG 460")])
+def test_the_viscosity_drawn_of_one_oil():
+    """457, 213.6, 113.5 and 66.8 mm2/s by Walther's constants, times 1.059 (1 - 7.1e-4 (T - 15)) g/ml."""
+    _, plain = draw_viscosity([named_oil("PAG VG 460")]).axes
+    (line,) = plain.lines
+    celsius = np.array([40, 60, 80, 100])
+    wanted = np.array([457, 213.6, 113.5, 66.8]) * 1.059 * (1 - 7.1e-4 * (celsius - 15))
+    assert np.interp(celsius, line.get_xdata(), line.get_ydata()) == pytest.approx(wanted, rel=3e-3)
 
 
 def test_every_grade_is_in_the_choice():

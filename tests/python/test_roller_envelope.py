@@ -242,9 +242,17 @@ def test_undercut_is_told_and_is_real():
     assert swept_distance(flank, place, angle, [angle - 0.01, angle + 0.01]).min() < -1e-6
 
 
-def test_the_reference_section_is_whole():
-    for name in ("left", "right"):
-        section(name).check()
+@pytest.mark.parametrize("name", ["left", "right"])
+def test_the_reference_section_is_whole(name):
+    """No roller, on its way, cuts away what another place of it has left, and no undercut is told."""
+    part = section(name)
+    part.check()
+    swing = np.linspace(-0.02, 0.02, 81)
+    for place in (part.lowest, 0.0, part.highest):
+        for angle in np.linspace(part.first, part.last, 5):
+            distance = swept_distance(part.envelope, place, angle, angle + swing)
+            assert abs(distance[40]) < 1e-15
+            assert np.delete(distance, 40).min() > 0
 
 
 @pytest.mark.parametrize("name", ["left", "right"])

@@ -81,13 +81,26 @@ def test_scenes_come_in_the_order_of_travel(case):
 def test_a_station_is_a_line_contact_with_the_drive_s_figures(case):
     scene = case.scene(section="left", phase=0.5, station=0.5)
     assert isinstance(scene, LineScene)
-    state = case.drive.state("left", 0.5, [0.5])
-    assert scene.load == pytest.approx(float(state.load[0]))
-    assert scene.radius == pytest.approx(1 / float(state.contact.curvature[0]))
-    assert scene.entrainment == pytest.approx(float(state.motion.entrainment[0]))
     # the worm's speed by its radius there
+    state = case.drive.state("left", 0.5, [0.5])
     radius = np.hypot(*(state.contact.point[1:, 0] - [0.16, 0.0]))
     assert scene.velocities[0] == pytest.approx(1500 * pi / 30 * radius, rel=0.02)
+    assert scene.entrainment == pytest.approx(sum(scene.velocities) / 2)
+    # both surfaces as seen in space
+    gap, _ = scene.gap(np.array([-1e-5, 0.0, 1e-5]))
+    assert np.diff(gap, 2)[0] / 1e-10 == pytest.approx(1 / scene.radius, rel=1e-3)
+
+
+def test_stations_of_all_rollers_in_mesh_carry_the_torque(case):
+    """Five rollers a pitch of 360/35 deg apart on a path of 55 deg; Gauss' points along lines of 12 mm."""
+    points, weights = np.polynomial.legendre.leggauss(3)
+    force = 0.0
+    for phase in 0.5 + 360 / 35 / 55 * np.arange(-2, 3):
+        for point, weight in zip(points, weights, strict=True):
+            scene = case.scene(section="left", phase=phase, station=(point + 1) / 2)
+            force += weight / 2 * 12e-3 * scene.load
+    # lines are up to a few hundredths longer than the rollers' working length
+    assert 0.128 * force == pytest.approx(35 * 5000 / (1500 * pi / 30) + 110, rel=0.04)
 
 
 def test_a_roller_s_past_is_that_of_earlier_phases(case):
