@@ -7,6 +7,22 @@ import numpy as np
 
 
 @dataclass(frozen=True)
+class Peak:
+    """How well a grid resolves the peaks of a field, of which the largest value is a figure.
+
+    Attributes
+    ----------
+    bound : float
+        Largest value that the grid does not exclude, in the field's unit.
+    nodes : float
+        Width at half its height, in nodes, of the narrowest peak that may hold the largest value.
+    """
+
+    bound: float
+    nodes: float
+
+
+@dataclass(frozen=True)
 class Reading:
     """Figures of a film on one grid.
 
@@ -18,6 +34,8 @@ class Reading:
         Largest pressure, between nodes [Pa].
     film_min_at : tuple of float
         Where the minimum film is, along each direction of the grid [m].
+    peaks : dict
+        How well the grid resolves the figures that are the largest values of fields, by name.
     further : dict
         Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
         the inlet's [K].
@@ -27,6 +45,7 @@ class Reading:
     film_central: float
     pressure_max: float
     film_min_at: tuple[float, ...]
+    peaks: dict[str, Peak]
     further: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -92,39 +111,83 @@ class Convergence:
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
-    """Relative change of each figure from one reading to another."""
+    """Relative change of each figure from one reading to another, without its sign."""
+    return {name: abs(of) for name, of in _changes(before, after).items()}
+
+
+def _changes(before: Reading, after: Reading) -> dict[str, float]:
+    """Change of each figure from one reading to another over the size that it has then."""
     last = before.figures
-    return {
-        name: _share(abs(value - last[name]), abs(value)) for name, value in after.figures.items()
-    }
+    return {name: _ratio(value - last[name], abs(value)) for name, value in after.figures.items()}
 
 
-def _share(change: float, of: float) -> float:
-    """A change over a figure, which may be nought, as friction without sliding."""
+def _ratio(change: float, size: float) -> float:
+    """A change over a size, which may be zero, as that of friction without sliding."""
     if change == 0:
         return 0.0
-    return change / of if of > 0 else np.inf
+    return change / size if size > 0 else float(np.copysign(np.inf, change))
+
+
+STEEPEST_FALL = 8.0
+"""Fall of the changes beyond which the last is small by chance: twice that of the second order."""
+
+SAFETY = 1.25
+"""Error bar over what changes that fall regularly promise: what Roache recommends of three grids (Annu. Rev.
+Fluid Mech. 29, 1997, 123-160)."""
 
 
 def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
     """Relative error of each figure on the last of grids of halving spacing.
 
-    The last change, or a quarter of the one before if that is larger (a figure may stand still by chance),
-    divided by what the observed fall of the changes promises: at second order three quarters of the error are
-    gone at each grid. On two grids no fall is seen; then the larger change of both films is the error of all.
+    On two grids no fall of the changes is seen; then the larger change of both films is the error of all, or
+    their own change if that is larger.
     """
     if len(readings) == 1:
         return dict.fromkeys(readings[0].figures, np.inf)
-    last = change(readings[-2], readings[-1])
+    last = _changes(readings[-2], readings[-1])
     if len(readings) == 2:
-        films = max(last[name] for name in FILMS)
-        return {name: max(films, of) for name, of in last.items()}
-    before = change(readings[-3], readings[-2])
+        films = max(abs(last[name]) for name in FILMS)
+        return {name: max(films, abs(of)) for name, of in last.items()}
+    before = _changes(readings[-3], readings[-2])
+    return {name: _grid_error(before[name], last[name], 2 ** orders[name]) for name in last}
+
+
+def _grid_error(before: float, last: float, steepest: float) -> float:
+    """Error that the last two changes of a figure leave, which fall by so much at most.
+
+    The last change, or a quarter of the one before if that is larger (a figure may stand still by chance).
+    Where changes fall regularly it is divided by what their fall promises: at second order three quarters of
+    the error are gone at each grid. Changes that differ in sign or fall too steeply promise nothing.
+    """
+    error = max(abs(last), abs(before) / 4)
+    if before * last < 0 or abs(before) > STEEPEST_FALL * abs(last):
+        return error
+    fall = before / last if last != 0 else steepest
+    return float(SAFETY * error / (np.clip(fall, 2.0, steepest) - 1))
+
+
+LEAST_PEAK = 4.0
+"""Nodes across a peak of pressure below which the grid does not resolve it (`docs/theory/film.md`)."""
+
+
+def unresolved(reading: Reading) -> str | None:
+    """Why nothing bounds the largest pressure on a grid; None where the grid resolves it.
+
+    The changes between grids do not show it: as long as a spike is lower than the middle of the contact, the
+    largest pressure stands still while the spike grows.
+    """
+    nodes = reading.peaks["pressure_max"].nodes
+    return None if nodes >= LEAST_PEAK else f"unresolved pressure spike, {nodes:.1f} nodes wide"
+
+
+def peak_errors(reading: Reading) -> dict[str, float]:
+    """Relative error of the largest values of fields by how narrow their peaks are on the grid."""
     errors = {}
-    for name in last:
-        steepest = 2 ** orders[name]
-        fall = np.clip(before[name] / last[name], 2.0, steepest) if last[name] > 0 else steepest
-        errors[name] = float(max(last[name], before[name] / 4) / (fall - 1))
+    for name, peak in reading.peaks.items():
+        value = reading.figures[name]
+        errors[name] = SAFETY * _ratio(max(peak.bound - value, 0.0), value)
+    if unresolved(reading) is not None:
+        errors["pressure_max"] = np.inf
     return errors
 
 

@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from pyworm import kernels, reading
-from pyworm.accuracy import HEAT_FIGURES, Reading
+from pyworm.accuracy import HEAT_FIGURES, Peak, Reading
 from pyworm.far_field import far_field
 from pyworm.grid import Grid
 from pyworm.ladder import Storage
@@ -138,13 +138,17 @@ class Rung:
     def read(self) -> Reading:
         """The film's figures in its present state."""
         film = self.film.thickness()
-        film_min, at = reading.film_minimum(self.grid, film, self.film.pressure > 0, self.covered)
+        pressure = self.film.pressure
+        film_min, at = reading.film_minimum(self.grid, film, pressure > 0, self.covered)
+        pressure_max = reading.maximum(pressure, self.covered)
+        temperatures, peaks = self._temperatures()
         return Reading(
             film_min,
             reading.value_at_origin(self.grid, film),
-            reading.maximum(self.film.pressure, self.covered),
+            pressure_max,
             at,
-            self._shear_figures() | self._heat_figures(),
+            {"pressure_max": reading.peak(pressure, self.covered, pressure_max)} | peaks,
+            self._shear_figures() | temperatures,
         )
 
     def end(self) -> Start:
@@ -192,16 +196,19 @@ class Rung:
             "shear_rate_max": float(rate[within].max()),
         }
 
-    def _heat_figures(self) -> dict[str, float]:
+    def _temperatures(self) -> tuple[dict[str, float], dict[str, Peak]]:
+        """Largest temperatures above the inlet's [K], and how well the grid resolves them."""
         if not self.film.heated:
-            return {}
+            return {}, {}
         rise = self.film.rise()
-        return {
-            "temperature_max_body_1": reading.maximum(rise[:, :, 0]),
-            "temperature_max_body_2": reading.maximum(rise[:, :, -1]),
-            "temperature_max_film": reading.maximum_across(
-                rise, kernels.level_positions(self.film.levels)
-            ),
+        fields = dict(
+            zip(HEAT_FIGURES, (rise[:, :, 0], rise[:, :, -1], rise.max(axis=2)), strict=True)
+        )
+        largest = {name: reading.maximum(field) for name, field in fields.items()}
+        positions = kernels.level_positions(self.film.levels)
+        largest["temperature_max_film"] = reading.maximum_across(rise, positions)
+        return largest, {
+            name: reading.peak(field, True, largest[name]) for name, field in fields.items()
         }
 
 

@@ -19,7 +19,7 @@ MARGIN = 6
 where it has no value of its own."""
 
 MOST_VALLEYS = 8
-"""Low nodes about which the surface is searched, the most promising ones."""
+"""Low nodes about which the surface is searched beside the lowest of all, the most promising ones."""
 
 DIP = 0.25
 """How far the surface may lie below a low node, over the second differences along x and y there together:
@@ -48,7 +48,9 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     floors = nodal[i, j] - DIP * np.maximum(_bends(field, i, j) + _bends(field.T, j, i), 0)
     promising = np.flatnonzero(~(floors > nodal[lowest]))
     promising = promising[np.argsort(floors[promising], kind="stable")[:MOST_VALLEYS]]
-    found = [_about(field, within, usable, i[valley], j[valley]) for valley in promising]
+    # the lowest node whatever the floors of others promise: the surface goes through it
+    about = {lowest, *zip(i[promising], j[promising], strict=True)}
+    found = [_about(field, within, usable, *node) for node in sorted(about)]
     return min(found, key=lambda one: one[0])
 
 

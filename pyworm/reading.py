@@ -8,6 +8,7 @@ import numpy as np
 from scipy.interpolate import RectBivariateSpline
 from scipy.optimize import minimize_scalar
 
+from pyworm.accuracy import Peak
 from pyworm.extremum import line_minimum, minimum
 from pyworm.grid import Grid
 
@@ -46,6 +47,43 @@ def line_maximum(field: Array, covered: Array | bool = True) -> float:
     """Largest value of a field along a line, between nodes, where both surfaces exist."""
     counted = np.broadcast_to(covered, field.shape)
     return -line_minimum(-field, counted, counted)[0]
+
+
+def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
+    """How well the nodes resolve the largest value of a field.
+
+    Parameters
+    ----------
+    field : numpy.ndarray
+        Values at nodes along one direction or two.
+    covered : numpy.ndarray or bool
+        Where both surfaces exist.
+    largest : float
+        The largest value between nodes.
+    """
+    counted = np.broadcast_to(covered, field.shape)
+    known = np.where(counted, field, np.nan)
+    above = sum(_above_neighbours(known, axis) for axis in range(field.ndim))
+    above = np.where(counted, np.maximum(above, 0.0), 0.0)
+    may = (field > 0) & (field + above > largest)
+    # a ridge has the same sum of second differences whichever way it runs
+    narrowest = np.max(above[may] / field[may], initial=0.0)
+    nodes = 2 / np.sqrt(narrowest) if narrowest > 0 else np.inf
+    return Peak(float(np.max(field + above / 2, where=counted, initial=largest)), float(nodes))
+
+
+def _above_neighbours(field: Array, axis: int) -> Array:
+    """How far nodes stand above both neighbours along an axis, together.
+
+    Where one is missing (NaN): how far above the line through the next two on the other side.
+    """
+    ends = [(0, 0)] * field.ndim
+    ends[axis] = (2, 2)
+    bends = np.diff(np.pad(field, ends, constant_values=np.nan), 2, axis=axis)
+    before, here, behind = (
+        np.take(bends, range(first, first + field.shape[axis]), axis) for first in range(3)
+    )
+    return np.nan_to_num(np.where(np.isnan(here), np.fmax(before, behind), -here))
 
 
 FINE_LEVELS = 201

@@ -30,6 +30,8 @@ class Estimate:
     model : float
         Error of a temperature by the model of conduction in the bodies (`fortran/heat/conduction_model.f90`),
         and of all figures of a film in motion by the march through its past (`pyworm.history`) [-].
+    reason : str or None
+        Why this figure alone has an infinite error bar.
     """
 
     value: float
@@ -37,6 +39,7 @@ class Estimate:
     domain: float = 0.0
     algebra: float = 0.0
     model: float = 0.0
+    reason: str | None = None
 
     @property
     def error(self) -> float:
@@ -324,7 +327,7 @@ POWER_UNITS = {"point": "W", "line": "per_length_W_m"}
 
 
 def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
-    """A figure, its error bar and the parts of that under flat names."""
+    """A figure, its error bar, the parts of that and the reason of an infinite one under flat names."""
     return {
         f"{name}_{unit}" if unit else name: estimate.value,
         f"{name}_error": estimate.error,
@@ -332,4 +335,5 @@ def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
             f"{name}_error_{part}": getattr(estimate, part)
             for part in ("grid", "domain", "algebra", "model")
         },
+        **({} if estimate.reason is None else {f"{name}_error_reason": estimate.reason}),
     }

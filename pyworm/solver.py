@@ -8,7 +8,7 @@ from time import perf_counter, process_time
 import numpy as np
 import xarray as xr
 
-from pyworm.accuracy import Reading, domain_errors, grid_errors
+from pyworm.accuracy import Reading, domain_errors, grid_errors, peak_errors, unresolved
 from pyworm.history import History, marched
 from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
 from pyworm.ladder import ALGEBRA_SHARE, Ladder, Rung, Settled, Stride, lead, settle
@@ -226,6 +226,8 @@ def _estimates(
 ) -> dict[str, Estimate]:
     """The figures with their error bars, which are infinite where the film is none."""
     grid = grid_errors(readings, ladder.convergence.orders)
+    grid |= {name: max(grid[name], of) for name, of in peak_errors(settled.reading).items()}
+    reasons = {"pressure_max": unresolved(settled.reading)}
     if not _film_is_sound(rung, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
     modelled = rung.model_errors()
@@ -237,6 +239,7 @@ def _estimates(
             domain.get(name, np.inf),
             settled.algebra[name],
             modelled.get(name, 0.0) + marching.get(name, 0.0),
+            reasons.get(name),
         )
         for name, value in settled.reading.figures.items()
     }

@@ -122,6 +122,8 @@ def figures_table(
         if figures.get(key) is None:
             continue
         add(label, _value(figures[key] * scale, unit, figures.get(error_key)), name)
+        if error_key is not None and f"{error_key}_reason" in figures:
+            table.add_row("  error bar", figures[f"{error_key}_reason"])
         if key == "film_min_m":
             place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
             table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")

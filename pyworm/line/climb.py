@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from pyworm.accuracy import Reading
+from pyworm.accuracy import HEAT_FIGURES, Peak, Reading
 from pyworm.climb import CONTACT_PRESSURE
 from pyworm.extremum import line_minimum
 from pyworm.kernels import LineFilm
@@ -16,7 +16,7 @@ from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
-from pyworm.reading import line_maximum, newtonian_shear
+from pyworm.reading import line_maximum, newtonian_shear, peak
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -74,13 +74,17 @@ class LineRung:
     def read(self) -> Reading:
         """The film's figures in its present state."""
         film, _, _ = self.film.fields()
-        film_min, at = line_minimum(film, self.film.pressure > 0, self.covered)
+        pressure = self.film.pressure
+        film_min, at = line_minimum(film, pressure > 0, self.covered)
+        pressure_max = line_maximum(pressure, self.covered)
+        temperatures, peaks = self._temperatures()
         return Reading(
             film_min,
             float(film[-self.grid.first]),
-            line_maximum(self.film.pressure, self.covered),
+            pressure_max,
             (self.grid.dx * (self.grid.first + at),),
-            self._shear_figures() | self._heat_figures(),
+            {"pressure_max": peak(pressure, self.covered, pressure_max)} | peaks,
+            self._shear_figures() | temperatures,
         )
 
     def _shear(self) -> tuple[Array, Array, Array] | None:
@@ -113,16 +117,14 @@ class LineRung:
             "shear_rate_max": float(rate[within].max()),
         }
 
-    def _heat_figures(self) -> dict[str, float]:
+    def _temperatures(self) -> tuple[dict[str, float], dict[str, Peak]]:
+        """Largest temperatures above the inlet's [K], and how well the grid resolves them."""
         if not self.film.heated:
-            return {}
+            return {}, {}
         rise = self.film.rise()
-        places = {
-            "temperature_max_body_1": rise[:, 0],
-            "temperature_max_body_2": rise[:, -1],
-            "temperature_max_film": rise.max(axis=1),
-        }
-        return {name: line_maximum(values) for name, values in places.items()}
+        fields = dict(zip(HEAT_FIGURES, (rise[:, 0], rise[:, -1], rise.max(axis=1)), strict=True))
+        largest = {name: line_maximum(field) for name, field in fields.items()}
+        return largest, {name: peak(field, True, largest[name]) for name, field in fields.items()}
 
 
 def first_rung(

@@ -125,7 +125,8 @@ def _loss_rows(loss: MeshLoss) -> list[tuple[str, str, str]]:
 
 def estimate(figure: Estimate, scale: float, unit: str) -> str:
     """A figure with its error bar."""
-    return f"{figure.value * scale:.4g} {unit}".rstrip() + f" ± {figure.error * 100:.2g} %"
+    reason = "" if figure.reason is None else f" ({figure.reason})"
+    return f"{figure.value * scale:.4g} {unit}".rstrip() + f" ± {figure.error * 100:.2g} %{reason}"
 
 
 def temperature(figure: Estimate, inlet: float) -> str:

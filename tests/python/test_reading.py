@@ -6,7 +6,14 @@ import pytest
 from pyworm import kernels
 from pyworm.extremum import line_minimum, minimum
 from pyworm.grid import Grid
-from pyworm.reading import exit_minimum, maximum, maximum_across, outline_imbalance
+from pyworm.reading import (
+    exit_minimum,
+    line_maximum,
+    maximum,
+    maximum_across,
+    outline_imbalance,
+    peak,
+)
 
 
 @pytest.mark.parametrize("levels", [5, 7, 13])
@@ -90,6 +97,51 @@ def test_the_deeper_of_two_valleys_counts():
     value, (x, _) = minimum(film, EVERYWHERE, EVERYWHERE)
     assert value == pytest.approx(0.999, abs=1e-5)
     assert x == pytest.approx(18.5, abs=0.05)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_no_node_is_beyond_the_extremum_however_many_valleys_compete(seed):
+    """A flat bowl with ridges and pits, and one lower node that stands out less than they do."""
+    random = np.random.default_rng(seed)
+    film = valley(12.3, 9.8, 0.3, 1e-3, 1e-4) + 0.2 * random.random(SHAPE)
+    film[3 + seed % 5, 4] = 0.999 * film.min()
+    film[2:10, 3:6] = np.maximum(film[2:10, 3:6], film.min())
+    assert minimum(film, EVERYWHERE, EVERYWHERE)[0] <= film.min()
+    assert maximum(-film) >= (-film).max()
+    assert line_maximum(-film[:, 4]) >= (-film[:, 4]).max()
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, np.pi / 4, 1.1])
+@pytest.mark.parametrize("width", [5.0, 10.0, 16.0])
+def test_the_width_of_a_ridge_is_told_in_nodes_whichever_way_it_runs(width, angle):
+    across = np.cos(angle) * (Y - 9.8) - np.sin(angle) * (X - 12.3)
+    ridge = 1 - 0.5 * (2 * across / width) ** 2
+    found = peak(ridge, True, maximum(ridge))
+    assert found.nodes == pytest.approx(width, rel=0.15)
+    # a parabola is half its second difference too low where no node is at its top, at most
+    assert 1 < found.bound < 1 + 2.1 / width**2
+
+
+def test_a_spike_lower_than_the_middle_is_seen_if_it_may_be_higher():
+    pressure = 1 - 0.002 * ((X - 12.0) ** 2 + (Y - 10.0) ** 2)
+    assert peak(pressure, True, 1.0).nodes == pytest.approx(2 / np.sqrt(0.008), rel=0.01)
+    spiky = pressure.copy()
+    spiky[20, 10] += 0.1
+    assert maximum(spiky) == pytest.approx(1.0)
+    assert peak(spiky, True, 1.0).nodes < 4
+    assert peak(spiky, True, 1.0).bound > 1.1
+    spiky[20, 10] -= 0.08
+    assert peak(spiky, True, 1.0) == peak(pressure, True, 1.0)
+
+
+def test_where_surfaces_end_no_spike_is_made_up():
+    covered = X <= 14
+    pressure = np.where(covered, 1 - 0.002 * (X - 13.0) ** 2, 0.0)
+    assert peak(pressure, covered, maximum(pressure, covered)).nodes > 20
+    assert peak(pressure[:, 3], covered[:, 3], 1.0).nodes > 20
+    steep = np.where(covered, 0.3 + 0.7 * np.exp(1.5 * (X - 14.0)), 0.0)
+    assert peak(steep, covered, maximum(steep, covered)).nodes < 4
+    assert peak(np.zeros(SHAPE), covered, 0.0).nodes == np.inf
 
 
 @pytest.mark.parametrize("beyond", [-50.0, 0.0, 50.0, np.nan])
