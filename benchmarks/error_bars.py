@@ -1,9 +1,9 @@
 """Whether error bars hold: random scenes at 2 %, all figures against finer grids in a wider window.
 
 Scenes are those of `tests/hard/draws.py`, COUNT isothermal and as many thermal ones of each seed. The truth
-is Richardson's limit over grids down to a quarter of the solution's spacing (as far as MOST_NODES allows) in a
-window of twice the reach, with more levels across the film, corrected for the end of that window. How far it
-may be off is given too: `pyworm.precision.limits`, and half of the correction. From the repository's root:
+is Richardson's limit over grids down to a quarter of the solution's spacing (as far as MOST_NODES allows) in
+a window of twice the reach, with more levels across the film, corrected for the end of that window. How far
+it may be off is given too: `pyworm.precision.limits`, and half of the correction. From the repository's root:
 
     python benchmarks/error_bars.py [COUNT [SEED ...]]
 
@@ -38,7 +38,7 @@ EXACT = 0.1
 """Accuracy of the truth's levels and algebra over that of the solution."""
 
 EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
-MOST_NODES = {"isothermal": 4_500_000, "thermal": 1_300_000}
+MOST_NODES = {"isothermal": 1_500_000, "thermal": 600_000}
 FINER = 0.3
 """Spacing of the truth's last grid over the solution's."""
 
