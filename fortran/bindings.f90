@@ -16,6 +16,7 @@ module bindings
     line_film_convolve, line_film_store, line_film_shear, line_film_heat, line_film_rise, line_film_unsolved, &
     line_film_set_rise, line_film_shear_fields, line_film_heat_fields, line_film_profile
   public :: prolong_cubic, level_positions
+  public :: compiled_with
 
 contains
 
@@ -751,5 +752,15 @@ contains
 
     call interpolate_cubic(coarse, fine)
   end subroutine prolong_cubic
+
+  !> The compiler and its options, of all of the kernel alike; blanks fill up what they leave.
+  subroutine compiled_with(compiler, options)
+    use iso_fortran_env, only: compiler_options, compiler_version
+    character(len=200), intent(out) :: compiler
+    character(len=2000), intent(out) :: options
+
+    compiler = compiler_version()
+    options = compiler_options()
+  end subroutine compiled_with
 
 end module bindings

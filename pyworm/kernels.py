@@ -717,3 +717,22 @@ def prolong(field) -> np.ndarray:
 def prolong_levels(fields) -> np.ndarray:
     """The same for fields at levels across the film, the last index."""
     return np.stack([prolong(level) for level in np.moveaxis(fields, 2, 0)], axis=2)
+
+
+def compiled_with() -> tuple[str, str]:
+    """The compiler of the kernel and its options: those that were given, without places of files.
+
+    A compiler tells its target as one option for each feature; -march says the same.
+    """
+    compiler, options = (said.decode().strip() for said in _core.bindings.compiled_with())
+    kept = [
+        one
+        for one in options.split()
+        if one.startswith("-") and "/" not in one and not one.startswith(_NOT_GIVEN)
+        if not one.startswith("-m") or one.startswith(("-march", "-mtune"))
+    ]
+    return compiler, " ".join(dict.fromkeys(kept))
+
+
+_NOT_GIVEN = ("-I", "-J", "-o", "-c", "--param", "-fdiagnostics")
+"""Beginnings of options that say nothing of the code that was made."""

@@ -14,6 +14,7 @@ import numpy as np
 import pyworm
 from pyworm.case import Case
 from pyworm.line.scene import LineScene
+from pyworm.origin import origin
 from pyworm.place import Place
 from pyworm.planning import Plan, plan
 from pyworm.result import FORMAT_VERSION, Result
@@ -114,11 +115,12 @@ def provenance(plans: dict[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def where_and_when() -> dict[str, str]:
-    """Versions, time and machine."""
+    """Versions, commit, compiler, kernel, time and machine."""
     return {
         "pyworm": pyworm.__version__,
         "python": platform.python_version(),
         "numpy": np.__version__,
+        **origin(),
         "machine": platform.machine(),
         "created": datetime.now(UTC).isoformat(timespec="seconds"),
     }

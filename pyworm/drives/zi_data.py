@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from pyworm.drives.tooth_boundary import wheel_radius
 from pyworm.drives.zi_load import SharedLoad
 from pyworm.scene import Gap
 from pyworm.variables import describe
@@ -70,7 +71,7 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
     if drive.unlifted is not None:
         unlifted = [drive.unlifted.shared(float(phase)) for phase in phases]
         dry = {"dry_tooth_load": ("load_phase", _loads(unlifted, phases))}
-    radius, face = drive.wheel_tooth.rim(60)
+    rim = drive.wheel_flank.cut_point(*drive.rim)
     warm = {}
     if drive.oil.heat is not None:
         worm, wheel = (body.bulk_temperature for body in drive.bodies)
@@ -88,8 +89,8 @@ def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
                 "sliding_speed": ("load_phase", np.linalg.norm(drive.sliding(phases), axis=0)),
                 "lever": ("load_phase", arms.wheel_normal),
                 "sliding_lever": ("load_phase", arms.wheel_sliding),
-                "rim_face": ("rim", face),
-                "rim_radius": ("rim", radius),
+                "rim_face": ("rim", rim[1]),
+                "rim_radius": ("rim", wheel_radius(rim)),
             },
             coords={"load_phase": phases},
             attrs={

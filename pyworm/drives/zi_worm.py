@@ -14,10 +14,12 @@ import xarray as xr
 from pyworm.bodies import Body, reduced_modulus
 from pyworm.drives.contact_analysis import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.helicoid import Array, Helicoid
+from pyworm.drives.interference import deepest
 from pyworm.drives.meshing import WheelFlank, turned
 from pyworm.drives.passing import Passing
 from pyworm.drives.tooth_boundary import NO_RELIEF, TipRelief, WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.tooth_gap import ToothGap, ToothMotion, surface_points
+from pyworm.drives.tooth_outline import ToothOutline, flank_outline
 from pyworm.drives.zi_data import loaded_cycle_data, mesh_cycle_data, tooth_data
 from pyworm.drives.zi_load import (
     BEYOND,
@@ -39,6 +41,9 @@ TABLE_ROUNDING = 1e-3
 BASE_PITCH_MISMATCH = 0.01
 """Relative difference of normal base pitches above which worm and wheel cannot mesh in turn."""
 
+
+OUTLINE_SIDE = 60
+"""Points on each side of the wheel tooth's outline."""
 
 PITCH_TOLD = 5e-6
 """Difference of normal base pitches [m] that is told: tables of four digits leave up to 3 um."""
@@ -146,24 +151,6 @@ class Assembly:
 
 
 AS_DESIGNED = Assembly()
-
-
-@dataclass(frozen=True)
-class ToothOutline:
-    """The wheel tooth and the path of contact on it, projected on a contact's tangent plane [m].
-
-    Attributes
-    ----------
-    x, y : ndarray
-        Closed outline of the wheel flank: tip, face end, root, face end.
-    path_x, path_y : ndarray
-        Path of contact on the wheel tooth from phase 0 to 1.
-    """
-
-    x: Array
-    y: Array
-    path_x: Array
-    path_y: Array
 
 
 @dataclass(frozen=True)
@@ -399,7 +386,27 @@ class ZiWormDrive:
     def _axes(self, phase: float) -> Array:
         return self.contact(phase).axes
 
+    @cached_property
+    def _interference(self) -> str | None:
+        """How worm and wheel cut into each other, as a sentence; None where they do not."""
+        found = deepest(
+            lambda phase: self.gap(self.contact(phase)),
+            lambda phase: self.tooth_outline(self.contact(phase)),
+        )
+        if found is None:
+            return None
+        face, radius = self.flank_place(self.contact(found.phase), found.x, found.y)
+        return (
+            f"hob.swivel of {degrees(self.hob.swivel):.4g} deg does not fit: the worm would cut "
+            f"{found.depth * 1e6:.1f} um into the flank that the hob leaves, at phase {found.phase:g}, "
+            f"{abs(face) * 1e3:.1f} mm from the middle of the face on a radius of {radius * 1e3:.1f} mm, and "
+            "touch it there only; another swivel, a larger hob or a smaller wheel.face_width is "
+            "needed"
+        )
+
     def _scene(self, phase: float) -> Scene:
+        if self._interference is not None:
+            raise ValueError(self._interference)
         load = self.shared(phase).force(phase)
         if load == 0:
             raise ValueError("the tooth pair carries no load there, its neighbours carry all")
@@ -462,38 +469,18 @@ class ZiWormDrive:
         place = partial(self.flank_place, contact)
         return tooth_data(self.tooth_outline(contact), scene.gap, place)
 
-    def tooth_outline(self, contact: ToothContact, count: int = 60) -> ToothOutline:
-        """Outline of the wheel tooth and path of contact seen along the contact's normal.
+    @cached_property
+    def rim(self) -> tuple[Array, Array]:
+        """Generators and rolls of the wheel flank's outline [rad]: tip, face end, root, face end."""
+        middle = self.contact(0.5)
+        theta, lag = middle.wheel_height.start
+        start = theta, lag + middle.wheel_angle
+        return flank_outline(self.wheel_flank, self.wheel_tooth, start, OUTLINE_SIDE)
 
-        Parameters
-        ----------
-        contact : ToothContact
-            The contact whose tangent plane is meant.
-        count : int
-            Points on each of the four sides.
-        """
-        flank, angle = self.wheel_flank, contact.wheel_angle
-        radius, place = self.wheel_tooth.rim(count)
-        start = contact.wheel_height.start
-        q = [np.full(radius.shape, start[0]), np.full(radius.shape, start[1] + angle)]
-        first = flank.point(q[0], q[1], angle)
-        tiny = 1e-30j
-        for part in np.repeat(np.linspace(0, 1, 9)[1:], 4):
-            aim = (
-                wheel_radius(first) * (1 - part) + radius * part,
-                first[1] * (1 - part) + place * part,
-            )
-            # Newton's method with derivatives by complex step, exact to rounding
-            columns = []
-            for dq in ((tiny, 0), (0, tiny)):
-                point = flank.point(q[0] + dq[0], q[1] + dq[1], angle)
-                columns.append((wheel_radius(point), point[1]))
-            miss = [columns[0][i].real - aim[i] for i in range(2)]
-            (a, c), (b, d) = [[value.imag / tiny.imag for value in column] for column in columns]
-            determinant = a * d - b * c
-            q[0] = q[0] - (d * miss[0] - b * miss[1]) / determinant
-            q[1] = q[1] - (a * miss[1] - c * miss[0]) / determinant
-        rim = flank.point(q[0], q[1], angle)
+    def tooth_outline(self, contact: ToothContact) -> ToothOutline:
+        """Outline of the wheel tooth and path of contact seen along a contact's normal."""
+        angle = contact.wheel_angle
+        rim = self.wheel_flank.point(*self.rim, angle)
         path = np.stack(
             [turned(c.point, c.wheel_angle - angle) for c in self.mesh_cycle()], axis=-1
         )

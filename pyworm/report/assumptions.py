@@ -113,14 +113,17 @@ def _worm_load(drive: ZiWormDrive) -> str:
     )
 
 
+PROVENANCE = (
+    *("pyworm", "commit", "kernel_digest", "compiler", "compiler_flags"),
+    *("python", "numpy", "machine", "created"),
+)
+"""What a report says of what made the result, in this order."""
+
+
 def provenance_section(result: Result) -> Section:
     """Versions, time, cost: what is needed to repeat the run."""
     said = result.provenance
-    rows = [
-        (key, str(said[key]))
-        for key in ("pyworm", "python", "numpy", "machine", "created")
-        if key in said
-    ]
+    rows = [(key.replace("_", " "), str(said[key])) for key in PROVENANCE if key in said]
     rows.append(("case", result.case_name))
     rows += [
         (

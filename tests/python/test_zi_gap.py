@@ -1,16 +1,19 @@
 """Gap, curvatures and velocities over the tangent plane."""
 
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
+import pyworm
 from pyworm.drives.kept import Kept
 from pyworm.drives.tooth_boundary import TipRelief
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
+DATA = Path(__file__).parents[1] / "data"
 
 
 def window(half_x, half_y, count):
@@ -319,3 +322,49 @@ def test_outline_encloses_the_contact_and_the_path():
     np.testing.assert_allclose(margins.min(axis=0), 0, atol=1e-9)
     middle = len(outline.path_x) // 2
     assert np.hypot(outline.path_x[middle], outline.path_y[middle]) < 1e-12
+
+
+@pytest.fixture(scope="module")
+def undercut():
+    """A wheel whose root lies below the end of its involute."""
+    return pyworm.load(DATA / "zi_a100.toml").drive
+
+
+def test_outline_of_an_undercut_tooth_ends_with_its_flank(undercut):
+    """Each point is on the rim, or at the edge of regression, where the envelope's tangents are parallel."""
+    theta, roll = undercut.rim
+    step = 1e-5
+    point, ahead, beside = (
+        undercut.wheel_flank.point(theta + a * step, roll + b * step)
+        for a, b in ((0, 0), (1, 0), (0, 1))
+    )
+    margins = undercut.wheel_tooth.margins(point)
+    on_rim = np.min(np.stack(list(margins.values())), axis=0) < 1e-8
+    first, second = ((side - point) / step for side in (ahead, beside))
+    size = np.linalg.norm(first, axis=0) * np.linalg.norm(second, axis=0)
+    angle = np.linalg.norm(np.cross(first, second, axis=0), axis=0) / size
+    assert 20 < np.sum(~on_rim) < 60
+    assert angle[~on_rim].max() < 0.02 < angle[on_rim].min()
+    assert np.stack(list(margins.values())).min() > -1e-8
+
+
+def test_outline_of_an_undercut_tooth_is_no_larger_than_the_tooth(undercut):
+    """Lines of metres were drawn where Newton's method left the flank; a tooth is 30 mm wide, 11 mm high."""
+    for phase in (0.0, 0.5, 1.0):
+        outline = undercut.tooth_outline(undercut.contact(phase))
+        sides = np.hypot(np.diff(outline.x), np.diff(outline.y))
+        assert np.ptp(outline.x) < 35e-3 and np.ptp(outline.y) < 15e-3 and sides.max() < 2e-3
+
+
+def test_outline_of_an_undercut_tooth_bounds_its_flank(undercut):
+    """The flank's heights, found by another method, exist within the outline and end a little beyond it."""
+    contact = undercut.contact(0.5)
+    outline = undercut.tooth_outline(contact)
+    inner, outer = (
+        contact.wheel_height.solve(share * outline.x, share * outline.y)[2]
+        for share in (0.98, 1.03)
+    )
+    theta, roll = undercut.rim
+    point = undercut.wheel_flank.cut_point(theta, roll)
+    ended = np.stack(list(undercut.wheel_tooth.margins(point).values())).min(axis=0) > 1e-6
+    assert inner.all() and not outer[ended].any()

@@ -1,8 +1,17 @@
 """Geometry that cannot work is refused in one clear sentence."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from zi_drives import DEGREE, HOB, MM, WHEEL, WORM, changed, sharif
+
+import pyworm
+from pyworm.case import case_of
+from pyworm.case_error import CaseError
+from pyworm.toml_file import read_toml
+
+DATA = Path(__file__).parents[1] / "data"
 
 
 def small_hob():
@@ -79,3 +88,24 @@ def test_a_hob_of_another_base_pitch_is_told_in_micrometres(by):
 
 def test_the_rounding_of_a_printed_table_is_no_other_base_pitch():
     assert sharif().warnings == ()
+
+
+def test_a_worm_that_cuts_into_the_wheel_is_refused():
+    """The hob of this drive is swivelled so far that the worm's thread meets the end of the face first."""
+    with pytest.raises(CaseError) as caught:
+        pyworm.load(DATA / "zi_a75.toml")
+    message = str(caught.value)
+    assert "hob.swivel of 1.079 deg does not fit" in message
+    assert "27.4 um into the flank" in message and "13.6 mm from the middle of the face" in message
+
+
+def test_the_same_worm_meshes_where_the_hob_is_swivelled_less():
+    """Worm and wheel touch at the contact point alone: elsewhere on the teeth the gap is open."""
+    data = read_toml(DATA / "zi_a75.toml")
+    data["drive"]["hob"]["swivel"] = "0.9 deg"
+    drive = case_of(data, "less", DATA).drive
+    scene = drive.scene(0.5)
+    outline = drive.tooth_outline(drive.contact(0.5))
+    places = [np.linspace(side.min(), side.max(), 80) for side in (outline.x, outline.y)]
+    gap, covered = scene.gap(*np.meshgrid(*places))
+    assert gap[covered].min() > -1e-7
