@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future, as_completed
 
 from pyworm.kernels import KernelError
+from pyworm.reason import reason_of
 from pyworm.solver import Progress
 from pyworm.store import Store
 from pyworm.task import Task
@@ -53,16 +54,18 @@ def solve_all(
 
 
 def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -> str | None:
-    """Solve one task; returns why there is no solution, or None if there is one.
+    """Solve one task, unless another run has meanwhile; returns why there is no solution, or None.
 
     Whatever goes wrong is the reason, since it must not cost the other tasks.
     """
     try:
+        if store.holds(task):
+            return None
         store.keep(task, task.solved(progress))
     except KernelError as error:
         return str(error)
     except Exception as error:
-        return f"{type(error).__name__}: {error}"
+        return reason_of(error)
     return None
 
 

@@ -11,8 +11,9 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from pyworm.case import Case, load
 from pyworm.case_error import CaseError
@@ -23,6 +24,9 @@ from pyworm.ratings.commands import add_oil, add_rate
 from pyworm.report.command import add_report
 from pyworm.units import SHARE, parse
 from pyworm.workers import WorkerDiedError
+
+if TYPE_CHECKING:
+    from pyworm.result import Result
 
 CONVERGED = 0
 FAILED = 1
@@ -198,35 +202,31 @@ def _run(options: argparse.Namespace) -> int:
     tasks = _tasks(case, options)
     _warn(case)
 
-    from rich.console import Console
-
     from pyworm.balance import run_balanced
-    from pyworm.cycle_tables import CYCLE_TABLES, cycle_table
     from pyworm.drive_cycle import drive_cycle
     from pyworm.plots import draw
     from pyworm.run import RESULT_NAME, NothingSolvedError
-    from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
 
-    try:
-        with _progress() as progress, _executor(options) as executor:
-            result, tasks = run_balanced(case, tasks, directory, executor, progress, _say)
-            # Apart, so that a picture that cannot be drawn does not cost the solve; and drawn here, since
-            # other machines need not reach this place.
-            with whole(directory, instead_of=PICTURES) as aside:
-                drawn = draw(result, aside, None if options.scheduler else executor)
-    except NothingSolvedError as error:
-        return _end(f"{case.name}: {error}", FAILED)
-    pictures = [path.name for path in drawn]
-
-    summaries = [solution.summary() for solution in result.solutions]
-    failed = result.provenance["failed"]
-    cycle = drive_cycle(result)
+    with _executor(options) as executor:
+        try:
+            with _progress() as progress:
+                result, tasks = run_balanced(case, tasks, directory, executor, progress, _say)
+        except NothingSolvedError as error:
+            return _end(f"{case.name}: {error}", FAILED)
+        if not options.json:
+            _show_run(case, tasks, result)
+            print(f"Results   {directory / RESULT_NAME}", flush=True)
+        # After the figures, which no picture may cost; and by this machine, since others need not reach
+        # this place.
+        drawing = partial(draw, result, executor=None if options.scheduler else executor)
+        pictures, _ = _pictures(directory, drawing, PICTURES)
     if options.json:
+        cycle = drive_cycle(result)
         print_json(
             {
                 "case": case.name,
-                "scenes": summaries,
-                "failed": failed,
+                "scenes": [solution.summary() for solution in result.solutions],
+                "failed": result.provenance["failed"],
                 "warnings": case.warnings,
                 **({} if cycle is None else {"cycle": cycle.summary()}),
                 "results": str(directory / RESULT_NAME),
@@ -234,33 +234,68 @@ def _run(options: argparse.Namespace) -> int:
             }
         )
     else:
-        console = Console()
-        console.print(f"{case.title}\n{case.source}\n", highlight=False)
-        scenes = [task.scene for task in tasks if task.scene.name not in failed]
-        for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
-            published = published_for(summary, case.published)
-            if published or len(scenes) == 1:
-                console.print(figures_table(scene, summary, published))
-                console.print(effects_table(solution.effects, "Effects, judged by the solution"))
-        if len(scenes) > 1:
-            console.print(scenes_table(scenes, summaries))
-            if all("friction_coefficient" in summary for summary in summaries):
-                console.print(heat_table(scenes, summaries))
-        if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
-            console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
-        if cycle is not None:
-            console.print(cycle_table(cycle))
-        for summary in summaries:
-            if not summary["converged"]:
-                console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
-        for name, reason in failed.items():
-            console.print(f"{name} could not be solved: {reason}")
-        console.print(f"Results   {directory / RESULT_NAME}", highlight=False, soft_wrap=True)
-        console.print(
-            f"Pictures  {directory}/*.png ({len(pictures)})", highlight=False, soft_wrap=True
-        )
-    converged = not failed and all(summary["converged"] for summary in summaries)
-    return CONVERGED if converged else NOT_CONVERGED
+        print(f"Pictures  {directory}/*.png ({len(pictures)})")
+    return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
+
+
+def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
+    """The tables of a run."""
+    from rich.console import Console
+
+    from pyworm.cycle_tables import CYCLE_TABLES, cycle_table
+    from pyworm.drive_cycle import drive_cycle
+    from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
+
+    summaries = [solution.summary() for solution in result.solutions]
+    failed = result.provenance["failed"]
+    cycle = drive_cycle(result)
+    console = Console()
+    console.print(f"{case.title}\n{case.source}\n", highlight=False)
+    scenes = [task.scene for task in tasks if task.scene.name not in failed]
+    for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
+        published = published_for(summary, case.published)
+        if published or len(scenes) == 1:
+            console.print(figures_table(scene, summary, published))
+            console.print(effects_table(solution.effects, "Effects, judged by the solution"))
+    if len(scenes) > 1:
+        console.print(scenes_table(scenes, summaries))
+        if all("friction_coefficient" in summary for summary in summaries):
+            console.print(heat_table(scenes, summaries))
+    if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
+        console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
+    if cycle is not None:
+        console.print(cycle_table(cycle))
+    for summary in summaries:
+        if not summary["converged"]:
+            console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
+    for name, reason in failed.items():
+        console.print(f"{name} could not be solved: {reason}")
+
+
+def _pictures(
+    directory: Path, draw: Callable[[Path], list[Path]], instead_of: Sequence[str] = ()
+) -> tuple[list[str], bool]:
+    """Have pictures drawn into a directory; one that fails is told and costs nothing else.
+
+    Returns
+    -------
+    tuple of list of str and bool
+        Names of those drawn, and whether these are all.
+    """
+    from pyworm.plots.attempts import PicturesError
+
+    complete = True
+    try:
+        with whole(directory, instead_of) as aside:
+            try:
+                drawn = draw(aside)
+            except PicturesError as error:
+                _say(f"{error}")
+                drawn, complete = error.drawn, False
+    except OSError as error:
+        _say(f"no pictures: {error}")
+        return [], False
+    return [path.name for path in drawn], complete
 
 
 def _check(options: argparse.Namespace) -> int:
@@ -376,8 +411,9 @@ def _sweep(options: argparse.Namespace) -> int:
     with whole(directory) as aside:
         result.save(aside / SWEEP_NAME)
         result.save_csv(aside / TABLE_NAME)
-    with whole(directory) as aside:
-        draw_sweep(result, aside / SWEEP_PICTURE)
+    if not options.json:
+        show(result, directory)
+    pictures, _ = _pictures(directory, lambda aside: draw_sweep(result, aside / SWEEP_PICTURE))
     if options.json:
         print_json(
             {
@@ -385,11 +421,12 @@ def _sweep(options: argparse.Namespace) -> int:
                 "scenes": rows(result),
                 "results": str(directory / SWEEP_NAME),
                 "table": str(directory / TABLE_NAME),
-                "pictures": [str(directory / SWEEP_PICTURE)],
+                "pictures": [str(directory / name) for name in pictures],
             }
         )
     else:
-        show(result, directory)
+        for name in pictures:
+            print(f"Picture   {directory / name}")
     return CONVERGED if result.converged.all() else NOT_CONVERGED
 
 
@@ -407,14 +444,13 @@ def _plot(options: argparse.Namespace) -> int:
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
     if sweep is not None:
-        with whole(directory) as aside:
-            pictures = [draw_sweep(sweep, aside / SWEEP_PICTURE).name]
+        draw_all, old = (lambda aside: draw_sweep(sweep, aside / SWEEP_PICTURE)), ()
     else:
-        with whole(directory, instead_of=PICTURES) as aside:
-            pictures = [path.name for path in draw(result, aside)]
+        draw_all, old = partial(draw, result), PICTURES
+    pictures, complete = _pictures(directory, draw_all, old)
     for name in pictures:
         print(directory / name)
-    return CONVERGED
+    return CONVERGED if complete else FAILED
 
 
 def _doctor(options: argparse.Namespace) -> int:

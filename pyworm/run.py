@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,10 @@ from pyworm.task import Task, provenance
 RESULT_NAME = "result.nc"
 SCENES = "scenes"
 """Directory, beside the result, of scenes kept while others are not solved yet."""
+
+
+GONE = "its file was removed before it was read; the same command solves it again"
+"""Why a scene is missing that was solved without a fault."""
 
 
 class NothingSolvedError(RuntimeError):
@@ -46,7 +51,7 @@ def run(
     progress : callable, optional
         Told what is being done and which share of all is done, 0 to 1.
     say : callable, optional
-        Told once if scenes were solved before.
+        Told once if scenes were solved before, and if an earlier result cannot be used.
 
     Returns
     -------
@@ -62,19 +67,17 @@ def run(
         The result cannot be written.
     """
     store = Store(directory.absolute() / SCENES, fields=True)
-    earlier = _solved_before(directory / RESULT_NAME)
-    missing = [task for task in store.missing(tasks) if task.key not in earlier]
+    earlier = _solved_before(directory / RESULT_NAME, say)
+    missing = store.missing(task for task in tasks if task.key not in earlier)
     before = sum(task not in missing for task in tasks)
     if before:
         say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
     reasons = solve_all(missing, store, executor, progress)
-    solved = [task for task in tasks if task.key not in reasons]
+    kept = _collected(tasks, store, earlier, directory / RESULT_NAME)
+    reasons = {task.key: reasons.get(task.key, GONE) for task in tasks if task.key not in kept}
+    solved = [task for task in tasks if task.key in kept]
     if not solved:
         raise NothingSolvedError(reasons[tasks[-1].key])
-    kept = dict(earlier)
-    for task in solved:
-        if task.key not in earlier:
-            kept |= _of_each(store.result(task))
     solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
     plans = {task.key: kept[task.key][1] for task in solved}
     failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
@@ -85,21 +88,42 @@ def run(
         None if case.drive is None else case.drive.cycle_data(),
         provenance(plans) | {"failed": failed},
     )
-    directory.mkdir(parents=True, exist_ok=True)
     result.save(directory / RESULT_NAME)
     store.drop(tasks)
     return result
 
 
-def _solved_before(path: Path) -> dict[str, tuple[Solution, dict[str, Any]]]:
-    """Solutions of an earlier result, if there is one, with their plans, by key."""
+_Kept = dict[str, tuple[Solution, dict[str, Any]]]
+"""Solutions with their plans, by the keys of their tasks."""
+
+
+def _collected(tasks: Sequence[Task], store: Store, earlier: _Kept, file: Path) -> _Kept:
+    """Solutions of these tasks, as far as there are any.
+
+    Another run of the same case in the same directory may have taken them from the store into its result.
+    """
+    kept = dict(earlier)
+    for task in tasks:
+        if task.key not in kept:
+            with suppress(OSError):
+                kept |= _of_each(store.result(task))
+    if any(task.key not in kept for task in tasks):
+        kept |= _solved_before(file, lambda message: None)
+    return kept
+
+
+def _solved_before(path: Path, say: Callable[[str], None]) -> _Kept:
+    """What an earlier result holds, if there is one; told if that cannot be used."""
     try:
         return _of_each(open_result(path))
-    except (FileNotFoundError, ValueError):
+    except FileNotFoundError:
+        return {}
+    except ValueError as error:
+        say(f"{error}; its scenes are solved again")
         return {}
 
 
-def _of_each(result: Result) -> dict[str, tuple[Solution, dict[str, Any]]]:
+def _of_each(result: Result) -> _Kept:
     """Solutions of a result with their plans, by key."""
     said = result.provenance
     plans = zip(result.solutions, said.get("plans", ()), strict=False)

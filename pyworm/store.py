@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pyworm.output import PARTIAL, whole_file
+from pyworm.output import remove_abandoned, whole_file
 from pyworm.result import Result, open_result
-from pyworm.task import Task
+from pyworm.task import Task, key_of
 
 
 @dataclass(frozen=True)
 class Store:
     """A directory of solved scenes; several processes may fill one together.
 
-    Files appear whole or not at all; an empty one, as a power cut may leave, counts as not there.
+    Files appear whole or not at all; a damaged one counts as not there.
 
     Attributes
     ----------
@@ -36,7 +36,6 @@ class Store:
 
     def keep(self, task: Task, result: Result) -> None:
         """Write down what a task came to; OSError if that is not possible."""
-        self.directory.mkdir(parents=True, exist_ok=True)
         file = self.file(task)
         if self.fields:
             result.save(file)
@@ -46,36 +45,48 @@ class Store:
         with whole_file(file) as partial:
             partial.write_text(json.dumps(content, default=lambda item: item.item()))
 
+    def holds(self, task: Task) -> bool:
+        """Whether a task was solved and its file can be read."""
+        try:
+            self.summary(task)
+        except OSError:
+            return False
+        return True
+
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
-        """The tasks that are still to be solved, each once."""
-        there = {path.name for path in self.directory.glob("*") if path.stat().st_size}
-        return list(
-            {task.key: task for task in tasks if self.file(task).name not in there}.values()
-        )
+        """The tasks that are still to be solved, each once; halves left by killed processes are removed."""
+        remove_abandoned(self.directory)
+        return list({task.key: task for task in tasks if not self.holds(task)}.values())
 
     def result(self, task: Task) -> Result:
-        """A solution kept in full, as the result that it came in; OSError if its file was damaged."""
+        """A solution kept in full, as the result that it came in; OSError if its file is gone or damaged."""
+        file = self.file(task)
         try:
-            return open_result(self.file(task))
+            result = open_result(file)
         except ValueError as error:
-            raise OSError(f"{error}; without it the scene is solved again") from error
+            raise OSError(f"{error}; the same command solves it again") from error
+        if result.provenance.get("keys") != [task.key] or len(result.solutions) != 1:
+            raise OSError(f"{file} holds another scene; the same command solves it again")
+        return result
 
     def summary(self, task: Task) -> dict[str, Any]:
-        """The scalars of a solution, as of `Solution.summary`; OSError if its file was damaged."""
+        """The scalars of a solution, as of `Solution.summary`; OSError if its file is gone or damaged."""
         if self.fields:
             return self.result(task).solutions[0].summary()
         file = self.file(task)
         try:
-            return json.loads(file.read_text())["summary"]
-        except (ValueError, LookupError, TypeError) as error:
-            raise OSError(f"{file} is damaged; without it the scene is solved again") from error
+            content = json.loads(file.read_text())
+            summary = dict(content["summary"])
+            sound = key_of(content["task"]) == task.key
+        except (ValueError, LookupError, TypeError, RecursionError):
+            sound = False
+        if not sound:
+            raise OSError(f"{file} is damaged; the same command solves it again")
+        return summary
 
     def drop(self, tasks: Iterable[Task]) -> None:
-        """Forget what these tasks came to, halves that killed processes left behind included."""
-        names = {self.file(task).name for task in tasks}
-        for path in self.directory.glob("*"):
-            partial = PARTIAL.fullmatch(path.name)
-            if (partial[1] if partial else path.name) in names:
-                path.unlink(missing_ok=True)
+        """Forget what these tasks came to."""
+        for task in tasks:
+            self.file(task).unlink(missing_ok=True)
         with suppress(OSError):  # not empty, or never made
             self.directory.rmdir()

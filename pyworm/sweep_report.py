@@ -29,7 +29,7 @@ _FIGURES = (
 
 
 def show(result: SweepResult, directory: Path) -> None:
-    """Print what a sweep came to, and where it is."""
+    """Print what a sweep came to, and where its figures are."""
     console = Console()
     data = result.table
     if data.sizes["scene"] <= MOST_ROWS:
@@ -38,7 +38,6 @@ def show(result: SweepResult, directory: Path) -> None:
     for reason, count in reasons.most_common():
         console.print(f"{count} of {data.sizes['scene']} scenes did not converge: {reason}")
     console.print(f"Results   {directory}/sweep.nc, sweep.csv", highlight=False, soft_wrap=True)
-    console.print(f"Picture   {directory}/sweep.png", highlight=False, soft_wrap=True)
 
 
 def rows(result: SweepResult) -> list[dict[str, Any]]:

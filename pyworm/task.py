@@ -77,7 +77,7 @@ class Task:
     @cached_property
     def key(self) -> str:
         """Name of the solution by what decides it."""
-        return sha256(json.dumps(self.identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]
+        return key_of(self.identity)
 
     def __reduce__(self) -> tuple:
         given = self.case, self.place, self.accuracy, self.effects, self.quantities
@@ -107,6 +107,11 @@ class Task:
             None,
             provenance({self.key: asdict(self.plan)}),
         )
+
+
+def key_of(identity: dict[str, Any]) -> str:
+    """Name of a solution by everything that decides it, `Task.identity`."""
+    return sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]
 
 
 def provenance(plans: dict[str, dict[str, Any]]) -> dict[str, Any]:

@@ -1,11 +1,13 @@
 """Pictures of a result; they read results and nothing else."""
 
 import os
+from collections.abc import Iterator
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
 
 from pyworm.plots.across_film import draw_across_film
+from pyworm.plots.attempts import Attempts
 from pyworm.plots.cycle import draw_cycle
 from pyworm.plots.entrainment import draw_entrainment
 from pyworm.plots.film import draw_film
@@ -22,11 +24,12 @@ from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.roller_cycle import draw_roller_cycle, draw_roller_sensitivity
 from pyworm.plots.roller_drive import draw_roller_drive
 from pyworm.plots.roller_regimes import draw_roller_regimes
-from pyworm.plots.style import write
 from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction, traction_curve
+from pyworm.reason import reason_of
 from pyworm.result import Result, open_result
 from pyworm.solution import Solution
+from pyworm.workers import WorkerDiedError
 
 SCENE_PICTURES = {
     "point": {
@@ -97,31 +100,55 @@ def draw(
     -------
     list of Path
         The files, scene by scene, those of the whole result last.
+
+    Raises
+    ------
+    PicturesError
+        Some could not be drawn; all others are.
     """
     if not isinstance(result, Result):
         result = open_result(result)
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
-    picture = partial(_draw_scene, result.case_name, directory)
-    numbers = range(len(result.solutions))
-    drawn = (executor.map if executor else map)(picture, numbers, result.solutions)
-    written = [path for paths in drawn for path in paths]
+    made = Attempts()
+    for scene in _scene_pictures(result, directory, executor):
+        made.add(scene)
     if result.mesh_cycle is not None:
         for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            figure = cycle(result)
-            if figure is not None:
-                written.append(write(figure, directory / f"{name}.png"))
+            made.draw(directory / f"{name}.png", partial(cycle, result))
     if result.solutions:
-        written.append(write(draw_regimes(result), directory / "regimes.png"))
+        made.draw(directory / "regimes.png", partial(draw_regimes, result))
     if traction_curve(result):
-        written.append(write(draw_traction(result), directory / "traction.png"))
-    return written
+        made.draw(directory / "traction.png", partial(draw_traction, result))
+    return made.result()
 
 
-def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution) -> list[Path]:
+def _scene_pictures(
+    result: Result, directory: Path, executor: Executor | None
+) -> Iterator[Attempts]:
+    """What came of the pictures of each scene; a process that ends meanwhile costs those of its scene."""
+    picture = partial(_draw_scene, result.case_name, directory)
+    if executor is None:
+        yield from map(picture, range(len(result.solutions)), result.solutions)
+        return
+    futures = [executor.submit(picture, *scene) for scene in enumerate(result.solutions)]
+    for number, future in enumerate(futures):
+        try:
+            yield future.result()
+        except WorkerDiedError as error:
+            yield Attempts(failed={f"{_stem(number)}_*.png": reason_of(error)})
+
+
+def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution) -> Attempts:
     """The pictures of one scene."""
-    return [
-        write(picture(case_name, solution), directory / f"scene_{number:03d}_{name}.png")
-        for name, picture in SCENE_PICTURES[solution.kind].items()
-        if name not in SHOWS or SHOWS[name](solution) is not None
-    ]
+    made = Attempts()
+    for name, picture in SCENE_PICTURES[solution.kind].items():
+        if name not in SHOWS or SHOWS[name](solution) is not None:
+            file = directory / f"{_stem(number)}_{name}.png"
+            made.draw(file, partial(picture, case_name, solution))
+    return made
+
+
+def _stem(number: int) -> str:
+    """What names of a scene's pictures begin with."""
+    return f"scene_{number:03d}"

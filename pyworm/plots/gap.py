@@ -3,6 +3,7 @@
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
@@ -31,28 +32,12 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     fields = solution.fields
     figure, (axes,) = panels(whole_window(fields), [""], heading(case_name, solution))
     gap, x, y = _widest_gap(fields)
-    levels = _levels(float(np.nanmax(gap)))
-    colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
-    contours = axes.contour(
-        x,
-        y,
-        gap,
-        levels=levels,
-        colors=colours,
-        linewidths=1.0,
-    )
-    axes.clabel(
-        contours,
-        levels[levels >= np.nanmax(gap) / LABELLED],
-        fmt=lambda value: f"{value:g}",
-        fontsize="small",
-    )
+    legend = []
+    if np.nanmax(gap) > 0:  # else there is nothing to draw contours of
+        legend.append(_draw_contours(axes, gap, x, y))
     draw_tooth(axes, fields)
     draw_dry_outline(axes, fields, "tab:red")
-    legend = [
-        Line2D([], [], color=colours[levels.size // 2], linewidth=1.0, label="undeformed gap / µm"),
-        Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"),
-    ]
+    legend.append(Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"))
     if "tooth_outline_x" in fields:
         solved = Rectangle(
             (fields["x"][0] * MILLI, fields["y"][0] * MILLI),
@@ -85,9 +70,26 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     return figure
 
 
+def _draw_contours(axes: Axes, gap: np.ndarray, x: np.ndarray, y: np.ndarray) -> Line2D:
+    """Contours of a gap [um] over x and y [mm]; what the legend says of them."""
+    highest = float(np.nanmax(gap))
+    levels = _levels(highest)
+    colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
+    contours = axes.contour(x, y, gap, levels=levels, colors=colours, linewidths=1.0)
+    axes.clabel(
+        contours,
+        levels[levels >= highest / LABELLED],
+        fmt=lambda value: f"{value:g}",
+        fontsize="small",
+    )
+    colour = colours[levels.size // 2]
+    return Line2D([], [], color=colour, linewidth=1.0, label="undeformed gap / µm")
+
+
 def _widest_gap(fields: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Gap [um] over the whole tooth where it was sampled there, else over the grid, with x and y [mm]."""
-    prefix = "tooth_" if "tooth_gap" in fields else ""
+    """Gap [um] over the whole tooth where it is known there, else over the grid, with x and y [mm]."""
+    known = "tooth_gap" in fields and bool(np.isfinite(fields["tooth_gap"]).any())
+    prefix = "tooth_" if known else ""
     names = f"{prefix}y", f"{prefix}x"
     gap = fields[f"{prefix}gap"].transpose(*names).values * MICRO
     return gap, fields[names[1]].values * MILLI, fields[names[0]].values * MILLI

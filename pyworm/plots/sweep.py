@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from pyworm.place import PLACE_NAMES
-from pyworm.plots.style import new_figure, write
+from pyworm.plots.attempts import Attempts
+from pyworm.plots.style import new_figure
 from pyworm.sweep_report import columns, telling
 from pyworm.sweep_table import SweepResult
 
@@ -85,9 +87,11 @@ class _Shown:
     has_zero: bool
 
 
-def draw_sweep(result: SweepResult, path: Path) -> Path:
-    """Draw the picture of a sweep as PNG."""
-    return write(sweep_figure(result), path)
+def draw_sweep(result: SweepResult, path: Path) -> list[Path]:
+    """Draw the picture of a sweep as PNG; PicturesError if that fails."""
+    made = Attempts()
+    made.draw(path, partial(sweep_figure, result))
+    return made.result()
 
 
 def sweep_figure(result: SweepResult) -> Figure:

@@ -218,20 +218,6 @@ def test_a_result_that_could_not_be_written_leaves_what_was_solved(
     assert sorted(path.name for path in out.iterdir()) == ["mark.png", "result.nc"]
 
 
-def test_pictures_that_could_not_be_drawn_do_not_cost_the_result(
-    tmp_path, capsys, monkeypatch, solve_at_once
-):
-    def full(result, directory, executor):
-        (directory / "half.png").write_text("half")
-        raise OSError("No space left on device")
-
-    solve_at_once()
-    monkeypatch.setattr("pyworm.plots.draw", full)
-    assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
-    assert "No space left on device" in capsys.readouterr().err
-    assert [path.name for path in tmp_path.rglob("*")] == ["out", "result.nc"]
-
-
 def test_a_kernel_that_gives_up_is_told_in_one_sentence(tmp_path, capsys, monkeypatch):
     def give_up(scene, plan, progress):
         raise KernelError(6)

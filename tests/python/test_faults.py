@@ -1,6 +1,5 @@
 """Faults: damaged files, a full disk, interrupts. What is finished is kept; what is said is one sentence."""
 
-import json
 import os
 import signal
 import subprocess
@@ -379,21 +378,3 @@ def test_run_to_run_and_one_or_two_threads_give_the_same_bits():
     ]
     assert said[0].count("\n") > 8
     assert said[0] == said[1] == said[2]
-
-
-def test_a_damaged_scene_of_a_sweep_is_told_in_one_sentence(tmp_path, capsys):
-    sweep = tmp_path / "sweep.toml"
-    sweep.write_text(
-        f'title = "two loads"\ncase = "{TRACTION}"\neffects = "isothermal"\n[fixed]\naccuracy = "30 %"\n'
-        '"motion.slide_roll_ratios" = [0]\n[[vary]]\n"contact.load" = ["20 N", "40 N"]\n'
-    )
-    command = ["sweep", str(sweep), "--json", "--out", str(tmp_path / "out")]
-    assert main(command) == 0
-    whole = json.loads(capsys.readouterr().out)
-    damaged = next((tmp_path / "out" / "scenes").glob("*.json"))
-    damaged.write_text(damaged.read_text()[:100])
-    assert main(command) == FAILED
-    assert f"{damaged} is damaged" in capsys.readouterr().err
-    damaged.unlink()
-    assert main(command) == 0
-    assert len(json.loads(capsys.readouterr().out)["scenes"]) == len(whole["scenes"]) == 2

@@ -1,0 +1,79 @@
+"""Pictures drawn one by one, so that one that fails costs no other."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from pyworm.plots.style import write
+from pyworm.reason import reason_of
+
+
+class PicturesError(RuntimeError):
+    """Some pictures could not be drawn, the others are there; the message is one sentence.
+
+    Attributes
+    ----------
+    drawn : list of Path
+        Those that are there.
+    """
+
+    def __init__(self, message: str, drawn: list[Path]) -> None:
+        """What failed and why, and what did not."""
+        super().__init__(message)
+        self.drawn = drawn
+
+
+@dataclass
+class Attempts:
+    """What came of drawing some pictures.
+
+    Attributes
+    ----------
+    drawn : list of Path
+        Files of those drawn.
+    failed : dict of str to str
+        Name of each other one, and why there is none.
+    """
+
+    drawn: list[Path] = field(default_factory=list)
+    failed: dict[str, str] = field(default_factory=dict)
+
+    def draw(self, path: Path, figure: Callable[[], Figure | None]) -> None:
+        """Draw a picture into a file, unless there is nothing to draw; whatever goes wrong is the reason."""
+        try:
+            made = figure()
+            if made is not None:
+                self.drawn.append(write(made, path))
+        except Exception as error:
+            self.failed[path.name] = reason_of(error)
+            path.unlink(missing_ok=True)
+
+    def add(self, others: "Attempts") -> None:
+        """Take over what came of others."""
+        self.drawn += others.drawn
+        self.failed |= others.failed
+
+    def result(self) -> list[Path]:
+        """The files; PicturesError if some are missing."""
+        if self.failed:
+            parts = (f"{_listed(names)}: {why}" for why, names in _by_reason(self.failed))
+            raise PicturesError(f"not drawn: {'; '.join(parts)}", self.drawn)
+        return self.drawn
+
+
+def _by_reason(failed: dict[str, str]) -> Iterable[tuple[str, list[str]]]:
+    reasons: dict[str, list[str]] = {}
+    for name, why in failed.items():
+        reasons.setdefault(why, []).append(name)
+    return reasons.items()
+
+
+SHOWN = 3
+"""Pictures that a sentence names; of more it tells the number."""
+
+
+def _listed(names: list[str]) -> str:
+    more = len(names) - SHOWN
+    return ", ".join(names[:SHOWN]) + (f" and {more} more" if more > 0 else "")

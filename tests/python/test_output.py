@@ -1,0 +1,115 @@
+"""Files appear whole or not at all: on disk before they are renamed, and nothing of killed writers stays."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from pyworm.output import remove_abandoned, whole, whole_file
+
+NOBODY = 65534
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from pyworm.output import whole, whole_file
+out = Path(sys.argv[1])
+with whole(out) as aside, whole_file(out / "result.nc") as partial:
+    (aside / "scene_000_film.png").write_text("half")
+    partial.write_text("half")
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def names(directory):
+    return sorted(path.name for path in directory.rglob("*"))
+
+
+@pytest.fixture
+def ordinary_user():
+    """A directory of a user whom permissions bind, as they do not root."""
+    directory = Path(tempfile.mkdtemp())
+    root = os.geteuid() == 0
+    if root:
+        os.chown(directory, NOBODY, NOBODY)
+        os.seteuid(NOBODY)
+    yield directory
+    if root:
+        os.seteuid(0)
+    directory.chmod(0o700)
+    shutil.rmtree(directory)
+
+
+def test_a_directory_is_written_to_whose_parent_is_closed_to_writing(ordinary_user):
+    out = ordinary_user / "out"
+    out.mkdir()
+    ordinary_user.chmod(0o500)
+    with pytest.raises(PermissionError):
+        (ordinary_user / "other").mkdir()
+    with whole(out) as aside:
+        (aside / "picture.png").write_text("whole")
+    with whole_file(out / "result.nc") as partial:
+        partial.write_text("whole")
+    assert names(out) == ["picture.png", "result.nc"]
+
+
+@pytest.mark.parametrize("kind", ["file", "directory"])
+def test_content_is_on_disk_before_it_is_renamed(tmp_path, monkeypatch, kind):
+    """Else a power cut may leave the new name with nothing in it."""
+    done = []
+    real = {name: getattr(os, name) for name in ("fsync", "replace")}
+
+    def synced(handle):
+        done.append((os.fstat(handle).st_ino, "on disk"))
+        real["fsync"](handle)
+
+    def renamed(old, new):
+        done.append((os.stat(old).st_ino, "renamed"))
+        real["replace"](old, new)
+
+    monkeypatch.setattr(os, "fsync", synced)
+    monkeypatch.setattr(os, "replace", renamed)
+    target = tmp_path / "out" / "file"
+    if kind == "file":
+        with whole_file(target) as partial:
+            partial.write_text("whole")
+    else:
+        with whole(target.parent) as aside:
+            (aside / target.name).write_text("whole")
+    inode = target.stat().st_ino
+    assert done == [(inode, "on disk"), (inode, "renamed")]
+
+
+def test_what_a_killed_process_left_goes_with_the_next_write_and_what_is_in_work_stays(tmp_path):
+    out = tmp_path / "out"
+    ended = subprocess.run([sys.executable, "-c", KILLED, str(out)], check=False)
+    assert ended.returncode == -signal.SIGKILL
+    assert (
+        len(names(tmp_path)) == 4
+    )  # the directory, what was collected and in it a picture, a file
+    with whole_file(out / "live.nc") as partial, whole(out) as aside:
+        partial.write_text("whole")
+        (aside / "live.png").write_text("whole")
+        remove_abandoned(out)
+        assert sorted(path.name for path in out.iterdir()) == sorted([partial.name, aside.name])
+    assert names(tmp_path) == ["live.nc", "live.png", "out"]
+
+
+def test_files_that_only_look_alike_are_left_alone(tmp_path):
+    for name in (".notes.part", "result.nc.0123abcd.part", ".result.nc.0123abcd.part~"):
+        (tmp_path / name).write_text("mine")
+    before = names(tmp_path)
+    remove_abandoned(tmp_path)
+    assert names(tmp_path) == before
+
+
+def test_a_failed_write_leaves_neither_the_directory_nor_anything_in_it(tmp_path):
+    with pytest.raises(ZeroDivisionError), whole(tmp_path / "new") as aside:
+        (aside / "half.png").write_text("half")
+        _ = 1 // 0
+    assert names(tmp_path) == []
