@@ -50,11 +50,8 @@ contains
     integer :: err
 
     allocate (fields%p(nx, ny), fields%h(nx, ny), fields%rho(nx, ny), fields%rho_p(nx, ny), &
-      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), stat=err)
+      fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), source=0.0_wp, stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
-    if (stat /= status_ok) return
-    fields%p = 0
-    fields%h = 0
   end subroutine new_film_fields
 
   !> Fields at the pressure and film that `fields` already holds.
