@@ -24,7 +24,7 @@ from pyworm.schema.rating import RATING_TABLES
 from pyworm.schema.zi_worm import ZiWormCase
 from pyworm.toml_file import read_toml
 
-_NO_PHYSICS = {
+NO_PHYSICS = {
     **dict.fromkeys(
         (
             *("title", "source", "published", "assumed", "accuracy", "effects", "quantities"),
@@ -120,7 +120,7 @@ class Case:
 
         A file that the case names is there with a digest of what it holds.
         """
-        tables = self.tables.model_dump(mode="json", exclude=_NO_PHYSICS)
+        tables = self.tables.model_dump(mode="json", exclude=NO_PHYSICS)
         if isinstance(self.tables, GapCase):
             content = (self.directory / self.tables.contact.file).read_bytes()
             tables["contact"]["file"] = sha256(content).hexdigest()

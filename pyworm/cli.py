@@ -22,6 +22,7 @@ from pyworm.output import check_writable, whole
 from pyworm.place import PLACE_NAMES
 from pyworm.ratings.commands import add_oil, add_rate
 from pyworm.report.command import add_report
+from pyworm.result_case import add_case, case_for
 from pyworm.units import SHARE, parse
 from pyworm.workers import WorkerDiedError
 
@@ -171,6 +172,7 @@ def _parser() -> argparse.ArgumentParser:
     plot = commands.add_parser("plot", help="draw the pictures of a results file again")
     plot.add_argument("result", type=Path, metavar="RESULT")
     plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")
+    add_case(plot)
     plot.set_defaults(command=_plot)
 
     add_report(commands)
@@ -443,6 +445,14 @@ def _plot(options: argparse.Namespace) -> int:
         result = None if sweep else open_result(options.result)
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
+    if options.case is not None:
+        if result is None:
+            raise CaseError(
+                f"--case {options.case}: {options.result} is a sweep, which has a case for each"
+            )
+        _, differ = case_for(options.case, result, options.anyway)
+        if differ is not None:
+            _say(f"warning: {differ}")
     if sweep is not None:
         draw_all, old = (lambda aside: draw_sweep(sweep, aside / SWEEP_PICTURE)), ()
     else:

@@ -1,11 +1,13 @@
 """What `pyworm rate` and `pyworm oil` show."""
 
 import argparse
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.case_error import CaseError
 from pyworm.json_output import print_json
+from pyworm.result_case import add_anyway, case_for
 
 if TYPE_CHECKING:
     from pyworm.named_oils import NamedOil
@@ -28,6 +30,7 @@ def add_rate(commands: argparse._SubParsersAction) -> None:
     rate.add_argument(
         "--result", type=Path, metavar="RESULT", help="result of the same drive, shown beside"
     )
+    add_anyway(rate)
     rate.add_argument("--json", action="store_true", help="one JSON object on standard output")
     rate.set_defaults(command=_rate)
 
@@ -62,11 +65,18 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
 
 def _rate(options: argparse.Namespace) -> int:
-    from pyworm.ratings.asked import load_asked, not_rated, ratings
+    from pyworm.ratings.asked import asked_of, load_asked, not_rated, ratings
     from pyworm.schema.shown import assumptions
 
-    asked = load_asked(options.case)
-    result = None if options.result is None else _result_of(options.result, asked.name)
+    asked, result, differ = load_asked(options.case), None, None
+    if options.result is not None and asked.drive is None:
+        raise CaseError(f"{options.case}: has no [drive] that a result could be of")
+    if options.result is not None:
+        result = _opened(options.result)
+        case, differ = case_for(options.case, result, options.anyway)
+        asked = asked_of(case)
+    if differ is not None:
+        print(f"pyworm: warning: {differ}", file=sys.stderr)
     made = ratings(asked, result)
     if not made:
         raise CaseError(
@@ -100,17 +110,14 @@ def _rate(options: argparse.Namespace) -> int:
     return 0
 
 
-def _result_of(path: Path, case: str) -> "Result":
-    """A result file of a case; CaseError if it is of another."""
+def _opened(path: Path) -> "Result":
+    """A result file."""
     from pyworm.result import open_result
 
     try:
-        result = open_result(path)
+        return open_result(path)
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
-    if result.case_name != case:
-        raise CaseError(f"{path} is a result of the case {result.case_name}, not of {case}")
-    return result
 
 
 def _print(console, rating: "Rating") -> None:

@@ -20,16 +20,26 @@ from pyworm.result import Result
 from pyworm.schema.rating import RatedCase
 
 
-def build_report(result: Result) -> Report:
+def build_report(result: Result, case: Case | None = None, differ: str | None = None) -> Report:
     """Everything a report says of a result.
+
+    Parameters
+    ----------
+    result : Result
+        The result.
+    case : Case, optional
+        The case it is of, in place of the one it was solved with: with other ratings, say.
+    differ : str, optional
+        How they differ, if they do and it is taken anyway.
 
     Raises
     ------
     CaseError
         The result's case is none that this version knows.
     """
-    case = case_again(result.case)
-    warnings = tuple(
+    case = case or case_again(result.case)
+    warnings = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
+    warnings += tuple(
         f"{place_of(of)} did not converge: {of.stop_reason}"
         for of in result.solutions
         if not of.converged

@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from pyworm.case_error import CaseError
+from pyworm.result_case import add_case, case_for
 
 
 def add_report(commands: argparse._SubParsersAction) -> None:
@@ -11,6 +12,7 @@ def add_report(commands: argparse._SubParsersAction) -> None:
     report = commands.add_parser("report", help="write a results file as one HTML page")
     report.add_argument("result", type=Path, metavar="RESULT")
     report.add_argument("--out", type=Path, metavar="FILE.html", help="default: beside the results")
+    add_case(report)
     report.set_defaults(command=_report)
 
 
@@ -28,7 +30,10 @@ def _report(options: argparse.Namespace) -> int:
         result = open_result(options.result)
     except (FileNotFoundError, ValueError) as error:
         raise CaseError(str(error)) from error
-    page = render(build_report(result))
+    case, differ = None, None
+    if options.case is not None:
+        case, differ = case_for(options.case, result, options.anyway)
+    page = render(build_report(result, case, differ))
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")

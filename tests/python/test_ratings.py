@@ -409,7 +409,7 @@ def test_rate_with_a_result_file(tmp_path, capsys, worm_case):
     worm = said(capsys, "rate", CASES / "zi_sharif_2001.toml", "--result", path)["ratings"][0]
     assert {"standard", "simulation"} <= set(worm)
     error = refusal(["rate", str(CASES / "oil_zi.toml"), "--result", str(path)], tmp_path, capsys)
-    assert "is a result of the case zi_sharif_2001, not of oil_zi" in error
+    assert "has no [drive] that a result could be of" in error
 
 
 # ---------------------------------------------------------------------------------------- trends
