@@ -2,8 +2,9 @@
 
 The loads of a drive's teeth follow from its torque, from friction and from how far films lift the teeth off
 each other, the temperatures of its oil and bodies from the loss between the teeth; all of these follow from
-films under these loads and temperatures. The first pass takes usual values, and no lift. Where those found
-would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
+films under these loads and temperatures. Where roughness carries load, which is not simulated, a standard's
+loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
+found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
 temperatures are found with every `STRIDE`-th phase, lifts with every second one at an accuracy of `GLANCE`.
 """
 
@@ -17,6 +18,8 @@ import numpy as np
 
 from pyworm.case import Case, case_again
 from pyworm.drive_cycle import FEWEST_PHASES, DriveCycle, drive_cycle
+from pyworm.heating import HeatingLoss, heating_loss, tooth_loss_of
+from pyworm.ratings.standard_loss import standard_loss
 from pyworm.result import Result, case_in
 from pyworm.run import RESULT_NAME, run
 from pyworm.solver import Progress
@@ -108,17 +111,23 @@ class _Search:
         cycle = drive_cycle(result)
         if cycle is None or cycle.loss is None:
             return case
-        found = self._found(case, cycle, losses)
+        heating = heating_loss(cycle, standard_loss(case))
+        found = self._found(case, cycle, heating, losses)
         new = case.with_found(found)
-        if self._enough(case, new, cycle):
+        if self._enough(case, new, cycle, heating):
             return case
-        self.say(f"solved again with {' and '.join(_told(found))}")
+        by = f" ({heating.words})" if "cooling" in found else ""
+        self.say(f"solved again with {' and '.join(_told(found))}{by}")
         return new
 
     def _found(
-        self, case: Case, cycle: DriveCycle, losses: list[tuple[float, float]]
+        self,
+        case: Case,
+        cycle: DriveCycle,
+        heating: HeatingLoss,
+        losses: list[tuple[float, float]],
     ) -> dict[str, dict[str, Any]]:
-        """What is to be taken next."""
+        """What is to be taken next; a standard's loss, which knows no temperatures, as it is."""
         loss = cycle.loss
         of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
         found = {
@@ -127,14 +136,15 @@ class _Search:
             if table == "operation"
         }
         if "cooling" in self.open:
-            losses.append((tooth_loss_of(case), loss.power))
-            found["cooling"] = {"tooth_loss": float(f"{_next_loss(losses):.3g}")}
+            losses.append((tooth_loss_of(case), heating.power))
+            power = heating.power if heating.by == "standard" else _next_loss(losses)
+            found["cooling"] = {"tooth_loss": float(f"{power:.3g}")}
         return found
 
-    def _enough(self, case: Case, new: Case, cycle: DriveCycle) -> bool:
+    def _enough(self, case: Case, new: Case, cycle: DriveCycle, heating: HeatingLoss) -> bool:
         """Whether what was found hardly changes the case."""
         if "cooling" in self.open:
-            misses = abs(cycle.loss.power - tooth_loss_of(case)) / case.tables.cooling.conductance
+            misses = abs(heating.power - tooth_loss_of(case)) / case.tables.cooling.conductance
             if misses > WARMTH:
                 return False
         return load_change(case, new, cycle.phases) <= LOAD_SHARE * self.accuracy
@@ -154,13 +164,6 @@ def _next_loss(losses: list[tuple[float, float]]) -> float:
         fall = min((last - first) / (after - before), 0.0)
     assumed, found = losses[-1]
     return assumed + (found - assumed) / (1 - fall)
-
-
-def tooth_loss_of(case: Case) -> float:
-    """Loss between the teeth for which a case's temperatures are struck [W]."""
-    cooling = case.tables.cooling
-    sump = case.drive.oil.heat.inlet_temperature
-    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other_loss
 
 
 def _told(found: dict[str, dict[str, Any]]) -> list[str]:

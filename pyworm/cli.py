@@ -206,7 +206,9 @@ def _run(options: argparse.Namespace) -> int:
 
     from pyworm.balance import run_balanced
     from pyworm.drive_cycle import drive_cycle
+    from pyworm.heating import heating_of
     from pyworm.plots import draw
+    from pyworm.ratings.standard_loss import standard_loss
     from pyworm.run import RESULT_NAME, NothingSolvedError
 
     with _executor(options) as executor:
@@ -223,7 +225,8 @@ def _run(options: argparse.Namespace) -> int:
         drawing = partial(draw, result, executor=None if options.scheduler else executor)
         pictures, _ = _pictures(directory, drawing, PICTURES)
     if options.json:
-        cycle = drive_cycle(result)
+        cycle, standard = drive_cycle(result), standard_loss(case)
+        heating = heating_of(tasks[0].case, cycle, standard)
         print_json(
             {
                 "case": case.name,
@@ -231,6 +234,8 @@ def _run(options: argparse.Namespace) -> int:
                 "failed": result.provenance["failed"],
                 "warnings": case.warnings,
                 **({} if cycle is None else {"cycle": cycle.summary()}),
+                **({} if case.drive is None else {"standard_loss": standard.summary()}),
+                **({} if heating is None else {"heating_loss": heating.summary()}),
                 "results": str(directory / RESULT_NAME),
                 "pictures": [str(directory / name) for name in pictures],
             }
@@ -244,15 +249,20 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     """The tables of a run."""
     from rich.console import Console
 
-    from pyworm.cycle_tables import CYCLE_TABLES, cycle_table
+    from pyworm.cycle_tables import CYCLE_TABLES, cycle_table, loss_table
     from pyworm.drive_cycle import drive_cycle
+    from pyworm.heating import heating_of
+    from pyworm.left_out import opening
+    from pyworm.ratings.standard_loss import standard_loss
     from pyworm.tables import effects_table, figures_table, heat_table, published_for, scenes_table
 
     summaries = [solution.summary() for solution in result.solutions]
     failed = result.provenance["failed"]
-    cycle = drive_cycle(result)
+    cycle, standard = drive_cycle(result), standard_loss(case)
     console = Console()
     console.print(f"{case.title}\n{case.source}\n", highlight=False)
+    for line in opening(result.solutions, standard.words):
+        console.print(f"{line}\n", highlight=False)
     scenes = [task.scene for task in tasks if task.scene.name not in failed]
     for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
         published = published_for(summary, case.published)
@@ -267,6 +277,9 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
         console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
     if cycle is not None:
         console.print(cycle_table(cycle))
+        if cycle.loss is not None:
+            heating = heating_of(tasks[0].case, cycle, standard)
+            console.print(loss_table(cycle, standard, heating))
     for summary in summaries:
         if not summary["converged"]:
             console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
@@ -307,27 +320,32 @@ def _check(options: argparse.Namespace) -> int:
 
     from rich.console import Console
 
+    from pyworm import left_out
     from pyworm.expectation import duration, expectation
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import effects_table, plan_table
 
     expected = [expectation(task.scene, task.plan) for task in tasks]
+    without = [left_out.expected(task.scene, task.plan) for task in tasks]
     if options.json:
         scenes = [
             scene_summary(task.scene)
+            | lacking.summary()
             | {
                 "plan": asdict(task.plan),
                 "effects": [asdict(effect) for effect in task.plan.effects],
                 "expected_seconds": of.seconds,
                 "expected_convolutions": of.convolutions,
             }
-            for task, of in zip(tasks, expected, strict=True)
+            for task, lacking, of in zip(tasks, without, expected, strict=True)
         ]
         content = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
         print_json(content | {"warnings": case.warnings})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n", highlight=False)
+        if sentence := left_out.worst(without).sentence:
+            console.print(f"{sentence} (Films by closed forms.)\n", highlight=False)
         for task, of in zip(tasks, expected, strict=True):
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))

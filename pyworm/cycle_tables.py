@@ -8,6 +8,9 @@ from rich.table import Table
 
 from pyworm.drive_cycle import DriveCycle, Extreme
 from pyworm.formulas.wear_distress import regime
+from pyworm.heating import Heating
+from pyworm.left_out import AS_IF_SMOOTH
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.solution import ZERO_CELSIUS
 
 _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
@@ -111,18 +114,19 @@ CYCLE_TABLES: dict[str, Callable[[xr.Dataset], Table]] = {
 
 
 def cycle_table(cycle: DriveCycle) -> Table:
-    """A drive's mesh cycle: extremes with phase and place on the wheel's flank, loss and efficiency."""
+    """Extremes of a drive's mesh cycle with their phase and place on the wheel's flank."""
     title = f"Whole mesh cycle, from {len(cycle.phases)} phases"
-    if cycle.left_out:
-        title += f" ({', '.join(f'{phase:g}' for phase in cycle.left_out)} not converged, left out)"
-    table = Table("Figure", title=title, title_justify="left")
+    if cycle.unconverged:
+        phases = ", ".join(f"{phase:g}" for phase in cycle.unconverged)
+        title += f" ({phases} not converged, left out)"
+    table = Table("Figure", title=cycle.left_out.titled(title), title_justify="left")
     for heading in ("Value", "Phase", "Along the\nface / mm", "Radius\n/ mm"):
         table.add_column(heading, justify="right")
 
     def extreme(label: str, one: Extreme, scale: float, unit: str, offset: float = 0.0) -> None:
-        value = f"{(one.value - offset) * scale:.4g} {unit} ± {_two(one.error * scale)}"
+        value = f"{(one.value - offset) * scale:.4g} {unit}".rstrip()
         place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
-        table.add_row(label, value, f"{one.phase:g}", *place)
+        table.add_row(label, f"{value} ± {_two(one.error * scale)}", f"{one.phase:g}", *place)
 
     extreme("Least film", cycle.film_min, 1e6, "µm")
     extreme("Largest pressure", cycle.pressure_max, 1e-6, "MPa")
@@ -139,24 +143,53 @@ def cycle_table(cycle: DriveCycle) -> Table:
             table.add_row(label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C")
     if cycle.lambda_min is not None:
         extreme("Least lambda", cycle.lambda_min, 1.0, "")
+        extreme("  of the central film", cycle.lambda_central, 1.0, "")
     if cycle.lifted is not None:
         share, phase = cycle.lifted
         table.add_row("Load moved by lift of films", f"{share * 100:+.2g} %", f"{phase:g}")
-    loss = cycle.loss
-    if loss is not None:
-        table.add_section()
-        table.add_row("Loss of all teeth", f"{loss.power:.4g} W ± {_two(loss.error)}")
-        table.add_row("  by the scenes' errors", f"{_two(loss.scene_error)} W")
-        table.add_row("  by the phases", f"{_two(loss.phase_error)} W")
-        table.add_row("  by friction at the ends", f"{_two(loss.end_error)} W")
-        table.add_row(
-            "Mean friction", f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
-        )
-        table.add_row("Torque of the wheel", f"{loss.wheel_torque:.5g} N m")
-        table.add_row("Torque of the worm", f"{loss.worm_torque:.4g} N m")
-        bar = f"± {loss.efficiency_error * 100:.2g}"
-        table.add_row("Efficiency of the teeth", f"{loss.efficiency * 100:.2f} % {bar}")
-        table.add_row("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}")
+    return table
+
+
+def loss_table(
+    cycle: DriveCycle, standard: StandardLoss | NoStandard, heating: Heating | None
+) -> Table:
+    """Loss, friction, torques and efficiency of all teeth over a mesh cycle.
+
+    Parameters
+    ----------
+    cycle : DriveCycle
+        A cycle with a loss.
+    standard : StandardLoss or NoStandard
+        What a standard says of its teeth; shown beside the simulation where roughness carries load.
+    heating : Heating or None
+        The loss that warms it; None where temperatures are given.
+    """
+    loss, left_out = cycle.loss, cycle.left_out
+    table = Table("Figure", title=left_out.titled("Loss of all teeth"), title_justify="left")
+    table.add_column(AS_IF_SMOOTH.capitalize() if left_out.rough else "Value", justify="right")
+    beside: dict[str, str] = {}
+    if left_out.rough and isinstance(standard, StandardLoss):
+        table.add_column("Rough, by\nthe standard", justify="right")
+        beside = {
+            "Loss": f"{standard.power:.4g} W",
+            "Mean friction": f"{standard.friction:.3g}",
+            "Efficiency": f"{standard.efficiency * 100:.3g} %",
+        }
+    bar = f"± {loss.efficiency_error * 100:.2g}"
+    for label, value in (
+        ("Loss", f"{loss.power:.4g} W ± {_two(loss.error)}"),
+        ("  error by the scenes' errors", f"{_two(loss.scene_error)} W"),
+        ("  by the phases", f"{_two(loss.phase_error)} W"),
+        ("  by friction at the ends", f"{_two(loss.end_error)} W"),
+        ("Mean friction", f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"),
+        ("Torque of the wheel", f"{loss.wheel_torque:.5g} N m"),
+        ("Torque of the worm", f"{loss.worm_torque:.4g} N m"),
+        ("Efficiency", f"{loss.efficiency * 100:.2f} % {bar}"),
+        ("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}"),
+    ):
+        table.add_row(label, value, *([beside.get(label, "")] if beside else []))
+    if heating is not None:
+        table.caption, table.caption_justify = heating.words, "left"
     return table
 
 

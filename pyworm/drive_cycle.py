@@ -10,12 +10,13 @@ and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + fricti
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import xarray as xr
 from scipy.interpolate import PchipInterpolator
 
+from pyworm.left_out import LeftOut, of_all
 from pyworm.result import Result
 from pyworm.solution import ZERO_CELSIUS, Estimate, Solution
 
@@ -95,14 +96,14 @@ class DriveCycle:
     ----------
     phases : tuple of float
         Solved, and converged.
-    left_out : tuple of float
+    unconverged : tuple of float
         Solved, but not converged.
     film_min, pressure_max : Extreme
         Over all phases [m], [Pa].
     temperatures : dict of str to Extreme
         Largest of "body_1", "body_2" and "film" [K]; empty where heat was not simulated.
-    lambda_min : Extreme or None
-        Least film over composite roughness [-]; None where a roughness is not known.
+    lambda_min, lambda_central : Extreme or None
+        Least film, and least central film, over composite roughness [-]; None where a roughness is not known.
     loss : Loss or None
         None where the shear of the film was not looked at.
     bulk : dict of str to float
@@ -113,10 +114,12 @@ class DriveCycle:
     lifted : tuple of float or None
         Largest share by which the films' lift moved the load of a phase solved, and that phase; None where
         loads were shared without.
+    left_out : LeftOut
+        What all these figures do not hold, at the worst of the phases.
     """
 
     phases: tuple[float, ...]
-    left_out: tuple[float, ...]
+    unconverged: tuple[float, ...]
     film_min: Extreme
     pressure_max: Extreme
     temperatures: dict[str, Extreme]
@@ -125,13 +128,17 @@ class DriveCycle:
     bulk: dict[str, float]
     lifts: tuple[tuple[float, float], ...] = ()
     lifted: tuple[float, float] | None = None
+    lambda_central: Extreme | None = None
+    left_out: LeftOut = field(default_factory=LeftOut)
 
     def summary(self) -> dict:
         """All of it as one object, units in the keys."""
         loss = self.loss
         return {
+            "left_out": self.left_out.influence,
+            "lubrication": self.left_out.lubrication,
             "phases": list(self.phases),
-            "phases_left_out": list(self.left_out),
+            "phases_left_out": list(self.unconverged),
             "film_min": _told(self.film_min, "m"),
             "pressure_max": _told(self.pressure_max, "Pa"),
             "temperature_max": {
@@ -140,6 +147,7 @@ class DriveCycle:
             },
             "bulk_temperature_C": {name: of - ZERO_CELSIUS for name, of in self.bulk.items()},
             "lambda_min": self.lambda_min and _told(self.lambda_min, ""),
+            "lambda_central": self.lambda_central and _told(self.lambda_central, ""),
             "load_moved_by_lift": self.lifted
             and dict(zip(("share", "phase"), self.lifted, strict=True)),
             **(
@@ -186,7 +194,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
     film = _extreme(good, "film_min", min, lambda one: one.figures.film_min_at)
     return DriveCycle(
         phases=tuple(one.phase for one in good),
-        left_out=tuple(one.phase for one in solved if not one.converged),
+        unconverged=tuple(one.phase for one in solved if not one.converged),
         film_min=film,
         pressure_max=_extreme(good, "pressure_max", max, _largest_at),
         temperatures={
@@ -209,6 +217,8 @@ def drive_cycle(result: Result) -> DriveCycle | None:
             else ()
         ),
         lifted=_lifted(cycle, good) if "dry_tooth_load" in cycle else None,
+        lambda_central=_lambda(_extreme(good, "film_central", min), good[0].composite_roughness),
+        left_out=of_all(good),
     )
 
 

@@ -15,6 +15,7 @@ from pyworm.formulas import film as films
 from pyworm.formulas import gear_oil, scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.gear_oil import TableAdvice
+from pyworm.formulas.lubrication import BOUNDARY
 from pyworm.formulas.ranges import positive, within
 from pyworm.formulas.worm_standard import PRESSURE_VISCOSITY, WormGear, minimum_film
 from pyworm.named_oils import (
@@ -586,7 +587,7 @@ def _recommendation(
             wear_distress.distress_probability(chosen.specific_film, duty.pitch_line_velocity)
         )
         words.append(f"Probability of wear distress: {_percent(probability)}.")
-    if chosen.specific_film < wear_distress.BOUNDARY:
+    if chosen.specific_film < BOUNDARY:
         words.append(
             "Boundary lubrication: choose an oil with anti-scuff (EP) or, for bronze, lubricity additives."
         )

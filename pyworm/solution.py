@@ -7,6 +7,7 @@ import xarray as xr
 
 from pyworm.effects.judgement import Judgement
 from pyworm.formulas.regimes import Regime
+from pyworm.left_out import LeftOut, judged
 from pyworm.place import Place
 
 ZERO_CELSIUS = 273.15
@@ -201,6 +202,8 @@ class Solution:
         None where heat was not simulated.
     effects : tuple of Judgement
         Every effect, judged by what the solution says.
+    accuracy : float
+        Relative error asked for [-]; 0 where that is not known, so that all that was left out counts.
     """
 
     name: str
@@ -221,9 +224,17 @@ class Solution:
     composite_roughness: float | None = None
     profile: xr.Dataset | None = None
     effects: tuple[Judgement, ...] = ()
+    accuracy: float = 0.0
+
+    @property
+    def left_out(self) -> LeftOut:
+        """What its figures do not hold; no lubrication is told by a film that did not converge."""
+        figures = self.figures
+        films = (figures.film_central.value, figures.film_min.value) if self.converged else ()
+        return judged(self.effects, self.accuracy, films, self.composite_roughness)
 
     def summary(self) -> dict:
-        """The scalars of this solution as one object, units in the keys.
+        """The scalars of this solution as one object, units in the keys; what they do not hold comes first.
 
         Places and grids are lists with an entry for each direction, [x, y] or [x]; temperatures are objects
         with an entry for each body and the film. What a line contact does not have (its own minimum at the
@@ -236,6 +247,7 @@ class Solution:
             "kind": self.kind,
             **asdict(Place.of(self)),
             LOAD_KEYS[self.kind]: self.load,
+            **self.left_out.summary(),
             "converged": self.converged,
             "stop_reason": self.stop_reason,
             **_flat("film_min", "m", figures.film_min),

@@ -178,6 +178,7 @@ def _climb(
         inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
         composite_roughness=scene.composite_roughness,
         profile=outcome.profile,
+        accuracy=plan.accuracy,
     )
     return solution, foot
 

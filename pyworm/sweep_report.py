@@ -32,6 +32,8 @@ def show(result: SweepResult, directory: Path) -> None:
     """Print what a sweep came to, and where its figures are."""
     console = Console()
     data = result.table
+    if sentence := result.left_out.sentence:
+        console.print(f"{sentence}\n", highlight=False)
     if data.sizes["scene"] <= MOST_ROWS:
         console.print(rows_table(result))
     reasons = Counter(data["stop_reason"].values[~result.converged].tolist())
@@ -52,14 +54,21 @@ def rows_table(result: SweepResult) -> Table:
     varied = [name for axis in result.axes for name in telling(result, axis)]
     varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]
     shown = [figure for figure in _FIGURES if figure[1] in data]
+    left_out = result.left_out
     table = Table(
-        title=result.title, title_justify="left", box=SIMPLE_HEAD, padding=0, show_edge=False
+        title=left_out.titled(result.title),
+        title_justify="left",
+        box=SIMPLE_HEAD,
+        padding=0,
+        show_edge=False,
     )
     for key in varied:
         unit = data[key].attrs.get("units", "")
         heading = key.rpartition(".")[2].replace("_", " ")
         table.add_column(f"{heading}\n{unit}".rstrip(), justify="right", overflow="fold")
-    for heading, *_ in shown:
+    for heading, name, *_ in shown:
+        if name == "friction_coefficient" and left_out.rough:
+            heading = f"{heading}\nas if\nsmooth"
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("Con-\nverged")
     for number in range(data.sizes["scene"]):

@@ -11,12 +11,14 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
+from pyworm.left_out import LAMBDAS, LeftOut, worst
 from pyworm.output import whole_file
 from pyworm.result import plain_attributes
 from pyworm.schema.sweep import Value
@@ -24,6 +26,9 @@ from pyworm.units import parse_in
 
 FORMAT = "pyworm sweep"
 FORMAT_VERSION = 1
+
+LEFT_OUT = "left_out_"
+"""What a variable's name begins with that tells an effect's influence."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +57,17 @@ class SweepResult:
     def converged(self) -> np.ndarray:
         """Whether each scene has a solution that may be trusted."""
         return self.table["converged"].values == 1
+
+    @cached_property
+    def left_out(self) -> LeftOut:
+        """What its figures do not hold, at the worst of the scenes that converged."""
+        told = {
+            str(name): column.values[self.converged].tolist()
+            for name, column in self.table.items()
+            if str(name).startswith(LEFT_OUT) or name in ("lubrication", *LAMBDAS)
+        }
+        rows = (dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True))
+        return worst([_left_out(row) for row in rows])
 
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file, whole or not at all."""
@@ -137,6 +153,15 @@ def sweep_table(
         table[name] = ("scene", _column([row.get(name) for row in flat]))
     table["key"] = ("scene", np.array(keys, dtype=object))
     return table
+
+
+def _left_out(row: Mapping[str, float | str]) -> LeftOut:
+    """What the figures of a scene do not hold, from its row."""
+    known = {name: of for name, of in row.items() if of == of}  # NaN where a scene has none
+    influence = {
+        name.removeprefix(LEFT_OUT): of for name, of in known.items() if name.startswith(LEFT_OUT)
+    }
+    return LeftOut.read({"lubrication": "unknown", **known, "left_out": influence})
 
 
 def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:

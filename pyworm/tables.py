@@ -8,6 +8,8 @@ from rich.table import Table
 
 from pyworm.effects.judgement import Judgement
 from pyworm.expectation import Expectation, duration, rough
+from pyworm.left_out import LeftOut, worst
+from pyworm.left_out import expected as expected_to_leave_out
 from pyworm.line.scene import LineScene
 from pyworm.place import PLACE_NAMES, Place
 from pyworm.planning import Plan
@@ -50,6 +52,7 @@ _FIGURES = (
     ("  along it at", "film_exit_min_at_m", 1e3, "mm", None, "film_exit_min_at"),
     ("Composite roughness", "composite_roughness_m", 1e6, "µm", None, "composite_roughness"),
     ("Specific film lambda", "specific_film", 1.0, "", "specific_film_error", "specific_film"),
+    ("  central", "lambda_central", 1.0, "", "film_central_error", None),
     (
         "Friction coefficient",
         "friction_coefficient",
@@ -87,6 +90,9 @@ _FIGURES = (
 )
 
 
+_RUBBING = {"friction_coefficient", "power_loss_W", "power_loss_per_length_W_m"}
+"""Keys of figures that roughness adds to where it carries load."""
+
 SLENDER = {"box": SIMPLE_HEAD, "padding": (0, 1, 0, 0)}
 """The look of tables with a row a scene, whose columns must share a terminal's width."""
 
@@ -109,7 +115,8 @@ def figures_table(
         What the case's source prints for this scene; empty if nothing.
     """
     figures = scene_summary(scene) | summary
-    table = Table("Figure", title=_title(scene), title_justify="left")
+    left_out = LeftOut.read(summary)
+    table = Table("Figure", title=left_out.titled(_title(scene)), title_justify="left")
     table.add_column("Value", justify="right")
     if published:
         table.add_column("Published", justify="right")
@@ -121,6 +128,8 @@ def figures_table(
     for label, key, scale, unit, error_key, name in _FIGURES:
         if figures.get(key) is None:
             continue
+        if key in _RUBBING:
+            label = left_out.headed(label)
         add(label, _value(figures[key] * scale, unit, figures.get(error_key)), name)
         if error_key is not None and f"{error_key}_reason" in figures:
             table.add_row("  error bar", figures[f"{error_key}_reason"])
@@ -148,7 +157,8 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
         `Solution.summary()` of each one's solution.
     """
     heading, labels = _places(scenes)
-    table = Table(title="All scenes", title_justify="left", **SLENDER)
+    title = _at_worst(summaries).titled("All scenes")
+    table = Table(title=title, title_justify="left", **SLENDER)
     table.add_column(heading, no_wrap=True)
     rough = all("specific_film" in values for values in summaries)
     headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
@@ -178,7 +188,8 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     """
     heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
-    title = "Friction and heat of all scenes"
+    left_out = _at_worst(summaries)
+    title = left_out.titled(left_out.headed("Friction and heat of all scenes"))
     table = Table(heading, title=title, title_justify="left", **SLENDER)
     headings = ["Friction", "± %", "Loss"]
     if heated:
@@ -197,6 +208,12 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(label, *cells)
     return table
+
+
+def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:
+    """What the figures of scenes do not hold, at the worst of those that converged."""
+    good = [values for values in summaries if values["converged"]] or summaries
+    return worst([LeftOut.read(values) for values in good])
 
 
 _LOSSES = {"point": ("power_loss_W", "W", 1.0), "line": ("power_loss_per_length_W_m", "kW/m", 1e-3)}
@@ -235,7 +252,8 @@ def published_for(
 def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> Table:
     """A scene, how it is to be solved, and what that is expected to take."""
     summary = scene_summary(scene)
-    table = Table(title=_title(scene), title_justify="left")
+    words = expected_to_leave_out(scene, plan).words
+    table = Table(title="\n".join(filter(None, (_title(scene), words))), title_justify="left")
     table.add_column("Scene")
     table.add_column("", overflow="fold")
     for label, key, scale, unit in _SCENE:

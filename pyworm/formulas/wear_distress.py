@@ -5,15 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr, ndtri
 
+from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
 from pyworm.formulas.ranges import Values, positive, within
 
 SOURCE = "Wellauer and Holloway 1976, as fitted in AGMA 925-A03"
-
-FULL_FILM = 3.0
-"""Specific film from which surfaces count as separated."""
-
-BOUNDARY = 1.0
-"""Specific film below which they count as carried by their roughness."""
 
 FINEST, ROUGHEST = 1e-10, 1e-4
 """Root mean square heights of surfaces in contact [m]; what lies beyond is in a wrong unit."""

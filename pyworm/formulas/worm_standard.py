@@ -508,6 +508,50 @@ def temperature_safety(sump_temperature: float, limit: float) -> float:
 
 
 @dataclass(frozen=True)
+class TeethLoss:
+    """Friction and efficiency of worm gear teeth, and what they lose with the worm driving.
+
+    Attributes
+    ----------
+    friction : float
+        mu_zm [-].
+    forward_efficiency, backward_efficiency : float
+        Of the teeth [-]; backward zero or less where the wheel cannot drive.
+    power : float
+        Lost between the teeth, worm driving [W].
+    """
+
+    friction: float
+    forward_efficiency: float
+    backward_efficiency: float
+    power: float
+
+
+def teeth_loss(
+    gear: WormGear,
+    oil: OilKind,
+    worm_speed: float,
+    torque: float,
+    roughness: float,
+    material_factor: float = 1.0,
+) -> TeethLoss:
+    """Loss between the teeth by `tooth_friction`; arguments as of `rate_worm`."""
+    friction = tooth_friction(
+        oil,
+        gear.sliding_speed(worm_speed),
+        gear.centre_distance,
+        gear.film_parameter,
+        roughness,
+        material_factor,
+    )
+    forward = forward_efficiency(gear.tan_lead, friction)
+    output = torque * worm_speed / gear.ratio
+    return TeethLoss(
+        friction, forward, backward_efficiency(gear.tan_lead, friction), output * (1 / forward - 1)
+    )
+
+
+@dataclass(frozen=True)
 class WormRating:
     """A worm gear by the standards' methods.
 
@@ -632,12 +676,9 @@ def rate_worm(
     )
     pressure = mean_pressure(gear.pressure_parameter, torque, reduced_modulus, a)
     sliding = gear.sliding_speed(worm_speed)
-    friction = tooth_friction(oil, sliding, a, gear.film_parameter, roughness, material_factor)
+    lost = teeth_loss(gear, oil, worm_speed, torque, roughness, material_factor)
     # of a small gear that creeps the running one is larger: teeth at rest rub no less
-    at_rest = max(friction, static_friction(a, roughness, material_factor))
-    forward = forward_efficiency(gear.tan_lead, friction)
-    output = torque * worm_speed / gear.ratio
-    loss = output * (1 / forward - 1)
+    at_rest = max(lost.friction, static_friction(a, roughness, material_factor))
     safety = intensity = depth = bulk = None
     if pitting_strength is not None and life is not None:
         safety = pitting_safety(pressure, pitting_strength, life, sliding, a, oil)
@@ -649,7 +690,7 @@ def rate_worm(
         depth = wear_depth(intensity, gear.sliding_parameter, pressure, a, reduced_modulus, cycles)
     if sump_temperature is not None:
         area = gear.face_width * gear.teeth * gear.module
-        bulk = bulk_temperature(sump_temperature, loss, worm_speed, area, immersion_factor)
+        bulk = bulk_temperature(sump_temperature, lost.power, worm_speed, area, immersion_factor)
     return WormRating(
         film_parameter=gear.film_parameter,
         pressure_parameter=gear.pressure_parameter,
@@ -657,13 +698,13 @@ def rate_worm(
         sliding_speed=sliding,
         film=film,
         mean_pressure=pressure,
-        friction=friction,
-        forward_efficiency=forward,
-        backward_efficiency=backward_efficiency(gear.tan_lead, friction),
-        self_locking_margin=self_locking_margin(gear.tan_lead, friction),
+        friction=lost.friction,
+        forward_efficiency=lost.forward_efficiency,
+        backward_efficiency=lost.backward_efficiency,
+        self_locking_margin=self_locking_margin(gear.tan_lead, lost.friction),
         static_friction=at_rest,
         static_locking_margin=self_locking_margin(gear.tan_lead, at_rest),
-        tooth_loss=loss,
+        tooth_loss=lost.power,
         bulk_temperature=bulk,
         pitting_safety=safety,
         wear_intensity=intensity,

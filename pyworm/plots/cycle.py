@@ -6,7 +6,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
-from pyworm.plots.style import KILO, MEGA, MICRO, MILLI, draw_largest_temperatures, new_figure
+from pyworm.left_out import AS_IF_SMOOTH, of_all
+from pyworm.plots.style import (
+    KILO,
+    MEGA,
+    MICRO,
+    MILLI,
+    draw_largest_temperatures,
+    new_figure,
+    result_heading,
+)
+from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
 from pyworm.result import Result
 from pyworm.solution import Solution
 
@@ -26,11 +36,11 @@ def draw_cycle(result: Result) -> Figure:
         (_draw_contact_point, cycle, True),
         (_draw_tooth_load, cycle, "tooth_load" in cycle),
         (_draw_solutions, solved, bool(solved)),
-        (_draw_friction, sheared, bool(sheared)),
+        (_draw_friction, (sheared, _beside(result, sheared)), bool(sheared)),
         (_draw_temperatures, heated, bool(heated)),
     ]
     drawn = [(draw, what) for draw, what, known in drawn if known]
-    figure = new_figure(8, 2.3 * len(drawn) + 0.6, f"{result.case_name}  ·  mesh cycle")
+    figure = new_figure(8, 2.3 * len(drawn) + 0.6, result_heading(result, "mesh cycle"))
     axes = figure.subplots(len(drawn), sharex=True)
     for panel, (draw, what) in zip(axes, drawn, strict=True):
         draw(panel, what)
@@ -114,17 +124,36 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     axes.legend(frameon=False, ncols=2, loc="upper center")
 
 
-def _draw_friction(axes: Axes, sheared: list[Solution]) -> None:
-    """Friction coefficient with its error bars, and power loss on its own scale."""
+def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
+    """The standard's friction, to be drawn beside that of teeth as if smooth; None where there is none."""
+    standard = standard_of_result(result) if sheared and of_all(sheared).rough else None
+    return standard if isinstance(standard, StandardLoss) else None
+
+
+def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]) -> None:
+    """Friction coefficient with its error bars, and power loss on its own scale; a standard's friction."""
+    sheared, standard = shown
     phase = np.array([solution.phase for solution in sheared])
     estimates = [solution.figures.friction_coefficient for solution in sheared]
     friction = np.array([estimate.value for estimate in estimates])
     error = abs(friction) * [estimate.error for estimate in estimates]
     axes.errorbar(phase, friction, error, fmt="o-", color="tab:purple", capsize=3)
-    axes.set_ylim(0, 1.3 * max(friction))
-    axes.set_ylabel("friction\ncoefficient", color="tab:purple")
+    top = max(friction)
+    if standard is not None:
+        label = f"rough teeth by the standard: {standard.friction:.3g}"
+        axes.axhline(standard.friction, color="tab:purple", linestyle=":", label=label)
+        axes.legend(frameon=False, loc="upper center")
+        top = max(top, standard.friction)
+    axes.set_ylim(0, 1.3 * top)
+    rough = of_all(sheared).rough
+    axes.set_ylabel(
+        f"friction coefficient\n{AS_IF_SMOOTH}" if rough else "friction\ncoefficient",
+        color="tab:purple",
+    )
     power_axes = axes.twinx()
     power = [solution.figures.power_loss.value for solution in sheared]
     power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
-    power_axes.set_ylim(0, 1.08 * max(power))
-    power_axes.set_ylabel("power loss\n/ W", color="tab:red")
+    power_axes.set_ylim(0, 1.3 * max(power))
+    power_axes.set_ylabel(
+        f"power loss / W\n{AS_IF_SMOOTH}" if rough else "power loss\n/ W", color="tab:red"
+    )

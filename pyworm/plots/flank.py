@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.flank_map import FAILURE, flank_map
-from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure
+from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure, result_heading
 from pyworm.result import Result
 from pyworm.solution import ZERO_CELSIUS
 
@@ -32,7 +32,7 @@ def draw_flank(result: Result) -> Figure | None:
     cycle = result.mesh_cycle
     shown = [panel for panel in _PANELS if panel[0] in field]
     rows = (len(shown) + 1) // 2
-    figure = new_figure(13, 2.75 * rows + 0.5, f"{result.case_name}  ·  wheel flank")
+    figure = new_figure(13, 2.75 * rows + 0.5, result_heading(result, "wheel flank"))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
     places = field["face"] * MILLI, field["radius"] * MILLI
     for panel, (name, label, scale, offset, colours) in zip(axes, shown, strict=False):

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from pyworm.left_out import AS_IF_SMOOTH
 from pyworm.plots.style import (
     MEGA,
     MILLI,
@@ -33,11 +34,12 @@ def draw_friction(case_name: str, solution: Solution) -> Figure:
     stresses = [fields[f"shear_stress_{axis}"] for axis in "xy"]
     stress = np.hypot(*(part.transpose("y", "x").values for part in stresses)) * MEGA
     power = fields["friction_power"].transpose("y", "x").values * MEGA
+    smooth = f" {AS_IF_SMOOTH}" if solution.left_out.rough else ""
     titles = [
         f"shear stress in the middle (arrows: on body 1): at most {stress.max():.3g} MPa, "
-        f"friction coefficient {figures.friction_coefficient.value:.3g}",
+        f"friction coefficient {figures.friction_coefficient.value:.3g}{smooth}",
         f"friction power: at most {power.max():.3g} W/mm², "
-        f"in all {_power(figures.power_loss.value)}",
+        f"in all {_power(figures.power_loss.value)}{smooth}",
     ]
     figure, (stress_axes, power_axes) = panels(window, titles, heading(case_name, solution))
     _draw_map(stress_axes, fields, stress, "viridis", "shear stress / MPa")

@@ -8,7 +8,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure
+from pyworm.left_out import of_all
+from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure, result_heading
 from pyworm.result import Result
 from pyworm.solution import ZERO_CELSIUS, Estimate, Solution
 
@@ -132,7 +133,7 @@ def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution])
             rise = np.interp([one.phase for one in heated], cycle["phase"], flash)
             axes.plot(
                 rolls, bulk + shares * rise, "s", color="tab:red", fillstyle="none", markersize=9,
-                label="Blok, simulated friction",
+                label=of_all(heated).headed("Blok, simulated friction"),
             )  # fmt: skip
     if heated:
         hottest = [
@@ -180,7 +181,7 @@ def _finished(figure: Figure, panels: Sequence[Axes], cycle: xr.Dataset) -> Figu
 
 
 def _heading(result: Result) -> str:
-    return f"{result.case_name}  ·  {DIRECTIONS[result.mesh_cycle.attrs['driver']]}"
+    return result_heading(result, DIRECTIONS[result.mesh_cycle.attrs["driver"]])
 
 
 def _solved(result: Result) -> list[Solution]:

@@ -42,10 +42,8 @@ def draw_line_friction(case_name: str, solution: Solution) -> Figure:
     axes.set_ylabel("shear stress in the middle / MPa", color=STRESS_COLOUR)
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
-    axes.set_title(
-        f"friction coefficient {solution.figures.friction_coefficient.value:.3g}",
-        fontsize="medium",
-    )
+    said = solution.left_out.headed("friction coefficient")
+    axes.set_title(f"{said}: {solution.figures.friction_coefficient.value:.3g}", fontsize="medium")
     power_axes = axes.twinx()
     power_axes.plot(place, fields["friction_power"] * MEGA, color=POWER_COLOUR)
     power_axes.set_ylim(bottom=0)

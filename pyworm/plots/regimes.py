@@ -20,7 +20,7 @@ from pyworm.formulas.regimes import (
     point_films,
 )
 from pyworm.place import Place
-from pyworm.plots.style import new_figure
+from pyworm.plots.style import new_figure, result_heading
 from pyworm.result import Result
 
 SHORT = {
@@ -44,7 +44,7 @@ def draw_regimes(result: Result) -> Figure:
     """Every contact of a result on the chart of its kind; lines and points have charts of their own."""
     regimes = [solution.regime for solution in result.solutions]
     kinds = [kind for kind in (False, True) if any((one.ratio is None) == kind for one in regimes)]
-    figure = new_figure(6.4 * len(kinds), 5.2, f"{result.case_name}  ·  regimes of lubrication")
+    figure = new_figure(6.4 * len(kinds), 5.2, result_heading(result, "regimes of lubrication"))
     for axes, line in zip(figure.subplots(1, len(kinds), squeeze=False)[0], kinds, strict=True):
         shown = [
             (str(Place.of(solution)) or solution.name, solution.regime)

@@ -5,9 +5,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.formulas.wear_distress import BOUNDARY, FULL_FILM
+from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
 from pyworm.plots.roller_drive import SECTION_COLOURS
-from pyworm.plots.style import MICRO, MILLI, new_figure
+from pyworm.plots.style import MICRO, MILLI, new_figure, result_heading
 from pyworm.result import Result
 from pyworm.solution import Solution
 
@@ -17,7 +17,7 @@ RPM = 30 / np.pi
 def draw_roller_cycle(result: Result) -> Figure:
     """Film, load, velocities and specific film over the wheel angle of a roller."""
     cycle = result.mesh_cycle
-    figure = new_figure(9, 11, f"{result.case_name}  ·  a roller's way through both sections")
+    figure = new_figure(9, 11, result_heading(result, "a roller's way through both sections"))
     axes = figure.subplots(4, sharex=True)
     _draw_film(axes[0], cycle, result.solutions)
     _draw_load(axes[1], cycle)

@@ -13,8 +13,10 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
+from pyworm.left_out import of_all
 from pyworm.place import Place
 from pyworm.plots.outline import signed_square
+from pyworm.result import Result
 from pyworm.solution import ZERO_CELSIUS, Solution
 
 MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6
@@ -244,7 +246,7 @@ def _stretch_note(stretch: float) -> str:
 
 
 def heading(case_name: str, solution: Solution) -> str:
-    """Case, phase or else scene, load, and a warning where the solution did not converge."""
+    """Case, phase or else scene, load; a warning where it did not converge, and what was left out."""
     parts = [case_name]
     if solution.phase is not None:
         parts.append(str(Place.of(solution)))
@@ -254,7 +256,17 @@ def heading(case_name: str, solution: Solution) -> str:
     parts.append(f"{load / 1e3:.4g} k{unit}" if load >= 1e3 else f"{load:.4g} {unit}")
     if not solution.converged:
         parts.append(f"NOT CONVERGED ({solution.stop_reason})")
-    return "  ·  ".join(parts)
+    return joined(*parts, solution.left_out.words)
+
+
+def result_heading(result: Result, what: str) -> str:
+    """Case, what is drawn of all its contacts, and what that does not hold."""
+    return joined(result.case_name, what, of_all(result.solutions).note)
+
+
+def joined(*parts: str) -> str:
+    """The parts of a heading; no line of it begins with a unit of per cent."""
+    return "  ·  ".join(filter(None, parts)).replace(" %", "\N{NO-BREAK SPACE}%")
 
 
 def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:

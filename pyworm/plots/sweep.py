@@ -14,7 +14,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from pyworm.place import PLACE_NAMES
 from pyworm.plots.attempts import Attempts
-from pyworm.plots.style import new_figure
+from pyworm.plots.style import joined, new_figure
 from pyworm.sweep_report import columns, telling
 from pyworm.sweep_table import SweepResult
 
@@ -145,6 +145,8 @@ def _shown(result: SweepResult) -> list[_Shown]:
         if name in table and np.isfinite(table[name]).any():
             values = table[name].values * scale
             errors = table[error].values * (abs(values) if relative else 1.0)
+            if name == "friction_coefficient":
+                label = result.left_out.headed(label)
             shown.append(_Shown(label, values, errors, relative))
     return shown
 
@@ -314,4 +316,4 @@ def _name(axis: _Axis, value: float) -> str:
 
 
 def _heading(result: SweepResult) -> str:
-    return f"{result.name}  ·  {result.title}"
+    return joined(result.name, result.title, result.left_out.note)

@@ -4,7 +4,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.plots.style import draw_largest_temperatures, new_figure
+from pyworm.left_out import of_all
+from pyworm.plots.style import draw_largest_temperatures, new_figure, result_heading
 from pyworm.result import Result
 from pyworm.solution import Solution
 
@@ -14,7 +15,7 @@ def draw_traction(result: Result) -> Figure:
     swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio)
     heated = [one for one in swept if one.figures.temperature_max_film is not None]
     rows = 2 if heated else 1
-    figure = new_figure(8, 3.2 * rows + 0.6, f"{result.case_name}  ·  traction curve")
+    figure = new_figure(8, 3.2 * rows + 0.6, result_heading(result, "traction curve"))
     axes = figure.subplots(rows, sharex=True, squeeze=False)[:, 0]
     _draw_friction(axes[0], swept)
     if heated:
@@ -49,4 +50,4 @@ def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
         cross = {"color": "black", "markersize": 11, "label": "not converged"}
         axes.plot(ratios[failed], signed[failed], "x", **cross)
         axes.legend(frameon=False)
-    axes.set_ylabel("friction coefficient")
+    axes.set_ylabel(of_all(swept).headed("friction coefficient"))

@@ -1,6 +1,6 @@
 """What a case file asks to be rated, and its ratings."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from pyworm.case import Case, case_of, checked
@@ -8,6 +8,7 @@ from pyworm.case_error import CaseError
 from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.drives.zi_worm import ZiWormDrive
 from pyworm.effects.sketch import sketch
+from pyworm.left_out import LeftOut, judged, of_all
 from pyworm.line.scene import LineScene
 from pyworm.place import Place
 from pyworm.ratings.bearing import rate_bearing_table
@@ -17,6 +18,7 @@ from pyworm.ratings.rating import Rating
 from pyworm.ratings.worm import (
     WormDuty,
     rate_worm_table,
+    standard_rating,
     worm_duty_of_drive,
     worm_duty_of_table,
 )
@@ -72,6 +74,24 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
         return asked.drive.scene(**Place.of(solution).given), solution
     scenes = [asked.drive.scene(phase) for phase in asked.tables.operation.phases]
     return min(scenes, key=lambda scene: sketch(scene).film_central), None
+
+
+def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
+    """What the solved contacts of a case do not hold; without any, the lubrication by closed forms."""
+    if result is not None:
+        return of_all(result.solutions)
+    if asked.drive is not None:
+        scene, _ = _thinnest(asked, None)
+        seen = sketch(scene)
+        films = seen.film_central, seen.film_min
+        at_worst = judged((), 0.0, films, scene.composite_roughness)
+        return replace(at_worst, contacts=len(asked.tables.operation.phases))
+    table = getattr(asked.tables, "worm_rating", None)
+    if table is None:
+        return LeftOut()
+    duty = asked.worm_duty
+    film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
+    return judged((), 0.0, (film, film), duty.composite_roughness)
 
 
 def load_asked(path: str | Path) -> Asked:

@@ -65,7 +65,8 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
 
 def _rate(options: argparse.Namespace) -> int:
-    from pyworm.ratings.asked import asked_of, load_asked, not_rated, ratings
+    from pyworm.left_out import headline
+    from pyworm.ratings.asked import asked_of, left_out, load_asked, not_rated, ratings
     from pyworm.schema.shown import assumptions
 
     asked, result, differ = load_asked(options.case), None, None
@@ -82,10 +83,12 @@ def _rate(options: argparse.Namespace) -> int:
         raise CaseError(
             f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
+    lacking = left_out(asked, result)
     if options.json:
         print_json(
             {
                 "case": asked.name,
+                **lacking.summary(),
                 "ratings": [rating.summary() for rating in made],
                 "not_rated": not_rated(asked, made),
                 "assumed": asked.tables.assumed,
@@ -96,6 +99,8 @@ def _rate(options: argparse.Namespace) -> int:
 
     console = Console()
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n", highlight=False)
+    for line in filter(None, (lacking.sentence, headline(result.solutions if result else ()))):
+        console.print(f"{line}\n", highlight=False)
     for rating in made:
         _print(console, rating)
     left = not_rated(asked, made)
@@ -123,10 +128,10 @@ def _opened(path: Path) -> "Result":
 def _print(console, rating: "Rating") -> None:
     from rich.table import Table
 
-    table = Table("Figure", title=rating.title, title_justify="left", caption=rating.source)
+    table = Table("Figure", title=rating.titled, title_justify="left", caption=rating.source)
     table.caption_justify = "left"
-    for column in rating.columns:
-        table.add_column(column.capitalize(), justify="right")
+    for heading in rating.headings:
+        table.add_column(heading, justify="right")
     for figure in rating.figures:
         table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
     console.print(table)

@@ -4,6 +4,7 @@ from pyworm.effects.sketch import Sketch, sketch
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
 from pyworm.formulas.regimes import POINT_RANGE, line_regime, point_regime
+from pyworm.left_out import LeftOut
 from pyworm.line.scene import LineScene
 from pyworm.place import Place
 from pyworm.ratings.rating import RatedFigure, Rating
@@ -68,6 +69,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         columns=("central film", "minimum film"),
         figures=tuple(figures),
         words=tuple(words),
+        left_out=LeftOut() if solution is None else solution.left_out,
     )
 
 

@@ -7,8 +7,9 @@ from pyworm.drives.gear_pair import GearPairDrive
 from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
+from pyworm.left_out import LeftOut, of_all
 from pyworm.ratings.loss import mesh_loss
-from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.result import Result
 from pyworm.schema.case import PublishedValue
 from pyworm.schema.rating import GearRatingTable
@@ -81,7 +82,7 @@ def _teeth(
         key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
     }
     simulated = {} if result is None else _simulated(drive, result.solutions)
-    columns = {"closed form": closed, "simulation": simulated, "printed": printed}
+    columns = {"closed form": closed, SIMULATION: simulated, "printed": printed}
     columns = {name: values for name, values in columns.items() if values}
     figures = tuple(
         RatedFigure(key, label, tuple(of.get(key) for of in columns.values()), scale, unit)
@@ -92,10 +93,8 @@ def _teeth(
     if simulated:
         words.append(
             "The simulation covers the solved phases only; between them its friction is interpolated. "
-            "Its flanks are smooth: where lambda is below 1 the roughness rubs besides, so that its "
-            "friction, loss and temperatures are the least there can be. Scuffing is not judged by "
-            "them, since the scuffing temperature belongs to Blok's formula with the friction of the "
-            "closed form."
+            "Scuffing is not judged by its temperatures, since the scuffing temperature belongs to "
+            "Blok's formula with the friction of the closed form."
         )
     return Rating(
         key="gear teeth",
@@ -104,6 +103,7 @@ def _teeth(
         columns=tuple(columns),
         figures=figures,
         words=tuple(words),
+        left_out=LeftOut() if result is None else of_all(result.solutions),
     )
 
 

@@ -1,9 +1,14 @@
 """A rating: figures of one thing by closed forms, side by side with others of the same figures."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+from pyworm.left_out import LeftOut
+
 Value = float | int | str | None
+
+SIMULATION = "simulation"
+"""Column of simulated figures."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,7 @@ class Rating:
     source : str
         Where its formulas come from.
     columns : tuple of str
-        Where the values come from: "computed", "printed", "simulated".
+        Where the values come from: "computed", "printed", "standard", `SIMULATION`.
     figures : tuple of RatedFigure
         The figures.
     words : tuple of str
@@ -60,6 +65,8 @@ class Rating:
         Why it fails, a sentence each; none where nothing of what is rated does.
     not_rated : tuple of str
         What is not rated, each with the reason.
+    left_out : LeftOut
+        What its simulated figures do not hold; nothing without any.
     """
 
     key: str
@@ -70,6 +77,22 @@ class Rating:
     words: tuple[str, ...] = ()
     failed: tuple[str, ...] = ()
     not_rated: tuple[str, ...] = ()
+    left_out: LeftOut = field(default_factory=LeftOut)
+
+    @property
+    def titled(self) -> str:
+        """The title for people, with what its simulated figures do not hold."""
+        return self.left_out.titled(self.title)
+
+    @property
+    def headings(self) -> tuple[str, ...]:
+        """The columns for people."""
+        return tuple(
+            self.left_out.headed(column.capitalize())
+            if column == SIMULATION
+            else column.capitalize()
+            for column in self.columns
+        )
 
     def summary(self) -> dict[str, Any]:
         """The rating as one object, column by column."""

@@ -18,9 +18,10 @@ from pyworm.formulas.worm_standard import (
     WormRating,
     rate_worm,
 )
+from pyworm.left_out import LeftOut, of_all
 from pyworm.ratings.loss import mesh_loss
 from pyworm.ratings.oils import oil_called
-from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.ratings.worm_verdict import failures, left_unrated, locking
 from pyworm.result import Result
 from pyworm.schema.rating import WormGearTable, WormRatingTable
@@ -205,8 +206,7 @@ def rate_worm_table(
             "and temperature are the largest ones, the temperature that of a flank in contact, not of "
             "the bulk. The standard's film is a mean over the contact lines of an oil as warm as the "
             "wheel, the simulated minimum that of the thinnest place of an oil with the case's own "
-            "inlet temperature, viscosity and pressure-viscosity coefficient. Simulated flanks are "
-            "smooth: where lambda is not well above 1, friction and loss are larger than it says."
+            "inlet temperature, viscosity and pressure-viscosity coefficient."
         )
     worm, wheel = (height * 1e6 for height in duty.roughness)
     words.append(
@@ -222,11 +222,12 @@ def rate_worm_table(
         key="worm",
         title="Worm gear",
         source=rated.source,
-        columns=("standard", "simulation") if simulated else ("standard",),
+        columns=("standard", SIMULATION) if simulated else ("standard",),
         figures=tuple(figures),
         words=tuple(words),
         failed=failures(duty.gear, rated),
         not_rated=left_unrated(table, rated),
+        left_out=of_all(result.solutions) if simulated else LeftOut(),
     )
 
 

@@ -1,9 +1,15 @@
 """From a result to the content of its report."""
 
+from dataclasses import replace
+
 from pyworm.case import Case, case_again
 from pyworm.case_error import CaseError
+from pyworm.drive_cycle import drive_cycle
+from pyworm.heating import heating_of
+from pyworm.left_out import LeftOut, of_all, opening
 from pyworm.ratings.asked import asked_of, not_rated, ratings
 from pyworm.ratings.rating import Rating
+from pyworm.ratings.standard_loss import standard_loss
 from pyworm.report.assumptions import assumptions_section, plan_section, provenance_section
 from pyworm.report.content import Block, Items, Report, Section, Table, Words
 from pyworm.report.figures import (
@@ -38,7 +44,13 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         The result's case is none that this version knows.
     """
     case = case or case_again(result.case)
+    cycle, standard = drive_cycle(result), standard_loss(case)
+    heating = heating_of(case, cycle, standard)
+    left_out = of_all(result.solutions)
     warnings = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
+    warnings += tuple(opening(result.solutions, standard.words))
+    if heating is not None:
+        warnings += (heating.words,)
     warnings += tuple(
         f"{place_of(of)} did not converge: {of.stop_reason}"
         for of in result.solutions
@@ -51,12 +63,12 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
     warnings += case.warnings
     warnings += tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
     sections = (
-        glance_section(case, result, made),
-        film_section(case, result),
-        heat_section(case, result),
+        _noted(left_out, glance_section(case, result, made, standard)),
+        _noted(left_out, film_section(case, result)),
+        _noted(left_out, heat_section(case, result)),
         _ratings_section(made, unrated),
-        printed_section(case, result),
-        sensitivity_section(case, result),
+        _noted(left_out, printed_section(case, result)),
+        _noted(left_out, sensitivity_section(case, result)),
         cycle_pictures(result),
         contact_pictures(result),
         assumptions_section(case, result),
@@ -65,6 +77,13 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         provenance_section(result),
     )
     return Report(case.title, case.source, warnings, tuple(s for s in sections if s is not None))
+
+
+def _noted(left_out: LeftOut, section: Section | None) -> Section | None:
+    """The section with what its figures do not hold ahead of them."""
+    if section is None or not left_out.note:
+        return section
+    return replace(section, blocks=(Words(f"{left_out.note.capitalize()}."), *section.blocks))
 
 
 def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, ...]]:
@@ -95,11 +114,11 @@ def _ratings_section(made: tuple[Rating, ...], unrated: tuple[str, ...]) -> Sect
 def _rating_blocks(rating: Rating) -> list[Block]:
     columns = range(len(rating.columns))
     table = Table(
-        head=("", *(column.capitalize() for column in rating.columns)),
+        head=("", *rating.headings),
         rows=tuple(
             (figure.label, *(figure.shown(n) for n in columns)) for figure in rating.figures
         ),
-        title=rating.title,
+        title=rating.titled.replace("\n", "; "),
         note=f"Source: {rating.source}.",
     )
     said = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)

@@ -5,10 +5,11 @@ from typing import Any
 
 from pyworm import units
 from pyworm.case import Case
-from pyworm.formulas.wear_distress import FULL_FILM, regime
+from pyworm.left_out import LeftOut, of_all
 from pyworm.place import Place
 from pyworm.ratings.loss import MeshLoss, mesh_loss
 from pyworm.ratings.rating import Rating
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.content import Block, Section, Table, Words
 from pyworm.result import Result
 from pyworm.scene_summary import scene_summary
@@ -46,9 +47,14 @@ def place_of(solution: Solution) -> str:
     return str(Place.of(solution)) or solution.name
 
 
-def glance_section(case: Case, result: Result, made: tuple[Rating, ...]) -> Section:
-    """The few figures that decide, each at the contact where it is worst; ratings in `DECIDE`."""
-    solutions = result.solutions
+def glance_section(
+    case: Case, result: Result, made: tuple[Rating, ...], standard: StandardLoss | NoStandard
+) -> Section:
+    """The few figures that decide, each at the contact where it is worst; ratings in `DECIDE`.
+
+    Where roughness carries load the standard's loss stands beside the simulated one.
+    """
+    solutions, headed = result.solutions, of_all(result.solutions).headed
     rows = [
         _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
         _worst("Thinnest central film", solutions, min, lambda of: of.film_central, 1e6, "µm"),
@@ -63,7 +69,14 @@ def glance_section(case: Case, result: Result, made: tuple[Rating, ...]) -> Sect
         rows.append((label, value, place_of(thin)))
     if all(of.figures.friction_coefficient is not None for of in solutions):
         rows.append(
-            _worst("Largest friction", solutions, max, lambda of: of.friction_coefficient, 1.0, "")
+            _worst(
+                headed("Largest friction"),
+                solutions,
+                max,
+                lambda of: of.friction_coefficient,
+                1.0,
+                "",
+            )
         )
     if all(of.figures.temperature_max_film is not None for of in solutions):
         hot = max(solutions, key=lambda of: of.figures.temperature_max_film.value)
@@ -71,31 +84,19 @@ def glance_section(case: Case, result: Result, made: tuple[Rating, ...]) -> Sect
         rows.append(("Largest temperature of the film", value, place_of(hot)))
     loss = mesh_loss(case.drive, solutions)
     if loss is not None:
-        rows += _loss_rows(loss)
+        rows += _loss_rows(loss, of_all(solutions), standard)
     rows += [
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
         for rating in made
         for figure in rating.figures
         if figure.key in DECIDE
     ]
-    note = "± is the error of the solution of the model, not of the model or of the inputs."
+    note = (
+        "± is numerical: the error of the solution of the model, not of the model or of the inputs."
+    )
     if loss is not None:
         note += f" Loss: {loss.words}."
-    blocks: list[Block] = [Table(("", "Value", "Where"), tuple(rows), note=note)]
-    if roughness is not None:
-        blocks.append(Words(_lubrication(film.value / roughness)))
-    return Section("At a glance", tuple(blocks))
-
-
-def _lubrication(ratio: float) -> str:
-    """What a specific film means for the figures beside it."""
-    said = f"Where the film is thinnest, lubrication is {regime(ratio)} (lambda = {ratio:.3g})"
-    if ratio >= FULL_FILM:
-        return f"{said}: the flanks are apart."
-    return (
-        f"{said}. Simulated flanks are smooth: where roughness carries load, friction, loss and temperatures "
-        "are above those simulated."
-    )
+    return Section("At a glance", (Table(("", "Value", "Where"), tuple(rows), note=note),))
 
 
 def _worst(
@@ -110,16 +111,26 @@ def _worst(
     return label, estimate(figure(at.figures), scale, unit), place_of(at)
 
 
-def _loss_rows(loss: MeshLoss) -> list[tuple[str, str, str]]:
-    bar = f"± {loss.error * 100:.2g} %"
-    return [
-        ("Mean friction between the teeth", f"{loss.friction:.4g} {bar}", "mesh cycle"),
-        ("Loss between the teeth", f"{loss.loss:.4g} W {bar}", "mesh cycle"),
+def _loss_rows(
+    loss: MeshLoss, left_out: LeftOut, standard: StandardLoss | NoStandard
+) -> list[tuple[str, str, str]]:
+    bar, headed = f"± {loss.error * 100:.2g} %", left_out.headed
+    rows = [
+        (headed("Mean friction between the teeth"), f"{loss.friction:.4g} {bar}", "mesh cycle"),
+        (headed("Loss between the teeth"), f"{loss.loss:.4g} W {bar}", "mesh cycle"),
         (
-            "Efficiency of the teeth, forward",
+            headed("Efficiency of the teeth, forward"),
             f"{loss.efficiency * 100:.4g} % ± {loss.error * loss.loss / loss.power * 100:.2g} %",
             f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning",
         ),
+    ]
+    if not left_out.rough or isinstance(standard, NoStandard):
+        return rows
+    beside = f"{standard.friction:.3g}", f"{standard.power:.4g} W", f"{standard.efficiency:.1%}"
+    return [
+        part
+        for row, value in zip(rows, beside, strict=True)
+        for part in (row, ("  rough, by the standard", value.replace("%", " %"), standard.source))
     ]
 
 
@@ -204,7 +215,8 @@ def heat_section(case: Case, result: Result) -> Section | None:
     heated = all(of.figures.temperature_max_film is not None for of in result.solutions)
     kind = result.mesh_cycle.attrs["drive"] if result.mesh_cycle is not None else ""
     bodies = BODIES.get(kind, ("body 1", "body 2"))
-    head = ["", "Friction coefficient", "Power loss"]
+    headed = of_all(result.solutions).headed
+    head = ["", headed("Friction coefficient"), headed("Power loss")]
     head += [f"Hottest on {body}" for body in bodies] + ["Hottest in the film"] if heated else []
     rows = []
     for solution in result.solutions:

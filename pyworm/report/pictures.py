@@ -4,6 +4,7 @@ from io import BytesIO
 
 from matplotlib.figure import Figure
 
+from pyworm.left_out import LeftOut, of_all
 from pyworm.plots import CYCLE_PICTURES, SCENE_PICTURES, SHOWS
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
@@ -43,14 +44,17 @@ _CAPTIONS = {
 
 def cycle_pictures(result: Result) -> Section | None:
     """Pictures of the whole mesh cycle or traction curve; None where there are none."""
-    pictures = []
+    pictures, left_out = [], of_all(result.solutions)
     if result.mesh_cycle is not None:
         for name, draw in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
             figure = draw(result)
             if figure is not None:
-                pictures.append(Picture(_CAPTIONS.get(name, name), png(figure)))
+                pictures.append(
+                    Picture(_captioned(_CAPTIONS.get(name, name), left_out), png(figure))
+                )
     if traction_curve(result):
-        pictures.append(Picture("Traction curve", png(draw_traction(result))))
+        caption = _captioned("Traction curve", left_out)
+        pictures.append(Picture(caption, png(draw_traction(result))))
     return Section("The whole cycle", tuple(pictures)) if pictures else None
 
 
@@ -74,7 +78,13 @@ def _has(solution: Solution, name: str) -> bool:
 
 def _picture(case_name: str, solution: Solution, name: str) -> Picture:
     drawn = SCENE_PICTURES[solution.kind][name](case_name, solution)
-    return Picture(f"{_CAPTIONS.get(name, name)}, {place_of(solution)}", png(drawn))
+    caption = f"{_CAPTIONS.get(name, name)}, {place_of(solution)}"
+    return Picture(_captioned(caption, solution.left_out), png(drawn))
+
+
+def _captioned(caption: str, left_out: LeftOut) -> str:
+    """A caption with what the picture does not hold."""
+    return f"{caption}; {left_out.words}" if left_out.words else caption
 
 
 def png(figure: Figure) -> bytes:

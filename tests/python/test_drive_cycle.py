@@ -163,7 +163,7 @@ def test_what_did_not_converge_is_left_out_and_named():
         figures=replace(whole.solutions[0].figures, pressure_max=Estimate(9e9, np.inf)),
     )
     cycle = drive_cycle(replace(whole, solutions=(bad, *whole.solutions[1:])))
-    assert cycle.left_out == (PHASES[0],)
+    assert cycle.unconverged == (PHASES[0],)
     assert cycle.pressure_max.value < 9e9
     assert drive_cycle(result(PHASES[:2])) is None
     assert drive_cycle(make_result()) is None

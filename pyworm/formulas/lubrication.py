@@ -1,0 +1,43 @@
+"""Lubrication regimes by the film over the composite roughness, lambda: full, mixed or boundary.
+
+The bounds 3 and 1 are the field's (T. E. Tallian, ASLE Trans. 10 (1967) 418-439; B. J. Hamrock, S. R. Schmid
+and B. O. Jacobson, Fundamentals of Fluid Film Lubrication (2004)), from memory. They are rough: by a fit to
+the partial elastohydrodynamic films of Patir and Cheng, exp(-1.8 lambda^1.2), asperities carry 0.1 % of the
+load at a central lambda of 3, 1.6 % at 2 and 17 % at 1; D. Zhu and Q. J. Wang, Proc. IMechE J 226 (2012)
+1010-1022, find such bounds quantitatively wrong.
+"""
+
+from math import isfinite
+from typing import Literal
+
+FULL_FILM = 3.0
+"""lambda from which surfaces count as separated."""
+
+BOUNDARY = 1.0
+"""lambda below which they count as touching nearly everywhere."""
+
+Lubrication = Literal["full", "unknown", "mixed", "boundary"]
+
+BY_SEVERITY: tuple[Lubrication, ...] = ("full", "unknown", "mixed", "boundary")
+"""The regimes, from the one whose simulated friction may be believed to the one where it may be least."""
+
+
+def lubrication(central: float | None, least: float | None) -> Lubrication:
+    """The regime of a contact: by its central film, in which its load is carried, and by its least film.
+
+    Parameters
+    ----------
+    central, least : float or None
+        Central and least film over composite roughness [-]; None where films or roughness are not known.
+
+    Returns
+    -------
+    str
+        "boundary" below a central lambda of 1, "mixed" below 3 or where the least lambda is below 1, else
+        "full"; "unknown" without both numbers, or with negative ones, which no film has.
+    """
+    if central is None or least is None or not (isfinite(central) and min(central, least) >= 0):
+        return "unknown"
+    if central < BOUNDARY:
+        return "boundary"
+    return "mixed" if central < FULL_FILM or least < BOUNDARY else "full"

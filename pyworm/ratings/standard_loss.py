@@ -1,0 +1,127 @@
+"""Friction, loss and efficiency of rough teeth by a standard or a closed form, beside simulated ones.
+
+Flanks are simulated as if they were smooth. Where their roughness carries load, the standards' friction,
+which was measured on rough teeth, is what an engineer reckons with.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+from pyworm.case import Case, case_again
+from pyworm.case_error import CaseError
+from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.formulas.worm_standard import SOURCE, teeth_loss
+from pyworm.ratings.oils import oil_called
+from pyworm.ratings.worm import MEAN_TO_RMS, worm_duty_of_drive
+from pyworm.result import Result
+
+
+@dataclass(frozen=True)
+class StandardLoss:
+    """Friction, loss and efficiency of all teeth in mesh.
+
+    Attributes
+    ----------
+    friction, efficiency : float
+        Mean coefficient, and power out over power in as the drive runs [-].
+    power : float
+        Lost between the teeth [W].
+    source : str
+        By what.
+    """
+
+    friction: float
+    efficiency: float
+    power: float
+    source: str
+
+    @property
+    def words(self) -> str:
+        """All of it as people read it."""
+        return (
+            f"Rough teeth by the {self.source}: efficiency {self.efficiency * 100:.3g} %, "
+            f"loss {self.power:.4g} W, friction {self.friction:.3g}."
+        )
+
+    def summary(self) -> dict[str, Any]:
+        """All of it for programs."""
+        return {
+            "friction": self.friction,
+            "efficiency": self.efficiency,
+            "power_loss_W": self.power,
+            "source": self.source,
+        }
+
+
+@dataclass(frozen=True)
+class NoStandard:
+    """Why a case has no loss by a standard.
+
+    Attributes
+    ----------
+    reason : str
+        A clause.
+    """
+
+    reason: str
+
+    @property
+    def words(self) -> str:
+        """The reason in a sentence."""
+        return f"No friction, loss and efficiency by a standard: {self.reason}."
+
+    def summary(self) -> dict[str, str]:
+        """The reason for programs."""
+        return {"reason": self.reason}
+
+
+def standard_loss(case: Case) -> StandardLoss | NoStandard:
+    """The loss between a drive's teeth by a standard or a closed form, or why there is none."""
+    try:
+        if isinstance(case.drive, ZiWormDrive):
+            return _worm(case, case.drive)
+        if isinstance(case.drive, GearPairDrive):
+            return _gear_pair(case.drive)
+    except ValueError as error:  # CaseError, and what lies outside the methods
+        return NoStandard(str(error))
+    what = "a contact without a drive" if case.drive is None else "a drive of this kind"
+    return NoStandard(f"none is known for {what}")
+
+
+def standard_of_result(result: Result) -> StandardLoss | NoStandard:
+    """The same for the case that a result keeps."""
+    try:
+        return standard_loss(case_again(result.case))
+    except CaseError as error:
+        return NoStandard(str(error))
+
+
+def _worm(case: Case, drive: ZiWormDrive) -> StandardLoss | NoStandard:
+    """By DIN 3996 and ISO/TS 14521; the oil is that of `[worm_rating]`, else the case's own by its name."""
+    duty, table = worm_duty_of_drive(drive), case.tables.worm_rating
+    name = case.tables.oil.name if table is None else table.oil
+    lost = teeth_loss(
+        duty.gear,
+        oil_called(name, case.directory).stock.name,
+        duty.worm_speed,
+        duty.torque,
+        MEAN_TO_RMS * duty.roughness[0],
+        1.0 if table is None else table.material_factor,
+    )
+    if drive.driver == "worm":
+        return StandardLoss(lost.friction, lost.forward_efficiency, lost.power, SOURCE)
+    if lost.backward_efficiency <= 0:
+        return NoStandard(f"at its friction of {lost.friction:.3g} the wheel cannot drive the worm")
+    power = duty.torque * duty.worm_speed / duty.gear.ratio * (1 - lost.backward_efficiency)
+    return StandardLoss(lost.friction, lost.backward_efficiency, power, SOURCE)
+
+
+def _gear_pair(drive: GearPairDrive) -> StandardLoss | NoStandard:
+    """By the loss factor and the coefficient of friction that the case gives."""
+    if drive.surfaces is None:
+        return NoStandard("[surfaces] with a coefficient of friction is missing")
+    friction = drive.surfaces.friction_coefficient
+    share = drive.loss_factor * friction
+    source = f"loss factor {drive.loss_factor:.3g} and the friction of [surfaces]"
+    return StandardLoss(friction, 1 - share, drive.power * share, source)
