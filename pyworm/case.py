@@ -1,7 +1,7 @@
 """A case: what the user wrote, checked in full before any work starts."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import sha256
 from math import isfinite
@@ -16,12 +16,14 @@ from pyworm.contact_scene import contact_scene
 from pyworm.drives.drive import Drive
 from pyworm.line.scene import LineScene
 from pyworm.place import PLACE_NAMES, Place, crossed
+from pyworm.plausibility import doubts, require_possible
 from pyworm.scene import Scene
 from pyworm.schema import CASES, kind_model
 from pyworm.schema.case import CaseTable, PublishedValue
 from pyworm.schema.contact import GapCase, PointCase
 from pyworm.schema.rating import RATING_TABLES
-from pyworm.schema.zi_worm import ZiWormCase
+from pyworm.schema.unusual import unusual
+from pyworm.schema.zi_worm import LOADS, ZiWormCase
 from pyworm.toml_file import read_toml
 
 NO_PHYSICS = {
@@ -53,11 +55,14 @@ class Case:
         Where the case file lies; files that it names are relative to it.
     tables : CaseTable
         The file, in SI.
+    doubts : tuple of str
+        What is unusual in the file and in the contacts it makes, as `warnings` tells it.
     """
 
     name: str
     directory: Path
     tables: CaseTable
+    doubts: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
@@ -150,11 +155,11 @@ class Case:
             name: getattr(self.tables, name).model_copy(update=values)
             for name, values in found.items()
         }
-        return Case(self.name, self.directory, self.tables.model_copy(update=tables))
+        return replace(self, tables=self.tables.model_copy(update=tables))
 
     def __reduce__(self) -> tuple:
         # Files must be found from where the case goes; its drive, once made, goes along with what it knows.
-        given = self.name, self.directory.absolute(), self.tables
+        given = self.name, self.directory.absolute(), self.tables, self.doubts
         return Case, given, {"drive": self.drive} if "drive" in vars(self) else None
 
     @cached_property
@@ -175,9 +180,8 @@ class Case:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What is unusual in it, a sentence each, beginning with the key that says it."""
-        if self.drive is None:
-            return ()
-        return tuple(f"drive.{warning}" for warning in self.drive.warnings)
+        of_drive = () if self.drive is None else self.drive.warnings
+        return *self.doubts, *(f"drive.{warning}" for warning in of_drive)
 
     def scene(
         self,
@@ -204,8 +208,8 @@ class Case:
         Raises
         ------
         CaseError
-            No contact at this place, a place given where there is no mesh cycle, or a slide-roll ratio where
-            no mean velocity is given.
+            No contact at this place, or none that can be; a place given where there is no mesh cycle, or a
+            slide-roll ratio where no mean velocity is given.
         """
         if slide_roll_ratio is not None and not self.slide_roll_ratios:
             raise CaseError(
@@ -221,12 +225,23 @@ class Case:
                     )
             if slide_roll_ratio is None and self.slide_roll_ratios:
                 slide_roll_ratio = self.slide_roll_ratios[0]
-            return contact_scene(self.tables, self.name, self.directory, slide_roll_ratio)
-        place = self._mesh_place({"section": section, "phase": phase, "station": station})
-        try:
-            return self.drive.scene(**place.given)
-        except ValueError as error:
-            raise CaseError(f"drive at {place}: {error}") from error
+            scene = contact_scene(self.tables, self.name, self.directory, slide_roll_ratio)
+        else:
+            place = self._mesh_place({"section": section, "phase": phase, "station": station})
+            try:
+                scene = self.drive.scene(**place.given)
+            except ValueError as error:
+                raise CaseError(f"drive at {place}: {error}") from error
+        require_possible(scene, self._load_key)
+        return scene
+
+    @property
+    def _load_key(self) -> str:
+        """The key by which its contacts are loaded."""
+        if self.drive is None:
+            return "contact.load"
+        given = (key for key in LOADS if getattr(self.tables.operation, key, None) is not None)
+        return f"operation.{next(given)}"
 
     def _mesh_place(self, wanted: dict[str, Any]) -> Place:
         """A place of the drive's mesh, by default the first that the case lists."""
@@ -285,8 +300,11 @@ def load(path: str | Path) -> Case:
 def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The case that a case file's content makes, checked in full; CaseError as of `load`."""
     case = Case(name, directory, _tables(data))
-    list(case.scenes())  # the drive must mesh and the gap file must hold a gap
-    return case
+    # All contacts are made: the drive must mesh and the gap file must hold a gap.
+    told = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
+    checked_case = replace(case, doubts=told)
+    vars(checked_case).update(drive=case.drive)
+    return checked_case
 
 
 def case_again(resolved: dict[str, Any]) -> Case:

@@ -86,7 +86,7 @@ def run(
         case.resolved,
         solutions,
         None if case.drive is None else case.drive.cycle_data(),
-        provenance(plans) | {"failed": failed},
+        provenance(plans) | {"failed": failed, "warnings": list(case.warnings)},
     )
     result.save(directory / RESULT_NAME)
     store.drop(tasks)

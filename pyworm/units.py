@@ -52,7 +52,7 @@ class Kind:
     possible : tuple of str
         Sizes between which every value lies that is not zero.
     usual : tuple of str, optional
-        Sizes beyond which a value is told; by default none is.
+        Sizes beyond which a value is told, the smallest empty where none is too small; by default none is.
     """
 
     noun: str
@@ -171,7 +171,8 @@ def doubt(text: str, kind: Kind) -> str | None:
     if not value or kind.usual is None or _lies(value, kind, kind.usual):
         return None
     low, high = kind.usual
-    return f"unusual, {kind.noun} lies between {low} and {high} as a rule{_meant(text, kind)}"
+    lies = f"lies between {low} and {high}" if low else f"is at most {high}"
+    return f"unusual, {kind.noun} {lies} as a rule{_meant(text, kind)}"
 
 
 def _in_kind(text: object, kind: Kind) -> float | None:
@@ -185,7 +186,7 @@ def _in_kind(text: object, kind: Kind) -> float | None:
 
 
 def _lies(value: float, kind: Kind, between: Range) -> bool:
-    low, high = (_bound(text, kind) for text in between)
+    low, high = (_bound(text, kind) if text else 0.0 for text in between)
     return low <= abs(value) <= high
 
 
@@ -343,7 +344,7 @@ def _quantity(kind: Kind):
 
 # Of machines and their parts, from watches to mills.
 _BUILT = {"possible": ("10 um", "20 m"), "usual": ("0.1 mm", "5 m")}
-_SET = {"possible": ("1e-24 m", "20 m"), "usual": ("1e-24 m", "1 m")}
+_SET = {"possible": ("1e-24 m", "20 m"), "usual": ("", "1 m")}
 Length = quantity("a length", "m", "305 mm", **_BUILT)
 LengthOrZero = quantity("a length", "m", "20 mm", sign="not negative", **_BUILT)
 Offset = quantity("a length", "m", "-0.5 mm", "any", **_SET)
@@ -404,10 +405,10 @@ Spin = quantity(
     "-20 rad/s",
     "any",
     ("1e-24 rad/s", "1e12 rad/s"),
-    ("1e-24 rad/s", "1e4 rad/s"),
+    ("", "1e4 rad/s"),
 )
 Velocity = quantity(
-    "a velocity", "m/s", "1.2 m/s", "any", ("1e-24 m/s", "3e8 m/s"), ("1e-24 m/s", "300 m/s")
+    "a velocity", "m/s", "1.2 m/s", "any", ("1e-24 m/s", "3e8 m/s"), ("", "300 m/s")
 )
 
 Modulus = quantity(

@@ -60,7 +60,7 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         for name, reason in result.provenance.get("failed", {}).items()
     )
     made, unrated = _rated(case, result)
-    warnings += case.warnings
+    warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
     warnings += tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
     sections = (
         _noted(left_out, glance_section(case, result, made, standard)),

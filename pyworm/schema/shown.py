@@ -11,7 +11,7 @@ from pyworm.schema.case import FileTable
 
 def shown(value: Any, field: FieldInfo | None = None) -> str:
     """A value, or a list of values, in the unit that its field is measured in."""
-    kind = None if field is None else _kind([*field.metadata, field.annotation])
+    kind = None if field is None else kind_of(field)
     if isinstance(value, tuple | list):
         return ", ".join(_plain(one, kind) for one in value)
     return _plain(value, kind)
@@ -35,6 +35,11 @@ def _plain(value: Any, kind: units.Kind | None) -> str:
     if isinstance(value, float | int):
         return f"{value:.6g}" if kind is None else units.shown(value, kind)
     return str(value)
+
+
+def kind_of(field: FieldInfo) -> units.Kind | None:
+    """What a field measures; None of plain numbers and texts."""
+    return _kind([*field.metadata, field.annotation])
 
 
 def _kind(hints: list[Any]) -> units.Kind | None:
