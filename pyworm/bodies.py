@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from pyworm.formulas import wear_distress
+from pyworm.formulas.ranges import positive
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,11 @@ class Body:
     roughness : float or None
         Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
         arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally.
+
+    Raises
+    ------
+    ValueError
+        A constant that no solid has.
     """
 
     youngs_modulus: float
@@ -32,6 +38,26 @@ class Body:
     specific_heat: float | None = None
     bulk_temperature: float | None = None
     roughness: float | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse what no solid has."""
+        positive("youngs_modulus", self.youngs_modulus, "Pa")
+        if not -1 < self.poisson_ratio <= 0.5:
+            raise ValueError(
+                f"poisson_ratio = {self.poisson_ratio:g}: must lie above -1 and be at most 0.5, such as 0.3"
+            )
+        for name, unit in _THERMAL.items():
+            if getattr(self, name) is not None:
+                positive(name, getattr(self, name), unit)
+
+
+_THERMAL = {
+    "density": "kg/m3",
+    "conductivity": "W/(m K)",
+    "specific_heat": "J/(kg K)",
+    "bulk_temperature": "K",
+    "roughness": "m",
+}
 
 
 def reduced_modulus(body_1: Body, body_2: Body) -> float:

@@ -1,15 +1,18 @@
 """Oils: viscosity and density under pressure and heat, flow under stress, and how an oil takes heat.
 
 Two viscosity laws and one density law cover what the kernel simulates; the published variants of each
-differ only in the constants that the constructors here fill in.
+differ only in the constants that the constructors here fill in. A constant that no oil has is refused with a
+ValueError when the law is made, since a solve with it may well converge.
 """
 
 from dataclasses import dataclass, replace
-from math import asinh, exp, expm1, log, sinh
-from typing import Literal
+from math import asinh, exp, expm1, inf, log, sinh
+from typing import Any, Literal, get_args
 
 import numpy as np
 from scipy.optimize import brentq
+
+from pyworm.formulas.ranges import one_of, positive, within
 
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
@@ -22,6 +25,10 @@ ROELANDS_POLE_LOG = 9.67
 
 ROELANDS_POLE_TEMPERATURE = 138.0
 """Temperature [K] of the pole of Roelands' law (Sharif et al. 2001, equation 20)."""
+
+
+LARGEST_ALPHA = 1e-6
+"""Largest pressure-viscosity coefficient [1/Pa]: a tenfold viscosity in some MPa."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +46,18 @@ class Barus:
     eta0: float
     alpha: float
 
+    def __post_init__(self) -> None:
+        """Refuse what no oil has."""
+        positive("eta0", self.eta0, "Pa s")
+        within("alpha", self.alpha, 0, LARGEST_ALPHA, "1/Pa")
+
     def __call__(self, pressure):
         """Viscosity [Pa s] at a pressure or pressures [Pa]."""
         return self.eta0 * np.exp(self.alpha * pressure)
+
+
+LARGEST_Z = 1e6
+"""Largest exponent of Roelands' law [-]; that of oils is around 0.6."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +77,17 @@ class Roelands:
     eta0: float
     z: float
     p0: float = ROELANDS_PRESSURE
+
+    def __post_init__(self) -> None:
+        """Refuse what no oil has."""
+        positive("eta0", self.eta0, "Pa s")
+        if self.eta0 <= exp(-ROELANDS_POLE_LOG):
+            raise ValueError(
+                f"eta0 = {self.eta0:g} Pa s: must be above {exp(-ROELANDS_POLE_LOG):.2g} Pa s, the pole of "
+                "Roelands' law"
+            )
+        within("z", self.z, 0, LARGEST_Z, "")
+        positive("p0", self.p0, "Pa")
 
     @classmethod
     def from_alpha(cls, eta0: float, alpha: float, p0: float = ROELANDS_PRESSURE) -> "Roelands":
@@ -99,6 +126,11 @@ class Density:
     rho0: float
     d1: float
     d2: float
+
+    def __post_init__(self) -> None:
+        """Refuse what no oil has."""
+        positive("rho0", self.rho0, "kg/m3")
+        within("d1, d2", [self.d1, self.d2], 0, inf, "1/Pa")
 
     @classmethod
     def incompressible(cls, rho0: float) -> "Density":
@@ -166,6 +198,26 @@ class FlowLaw:
     limit: float = 0.0
     limit_pressure: float = 0.0
     exponent: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Refuse what no oil has, of the constants that the law reads."""
+        one_of("law", self.law, get_args(FlowLawName))
+        if self.law in ("eyring", "eyring-limited", "carreau"):
+            positive("stress", self.stress, "Pa")
+            courses = [self.stress_pressure, self.stress_temperature]
+            within("stress_pressure, stress_temperature", courses, -inf, inf, "")
+        if self.limited:
+            within("limit", self.limit, 0, inf, "Pa")
+            within("limit_pressure", self.limit_pressure, 0, inf, "")
+            positive(
+                "the larger of limit and limit_pressure", max(self.limit, self.limit_pressure), ""
+            )
+        if self.law == "eyring-limited":
+            positive("exponent", self.exponent, "")
+        if self.law == "carreau" and not 0 < self.exponent <= 1:
+            raise ValueError(
+                f"exponent = {self.exponent:g}: Carreau's n is above 0 and at most 1, since oils thin"
+            )
 
     def limit_at(self, pressure: float) -> float:
         """Limiting stress tauL [Pa] at a pressure [Pa]."""
@@ -268,10 +320,37 @@ class OilHeat:
     heat_capacity_k1: float = 0.0
     heat_capacity_k2: float = 0.0
 
+    def __post_init__(self) -> None:
+        """Refuse what no oil has."""
+        positive("inlet_temperature", self.inlet_temperature, "K")
+        positive("conductivity", self.conductivity, "W/(m K)")
+        positive("specific_heat", self.specific_heat, "J/(kg K)")
+        within("viscosity_exponent", self.viscosity_exponent, 0, inf, "")
+        within("expansivity", self.expansivity, 0, inf, "1/K")
+
+
+def require_kinds(name: str, law: Any, *kinds: type) -> None:
+    """Refuse a law that is none of these classes themselves.
+
+    Raises
+    ------
+    ValueError
+        It is of another class, or of one derived from them.
+    """
+    if type(law) not in kinds:
+        known = " or ".join(kind.__name__ for kind in kinds if kind is not type(None))
+        raise ValueError(
+            f"{name} is a {type(law).__name__}: the kernel computes {known} from its constants, and would "
+            f"ignore any other formula; give a {known} itself"
+        )
+
 
 @dataclass(frozen=True)
 class Oil:
     """An oil as the kernel sees it.
+
+    The kernel computes these laws itself, from their constants: a class derived from one of them, whose
+    formula it would not use, is refused.
 
     Attributes
     ----------
@@ -292,6 +371,21 @@ class Oil:
     flow: FlowLaw | None = None
     heat: OilHeat | None = None
     supply: float | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse laws that the kernel has not, and constants that do not go together."""
+        require_kinds("viscosity", self.viscosity, Barus, Roelands)
+        require_kinds("density", self.density, Density)
+        require_kinds("flow", self.flow, FlowLaw, type(None))
+        require_kinds("heat", self.heat, OilHeat, type(None))
+        if self.supply is not None:
+            positive("supply", self.supply, "m")
+        if self.heat is not None and isinstance(self.viscosity, Roelands):
+            if self.heat.inlet_temperature <= ROELANDS_POLE_TEMPERATURE:
+                raise ValueError(
+                    f"inlet_temperature = {self.heat.inlet_temperature:g} K: must be above "
+                    f"{ROELANDS_POLE_TEMPERATURE:g} K, the pole of Roelands' law"
+                )
 
     def eta(self, pressure: float, rise: float = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""

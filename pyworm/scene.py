@@ -11,7 +11,7 @@ from math import inf
 import numpy as np
 
 from pyworm.bodies import Body, composite_roughness, reduced_modulus
-from pyworm.oils import Oil
+from pyworm.oils import Oil, require_kinds
 from pyworm.past import Past
 
 Array = np.ndarray
@@ -38,6 +38,11 @@ class Paraboloid:
     radius_x: float
     radius_y: float
 
+    @property
+    def radii(self) -> tuple[float, float]:
+        """Relative radii of curvature along x and y [m]."""
+        return self.radius_x, self.radius_y
+
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Gap [m] and where both surfaces exist (everywhere)."""
         gap = x**2 / (2 * self.radius_x) + y**2 / (2 * self.radius_y)
@@ -63,6 +68,30 @@ class RigidMotion:
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity components [m/s] at (x, y)."""
         return self.u - self.spin * y, self.v + self.spin * x
+
+
+SAME = 0.01
+"""Largest relative difference between the radii of a scene and those of its gap."""
+
+
+def require_radii(radii: tuple[float, ...], of_gap: tuple[float, ...]) -> None:
+    """Refuse radii that are not those of the gap: window, far field and grids follow from them.
+
+    Raises
+    ------
+    ValueError
+        One differs.
+    """
+    if any(abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)):
+        given, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))
+        raise ValueError(f"radii {given} m contradict the gap, whose radii are {own} m; give these")
+
+
+def require_simulated(oil: Oil, bodies: tuple[Body, Body]) -> None:
+    """Refuse an oil or a body whose formulas the kernel would ignore; ValueError."""
+    require_kinds("oil", oil, Oil)
+    for body in bodies:
+        require_kinds("a body", body, Body)
 
 
 @dataclass(frozen=True)
@@ -95,6 +124,12 @@ class Scene:
         What the contact was earlier, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies keep their shape under the film.
+
+    Raises
+    ------
+    ValueError
+        Radii that are not those of a gap that knows its own, or an oil or a body of a class that the kernel
+        does not know.
     """
 
     name: str
@@ -110,6 +145,11 @@ class Scene:
     station: float | None = None
     past: "Past[Scene] | None" = None
     rigid: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse what would be solved as something else."""
+        require_simulated(self.oil, self.bodies)
+        require_radii(self.radii, getattr(self.gap, "radii", self.radii))
 
     @property
     def bending_modulus(self) -> float:

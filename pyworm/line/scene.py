@@ -13,6 +13,7 @@ import numpy as np
 from pyworm.bodies import Body, composite_roughness, reduced_modulus
 from pyworm.oils import Oil
 from pyworm.past import Past
+from pyworm.scene import require_radii, require_simulated
 
 Array = np.ndarray
 LineGap = Callable[[Array], tuple[Array, Array]]
@@ -67,6 +68,12 @@ class LineScene:
         What the contact was earlier, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies keep their shape under the film.
+
+    Raises
+    ------
+    ValueError
+        A radius that is not that of a gap that knows its own, or an oil or a body of a class that the kernel
+        does not know.
     """
 
     name: str
@@ -82,6 +89,11 @@ class LineScene:
     station: float | None = None
     past: "Past[LineScene] | None" = None
     rigid: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse what would be solved as something else."""
+        require_simulated(self.oil, self.bodies)
+        require_radii((self.radius,), (getattr(self.gap, "radius", self.radius),))
 
     @property
     def bending_modulus(self) -> float:

@@ -125,8 +125,8 @@ def test_a_contact_off_the_listed_places_is_judged_too():
 
 UNUSUAL = ("450 J/(kg K)", "90 J/(kg K)")
 SAID = (
-    'bodies.body_1.specific_heat and bodies.body_2.specific_heat = "90 J/(kg K)": unusual, a specific heat lies '
-    "between 100 J/(kg K) and 5000 J/(kg K) as a rule"
+    'bodies.body_1.specific_heat and bodies.body_2.specific_heat = "90 J/(kg K)": unusual, a specific '
+    "heat lies between 100 J/(kg K) and 5000 J/(kg K) as a rule"
 )
 
 

@@ -165,10 +165,20 @@ def test_a_run_tells_the_specific_film_of_line_and_point(tmp_path, capsys):
             "spur_pair",
             '"0.51 um"',
             '"0.51 mm"',
-            'bodies.pinion.roughness = "0.51 mm": must be a root mean square height, 0.1 nm to 0.1 mm',
+            'bodies.pinion.roughness = "0.51 mm": must be a root mean square height between 0.1 nm a',
         ),
-        ("spur_pair", '"0.51 um"', "0.51", "bodies.pinion.roughness = 0.51: must be a length with"),
-        ("spur_pair", '"0.51 um"', '"0 um"', 'roughness = "0 um": must be a length greater than'),
+        (
+            "spur_pair",
+            '"0.51 um"',
+            "0.51",
+            "bodies.pinion.roughness = 0.51: must be a root mean square height with",
+        ),
+        (
+            "spur_pair",
+            '"0.51 um"',
+            '"0 um"',
+            'roughness = "0 um": must be a root mean square height greater than',
+        ),
         (
             "spur_pair",
             "[surfaces]",
