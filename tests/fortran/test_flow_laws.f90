@@ -43,6 +43,13 @@ program test_flow_laws
   call close_to(reference_slope, 1e-9_wp*reference, 1e-20_wp, "its slope")
   call close_to(bound, 1.5e8_wp, 1e-6_wp, "limiting stress with pressure")
   call close_to(bound_slope, 0.05_wp, 1e-16_wp, "its slope with pressure")
+  ! one in proportion to pressure does not end at ambient pressure, but is itself from a few megapascal on
+  law = flow_law(law_eyring_limited, tau0, 0.0_wp, 0.0_wp, 0.0_wp, 0.05_wp)
+  call stress_scales(law, 4e6_wp, 0.0_wp, reference, reference_slope, bound, bound_slope)
+  call close_to(bound, 2e5_wp, 1e-9_wp, "a limit in proportion to pressure")
+  call close_to(bound_slope, 0.05_wp, 1e-16_wp, "and its slope")
+  call stress_scales(law, 0.0_wp, 0.0_wp, reference, reference_slope, bound, bound_slope)
+  call check(bound > 1e4_wp .and. bound < 2e5_wp .and. abs(bound_slope) <= 0, "leaves some stress at ambient pressure")
   x = 8.0_wp
   call close_to(stress_guess(eyring, tau0*sinh(x), tau0, limit), x*tau0, 1e-12_wp*tau0, "Eyring's stress guessed exactly")
   call check(stress_guess(limited, 1e30_wp, tau0, limit) < slip_stress(limit), "guesses stay below slip")

@@ -21,7 +21,7 @@ from pyworm.place import Place
 from pyworm.plots import draw
 from pyworm.result import open_result
 from pyworm.store import Store
-from pyworm.task import Task
+from pyworm.task import Task, program_digest
 from pyworm.workers import WorkerDiedError, WorkerPool
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -182,6 +182,16 @@ def test_a_key_tells_what_decides_a_solution_and_nothing_else(tmp_path):
         key(oil=('conductivity_c1 = "1.4 1/GPa"', 'conductivity_c1 = "1.5 1/GPa"')),
     ]
     assert len({*alike, *unlike}) == 1 + len(unlike)
+
+
+def test_a_key_tells_the_program_down_to_the_compiled_kernel(tmp_path, monkeypatch):
+    kernel = tmp_path / "core"
+    digests = []
+    for content in (b"one build", b"another", b"one build"):
+        kernel.write_bytes(content)
+        monkeypatch.setattr("pyworm._core.__file__", str(kernel))
+        digests.append(program_digest.__wrapped__())
+    assert digests[0] == digests[2] != digests[1]
 
 
 def test_a_key_tells_what_a_gap_file_holds(tmp_path):

@@ -9,11 +9,14 @@ from convergence import films
 
 import pyworm
 from pyworm.bodies import Body
+from pyworm.far_field import far_field
+from pyworm.grid import Grid, nest
 from pyworm.kernels import KernelError
 from pyworm.oils import Barus, Density, Oil, Roelands
 from pyworm.sampled_gap import SampledGap
 from pyworm.scales import scales
 from pyworm.scene import Paraboloid, RigidMotion, Scene
+from pyworm.window import FAR, Reach, near_reach, windows
 
 STEEL = Body(205.66e9, 0.3)
 """Two of these give E' = 226 GPa."""
@@ -170,6 +173,44 @@ def test_rigid_isoviscous_sphere():
     assert solution.converged
     assert solution.figures.film_central.value / RADIUS == pytest.approx(fit, rel=0.03)
     assert solution.figures.film_min_kind == "middle"
+
+
+@pytest.mark.parametrize(("m", "lubricant"), [(0.5, 0.5), (2, 2)])
+def test_the_error_by_the_window_of_light_contacts_holds_against_a_much_larger_one(m, lubricant):
+    """Of a thick film much of the load lies far out, and what lies beyond the windows is a closed form."""
+    scene = circular(m, lubricant)
+    size = scales(scene)
+    plan = replace(pyworm.plan(scene, accuracy=0.01), largest_grid=1)
+    near, far = (Reach.around(4 * reach.inlet) for reach in (near_reach(size), FAR))
+    inner, outer = windows(scene, size, near, far)
+    wide = replace(plan, grids=nest(inner, outer, *plan.grids[-1].spacing), wider_grids=())
+    figures, truth = (pyworm.solve(scene, of).figures for of in (plan, wide))
+    for name in ("film_central", "film_min"):
+        estimate = getattr(figures, name)
+        error = abs(estimate.value / getattr(truth, name).value - 1)
+        assert error <= 1.1 * estimate.domain < 4e-3
+
+
+def test_the_load_beyond_a_window_is_that_of_the_exact_field():
+    """p r^3 depends on the direction only far out: its integral over all directions in which oil comes in."""
+    half_x, half_y, angle, aspect = 4e-3, 3e-3, 0.7, 2.0
+    like = circular(0.5, 0.5, angle)
+    gap = Paraboloid(aspect * RADIUS, RADIUS)
+    scene = replace(like, gap=gap, radii=(aspect * RADIUS, RADIUS))
+    grid = Grid(-half_x, -half_y, half_x / 128, half_y / 128, 257, 257)
+    film, covered = gap(*grid.mesh())
+    beyond = far_field(scene, grid, film, covered)
+
+    turn = np.linspace(0, 2 * np.pi, 20001)
+    x, y = np.cos(turn), np.sin(turn)
+    u, v = (scene.motions[0].u, scene.motions[0].v)
+    wedge = u * x / (1 + 2 * aspect / 3) + v * y / (1 + 2 / (3 * aspect))
+    shape = x**2 / (2 * aspect * RADIUS) + y**2 / (2 * RADIUS)
+    cubed = np.maximum(-4 * OIL.viscosity.eta0 * wedge / shape**2, 0)
+    reach = 1 / np.maximum(abs(x) / half_x, abs(y) / half_y)
+    assert beyond.load == pytest.approx(np.trapezoid(cubed / reach, turn), rel=2e-3)
+    corner = beyond.pressure[0, 0] * np.hypot(half_x, half_y) ** 3
+    assert corner == pytest.approx(np.interp(np.pi + np.arctan(0.75), turn, cubed), rel=1e-6)
 
 
 def test_isoviscous_incompressible_film():

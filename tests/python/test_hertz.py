@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from pyworm.formulas.hertz import hertz, hertz_line
 
 ELLIPSES = np.loadtxt(
-    Path(__file__).parents[1] / "data" / "hertz_ellipses.csv", delimiter=",", skiprows=5
+    Path(__file__).parents[1] / "data" / "hertz_ellipses.csv", delimiter=",", skiprows=6
 )
 
 

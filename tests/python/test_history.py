@@ -10,6 +10,7 @@ from plan_scenes import STEEL, mineral, point
 import pyworm
 from pyworm.effects.bodies import as_line
 from pyworm.effects.sketch import sketch
+from pyworm.history import _rate
 from pyworm.past import Earlier, Past
 
 AGES = 1.0
@@ -72,6 +73,39 @@ def test_oil_carries_its_film_through_the_contact(kind):
     assert np.diff(now - marched) == pytest.approx(
         np.diff(now - then) + (now - then)[1] / 2, rel=0.1
     )
+
+
+def test_rates_of_change_are_exact_for_polynomials():
+    """Of cubics from four times, of parabolas from three, of straight lines from two."""
+    times = [0.1, 0.35, 0.9, 1.6]  # before the present
+    for count in (2, 3, 4):
+        used = times[:count]
+        for power in range(count):
+            values = [(-time) ** power for time in used]
+            slope = power * (-used[0]) ** (power - 1) if power else 0.0
+            assert np.dot(_rate(used), values) == pytest.approx(slope, abs=1e-12)
+
+
+def test_films_travel_with_the_oil():
+    """d(rho h)/dt + u d(rho h)/dx = 0 where the oil is too thick for pressure to drive it.
+
+    A line contact whose speed rises by a tenth while oil passes: what is at a place now was upstream before.
+    """
+    of = sketch(as_line(ball()))
+    rise = 0.1 / of.transit
+
+    def rho_h(ago):
+        """At half a half-width before and behind the middle, some time before the present."""
+        past = Past(AGES, lambda back: Earlier(back, as_line(ball(1 - rise * (back + ago)))))
+        scene = replace(as_line(ball(1 - rise * ago)), past=past)
+        fields = solved(scene, "isothermal,squeeze", accuracy=0.003).fields
+        there = fields[["film", "pressure"]].interp(x=[-of.half_width / 2, of.half_width / 2])
+        return there["film"].values * scene.oil.density(there["pressure"].values)
+
+    # oil moves by t - rise t2/2 in a time t before the present
+    seconds = (1 - (1 - 2 * rise * of.half_width) ** 0.5) / rise
+    now, then = rho_h(0.0), rho_h(seconds)
+    assert now[1] - now[0] == pytest.approx(then[0] - now[0], rel=0.02)
 
 
 def test_a_past_whose_film_is_not_found_says_so():

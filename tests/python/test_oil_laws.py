@@ -1,7 +1,7 @@
 """Oils over temperature: published and worked values, limits, and what is refused."""
 
 from dataclasses import replace
-from math import log
+from math import log, log10
 from pathlib import Path
 
 import pytest
@@ -9,6 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import pyworm
+from pyworm import named_oils
+from pyworm.case_error import CaseError
 from pyworm.formulas import oil_laws
 from pyworm.named_oils import (
     BASES,
@@ -22,6 +24,7 @@ from pyworm.named_oils import (
 from pyworm.oils import ROELANDS_POLE_TEMPERATURE
 
 CASES = Path(__file__).parents[2] / "cases"
+TABLE = Path(pyworm.__file__).parent / "data" / "oils.toml"
 
 C = 273.15
 MM2 = 1e-6
@@ -232,6 +235,39 @@ def test_every_name_has_the_viscosity_of_its_grade():
     for name in names():
         grade = int(name.split()[-1])
         assert named_oil(name).kinematic_viscosity(40 + C) / MM2 == pytest.approx(grade, rel=0.11)
+
+
+@pytest.fixture
+def table(tmp_path, monkeypatch):
+    """Has the table of base stocks read anew with a row of a grade added or replaced."""
+
+    def changed(base, grade, m, n):
+        text = TABLE.read_text()
+        start = text.index(f"[{base}.grades]\n") + len(f"[{base}.grades]\n")
+        end = text.index("\n\n", start)
+        rows = [row for row in text[start:end].splitlines() if not row.startswith(f"{grade} =")]
+        rows.append(f"{grade} = [{m!r}, {n!r}]")
+        (tmp_path / "oils.toml").write_text(text[:start] + "\n".join(rows) + text[end:])
+        monkeypatch.setattr(named_oils, "_TABLE", tmp_path / "oils.toml")
+        return named_oils._stocks.__wrapped__()
+
+    return changed
+
+
+def test_an_oil_of_another_grade_is_refused_from_the_table(table):
+    """GEARpie's PAG 100 as printed: 67.5 mm2/s at 40 degC. ISO 3448 allows 10 %, one oil has more."""
+    with pytest.raises(CaseError, match=r"PAG VG 100: has 67\.5 mm2/s at 40 degC"):
+        table("PAG", 100, 7.6011, 2.9401)
+    with pytest.raises(CaseError, match=r"mineral VG 50: has 45.7 mm2/s"):  # no grade of ISO 3448
+        table("mineral", 50, 9.7044, 3.7995)
+    for share, accepted in ((1.12, False), (1.09, True), (0.91, True), (0.88, False)):
+        n = 3.3852
+        m = log10(log10(share * 220 + 0.7)) + n * log10(40 + C)
+        if accepted:
+            assert table("mineral", 220, m, n)["mineral"].grades[220] == (m, n)
+        else:
+            with pytest.raises(CaseError, match=f"mineral VG 220: has {share * 220:.1f} mm2/s"):
+                table("mineral", 220, m, n)
 
 
 def test_every_number_of_a_base_stock_has_a_source():

@@ -350,6 +350,23 @@ def test_gears_answer_to_oil_and_misalignment(increaser):
     assert uneven.film_ratio == pytest.approx(factor**-0.13, abs=0.005)  # Dowson and Higginson
 
 
+@pytest.mark.parametrize("share", [1.0, 0.05])
+def test_uneven_load_balances_the_tilt_of_the_flank_lines(increaser, share):
+    """A load that grows linearly over the face, where flanks touch: largest over mean (ISO 6336-1)."""
+    result = increaser[0]
+    operation = result.case["operation"] | {"power": share * result.case["operation"]["power"]}
+    case = case_again(result.case | {"operation": operation})
+    (uneven,) = [one for one in variations(case, result) if one.label.startswith("flank lines")]
+    mean = case.drive.normal_force / case.drive.teeth.face_width
+    place = (np.arange(100_000) + 0.5) / 100_000
+    tilt = 17e9 * 10e-6 * place
+    low, high = -20 * tilt[-1], tilt[-1] + mean
+    while high - low > 1e-9 * mean:
+        level = (low + high) / 2
+        low, high = (level, high) if np.maximum(level + tilt, 0).mean() < mean else (low, level)
+    assert uneven.pressure_ratio == pytest.approx(((low + tilt[-1]) / mean) ** 0.5, rel=1e-3)
+
+
 def test_worms_answer_to_their_mounting():
     """At mid-mesh: pressure by Brewe and Hamrock's fit of the radii told, films by Chittenden's formula."""
     result = worm_result()
