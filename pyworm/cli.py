@@ -7,9 +7,8 @@ marked).
 
 import argparse
 import math
-import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
@@ -23,6 +22,7 @@ from pyworm.place import PLACE_NAMES
 from pyworm.ratings.commands import add_oil, add_rate
 from pyworm.report.command import add_report
 from pyworm.result_case import add_case, case_for
+from pyworm.terminal import flush, prepare, put, say
 from pyworm.units import SHARE, parse
 from pyworm.workers import WorkerDiedError
 
@@ -45,7 +45,8 @@ class _Parser(argparse.ArgumentParser):
     """A parser whose complaints are one sentence, like those about a case."""
 
     def error(self, message: str) -> NoReturn:
-        self.exit(BAD_INPUT, f"pyworm: {message}\n")
+        say(message)
+        self.exit(BAD_INPUT)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -61,9 +62,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         The exit code.
     """
-    options = _parser().parse_args(arguments)
+    prepare()
     try:
-        return options.command(options)
+        options = _parser().parse_args(arguments)
+    finally:
+        flush()  # of --help
+    try:
+        code = options.command(options)
+        flush()
+        return code
     except CaseError as error:
         return _end(f"{error}", BAD_INPUT)
     except ImportError as error:
@@ -81,12 +88,8 @@ def _stopped(options: argparse.Namespace) -> str:
 
 
 def _end(message: str, code: int) -> int:
-    _say(message)
+    say(message)
     return code
-
-
-def _say(message: str) -> None:
-    print(f"pyworm: {message}", file=sys.stderr)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -193,7 +196,7 @@ class _Version(argparse.Action):
     def __call__(self, parser, namespace, values, option_string=None):
         import pyworm
 
-        print(f"pyworm {pyworm.__version__}")
+        put(f"pyworm {pyworm.__version__}")
         parser.exit()
 
 
@@ -205,6 +208,7 @@ def _run(options: argparse.Namespace) -> int:
     _warn(case)
 
     from pyworm.balance import run_balanced
+    from pyworm.console import progress_bar
     from pyworm.drive_cycle import drive_cycle
     from pyworm.heating import heating_of
     from pyworm.plots import draw
@@ -213,13 +217,13 @@ def _run(options: argparse.Namespace) -> int:
 
     with _executor(options) as executor:
         try:
-            with _progress() as progress:
-                result, tasks = run_balanced(case, tasks, directory, executor, progress, _say)
+            with progress_bar() as progress:
+                result, tasks = run_balanced(case, tasks, directory, executor, progress, say)
         except NothingSolvedError as error:
             return _end(f"{case.name}: {error}", FAILED)
         if not options.json:
             _show_run(case, tasks, result)
-            print(f"Results   {directory / RESULT_NAME}", flush=True)
+            put(f"Results   {directory / RESULT_NAME}")
         # After the figures, which no picture may cost; and by this machine, since others need not reach
         # this place.
         drawing = partial(draw, result, executor=None if options.scheduler else executor)
@@ -241,14 +245,13 @@ def _run(options: argparse.Namespace) -> int:
             }
         )
     else:
-        print(f"Pictures  {directory}/*.png ({len(pictures)})")
+        put(f"Pictures  {directory}/*.png ({len(pictures)})")
     return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
 
 
 def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     """The tables of a run."""
-    from rich.console import Console
-
+    from pyworm.console import Console
     from pyworm.cycle_tables import CYCLE_TABLES, cycle_table, loss_table
     from pyworm.drive_cycle import drive_cycle
     from pyworm.heating import heating_of
@@ -260,9 +263,9 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     failed = result.provenance["failed"]
     cycle, standard = drive_cycle(result), standard_loss(case)
     console = Console()
-    console.print(f"{case.title}\n{case.source}\n", highlight=False)
+    console.print(f"{case.title}\n{case.source}\n")
     for line in opening(result.solutions, standard.words):
-        console.print(f"{line}\n", highlight=False)
+        console.print(f"{line}\n")
     scenes = [task.scene for task in tasks if task.scene.name not in failed]
     for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
         published = published_for(summary, case.published)
@@ -305,10 +308,10 @@ def _pictures(
             try:
                 drawn = draw(aside)
             except PicturesError as error:
-                _say(f"{error}")
+                say(f"{error}")
                 drawn, complete = error.drawn, False
     except OSError as error:
-        _say(f"no pictures: {error}")
+        say(f"no pictures: {error}")
         return [], False
     return [path.name for path in drawn], complete
 
@@ -318,9 +321,8 @@ def _check(options: argparse.Namespace) -> int:
     tasks = _tasks(case, options)
     _warn(case)
 
-    from rich.console import Console
-
     from pyworm import left_out
+    from pyworm.console import Console
     from pyworm.expectation import duration, expectation
     from pyworm.scene_summary import scene_summary
     from pyworm.tables import effects_table, plan_table
@@ -343,17 +345,15 @@ def _check(options: argparse.Namespace) -> int:
         print_json(content | {"warnings": case.warnings})
     else:
         console = Console()
-        console.print(f"{case.title}\n{case.source}\n", highlight=False)
+        console.print(f"{case.title}\n{case.source}\n")
         if sentence := left_out.worst(without).sentence:
-            console.print(f"{sentence} (Films by closed forms.)\n", highlight=False)
+            console.print(f"{sentence} (Films by closed forms.)\n")
         for task, of in zip(tasks, expected, strict=True):
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))
         if len(tasks) > 1:
             seconds = sum(of.seconds for of in expected)
-            console.print(
-                f"Expected time of all {len(tasks)}: {duration(seconds)}", highlight=False
-            )
+            console.print(f"Expected time of all {len(tasks)}: {duration(seconds)}")
     return CONVERGED
 
 
@@ -364,8 +364,7 @@ def _precision(options: argparse.Namespace) -> int:
     tasks = _tasks(case, options)
     task = tasks[len(tasks) // 2]  # of a mesh cycle the middle
 
-    from rich.console import Console
-
+    from pyworm.console import Console, progress_bar
     from pyworm.expectation import duration
     from pyworm.kernels import KernelError
     from pyworm.plots.precision import draw_precision
@@ -375,12 +374,12 @@ def _precision(options: argparse.Namespace) -> int:
 
     name = ", ".join(part for part in (case.name, str(task.place)) if part)
     expected = expected_seconds(task.scene, task.quantities)
-    _say(
+    say(
         f"{name}: some {duration(min(expected, options.budget))}, "
         f"of {duration(expected)} without a budget"
     )
     try:
-        with _progress() as progress:
+        with progress_bar() as progress:
             made = study(task.scene, task.quantities, options.budget, progress)
     except BudgetError as error:
         raise CaseError(f"--budget {options.budget:g}: {error}") from None
@@ -401,27 +400,28 @@ def _precision(options: argparse.Namespace) -> int:
         console = Console()
         console.print(cheapest_table(made))
         for line in made.left_out:
-            console.print(f"left out: {line}", highlight=False)
-        console.print(f"Results  {directory}/precision.*", highlight=False, soft_wrap=True)
+            console.print(f"left out: {line}")
+        console.print(f"Results  {directory}/precision.*", soft_wrap=True)
     return CONVERGED
 
 
 def _sweep(options: argparse.Namespace) -> int:
+    from pyworm.console import progress_bar
     from pyworm.sweep import load_sweep
 
     directory = options.out or Path("results") / options.sweep.stem
     check_writable(directory)
-    with _progress() as progress, _executor(options) as executor:
+    with progress_bar() as progress, _executor(options) as executor:
         share = options.share or (1, 1)
         sweep = load_sweep(options.sweep, share, executor, progress)
 
         from pyworm.sweep_run import run_sweep, solve_share
 
-        how = (directory, options.fields, executor, progress, _say)
+        how = (directory, options.fields, executor, progress, say)
         if options.share is not None:
             reasons, _ = solve_share(sweep.tasks, *how)
             for reason in reasons.values():
-                _say(f"a scene could not be solved: {reason}")
+                say(f"a scene could not be solved: {reason}")
             return NOT_CONVERGED if reasons else CONVERGED
         result = run_sweep(sweep, *how)
 
@@ -446,7 +446,7 @@ def _sweep(options: argparse.Namespace) -> int:
         )
     else:
         for name in pictures:
-            print(f"Picture   {directory / name}")
+            put(f"Picture   {directory / name}")
     return CONVERGED if result.converged.all() else NOT_CONVERGED
 
 
@@ -470,14 +470,14 @@ def _plot(options: argparse.Namespace) -> int:
             )
         _, differ = case_for(options.case, result, options.anyway)
         if differ is not None:
-            _say(f"warning: {differ}")
+            say(f"warning: {differ}")
     if sweep is not None:
         draw_all, old = (lambda aside: draw_sweep(sweep, aside / SWEEP_PICTURE)), ()
     else:
         draw_all, old = partial(draw, result), PICTURES
     pictures, complete = _pictures(directory, draw_all, old)
     for name in pictures:
-        print(directory / name)
+        put(f"{directory / name}")
     return CONVERGED if complete else FAILED
 
 
@@ -490,7 +490,7 @@ def _doctor(options: argparse.Namespace) -> int:
 def _warn(case: Case) -> None:
     """Say what is unusual in a case."""
     for warning in case.warnings:
-        _say(f"warning: {warning}")
+        say(f"warning: {warning}")
 
 
 def _tasks(case: Case, options: argparse.Namespace) -> list:
@@ -554,25 +554,3 @@ def _share(text: str) -> tuple[int, int]:
     if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
         raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")
     return int(first), int(count)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str, float], None] | None]:
-    """Show a progress bar on standard error if that is a terminal; nothing otherwise."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    # Scenes may take minutes: the time that remains is told from the last ten.
-    console = Console(stderr=True)
-    with Progress(console=console, transient=True, speed_estimate_period=600) as bar:
-        task = bar.add_task("", total=1.0)
-
-        def show(message: str, share: float) -> None:
-            if share == 0:  # another kind of work, at a pace of its own
-                bar.reset(task)
-            bar.update(task, description=message, completed=share)
-
-        yield show

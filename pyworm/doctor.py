@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from pyworm.terminal import put
+
 PACKAGES = (
     "numpy",
     "scipy",
@@ -55,7 +57,7 @@ def examine() -> int:
             word, message = "ok", check()
         except _UnsoundError as problem:
             word, message, sound = "NO", str(problem), False
-        print(f"{name:14}{word:4}{message}")
+        put(f"{name:14}{word:4}{message}")
     return 0 if sound else 1
 
 

@@ -4,10 +4,12 @@ import json
 import math
 from typing import Any
 
+from pyworm.terminal import put
+
 
 def print_json(content: dict[str, Any]) -> None:
     """Print an object as JSON on standard output."""
-    print(as_json(content))
+    put(as_json(content))
 
 
 def as_json(content: dict[str, Any]) -> str:

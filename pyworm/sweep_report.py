@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 from rich.box import SIMPLE_HEAD
-from rich.console import Console
 from rich.table import Table
 
+from pyworm.console import Console
 from pyworm.place import PLACE_NAMES
 from pyworm.sweep_table import SweepResult
 
@@ -33,13 +33,13 @@ def show(result: SweepResult, directory: Path) -> None:
     console = Console()
     data = result.table
     if sentence := result.left_out.sentence:
-        console.print(f"{sentence}\n", highlight=False)
+        console.print(f"{sentence}\n")
     if data.sizes["scene"] <= MOST_ROWS:
         console.print(rows_table(result))
     reasons = Counter(data["stop_reason"].values[~result.converged].tolist())
     for reason, count in reasons.most_common():
         console.print(f"{count} of {data.sizes['scene']} scenes did not converge: {reason}")
-    console.print(f"Results   {directory}/sweep.nc, sweep.csv", highlight=False, soft_wrap=True)
+    console.print(f"Results   {directory}/sweep.nc, sweep.csv", soft_wrap=True)
 
 
 def rows(result: SweepResult) -> list[dict[str, Any]]:

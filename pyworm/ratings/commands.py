@@ -1,13 +1,13 @@
 """What `pyworm rate` and `pyworm oil` show."""
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.case_error import CaseError
 from pyworm.json_output import print_json
 from pyworm.result_case import add_anyway, case_for
+from pyworm.terminal import put, say
 
 if TYPE_CHECKING:
     from pyworm.named_oils import NamedOil
@@ -77,7 +77,7 @@ def _rate(options: argparse.Namespace) -> int:
         case, differ = case_for(options.case, result, options.anyway)
         asked = asked_of(case)
     if differ is not None:
-        print(f"pyworm: warning: {differ}", file=sys.stderr)
+        say(f"warning: {differ}")
     made = ratings(asked, result)
     if not made:
         raise CaseError(
@@ -95,23 +95,23 @@ def _rate(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    from rich.console import Console
+    from pyworm.console import Console
 
     console = Console()
-    console.print(f"{asked.tables.title}\n{asked.tables.source}\n", highlight=False)
+    console.print(f"{asked.tables.title}\n{asked.tables.source}\n")
     for line in filter(None, (lacking.sentence, headline(result.solutions if result else ()))):
-        console.print(f"{line}\n", highlight=False)
+        console.print(f"{line}\n")
     for rating in made:
         _print(console, rating)
     left = not_rated(asked, made)
     if left:
-        console.print("Not rated:", highlight=False)
+        console.print("Not rated:")
     for sentence in left:
-        console.print(f"  {sentence}", highlight=False, soft_wrap=True, markup=False)
+        console.print(f"  {sentence}", soft_wrap=True)
     if asked.tables.assumed:
-        console.print("Assumed, since the source does not give it:", highlight=False)
+        console.print("Assumed, since the source does not give it:")
     for what, why in assumptions(asked.tables).items():
-        console.print(f"  {what}: {why}", highlight=False, soft_wrap=True)
+        console.print(f"  {what}: {why}", soft_wrap=True)
     return 0
 
 
@@ -136,9 +136,9 @@ def _print(console, rating: "Rating") -> None:
         table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
     console.print(table)
     for reason in rating.failed:
-        console.print(f"FAILED: {reason}", highlight=False, markup=False, style="bold")
+        console.print(f"FAILED: {reason}", style="bold")
     for words in rating.words:
-        console.print(words, highlight=False)
+        console.print(words)
     console.print()
 
 
@@ -164,7 +164,7 @@ def _choose(options: argparse.Namespace) -> int:
             }
         )
     else:
-        print(page(choice), end="")
+        put(page(choice).rstrip("\n"))
     return 0
 
 
@@ -175,7 +175,7 @@ def _show(options: argparse.Namespace) -> int:
     if options.json:
         print_json({"oils": [_properties(oil) for oil in oils]})
         return 0
-    from rich.console import Console
+    from pyworm.console import Console
 
     console = Console()
     for oil in oils:
@@ -202,7 +202,7 @@ def _chart(options: argparse.Namespace) -> int:
         for name, chart in charts.items():
             write(chart(oils), aside / name)
     for name in charts:
-        print(directory / name)
+        put(f"{directory / name}")
     return 0
 
 
@@ -257,10 +257,10 @@ def _print_oil(console, oil: "NamedOil") -> None:
             "" if alpha is None else f"{alpha * 1e9:.1f}",
         )
     console.print(table)
-    console.print(f"Viscosity: {oil.source}", highlight=False)
+    console.print(f"Viscosity: {oil.source}")
     for what, source in oil.stock.sources.items():
         if what != "grades":
-            console.print(f"{what}: {source}", highlight=False)
+            console.print(f"{what}: {source}")
     console.print()
 
 
@@ -271,8 +271,9 @@ def _list(options: argparse.Namespace) -> int:
     if options.json:
         print_json({"oils": [_properties(oil) for oil in oils]})
         return 0
-    from rich.console import Console
     from rich.table import Table
+
+    from pyworm.console import Console
 
     table = Table("Oil")
     for heading in ("40 °C\nmm²/s", "100 °C\nmm²/s", "index"):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from pyworm.case_error import CaseError
 from pyworm.result_case import add_case, case_for
+from pyworm.terminal import put
 
 
 def add_report(commands: argparse._SubParsersAction) -> None:
@@ -37,5 +38,5 @@ def _report(options: argparse.Namespace) -> int:
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")
-    print(path)
+    put(f"{path}")
     return 0

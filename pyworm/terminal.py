@@ -1,0 +1,108 @@
+"""What reaches the terminal: text as it is, never as commands to it.
+
+Titles, paths and values come from files. Control characters in them are shown by their code, and what a
+stream cannot write is spelled in letters that it can. A reader who goes away, or a stream that was never
+open, costs neither the work nor its exit code.
+"""
+
+import os
+import sys
+import unicodedata
+from contextlib import suppress
+from typing import IO
+
+_LETTERS = {
+    "µ": "u", "μ": "u", "±": "+-", "°": "deg", "²": "^2", "³": "^3", "·": " ", "×": "x", "–": "-", "—": "-",
+    "−": "-", "…": "...", "→": "->", "≤": "<=", "≥": ">=", "≈": "~", "∞": "inf", "’": "'", "‘": "'",
+    "“": '"', "”": '"', "ß": "ss", "α": "alpha", "β": "beta", "η": "eta", "λ": "lambda", "ν": "nu",
+    "τ": "tau",
+}  # fmt: skip
+"""What stands for a character where it cannot be written; for others, their letter without its accent."""
+
+_SHOWN_BY_CODE = ("Cc", "Cf", "Cs", "Zl", "Zp")
+"""Categories of characters that say something to a terminal instead of showing something."""
+
+
+def prepare() -> None:
+    """Put something behind standard streams that are closed, so that no file takes their place."""
+    for number in (0, 1, 2):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # the least number that is free
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w"))
+
+
+def encoding_of(stream: IO[str]) -> str:
+    """The encoding that a stream is to be written in.
+
+    In the locale C Python writes UTF-8 all the same (PEP 538); whoever sets it reads ASCII.
+    """
+    locale = os.environ.get("LC_ALL") or os.environ.get("LANG")
+    return "ascii" if locale in ("C", "POSIX") else getattr(stream, "encoding", None) or "utf-8"
+
+
+def plain(text: str, stream: IO[str], lines: bool = True) -> str:
+    """A text as a stream can show it.
+
+    Parameters
+    ----------
+    text : str
+        Anything.
+    stream : file
+        Where it will be written.
+    lines : bool
+        Whether ends of lines are left as they are.
+    """
+    encoding = encoding_of(stream)
+    return "".join(_plain(one, encoding) if one != "\n" or not lines else one for one in text)
+
+
+def _plain(one: str, encoding: str) -> str:
+    if " " <= one <= "~":
+        return one
+    if unicodedata.category(one) in _SHOWN_BY_CODE:
+        return one.encode("unicode_escape").decode()
+    with suppress(UnicodeEncodeError):
+        one.encode(encoding)
+        return one
+    bare = unicodedata.normalize("NFKD", one).encode("ascii", "ignore").decode()
+    return _LETTERS.get(one) or bare or "?"
+
+
+def put(text: str) -> None:
+    """Print a line, or lines, on standard output."""
+    _write(sys.stdout, plain(text, sys.stdout))
+
+
+def say(message: str) -> None:
+    """Print one sentence of the program's own on standard error."""
+    _write(sys.stderr, f"pyworm: {plain(message, sys.stderr, lines=False)}")
+
+
+def _write(stream: IO[str], text: str) -> None:
+    try:
+        print(text, file=stream, flush=True)
+    except BrokenPipeError:
+        silence(stream)
+
+
+def flush() -> None:
+    """Write what standard output still holds, if anyone reads it; OSError where it cannot be written."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        silence(sys.stdout)
+    except OSError:
+        silence(sys.stdout)
+        raise
+
+
+def silence(stream: IO[str]) -> None:
+    """Send what else is written to a stream nowhere."""
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
