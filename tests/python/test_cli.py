@@ -111,7 +111,7 @@ def test_run_prints_one_json_object_and_nothing_else(tmp_path, capfd, solve_at_o
     said = capfd.readouterr()
     content = json.loads(said.out)
     assert said.err == ""
-    assert set(content) == {"case", "scenes", "failed", "results", "pictures"}
+    assert set(content) == {"case", "scenes", "failed", "warnings", "results", "pictures"}
     assert content["case"] == "point_m20_l10"
     assert set(content["scenes"][0]) >= SCENE_KEYS
     written = {str(path) for path in out.iterdir()}
@@ -256,7 +256,7 @@ def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
 def test_check_prints_one_json_object(capsys):
     assert main(["check", DRIVE, "--phase", "0.25", "0.75", "--json"]) == CONVERGED
     content = json.loads(capsys.readouterr().out)
-    assert set(content) == {"case", "resolved", "scenes"}
+    assert set(content) == {"case", "resolved", "scenes", "warnings"}
     assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
     assert content["resolved"]["oil"]["shear"]["limit"] == pytest.approx(100e6)
     effect = content["scenes"][0]["effects"][0]
