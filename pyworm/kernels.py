@@ -2,9 +2,7 @@
 
 import os
 import weakref
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
@@ -264,7 +262,7 @@ _FLOW_LAWS = {"newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3,
 
 
 def _oil_numbers(oil: Oil) -> tuple:
-    """The oil as the kernel takes it: law, eta0, exponent, pole pressure, d1, d2 (`oil_laws`)."""
+    """The oil as the kernel takes it: law, eta0, exponent, pole pressure, d1, d2 (`viscosity_density`)."""
     law, density = oil.viscosity, oil.density
     if isinstance(law, Barus):
         return 1, law.eta0, law.alpha, 1.0, density.d1, density.d2
@@ -287,26 +285,32 @@ class _Film:
         If the kernel made none.
     """
 
-    _family: ClassVar[str]
-
     def __init__(self, made: tuple[int, int], shape: tuple[int, ...]):
         self._handle, status = made
         _check(status)
         self._shape = shape
+        self._nodes = (*shape, 1)[:2]
         self.levels = 0
         self.heated = False
         self._warming = 0.0
-        weakref.finalize(self, self._binding("free"), self._handle)
+        self._told = self._tallies()
+        weakref.finalize(self, _core.bindings.film_free, self._handle)
 
-    @classmethod
-    def _binding(cls, name: str) -> Callable:
-        return getattr(_core.bindings, f"{cls._family}_{name}")
+    def _on_nodes(self, field) -> np.ndarray:
+        """A field as the kernel takes it, shape (nx, ny) with ny = 1 of a line contact; no copy."""
+        return _field(field).reshape(self._nodes + np.shape(field)[len(self._shape) :], order="F")
+
+    def _on_grid(self, field: np.ndarray) -> np.ndarray:
+        """A field that the kernel gave, in the shape of the grid; no copy."""
+        return field.reshape(self._shape + field.shape[2:], order="F")
 
     def start(self, pressure, rigid_film: float) -> Balance:
         """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
         self.pressure = _field(pressure).copy(order="F")
         self.rigid_film = rigid_film
-        residual, load_error = self._binding("evaluate")(self._handle, self.pressure, rigid_film)
+        residual, load_error = _core.bindings.film_evaluate(
+            self._handle, self._on_nodes(self.pressure), rigid_film
+        )
         self.balance = Balance(residual, load_error, self._warming)
         return self.balance
 
@@ -329,7 +333,7 @@ class _Film:
         KernelError
             If they are not finite, or of another grid.
         """
-        _check(self._binding("store")(self._handle, renewal, _field(squeeze)))
+        _check(_core.bindings.film_store(self._handle, renewal, self._on_nodes(squeeze)))
 
     def step(self, forcing: float) -> Step:
         """One Newton step, and where heat is simulated one sweep of it at the new pressure.
@@ -342,12 +346,10 @@ class _Film:
             If the step cannot be made; pressure and film are as they were. If the temperature left all sense
             the film counts as far from its equations.
         """
-        rigid_film, residual, load_error, krylov, share, change, rise, status = self._binding(
-            "step"
-        )(
+        rigid_film, residual, load_error, krylov, share, change, rise, status = _core.bindings.film_step(
             self._handle,
             forcing,
-            self.pressure,
+            self._on_nodes(self.pressure),
             self.rigid_film,
             self.balance.residual,
             self.balance.load_error,
@@ -359,32 +361,63 @@ class _Film:
         _check(status)
         return Step(self.balance, krylov, share)
 
-    def fields(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def fields(self) -> tuple[np.ndarray, ...]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
-        return self._binding("fields")(self._handle, *self._shape)
+        return tuple(
+            self._on_grid(field)
+            for field in _core.bindings.film_fields(self._handle, *self._nodes)
+        )
+
+    def thickness(self) -> np.ndarray:
+        """Film [m]."""
+        return self._on_grid(_core.bindings.film_thickness(self._handle, *self._nodes))
+
+    def _tallies(self) -> np.ndarray:
+        """Work since the film was made: counts, then processor times [s]."""
+        counts, seconds = _core.bindings.film_work(self._handle)
+        return np.concatenate([counts, seconds])
 
     def work(self) -> dict[str, float]:
-        """What was done since this was last asked, by name of a history's variable (`pyworm.variables`)."""
-        return {}
+        """Convolutions, preconditioner solves and processor time by part [s], since this was last asked."""
+        before, self._told = self._told, self._tallies()
+        done = self._told - before
+        convolution, flow, building, cycle, heat, whole = done[6:]
+        return {
+            "convolutions": int(done[0]),
+            "cycles": int(done[3]),
+            "convolution_seconds": convolution,
+            "flow_seconds": flow,
+            "cycle_seconds": building + cycle,
+            "heat_seconds": heat,
+            "vector_seconds": whole - convolution - flow - building - cycle - heat,
+        }
 
     def unsolved(self) -> int:
         """Faces and columns whose shear stress was not found when they were last met."""
-        return int(self._binding("unsolved")(self._handle))
+        return int(_core.bindings.film_unsolved(self._handle))
 
     def convolve(self) -> np.ndarray:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
-        return self._binding("convolve")(self._handle, self.pressure)
+        return self._on_grid(
+            _core.bindings.film_convolve(self._handle, self._on_nodes(self.pressure))
+        )
+
+    def warm(self) -> None:
+        """One sweep of heat at the present pressure; the film is to be started before it steps."""
+        _, status = _core.bindings.film_warm(self._handle)
+        _check(status)
 
     def rise(self) -> np.ndarray:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
-        return self._binding("rise")(self._handle, *self._shape, self.levels)
+        return self._on_grid(_core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
-    def _shear(self, law: FlowLaw, levels: int, *sliding) -> None:
-        """Lets the oil flow by a law, body 1 moving over body 2 with the nodal `sliding` [m/s]."""
+    def _shear(self, law: FlowLaw, levels: int, sliding_x, sliding_y) -> None:
+        """Lets the oil flow by a law, body 1 moving over body 2 with the nodal sliding (x, y) [m/s]."""
         _check(
-            self._binding("shear")(
+            _core.bindings.film_shear(
                 self._handle,
-                *(-_field(component) for component in sliding),
+                -self._on_nodes(sliding_x),
+                -self._on_nodes(sliding_y),
                 _FLOW_LAWS[law.law],
                 law.stress or 1.0,
                 law.stress_pressure,
@@ -397,25 +430,31 @@ class _Film:
         )
         self.levels = levels
 
-    def _take_heat(self, oil: Oil, bodies, velocities, of_bodies):
-        """What the kernel returns when film and bodies are to warm.
-
-        `of_bodies` is what the kind of contact's model of conduction asks for besides.
-        """
-        return self._binding("heat")(
-            self._handle,
-            *(_field(component) for component in velocities),
-            _heat_numbers(oil),
-            np.column_stack([_body_numbers(body, oil.heat) for body in bodies]),
-            np.array(of_bodies),
-        )
-
     def _warm_from(self, rise) -> None:
         """Begins with a rise above the inlet's temperature at the levels [K], or with none."""
         if rise is not None:
-            self._binding("set_rise")(self._handle, _field(rise))
+            _core.bindings.film_set_rise(self._handle, self._on_nodes(rise))
         self.heated = True
         self._warming = np.inf
+
+    def _nodal_shear(self, factors: bool) -> list[np.ndarray]:
+        """Stresses along x and y, friction, shear rate, flow factors D and C, and slip at the nodes."""
+        *fields, status = _core.bindings.film_shear_fields(self._handle, factors, *self._nodes)
+        _check(status)
+        return [self._on_grid(field) for field in fields]
+
+    def _heat_flux(self) -> list[np.ndarray]:
+        """Heat flux into the bodies [W/m2], and what oil carries away less what compression gives it."""
+        fields = _core.bindings.film_heat_fields(self._handle, *self._nodes)
+        return [self._on_grid(field) for field in fields]
+
+    def _velocities(self, i: int, j: int, u1: float, v1: float) -> tuple[np.ndarray, np.ndarray]:
+        """Velocity (u, v) [m/s] at the levels above a node, counted from 0."""
+        u, v, status = _core.bindings.film_profile(
+            self._handle, i + 1, j + 1, u1, v1, self.levels
+        )
+        _check(status)
+        return u, v
 
 
 class PointFilm(_Film):
@@ -437,10 +476,8 @@ class PointFilm(_Film):
         Film [m] below which the mobility falls no further, far below any film of interest.
     """
 
-    _family = "point_film"
-
     def __init__(self, gap, covered, entrainment, dx, dy, reduced_modulus, load, oil: Oil, floor):
-        made = self._binding("new")(
+        made = _core.bindings.point_film_new(
             _field(gap),
             np.asfortranarray(covered, dtype=np.int32),
             _field(entrainment[0]),
@@ -453,40 +490,10 @@ class PointFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
-        self._told = self._tallies()
-
-    def thickness(self) -> np.ndarray:
-        """Film [m]."""
-        return self._binding("thickness")(self._handle, *self._shape)
-
-    def _tallies(self) -> np.ndarray:
-        """Work since the film was made: counts, then processor times [s]."""
-        counts, seconds = self._binding("work")(self._handle)
-        return np.concatenate([counts, seconds])
-
-    def work(self) -> dict[str, float]:
-        """Convolutions and multigrid cycles, and processor time by part [s], since this was last asked."""
-        before, self._told = self._told, self._tallies()
-        done = self._told - before
-        convolution, flow, building, cycle, heat, whole = done[6:]
-        return {
-            "convolutions": int(done[0]),
-            "cycles": int(done[3]),
-            "convolution_seconds": convolution,
-            "flow_seconds": flow,
-            "cycle_seconds": building + cycle,
-            "heat_seconds": heat,
-            "vector_seconds": whole - convolution - flow - building - cycle - heat,
-        }
-
-    def warm(self) -> None:
-        """One sweep of heat at the present pressure; the film is to be started before it steps."""
-        _, status = self._binding("warm")(self._handle)
-        _check(status)
 
     def entrain(self, entrainment) -> None:
         """Changes the nodal entrainment velocity (u, v) [m/s]; the film is to be started before it steps."""
-        self._binding("entrain")(self._handle, *(_field(component) for component in entrainment))
+        _core.bindings.point_film_entrain(self._handle, *(_field(part) for part in entrainment))
 
     def shear(self, law: FlowLaw, levels: int, sliding) -> None:
         """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
@@ -528,8 +535,13 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        velocities = [component for motion in motions for component in motion]
-        self.conduction_errors, status = self._take_heat(oil, bodies, velocities, semi_axes)
+        self.conduction_errors, status = _core.bindings.point_film_heat(
+            self._handle,
+            *(_field(component) for motion in motions for component in motion),
+            _heat_numbers(oil),
+            _bodies_numbers(bodies, oil.heat),
+            np.array(semi_axes),
+        )
         _check(status)
         self._warm_from(rise)
 
@@ -541,13 +553,12 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        *fields, status = self._binding("shear_fields")(self._handle, factors, *self._shape)
-        _check(status)
-        return ShearFields(*fields)
+        return ShearFields(*self._nodal_shear(factors))
 
     def heat_fields(self) -> HeatFields:
         """Fields of a heated film, as of its last sweep of heat."""
-        return HeatFields(*self._binding("heat_fields")(self._handle, *self._shape))
+        shear = _core.bindings.point_film_swept_shear(self._handle, *self._nodes)
+        return HeatFields(*shear, *self._heat_flux())
 
     def profile(self, node: tuple[int, int], velocity) -> tuple[np.ndarray, np.ndarray]:
         """Velocity (u, v) [m/s] at the levels above a node, where body 1's surface has this `velocity`.
@@ -557,11 +568,7 @@ class PointFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        u, v, status = self._binding("profile")(
-            self._handle, node[0] + 1, node[1] + 1, *velocity, self.levels
-        )
-        _check(status)
-        return u, v
+        return self._velocities(*node, *velocity)
 
 
 def _heat_numbers(oil: Oil) -> np.ndarray:
@@ -586,12 +593,17 @@ def _heat_numbers(oil: Oil) -> np.ndarray:
     )
 
 
-def _body_numbers(body: Body, heat: OilHeat) -> list[float]:
-    return [
-        body.conductivity,
-        body.density * body.specific_heat,
-        body.bulk_temperature - heat.inlet_temperature,
+def _bodies_numbers(bodies, heat: OilHeat) -> np.ndarray:
+    """How both bodies conduct and store heat, a column each, as the kernel takes it."""
+    columns = [
+        (
+            body.conductivity,
+            body.density * body.specific_heat,
+            body.bulk_temperature - heat.inlet_temperature,
+        )
+        for body in bodies
     ]
+    return np.array(columns).T
 
 
 class LineFilm(_Film):
@@ -618,10 +630,8 @@ class LineFilm(_Film):
     (`fortran/elastic/half_plane.f90`). It is the same on every grid over one interval.
     """
 
-    _family = "line_film"
-
     def __init__(self, gap, covered, entrainment, dx, reduced_modulus, load, oil, floor):
-        made = self._binding("new")(
+        made = _core.bindings.line_film_new(
             _field(gap),
             np.asarray(covered, dtype=np.int32),
             _field(entrainment),
@@ -650,7 +660,7 @@ class LineFilm(_Film):
         KernelError
             If memory does not suffice or a velocity is not finite.
         """
-        self._shear(law, levels, sliding)
+        self._shear(law, levels, sliding, np.zeros(self._shape))
 
     def heat(self, oil: Oil, bodies, velocities, rise=None) -> None:
         """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
@@ -671,8 +681,15 @@ class LineFilm(_Film):
         KernelError
             If memory does not suffice or a body is at rest.
         """
-        of_body_1 = np.full(self._shape, velocities[0])
-        _check(self._take_heat(oil, bodies, [of_body_1], velocities))
+        _check(
+            _core.bindings.line_film_heat(
+                self._handle,
+                np.full(self._shape, velocities[0]),
+                _heat_numbers(oil),
+                _bodies_numbers(bodies, oil.heat),
+                np.array(velocities),
+            )
+        )
         self._warm_from(rise)
 
     def shear_fields(self) -> LineShearFields:
@@ -683,13 +700,12 @@ class LineFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        *fields, status = self._binding("shear_fields")(self._handle, *self._shape)
-        _check(status)
-        return LineShearFields(*fields)
+        stress, _, friction, rate, factor, _, slip = self._nodal_shear(factors=True)
+        return LineShearFields(stress, friction, rate, factor, slip)
 
-    def heat_fields(self) -> tuple[np.ndarray, np.ndarray]:
+    def heat_fields(self) -> list[np.ndarray]:
         """Heat flux into the bodies, shape (n, 2), and what oil carries away of the friction [W/m2]."""
-        return self._binding("heat_fields")(self._handle, *self._shape)
+        return self._heat_flux()
 
     def profile(self, node: int, velocity: float) -> np.ndarray:
         """Velocity [m/s] at the levels above an inner node, where body 1's surface has this `velocity`.
@@ -699,9 +715,7 @@ class LineFilm(_Film):
         KernelError
             If memory does not suffice.
         """
-        u, status = self._binding("profile")(self._handle, node + 1, velocity, self.levels)
-        _check(status)
-        return u
+        return self._velocities(node, 0, velocity, 0.0)[0]
 
 
 def level_positions(levels: int) -> np.ndarray:

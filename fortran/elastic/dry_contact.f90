@@ -4,10 +4,10 @@
 !> the contact is left to find; conjugate gradients with bounds on each (contact_gradients).
 module dry_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use contact_gradients, only: close_gap
+  use constrained_gradients, only: close_gap
   use half_space, only: elastic_half_space, new_half_space
   use kinds, only: wp
-  use pressure_transfer, only: refine_pressure
+  use pressure_refinement, only: refine_pressure
   use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite, status_no_memory
   use vectors, only: total
   implicit none(type, external)

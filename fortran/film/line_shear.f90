@@ -6,7 +6,7 @@
 module line_shear
   use kinds, only: wp
   use line_reynolds, only: line_grid, line_flow
-  use oil_laws, only: oil_law
+  use viscosity_density, only: oil_law
   use omp_lib, only: omp_get_thread_num
   use reynolds, only: film_fields
   use sheared_reynolds, only: sheared_film, set_oil, flow_through, strip

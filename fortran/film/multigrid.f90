@@ -15,7 +15,7 @@
 module multigrid
   use kinds, only: pp, wp
   use lapack, only: sgbtrf, sgbtrs
-  use line_smoother, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
+  use line_relaxation, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
   use reynolds, only: film_fields, film_grid
   use status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)

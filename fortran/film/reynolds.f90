@@ -5,7 +5,7 @@
 !> that at ambient pressure, so that the residual is a volume flow per area [m/s].
 module reynolds
   use kinds, only: wp
-  use oil_laws, only: oil_law, viscosities, densities
+  use viscosity_density, only: oil_law, viscosities, densities
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private

@@ -12,7 +12,7 @@
 !> by film, gradient and stresses.
 module shear_flow
   use kinds, only: wp
-  use film_levels, only: levels_across
+  use gauss_lobatto, only: levels_across
   use flow_laws, only: flow_law, law_newton, has_limit, slip_stress, thinning, thinning_by_stresses, stress_guess
   use status, only: status_ok, status_no_memory
   implicit none(type, external)

@@ -7,11 +7,11 @@
 !> face's two nodes are averaged by what else their mobility holds, rho h**3, so that for a Newtonian oil of one
 !> temperature the scheme is that of `reynolds` to rounding.
 module sheared_reynolds
-  use film_levels, only: levels_across, new_levels
+  use gauss_lobatto, only: levels_across, new_levels
   use flow_laws, only: flow_law, hardens, stress_scales
   use kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use oil_laws, only: oil_law, hot_fluidity, hot_density
+  use viscosity_density, only: oil_law, hot_fluidity, hot_density
   use reynolds, only: film_grid, film_fields, add_wedge
   use shear_flow, only: shear_strip, new_shear_strip, solve_shear, flow_change, flow_change_by_stresses
   use status, only: status_ok, status_no_memory

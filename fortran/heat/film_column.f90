@@ -1,6 +1,6 @@
 !> Energy equation across the film, implicit, for a strip of columns (Sharif et al. 2001, eq. 18).
 !>
-!> In weak form on Gauss-Lobatto levels, with w the weights and S the stiffness of `film_levels`, each level k
+!> In weak form on Gauss-Lobatto levels, with w the weights and S the stiffness of `gauss_lobatto`, each level k
 !> obeys
 !>   h w_k (absorption_k T_k - source_k) + (conductivity/h) sum_l S_kl T_l + flux into its wall, if it is one = 0.
 !> The columns of S add to nothing, so that dissipation = what is convected away + what both walls take, to
@@ -11,7 +11,7 @@
 !>   growth_k delta_kl - sum_s loading_ks relief_ls,
 !> s being the two components of the shear stress.
 module film_column
-  use film_levels, only: levels_across
+  use gauss_lobatto, only: levels_across
   use kinds, only: wp
   use status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)

@@ -14,7 +14,7 @@
 module surface_path
   use heated_surface, only: heated_body
   use kinds, only: wp
-  use march_layout, only: march, new_march, to_march, from_march
+  use sweep_order, only: sweep_frame, new_sweep_frame, to_sweep, from_sweep
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_memory
   implicit none(type, external)
   private
@@ -38,7 +38,7 @@ module surface_path
 
   type, extends(heated_body) :: fast_body
     !> How lines are taken.
-    type(march) :: way
+    type(sweep_frame) :: way
     !> Nodes of a line, lines, and groups of exponentials.
     integer :: nodes = 0, lines = 0, groups = 0
     !> Rise under a unit of int q dt/sqrt(t) [K m2/(W sqrt(s))].
@@ -89,7 +89,7 @@ contains
 
     self%nx = size(u, 1)
     self%ny = size(u, 2)
-    self%way = new_march(self%nx, self%ny, dx, dy, .not. by_y, merge(v(1, 1), u(1, 1), by_y) < 0)
+    self%way = new_sweep_frame(self%nx, self%ny, dx, dy, .not. by_y, merge(v(1, 1), u(1, 1), by_y) < 0)
     self%nodes = self%way%length
     self%lines = self%way%lines
     self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
@@ -100,13 +100,13 @@ contains
     stat = status_no_memory
     if (err /= 0) return
     if (by_y) then
-      call to_march(self%way, v, ahead)
-      call to_march(self%way, u, aside)
+      call to_sweep(self%way, v, ahead)
+      call to_sweep(self%way, u, aside)
       call find_feet(self, abs(ahead), aside, dy, dx)
       call factor_spread(self, conductivity/heat_capacity/dx**2*(1 + (aside/ahead)**2))
     else
-      call to_march(self%way, u, ahead)
-      call to_march(self%way, v, aside)
+      call to_sweep(self%way, u, ahead)
+      call to_sweep(self%way, v, aside)
       call find_feet(self, abs(ahead), aside, dx, dy)
       call factor_spread(self, conductivity/heat_capacity/dy**2*(1 + (aside/ahead)**2))
     end if
@@ -259,7 +259,7 @@ contains
     real(wp), intent(out) :: temperature_rise(self%nx, self%ny)
     integer :: line, group
 
-    call to_march(self%way, q, self%flux)
+    call to_sweep(self%way, q, self%flux)
     self%before(:, 1) = 0
     !$omp parallel do schedule(static)
     do line = 2, self%lines
@@ -277,7 +277,7 @@ contains
       end do
       self%risen(:, line) = self%effusion*self%risen(:, line)
     end do
-    call from_march(self%way, self%risen, temperature_rise)
+    call from_sweep(self%way, self%risen, temperature_rise)
   end subroutine rise
 
   !> Flux at the feet of a line's paths, spread along the line meanwhile.

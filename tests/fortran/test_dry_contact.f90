@@ -4,7 +4,7 @@ program test_dry_contact
   use half_space, only: elastic_half_space, new_half_space
   use kinds, only: wp
   use periodic_stiffness, only: periodic_half_space, new_periodic_half_space
-  use pressure_transfer, only: refine_pressure
+  use pressure_refinement, only: refine_pressure
   use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)

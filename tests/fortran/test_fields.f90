@@ -1,5 +1,5 @@
 program test_fields
-  use grid_transfer, only: interpolate_cubic
+  use cubic_refinement, only: interpolate_cubic
   use kinds, only: wp
   use tap, only: check, close_to, done
   use vectors, only: dot, total

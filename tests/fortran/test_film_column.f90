@@ -2,7 +2,7 @@
 !> derivatives.
 program test_film_column
   use film_column, only: film_strip, new_film_strip, solve_columns, warm_walls
-  use film_levels, only: new_levels
+  use gauss_lobatto, only: new_levels
   use kinds, only: wp
   use status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done

@@ -1,16 +1,18 @@
 !> Steps of film and heat together, of a sliding contact in Hertz units (`test_point_film`) whose heat thins its film much:
 !> what is taken of each sweep is Aitken's share, and with it film and temperature settle.
 program test_heated_step
-  use film_temperature, only: heated_contact, heat_contact, heated_step
+  use point_heat, only: point_film_heat, new_point_heat
   use flow_laws, only: flow_law, law_newton
   use heated_surface, only: heated_body
   use kinds, only: wp
   use moving_source, only: moving_body, new_moving_body
-  use oil_heat, only: oil_heat_law
-  use oil_laws, only: oil_law, law_barus
-  use point_film, only: new_point_contact, shear_point_contact, film_residual, film_step
+  use thermal_properties, only: oil_heat_law
+  use viscosity_density, only: oil_law, law_barus
+  use film_newton, only: shear_contact, film_residual, film_step
+  use point_film, only: point_contact, new_point_contact
   use status, only: status_ok
   use tap, only: check, close_to, done
+  use thermal_step, only: heated_step
   implicit none(type, external)
 
   real(wp), parameter :: pi = acos(-1.0_wp), load = 2*pi/3, modulus = pi
@@ -22,6 +24,12 @@ program test_heated_step
   real(wp), parameter :: beta = 0.04_wp, half_slide = 0.1_wp, oil(2) = [0.034_wp, 2.0_wp], body(2) = [0.02_wp, 20.0_wp]
   integer, parameter :: n = 41, levels = 5
   real(wp), parameter :: dx = 6.0_wp/(n - 1)
+  !> A point contact and its heat.
+  type :: heated_contact
+    type(point_contact) :: film
+    type(point_film_heat) :: heat
+  end type heated_contact
+
   type(heated_contact) :: contact
   real(wp) :: p(n, n), h0, residual, load_error
   integer :: stat
@@ -45,23 +53,23 @@ contains
       end do
     end do
     covered = .true.
-    call new_point_contact(contact%point_contact, gap, covered, 0*gap + 1, 0*gap, dx, dx, modulus, &
+    call new_point_contact(contact%film, gap, covered, 0*gap + 1, 0*gap, dx, dx, modulus, &
       oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp, 300.0_wp, beta), load, 1e-4_wp, stat)
-    call shear_point_contact(contact%point_contact, flow_law(law_newton), levels, 0*gap - 2*half_slide, 0*gap, stat)
+    call shear_contact(contact%film, flow_law(law_newton), levels, 0*gap - 2*half_slide, 0*gap, stat)
     p = sqrt(max(0.0_wp, 1 - 2*gap))
     h0 = -0.5_wp
-    call film_residual(contact%point_contact, p, h0, residual, load_error)
+    call film_residual(contact%film, p, h0, residual, load_error)
     do steps = 1, 20
-      call film_step(contact%point_contact, 0.03_wp, p, h0, residual, load_error, krylov, step, stat)
+      call film_step(contact%film, 0.03_wp, p, h0, residual, load_error, krylov, step, stat)
       if (residual + abs(load_error) < 1e-4_wp) exit
     end do
     call check(residual + abs(load_error) < 1e-4_wp, "the isothermal film converges")
     call new_body(1 + half_slide, body_1)
     call new_body(1 - half_slide, body_2)
-    call heat_contact(contact, oil_heat_law(conductivity=oil(1), capacity=oil(2)), 0*gap + 1 + half_slide, 0*gap, &
+    call new_point_heat(contact%heat, contact%film, oil_heat_law(conductivity=oil(1), capacity=oil(2)), 0*gap + 1 + half_slide, 0*gap, &
       body_1, body_2, [0.0_wp, 0.0_wp], stat)
     call check(stat == status_ok, "and is heated")
-    call film_residual(contact%point_contact, p, h0, residual, load_error)
+    call film_residual(contact%film, p, h0, residual, load_error)
   end subroutine isothermal_film
 
   !> A body that moves along x.
@@ -89,20 +97,20 @@ contains
     extrapolated = 0
     do steps = 1, most
       before = contact%heat%wanted
-      share_before = contact%heat%last_share
-      call heated_step(contact, 0.03_wp, p, h0, residual, load_error, krylov, step, change, stat)
+      share_before = contact%heat%last_fraction
+      call heated_step(contact%film, contact%heat, 0.03_wp, p, h0, residual, load_error, krylov, step, change, stat)
       if (stat /= status_ok .or. change < 1e-2_wp) exit
       if (steps == 1 .or. step < 1) cycle
       wanted = contact%heat%wanted
-      judged = spread(contact%fields%p > 0.02_wp*maxval(contact%fields%p), 3, levels)
+      judged = spread(contact%film%fields%p > 0.02_wp*maxval(contact%film%fields%p), 3, levels)
       share = -share_before*sum(before*(wanted - before), judged)/sum((wanted - before)**2, judged)
       if (share > 0.125_wp .and. share < 1) extrapolated = extrapolated + 1
       share = min(max(share, 0.125_wp), 1.0_wp)
-      if (abs(contact%heat%share - 0.5_wp) > 0) call close_to(contact%heat%share, share, 1e-9_wp, "Aitken's share")
+      if (abs(contact%heat%fraction - 0.5_wp) > 0) call close_to(contact%heat%fraction, share, 1e-9_wp, "Aitken's share")
     end do
     call check(extrapolated >= 5, "sweeps that overshoot are shortened")
     call check(stat == status_ok .and. change < 1e-2_wp .and. residual < 1e-3_wp, "film and temperature settle")
-    call check(maxval(contact%shear%nodes%rise) > 1/beta, "where heat changes the viscosity much")
+    call check(maxval(contact%film%shear%nodes%rise) > 1/beta, "where heat changes the viscosity much")
   end subroutine warm
 
 end program test_heated_step

@@ -3,8 +3,9 @@
 program test_line_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact, store_line, line_residual, line_step, set_line_system
-  use oil_laws, only: oil_law, law_barus, law_roelands
+  use film_newton, only: store, film_residual, film_step, set_system
+  use line_film, only: line_contact, new_line_contact
+  use viscosity_density, only: oil_law, law_barus, law_roelands
   use status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -26,6 +27,14 @@ program test_line_film
 
 contains
 
+  !> A field of a line contact as the film takes it.
+  pure function on_nodes(a) result(field)
+    real(wp), intent(in) :: a(:)
+    real(wp) :: field(size(a), 1)
+
+    field(:, 1) = a
+  end function on_nodes
+
   !> The written Jacobian times a direction against central differences of the imbalance.
   subroutine jacobian()
     integer, parameter :: n = 41
@@ -42,14 +51,14 @@ contains
     ! entrainment of both signs, a squeeze, a compressible Roelands oil: every term takes part
     call new_line_contact(contact, x**2/2, [(.true., i=1, n)], sin(3*x), 0.05_wp, modulus, &
       oil_law(law_roelands, 0.01_wp, 0.6_wp, 0.3_wp, 0.5_wp, 1.5_wp), load, floor, stat)
-    if (stat == status_ok) call store_line(contact, 1.5_wp, 0.2_wp*x, stat)
+    if (stat == status_ok) call store(contact, 1.5_wp, on_nodes(0.2_wp*x), stat)
     call check(stat == status_ok, "a contact is made")
-    call line_residual(contact, p + step*along, h0 + step*along_h0, residual, load_error)
-    forward = contact%imbalance
-    call line_residual(contact, p - step*along, h0 - step*along_h0, residual, load_error)
-    backward = contact%imbalance
-    call line_residual(contact, p, h0, residual, load_error)
-    call set_line_system(contact, stat)
+    call film_residual(contact, on_nodes(p + step*along), h0 + step*along_h0, residual, load_error)
+    forward = contact%imbalance(:, 1)
+    call film_residual(contact, on_nodes(p - step*along), h0 - step*along_h0, residual, load_error)
+    backward = contact%imbalance(:, 1)
+    call film_residual(contact, on_nodes(p), h0, residual, load_error)
+    call set_system(contact, stat)
     call check(stat == status_ok, "its Jacobian is set up")
     call contact%multiply([along, along_h0], got)
     wanted = (forward - backward)/(2*step)
@@ -139,10 +148,11 @@ contains
     type(line_contact), intent(out) :: contact
     real(wp), intent(in) :: x(:), u(:), stiffness, h0
     type(oil_law), intent(in) :: oil
-    real(wp), intent(inout) :: p(:)
+    real(wp), contiguous, target, intent(inout) :: p(:)
     integer, intent(out) :: steps
     real(wp), intent(in), optional :: beyond
     real(wp) :: carried, film, residual, load_error, step
+    real(wp), contiguous, pointer :: pressure(:, :)
     logical :: covered(size(x))
     integer :: stat, krylov
 
@@ -153,9 +163,10 @@ contains
     call check(stat == status_ok, "a contact is made")
     film = h0
     if (stiffness < 100) film = h0 - 1
-    call line_residual(contact, p, film, residual, load_error)
+    pressure(1:size(p), 1:1) => p
+    call film_residual(contact, pressure, film, residual, load_error)
     do steps = 1, 30
-      call line_step(contact, 1e-4_wp, p, film, residual, load_error, krylov, step, stat)
+      call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, krylov, step, stat)
       if (stat /= status_ok) exit
       if (residual + abs(load_error) < 1e-10_wp) exit
     end do
@@ -190,9 +201,9 @@ contains
     call new_line_contact(contact, field, covered, broken, 1.0_wp, modulus, barus, load, floor, stat)
     call check(stat == status_not_finite, "a velocity that is not finite is refused")
     call new_line_contact(contact, field, covered, field, 1.0_wp, modulus, barus, load, floor, stat)
-    call store_line(contact, 1.0_wp, broken, stat)
+    call store(contact, 1.0_wp, on_nodes(broken), stat)
     call check(stat == status_not_finite, "a squeeze that is not finite is refused")
-    call store_line(contact, 1.0_wp, field(:2), stat)
+    call store(contact, 1.0_wp, on_nodes(field(:2)), stat)
     call check(stat == status_bad_argument, "a squeeze of another grid is refused")
   end subroutine refusals
 

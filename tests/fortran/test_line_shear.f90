@@ -1,10 +1,11 @@
 !> The flow of a sheared line contact: Newton's in its limit, its bands the derivative of its imbalance, a closed form.
 program test_line_shear
+  use film_newton, only: store, shear_contact, film_residual, film_step
   use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
   use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact, store_line, shear_line_contact, line_residual, line_step, set_line_system
-  use line_nodal_shear, only: line_shear_field, line_shear_fields
-  use oil_laws, only: oil_law, law_barus, law_roelands
+  use line_film, only: line_contact, new_line_contact
+  use shear_fields, only: shear_field, nodal_shear
+  use viscosity_density, only: oil_law, law_barus, law_roelands
   use status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -34,6 +35,14 @@ program test_line_shear
 
 contains
 
+  !> A field of a line contact as the film takes it.
+  pure function on_nodes(a) result(field)
+    real(wp), intent(in) :: a(:)
+    real(wp) :: field(size(a), 1)
+
+    field(:, 1) = a
+  end function on_nodes
+
   !> A film under load that slides, entrained to both sides.
   subroutine set_scene()
     integer :: i
@@ -51,7 +60,7 @@ contains
     type(line_contact), intent(out) :: contact
 
     call new_line_contact(contact, x**2/(2*radius), covered, u, dx, modulus, oil, load, floor, stat)
-    if (stat == status_ok) call store_line(contact, renewal, squeeze, stat)
+    if (stat == status_ok) call store(contact, renewal, on_nodes(squeeze), stat)
     call check(stat == status_ok, "a contact is made")
   end subroutine new_contact
 
@@ -63,15 +72,15 @@ contains
 
     call new_contact(plain)
     call new_contact(sheared)
-    call shear_line_contact(sheared, flow_law(law_newton), levels, sliding, stat)
+    call shear_contact(sheared, flow_law(law_newton), levels, on_nodes(sliding), on_nodes(0*sliding), stat)
     call check(stat == status_ok, "it is sheared")
     lift = lifted(plain)
-    call line_residual(plain, p, lift, residual, load_error)
-    call line_residual(sheared, p, lift, residual, load_error)
+    call film_residual(plain, on_nodes(p), lift, residual, load_error)
+    call film_residual(sheared, on_nodes(p), lift, residual, load_error)
     call close_to(maxval(abs(sheared%imbalance - plain%imbalance)), 0.0_wp, 1e-12_wp*maxval(abs(plain%imbalance)), &
       "Newton's limit")
-    call set_line_system(plain, stat)
-    call set_line_system(sheared, stat)
+    call plain%linearise(stat)
+    call sheared%linearise(stat)
     direction(:n) = [(p(i)*sin(0.7_wp*i), i=1, n)]
     direction(n + 1) = 1e-7_wp
     call plain%multiply(direction, by_plain)
@@ -85,7 +94,7 @@ contains
     type(line_contact), intent(inout) :: contact
     real(wp) :: residual, load_error
 
-    call line_residual(contact, p, 0.0_wp, residual, load_error)
+    call film_residual(contact, on_nodes(p), 0.0_wp, residual, load_error)
     lifted = h0 - minval(contact%fields%h)
   end function lifted
 
@@ -99,7 +108,7 @@ contains
     integer :: i, k
 
     call new_contact(contact)
-    call shear_line_contact(contact, law, levels, sliding, stat)
+    call shear_contact(contact, law, levels, on_nodes(sliding), on_nodes(0*sliding), stat)
     do k = 1, levels
       contact%shear%nodes%rise(:, 1, k) = p/maxval(p)*(20 + 30*real((k - 1)*(levels - k), wp)/9 + 4*k)
     end do
@@ -107,12 +116,12 @@ contains
     direction(:n) = [(p(i)*sin(0.7_wp*i), i=1, n)]
     direction([1, n]) = 0
     direction(n + 1) = 0.3_wp*h0
-    call line_residual(contact, p + step*direction(:n), lift + step*direction(n + 1), residual, load_error)
-    above = contact%imbalance
-    call line_residual(contact, p - step*direction(:n), lift - step*direction(n + 1), residual, load_error)
-    below = contact%imbalance
-    call line_residual(contact, p, lift, residual, load_error)
-    call set_line_system(contact, stat)
+    call film_residual(contact, on_nodes(p + step*direction(:n)), lift + step*direction(n + 1), residual, load_error)
+    above = contact%imbalance(:, 1)
+    call film_residual(contact, on_nodes(p - step*direction(:n)), lift - step*direction(n + 1), residual, load_error)
+    below = contact%imbalance(:, 1)
+    call film_residual(contact, on_nodes(p), lift, residual, load_error)
+    call contact%linearise(stat)
     call contact%multiply(direction, got)
     call close_to(maxval(abs(got(:n) - (above - below)/(2*step))), 0.0_wp, 2e-6_wp*maxval(abs(got(:n))), &
       what//": Jacobian against differences")
@@ -121,20 +130,20 @@ contains
   !> Newton's method converges on a loaded Eyring film that slides, as fast as on a Newtonian one.
   subroutine solves()
     type(line_contact) :: contact
-    real(wp) :: pressure(n), film, residual, load_error, step
+    real(wp) :: pressure(n, 1), film, residual, load_error, step
     integer :: steps, krylov
 
     u = 1
     sliding = -1
-    pressure = 4e8_wp*sqrt(max(0.0_wp, 1 - (x/6e-4_wp)**2)) + 1e2_wp
-    pressure([1, n]) = 0
+    pressure(:, 1) = 4e8_wp*sqrt(max(0.0_wp, 1 - (x/6e-4_wp)**2)) + 1e2_wp
+    pressure([1, n], 1) = 0
     call new_line_contact(contact, x**2/(2*radius), covered, u, dx, modulus, oil, 2e5_wp, floor, stat)
-    call shear_line_contact(contact, flow_law(law_eyring, tau0), levels, sliding, stat)
-    call line_residual(contact, pressure, 0.0_wp, residual, load_error)
+    call shear_contact(contact, flow_law(law_eyring, tau0), levels, on_nodes(sliding), on_nodes(0*sliding), stat)
+    call film_residual(contact, pressure, 0.0_wp, residual, load_error)
     film = 1.5e-6_wp - contact%fields%h(n/2, 1)
-    call line_residual(contact, pressure, film, residual, load_error)
+    call film_residual(contact, pressure, film, residual, load_error)
     do steps = 1, 20
-      call line_step(contact, 1e-4_wp, pressure, film, residual, load_error, krylov, step, stat)
+      call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, krylov, step, stat)
       if (stat /= status_ok .or. residual + abs(load_error) < 1e-9_wp) exit
     end do
     call check(residual + abs(load_error) < 1e-9_wp .and. steps <= 12, "Newton converges on an Eyring film")
@@ -144,7 +153,7 @@ contains
   !> is tau us.
   subroutine eyring_between_plates()
     type(line_contact) :: contact
-    type(line_shear_field) :: field
+    type(shear_field) :: field
     real(wp), parameter :: eta = 0.3_wp, slide = 2.0_wp, film = 3e-7_wp
     real(wp) :: residual, load_error, tau
 
@@ -152,16 +161,16 @@ contains
     p = 0
     call new_line_contact(contact, 0*x, covered, u, dx, modulus, &
       oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp), load, floor, stat)
-    call store_line(contact, 0.0_wp, 0*x + 1e-6_wp, stat)
-    call shear_line_contact(contact, flow_law(law_eyring, tau0), levels, sliding, stat)
-    call line_residual(contact, p, film, residual, load_error)
-    call line_shear_fields(contact, field, stat)
+    call store(contact, 0.0_wp, on_nodes(0*x + 1e-6_wp), stat)
+    call shear_contact(contact, flow_law(law_eyring, tau0), levels, on_nodes(sliding), on_nodes(0*sliding), stat)
+    call film_residual(contact, on_nodes(p), film, residual, load_error)
+    call nodal_shear(contact, .false., field, stat)
     tau = tau0*asinh(eta*slide/(tau0*film))
-    associate (inner => field%stress(2:n - 1))
+    associate (inner => field%stress_x(2:n - 1, 1))
       call close_to(maxval(abs(inner - tau)), 0.0_wp, 1e-9_wp*tau, "Eyring's stress")
     end associate
-    call close_to(maxval(abs(field%friction(2:n - 1) - tau*slide)), 0.0_wp, 1e-9_wp*tau*slide, "and its work")
-    call close_to(maxval(abs(field%rate(2:n - 1) - slide/film)), 0.0_wp, 1e-9_wp*slide/film, "and rate of shear")
+    call close_to(maxval(abs(field%friction(2:n - 1, 1) - tau*slide)), 0.0_wp, 1e-9_wp*tau*slide, "and its work")
+    call close_to(maxval(abs(field%rate(2:n - 1, 1) - slide/film)), 0.0_wp, 1e-9_wp*slide/film, "and rate of shear")
   end subroutine eyring_between_plates
 
 end program test_line_shear

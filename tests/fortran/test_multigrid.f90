@@ -1,7 +1,7 @@
 program test_multigrid
   use kinds, only: wp
   use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
-  use oil_laws, only: oil_law, law_barus
+  use viscosity_density, only: oil_law, law_barus
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance_change
   use status, only: status_ok
   use tap, only: check, close_to, done

@@ -3,8 +3,9 @@
 program test_point_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use kinds, only: wp
-  use oil_laws, only: oil_law, law_barus
-  use point_film, only: point_contact, new_point_contact, store, film_residual, film_step
+  use viscosity_density, only: oil_law, law_barus
+  use film_newton, only: store, film_residual, film_step
+  use point_film, only: point_contact, new_point_contact
   use status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)

@@ -51,7 +51,7 @@ program test_reynolds
   use kinds, only: pp, wp
   use krylov, only: gmres
   use multigrid, only: new_film_multigrid, set_film_multigrid
-  use oil_laws, only: oil_law, law_barus, law_roelands
+  use viscosity_density, only: oil_law, law_barus, law_roelands
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
     flow_imbalance_change
   use rigid_film, only: rigid

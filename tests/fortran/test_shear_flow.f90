@@ -1,6 +1,6 @@
 program test_shear_flow
   use kinds, only: wp
-  use film_levels, only: levels_across, new_levels
+  use gauss_lobatto, only: levels_across, new_levels
   use flow_laws, only: flow_law, has_limit, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau, &
     slip_stress
   use shear_flow, only: shear_strip, new_shear_strip, solve_shear, flow_deficit, flow_change, flow_change_by_stresses, &

@@ -2,7 +2,7 @@
 program test_sheared_reynolds
   use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
   use kinds, only: wp
-  use oil_laws, only: oil_law, law_roelands
+  use viscosity_density, only: oil_law, law_roelands
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
   use sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
     sheared_imbalance_change

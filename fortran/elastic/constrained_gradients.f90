@@ -5,7 +5,7 @@
 !> join it. As in Vollebregt's BCCG (2014, J. Optim. Theory Appl. 162:931) the gradients are preconditioned
 !> with a transform, directions survive a change of the set (Polak and Ribiere's beta forgets what no longer
 !> fits), and the deflection follows a step that no bound cuts without another convolution.
-module contact_gradients
+module constrained_gradients
   use half_space, only: elastic_half_space
   use interruption, only: interrupted
   use kinds, only: wp
@@ -142,4 +142,4 @@ contains
     end do
   end subroutine advance
 
-end module contact_gradients
+end module constrained_gradients

@@ -7,7 +7,7 @@
 !> Measured against it and left: dense LU of the free nodes, the same Newton steps at 0.1 s each for 1500 nodes and
 !> growing with their cube, whole solves 20 to 50 times slower; the kernel's centre value alone in place of the
 !> cut-off kernel, 18 to 46 iterations to a millionth where this takes 9 to 14 (1041 nodes).
-module line_preconditioner
+module band_preconditioner
   use kinds, only: wp
   use lapack, only: dgbtrf, dgbtrs
   use status, only: status_ok, status_no_descent
@@ -82,4 +82,4 @@ contains
     call dgbtrs("N", size(x), half, half, 1, self%factors, size(self%factors, 1), self%pivots, x, size(x), info)
   end subroutine solve
 
-end module line_preconditioner
+end module band_preconditioner

@@ -1,5 +1,5 @@
 !> Contact pressure carried to a grid of half the spacing.
-module pressure_transfer
+module pressure_refinement
   use kinds, only: wp
   implicit none(type, external)
   private
@@ -62,4 +62,4 @@ contains
     beyond = min(sum(2*near - far, mask=leaves)/max(count(leaves), 1), 0.0_wp)
   end function beyond
 
-end module pressure_transfer
+end module pressure_refinement

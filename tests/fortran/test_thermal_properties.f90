@@ -1,7 +1,7 @@
 !> The oil of Sharif, Kong, Evans and Snidle (2001): table 2 and appendix.
-program test_oil_heat
+program test_thermal_properties
   use kinds, only: wp
-  use oil_heat, only: oil_heat_law, conductivity, heat_capacity
+  use thermal_properties, only: oil_heat_law, conductivity, heat_capacity
   use tap, only: close_to, done
   implicit none(type, external)
 
@@ -17,4 +17,4 @@ program test_oil_heat
   call close_to(conductivity(constant, 2e9_wp), 0.14_wp, 1e-16_wp, "constant conductivity")
   call close_to(heat_capacity(constant, 2e9_wp, 80.0_wp), 1.7e6_wp, 1e-9_wp, "constant capacity")
   call done()
-end program test_oil_heat
+end program test_thermal_properties

@@ -1,14 +1,14 @@
 !> Heat of a film's columns: shearing, compression, conduction and capacity under pressure, against Couette and Poiseuille
 !> flow; its derivatives; and what oil carries away.
-program test_column_heat
-  use column_heat, only: set_heat, carried_away
+program test_column_sources
+  use column_sources, only: set_heat, carried_away
   use film_column, only: film_strip, new_film_strip, solve_columns
-  use film_levels, only: new_levels
+  use gauss_lobatto, only: new_levels
   use flow_laws, only: flow_law, law_newton, law_eyring
   use kinds, only: wp
-  use nodal_shear, only: shear_columns
-  use oil_heat, only: oil_heat_law
-  use oil_laws, only: oil_law, law_barus
+  use shear_fields, only: shear_columns
+  use thermal_properties, only: oil_heat_law
+  use viscosity_density, only: oil_law, law_barus
   use shear_flow, only: shear_strip, new_shear_strip
   use sheared_reynolds, only: sheared_oil
   use status, only: status_ok
@@ -157,4 +157,4 @@ contains
     call close_to(maxval(abs(values - wanted)), 0.0_wp, within*maxval(abs(wanted)), what)
   end subroutine all_close
 
-end program test_column_heat
+end program test_column_sources

@@ -1,7 +1,7 @@
-!> A line contact as an integer that a caller in another language may hold.
-module line_handle
+!> A contact as an integer that a caller in another language may hold.
+module contact_handle
   use, intrinsic :: iso_c_binding, only: c_int64_t, c_loc, c_null_ptr, c_f_pointer
-  use line_temperature, only: heated_line
+  use thermal_step, only: thermal_contact
   implicit none(type, external)
   private
 
@@ -11,7 +11,7 @@ contains
 
   !> The contact's address.
   integer(c_int64_t) function handle_of(contact)
-    type(heated_line), pointer, intent(in) :: contact
+    type(thermal_contact), pointer, intent(in) :: contact
 
     handle_of = transfer(c_loc(contact), handle_of)
   end function handle_of
@@ -19,9 +19,9 @@ contains
   !> The contact at an address that `handle_of` gave.
   function contact_of(handle) result(contact)
     integer(c_int64_t), intent(in) :: handle
-    type(heated_line), pointer :: contact
+    type(thermal_contact), pointer :: contact
 
     call c_f_pointer(transfer(handle, c_null_ptr), contact)
   end function contact_of
 
-end module line_handle
+end module contact_handle

@@ -1,17 +1,19 @@
 !> Temperature of a point contact's film: thermal Couette flow, conductivity under pressure, heat of compression, heat
 !> carried in all directions, the balance of heat, and what is taken of a sweep that overshoots.
-program test_film_temperature
-  use film_temperature, only: heated_contact, heat_contact, heat_sweep, heated_step
+program test_point_heat
+  use point_heat, only: point_film_heat, new_point_heat
   use flow_laws, only: flow_law, law_newton
   use heated_surface, only: heated_body
   use kinds, only: wp
   use moving_source, only: moving_body, new_moving_body
-  use nodal_shear, only: shear_field, shear_fields
-  use oil_heat, only: oil_heat_law
-  use oil_laws, only: oil_law, law_barus
-  use point_film, only: new_point_contact, shear_point_contact, store, film_residual
+  use shear_fields, only: shear_field, nodal_shear
+  use thermal_properties, only: oil_heat_law
+  use viscosity_density, only: oil_law, law_barus
+  use film_newton, only: shear_contact, store, film_residual
+  use point_film, only: point_contact, new_point_contact
   use status, only: status_ok
   use tap, only: check, close_to, done
+  use thermal_step, only: heat_sweep
   implicit none(type, external)
 
   integer, parameter :: levels = 9, halfway = 5
@@ -24,6 +26,12 @@ program test_film_temperature
   real(wp), parameter :: mirror(2) = [1e9_wp, 1e12_wp], steel(2) = [47.0_wp, 3.7e6_wp]
   !> An oil of constant viscosity.
   type(oil_law), parameter :: constant = oil_law(law_barus, eta, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, inlet)
+  !> A point contact and its heat.
+  type :: heated_contact
+    type(point_contact) :: film
+    type(point_film_heat) :: heat
+  end type heated_contact
+
   integer :: stat
 
   call couette([1.0_wp, 0.0_wp], 8.0_wp)
@@ -60,17 +68,17 @@ contains
     covered = .true.
     field = 1
     ! bodies so stiff that no pressure bends them
-    call new_point_contact(contact%point_contact, 0*field, covered, (u1(1) + u2(1))/2*field, (u1(2) + u2(2))/2*field, &
+    call new_point_contact(contact%film, 0*field, covered, (u1(1) + u2(1))/2*field, (u1(2) + u2(2))/2*field, &
       dx, dx, 1e30_wp, oil, 1.0_wp, 1e-9_wp, stat)
-    if (stat == status_ok) call store(contact%point_contact, 0.0_wp, 1e-6_wp*field, stat)
+    if (stat == status_ok) call store(contact%film, 0.0_wp, 1e-6_wp*field, stat)
     call check(stat == status_ok, "a contact is made")
-    call shear_point_contact(contact%point_contact, flow_law(law_newton), levels, (u2(1) - u1(1))*field, &
+    call shear_contact(contact%film, flow_law(law_newton), levels, (u2(1) - u1(1))*field, &
       (u2(2) - u1(2))*field, stat)
     call new_body(shape(p), u1, body, body_1)
     call new_body(shape(p), u2, body, body_2)
-    call heat_contact(contact, heat, u1(1)*field, u1(2)*field, body_1, body_2, bulk, stat)
+    call new_point_heat(contact%heat, contact%film, heat, u1(1)*field, u1(2)*field, body_1, body_2, bulk, stat)
     call check(stat == status_ok, "and heated")
-    call film_residual(contact%point_contact, p, h, residual, load_error)
+    call film_residual(contact%film, p, h, residual, load_error)
   end subroutine new_film
 
   !> A body of this conductivity and rho c that moves with this velocity.
@@ -94,9 +102,9 @@ contains
     integer :: sweep
 
     do sweep = 1, most
-      before = contact%shear%nodes%rise
-      call heat_sweep(contact, change, stat)
-      change = maxval(abs(contact%shear%nodes%rise - before))
+      before = contact%film%shear%nodes%rise
+      call heat_sweep(contact%film, contact%heat, change, stat)
+      change = maxval(abs(contact%film%shear%nodes%rise - before))
       if (change < 1e-9_wp) exit
     end do
     call check(change < 1e-9_wp, "the temperature settles")
@@ -116,9 +124,9 @@ contains
     call new_film(contact, (10 - us/2)*way, (10 + us/2)*way, oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp, &
       inlet, beta), oil_heat_law(conductivity=k), mirror, [0.0_wp, 0.0_wp], spread(spread(0.0_wp, 1, n), 2, n))
     call settle(contact, 60)
-    call shear_fields(contact%point_contact, .false., field, stat)
+    call nodal_shear(contact%film, .false., field, stat)
     tau = eta*us/h*asinh(x)/(x*sqrt(1 + x**2))
-    call close_to(contact%shear%nodes%rise(middle, middle, halfway), log(1 + nahme/8)/beta, &
+    call close_to(contact%film%shear%nodes%rise(middle, middle, halfway), log(1 + nahme/8)/beta, &
       4e-4_wp*log(1 + nahme/8)/beta, "temperature of thermal Couette flow")
     call close_to(field%stress_x(middle, middle), tau*way(1), 4e-4_wp*tau, "its stress along x")
     call close_to(field%stress_y(middle, middle), tau*way(2), 4e-4_wp*tau, "and along y")
@@ -136,7 +144,7 @@ contains
     call new_film(contact, [10 - us/2, 0.0_wp], [10 + us/2, 0.0_wp], constant, &
       oil_heat_law(conductivity=k, c1=1.56e-9_wp, c2=0.61e-9_wp), mirror, [0.0_wp, 0.0_wp], p)
     call settle(contact, 5)
-    call close_to(contact%shear%nodes%rise(middle, middle, halfway), eta*us**2/(8*k*(3.17_wp/1.61_wp)), &
+    call close_to(contact%film%shear%nodes%rise(middle, middle, halfway), eta*us**2/(8*k*(3.17_wp/1.61_wp)), &
       1e-6_wp, "oil conducts better under pressure")
   end subroutine conduction_under_pressure
 
@@ -162,7 +170,7 @@ contains
     call settle(contact, 60)
     do i = inlet_side, middle, middle - inlet_side
       at = merge([i, middle], [middle, i], abs(way(1)) > 0)
-      associate (rise => contact%shear%nodes%rise(at(1), at(2), halfway), &
+      associate (rise => contact%film%shear%nodes%rise(at(1), at(2), halfway), &
           m2 => eps*exp(-decay*p(at(1), at(2)))*speed*slope/k)
         if (sum(way) > 0) then
           call close_to(rise, inlet*(1/cos(sqrt(m2)*h/2) - 1), 1e-3_wp, "compression warms")
@@ -194,7 +202,7 @@ contains
       ! at places whose oil came in by the near end, not by a side
       at(:, i) = merge([place(i), beside], [beside, place(i)], along_x)
       where (velocity < 0) at(:, i) = nodes + 1 - at(:, i)
-      associate (levels_here => contact%shear%nodes%levels, rise => contact%shear%nodes%rise)
+      associate (levels_here => contact%film%shear%nodes%levels, rise => contact%film%shear%nodes%rise)
         mean(i) = sum(levels_here%weight*rise(at(1, i), at(2, i), :))
       end associate
     end do
@@ -219,4 +227,4 @@ contains
     call check(sum(contact%heat%walls%flux) > 0.5_wp*work, "and most of it enters the bodies")
   end subroutine balance
 
-end program test_film_temperature
+end program test_point_heat

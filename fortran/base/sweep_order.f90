@@ -1,43 +1,43 @@
 !> Fields as a march with the oil meets them: the nodes of a line side by side in memory, the lines in the order in which
 !> oil comes to them. Lines lie across the main direction of the entrainment.
-module march_layout
+module sweep_order
   use kinds, only: wp
   implicit none(type, external)
   private
 
-  public :: march, new_march, to_march, from_march
+  public :: sweep_frame, new_sweep_frame, to_sweep, from_sweep
 
   !> Nodes copied together each way, so that both sides of a transposition stay in cache.
   integer, parameter :: block = 16
 
-  type :: march
+  type :: sweep_frame
     !> True if lines are columns of constant x, taken one after another along x; true if against the axis.
     logical :: along_x = .false., backward = .false.
     !> Nodes of a line, and lines.
     integer :: length = 0, lines = 0
     !> One over the spacing of the nodes on a line, and of the lines, negative if these are taken against their axis [1/m].
     real(wp) :: per_node = 0, per_line = 0
-  end type march
+  end type sweep_frame
 
 contains
 
   !> A march over nx by ny nodes dx and dy apart.
-  pure type(march) function new_march(nx, ny, dx, dy, along_x, backward)
+  pure type(sweep_frame) function new_sweep_frame(nx, ny, dx, dy, along_x, backward)
     integer, intent(in) :: nx, ny
     real(wp), intent(in) :: dx, dy
     logical, intent(in) :: along_x, backward
 
-    new_march%along_x = along_x
-    new_march%backward = backward
-    new_march%length = merge(ny, nx, along_x)
-    new_march%lines = merge(nx, ny, along_x)
-    new_march%per_node = 1/merge(dy, dx, along_x)
-    new_march%per_line = merge(-1, 1, backward)/merge(dx, dy, along_x)
-  end function new_march
+    new_sweep_frame%along_x = along_x
+    new_sweep_frame%backward = backward
+    new_sweep_frame%length = merge(ny, nx, along_x)
+    new_sweep_frame%lines = merge(nx, ny, along_x)
+    new_sweep_frame%per_node = 1/merge(dy, dx, along_x)
+    new_sweep_frame%per_line = merge(-1, 1, backward)/merge(dx, dy, along_x)
+  end function new_sweep_frame
 
   !> A field of the grid, (nx, ny), as the march meets it, (length, lines).
-  subroutine to_march(way, field, marched)
-    type(march), intent(in) :: way
+  subroutine to_sweep(way, field, marched)
+    type(sweep_frame), intent(in) :: way
     real(wp), intent(in) :: field(:, :)
     real(wp), intent(inout) :: marched(:, :)
     integer :: first, nodes, line, node
@@ -59,11 +59,11 @@ contains
         end do
       end do
     end do
-  end subroutine to_march
+  end subroutine to_sweep
 
   !> The way back.
-  subroutine from_march(way, marched, field)
-    type(march), intent(in) :: way
+  subroutine from_sweep(way, marched, field)
+    type(sweep_frame), intent(in) :: way
     real(wp), intent(in) :: marched(:, :)
     real(wp), intent(inout) :: field(:, :)
     integer :: first, lines, line, node
@@ -85,14 +85,14 @@ contains
         end do
       end do
     end do
-  end subroutine from_march
+  end subroutine from_sweep
 
   !> Index on the grid of a line.
   pure integer function place(way, line)
-    type(march), intent(in) :: way
+    type(sweep_frame), intent(in) :: way
     integer, intent(in) :: line
 
     place = merge(way%lines + 1 - line, line, way%backward)
   end function place
 
-end module march_layout
+end module sweep_order

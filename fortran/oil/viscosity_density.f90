@@ -1,5 +1,5 @@
 !> Viscosity and density of an oil against pressure and temperature, with their derivatives.
-module oil_laws
+module viscosity_density
   use kinds, only: wp
   implicit none(type, external)
   private
@@ -160,4 +160,4 @@ contains
     end do
   end subroutine densities
 
-end module oil_laws
+end module viscosity_density

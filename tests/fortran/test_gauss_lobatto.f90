@@ -1,6 +1,6 @@
 !> Levels across a film: quadrature, integrals from the wall and conduction are exact for polynomials.
-program test_film_levels
-  use film_levels, only: levels_across, new_levels
+program test_gauss_lobatto
+  use gauss_lobatto, only: levels_across, new_levels
   use kinds, only: wp
   use tap, only: check, done
   implicit none(type, external)
@@ -39,4 +39,4 @@ contains
     walls(count) = 1
   end function walls
 
-end program test_film_levels
+end program test_gauss_lobatto

@@ -1,6 +1,6 @@
-program test_line_smoother
+program test_line_relaxation
   use kinds, only: pp, wp
-  use line_smoother, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
+  use line_relaxation, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
   use tap, only: close_to, done
   implicit none(type, external)
 
@@ -98,4 +98,4 @@ contains
       + right(2:n - 1, j)*x(3:, j) + before*x(2:n - 1, j - 1) + after*x(2:n - 1, j + 1) - f(2:n - 1, j)))
   end function imbalance
 
-end program test_line_smoother
+end program test_line_relaxation

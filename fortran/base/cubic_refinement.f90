@@ -1,5 +1,5 @@
 !> Fields carried to a grid of half the spacing.
-module grid_transfer
+module cubic_refinement
   use kinds, only: wp
   implicit none(type, external)
   private
@@ -44,4 +44,4 @@ contains
     at_end = (5*a + 15*b - 5*c + d)/16
   end function at_end
 
-end module grid_transfer
+end module cubic_refinement

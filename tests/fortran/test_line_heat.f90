@@ -1,15 +1,17 @@
 !> Temperature of a line contact's film: thermal Couette flow, heat carried by a film of one velocity, opposite flow,
 !> partition of heat between fast bodies, its balance and its mirror image.
-program test_line_temperature
+program test_line_heat
+  use film_newton, only: store, shear_contact, film_residual
   use flow_laws, only: flow_law, law_newton
   use heated_surface, only: heated_body
   use kinds, only: wp
-  use line_film, only: new_line_contact, store_line, shear_line_contact, line_residual
-  use line_nodal_shear, only: line_shear_field, line_shear_fields
+  use line_film, only: line_contact, new_line_contact
   use line_source, only: line_body, new_line_body
-  use line_temperature, only: heated_line, heat_line, line_heat_sweep
-  use oil_heat, only: oil_heat_law
-  use oil_laws, only: oil_law, law_barus
+  use shear_fields, only: shear_field, nodal_shear
+  use line_heat, only: line_film_heat, new_line_heat
+  use thermal_properties, only: oil_heat_law
+  use thermal_step, only: heat_sweep
+  use viscosity_density, only: oil_law, law_barus
   use status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -20,6 +22,12 @@ program test_line_temperature
   real(wp), parameter :: h = 1e-6_wp, dx = 2e-6_wp, eta = 0.05_wp, beta = 0.04_wp, k = 0.14_wp
   !> Walls that no heat warms, and steel: conductivity and rho c.
   real(wp), parameter :: mirror(2) = [1e9_wp, 1e12_wp], steel(2) = [47.0_wp, 3.7e6_wp]
+  !> A line contact and its heat.
+  type :: heated_line
+    type(line_contact) :: film
+    type(line_film_heat) :: heat
+  end type heated_line
+
   integer :: stat
 
   call couette(8.0_wp)
@@ -31,6 +39,14 @@ program test_line_temperature
   call done()
 
 contains
+
+  !> A field of a line contact as the film takes it.
+  pure function on_nodes(a) result(field)
+    real(wp), intent(in) :: a(:)
+    real(wp) :: field(size(a), 1)
+
+    field(:, 1) = a
+  end function on_nodes
 
   !> A film of constant thickness h between bodies of the velocities u1 and u2 [m/s], without pressure; `capacity` rho c
   !> of the oil [J/(m3 K)].
@@ -44,21 +60,22 @@ contains
 
     covered = .true.
     field = 1
-    call new_line_contact(contact%line_contact, 0*field, covered, (u1 + u2)/2*field, dx, 2e11_wp, &
+    call new_line_contact(contact%film, 0*field, covered, (u1 + u2)/2*field, dx, 2e11_wp, &
       oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp, 300.0_wp, thermal_exponent), 1e5_wp, 1e-9_wp, stat)
-    if (stat == status_ok) call store_line(contact%line_contact, 0.0_wp, 1e-6_wp*field, stat)
+    if (stat == status_ok) call store(contact%film, 0.0_wp, on_nodes(1e-6_wp*field), stat)
     call check(stat == status_ok, "a contact is made")
-    call shear_line_contact(contact%line_contact, flow_law(law_newton), levels, (u2 - u1)*field, stat)
+    call shear_contact(contact%film, flow_law(law_newton), levels, on_nodes((u2 - u1)*field), on_nodes(0*field), stat)
     allocate (moving)
     call new_line_body(moving, n, dx, u1, body(1), body(2), stat)
     call move_alloc(moving, body_1)
     allocate (moving)
     call new_line_body(moving, n, dx, u2, body(1), body(2), stat)
     call move_alloc(moving, body_2)
-    call heat_line(contact, oil_heat_law(conductivity=k, capacity=capacity), u1*field, body_1, body_2, bulk, stat)
+    call new_line_heat(contact%heat, contact%film, oil_heat_law(conductivity=k, capacity=capacity), u1*field, body_1, body_2, &
+      bulk, stat)
     call check(stat == status_ok, "and heated")
     field = 0
-    call line_residual(contact%line_contact, field, h, residual, load_error)
+    call film_residual(contact%film, on_nodes(field), h, residual, load_error)
   end subroutine new_film
 
   !> Sweeps until the temperature stands still.
@@ -69,9 +86,9 @@ contains
     integer :: sweep
 
     do sweep = 1, most
-      before = contact%shear%nodes%rise(:, 1, :)
-      call line_heat_sweep(contact, change, stat)
-      change = maxval(abs(contact%shear%nodes%rise(:, 1, :) - before))
+      before = contact%film%shear%nodes%rise(:, 1, :)
+      call heat_sweep(contact%film, contact%heat, change, stat)
+      change = maxval(abs(contact%film%shear%nodes%rise(:, 1, :) - before))
       if (change < 1e-9_wp) exit
     end do
     call check(change < 1e-9_wp, "the temperature settles")
@@ -81,18 +98,18 @@ contains
   subroutine couette(nahme)
     real(wp), intent(in) :: nahme
     type(heated_line) :: contact
-    type(line_shear_field) :: field
+    type(shear_field) :: field
     real(wp) :: us, x, tau
 
     us = sqrt(nahme*k/(beta*eta))
     x = sqrt(nahme/8)
     call new_film(contact, 10 - us/2, 10 + us/2, beta, 0.0_wp, mirror, [0.0_wp, 0.0_wp])
     call settle(contact, 40)
-    call line_shear_fields(contact, field, stat)
+    call nodal_shear(contact%film, .false., field, stat)
     tau = eta*us/h*asinh(x)/(x*sqrt(1 + x**2))
-    call close_to(contact%shear%nodes%rise(n/2, 1, levels/2 + 1), log(1 + nahme/8)/beta, &
+    call close_to(contact%film%shear%nodes%rise(n/2, 1, levels/2 + 1), log(1 + nahme/8)/beta, &
       4e-4_wp*log(1 + nahme/8)/beta, "temperature of thermal Couette flow")
-    call close_to(field%stress(n/2), tau, 4e-4_wp*tau, "and its stress")
+    call close_to(field%stress_x(n/2, 1), tau, 4e-4_wp*tau, "and its stress")
   end subroutine couette
 
   !> Oil of one velocity between walls of 1 K: the mean difference to the walls' temperature falls along the film as
@@ -108,7 +125,7 @@ contains
     call settle(contact, 5)
     node = [61, 101]
     if (velocity < 0) node = n + 1 - node
-    associate (levels_here => contact%shear%nodes%levels, rise => contact%shear%nodes%rise)
+    associate (levels_here => contact%film%shear%nodes%levels, rise => contact%film%shear%nodes%rise)
       mean(1) = sum(levels_here%weight*rise(node(1), 1, :))
       mean(2) = sum(levels_here%weight*rise(node(2), 1, :))
     end associate
@@ -121,13 +138,13 @@ contains
   !> 2 q sqrt(x/(pi k rho c u)), the slower one more; and all heat is accounted for.
   subroutine partition()
     type(heated_line) :: contact
-    type(line_shear_field) :: field
+    type(shear_field) :: field
     real(wp), parameter :: u1 = 39, u2 = 41
     real(wp) :: q, x
 
     call new_film(contact, u1, u2, 0.0_wp, 0.0_wp, steel, [0.0_wp, 0.0_wp])
     call settle(contact, 40)
-    call line_shear_fields(contact, field, stat)
+    call nodal_shear(contact%film, .false., field, stat)
     q = eta*(u2 - u1)**2/(2*h)
     x = 99*dx
     associate (wall => contact%heat%walls%wall(:, 1, :), flux => contact%heat%walls%flux(:, 1, :))
@@ -147,8 +164,8 @@ contains
     call settle(forth, 200)
     call new_film(back, -4.0_wp, 1.0_wp, beta, 1.7e6_wp, steel, [5.0_wp, 0.0_wp])
     call settle(back, 200)
-    rise = back%shear%nodes%rise(n:1:-1, 1, :)
-    call close_to(maxval(abs(rise - forth%shear%nodes%rise(:, 1, :))), 0.0_wp, 1e-6_wp*maxval(rise), "the mirror image")
+    rise = back%film%shear%nodes%rise(n:1:-1, 1, :)
+    call close_to(maxval(abs(rise - forth%film%shear%nodes%rise(:, 1, :))), 0.0_wp, 1e-6_wp*maxval(rise), "the mirror image")
   end subroutine reversed
 
-end program test_line_temperature
+end program test_line_heat

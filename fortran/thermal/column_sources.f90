@@ -1,10 +1,10 @@
 !> Heat of the columns of a film: shearing, compression and conduction (Sharif et al. 2001, eq. 18 and appendix), from the
 !> shear that `shear_flow` has found. What oil brings along from other columns is the caller's to add.
-module column_heat
+module column_sources
   use film_column, only: film_strip
   use kinds, only: wp
-  use oil_heat, only: oil_heat_law, conductivity, heat_capacity
-  use oil_laws, only: oil_law, expansivity
+  use thermal_properties, only: oil_heat_law, conductivity, heat_capacity
+  use viscosity_density, only: oil_law, expansivity
   use shear_flow, only: shear_strip, film_velocity, film_heat
   use sheared_reynolds, only: sheared_oil
   implicit none(type, external)
@@ -72,4 +72,4 @@ contains
     end do
   end subroutine carried_away
 
-end module column_heat
+end module column_sources

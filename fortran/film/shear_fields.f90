@@ -1,16 +1,16 @@
-!> Shear of a point contact's film at the nodes: the flow across the film that faces have for the flow through them.
-module nodal_shear
+!> Shear of a film at the nodes: the flow across the film that faces have for the flow through them.
+module shear_fields
+  use film_newton, only: film_contact, first_row, last_row
   use flow_laws, only: has_limit, slip_stress, stress_scales
   use kinds, only: wp
-  use oil_laws, only: oil_law, hot_fluidity
-  use point_film, only: point_contact
+  use viscosity_density, only: oil_law, hot_fluidity
   use shear_flow, only: shear_strip, new_shear_strip, solve_shear, film_velocity, film_shear_rate, film_heat, flow_factors
   use sheared_reynolds, only: sheared_oil
   use status, only: status_ok
   implicit none(type, external)
   private
 
-  public :: shear_columns, shear_fields, film_profile
+  public :: shear_nodes, shear_columns, nodal_shear, film_profile
 
   !> Nodes treated together.
   integer, parameter :: most_nodes = 64
@@ -29,21 +29,25 @@ contains
 
   !> Shear of the inner nodes first..last of row j, from the stress that `shear` holds.
   !>
-  !> `softening` is the derivative of the fluidity by temperature [1/(Pa s K)].
-  subroutine shear_nodes(contact, first, last, j, shear, softening)
-    type(point_contact), intent(in) :: contact
+  !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
+  !> derivative of the fluidity by temperature [1/(Pa s K)].
+  subroutine shear_nodes(contact, first, last, j, shear, mean, rise, softening)
+    class(film_contact), intent(in) :: contact
     integer, intent(in) :: first, last, j
     type(shear_strip), intent(inout) :: shear
-    real(wp), contiguous, intent(inout) :: softening(:, :)
-    real(wp) :: mean(size(softening, 1)), rise(size(softening, 1), size(softening, 2))
+    real(wp), contiguous, intent(inout) :: mean(:), rise(:, :), softening(:, :)
     integer :: m
 
     m = last - first + 1
     shear%points = m
-    associate (nodes => contact%shear%nodes, p => contact%fields%p, grid => contact%grid)
+    associate (nodes => contact%shear%nodes, p => contact%fields%p, dx => contact%spacing(1), dy => contact%spacing(2))
       shear%film(:m) = max(contact%fields%h(first:last, j), contact%floor)
-      shear%px(:m) = (p(first + 1:last + 1, j) - p(first - 1:last - 1, j))/(2*grid%dx)
-      shear%py(:m) = (p(first:last, j + 1) - p(first:last, j - 1))/(2*grid%dy)
+      shear%px(:m) = (p(first + 1:last + 1, j) - p(first - 1:last - 1, j))/(2*dx)
+      if (size(p, 2) > 1) then
+        shear%py(:m) = (p(first:last, j + 1) - p(first:last, j - 1))/(2*dy)
+      else
+        shear%py(:m) = 0
+      end if
       shear%us(:m) = nodes%sliding_x(first:last, j)
       shear%vs(:m) = nodes%sliding_y(first:last, j)
       rise(:m, :) = nodes%rise(first:last, j, :)
@@ -94,31 +98,31 @@ contains
   end subroutine bear_gradient
 
   !> Fields of a contact's shear; the flow factors, which cost more than all others, if wanted.
-  subroutine shear_fields(contact, factors_wanted, field, stat)
-    type(point_contact), intent(in) :: contact
+  subroutine nodal_shear(contact, factors_wanted, field, stat)
+    class(film_contact), intent(in) :: contact
     logical, intent(in) :: factors_wanted
     type(shear_field), intent(out) :: field
     integer, intent(out) :: stat
     type(shear_strip) :: shear
-    real(wp), dimension(most_nodes) :: cosine, sine, along, across, lag_s, lag_r
-    real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: softening, rate, heat, own, loading_x, &
+    real(wp), dimension(most_nodes) :: mean, cosine, sine, along, across, lag_s, lag_r
+    real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
       loading_y, relief_x, relief_y
     integer :: j, first, last, m
 
-    associate (nx => contact%grid%nx, ny => contact%grid%ny, levels => contact%shear%nodes%levels, &
+    associate (nx => size(contact%gap, 1), ny => size(contact%gap, 2), levels => contact%shear%nodes%levels, &
         faces => contact%shear%along_x)
       allocate (field%stress_x(nx, ny), field%stress_y(nx, ny), field%friction(nx, ny), field%rate(nx, ny), &
         field%along(nx, ny), field%across(nx, ny), source=0.0_wp)
       allocate (field%slip(nx, ny), source=0)
       call new_shear_strip(most_nodes, levels%count, shear, stat)
       if (stat /= status_ok) return
-      do j = 2, ny - 1
+      do j = first_row(contact), last_row(contact)
         do first = 2, nx - 1, most_nodes
           last = min(first + most_nodes - 1, nx - 1)
           m = last - first + 1
           shear%tau_x(:m) = (faces%stress_x(first - 1:last - 1, j) + faces%stress_x(first:last, j))/2
           shear%tau_y(:m) = (faces%stress_y(first - 1:last - 1, j) + faces%stress_y(first:last, j))/2
-          call shear_nodes(contact, first, last, j, shear, softening)
+          call shear_nodes(contact, first, last, j, shear, mean, rise, softening)
           call film_shear_rate(levels, shear, rate)
           call film_heat(levels, shear, heat, own, loading_x, loading_y, relief_x, relief_y)
           field%stress_x(first:last, j) = shear%tau_x(:m)
@@ -133,24 +137,25 @@ contains
         end do
       end do
     end associate
-  end subroutine shear_fields
+  end subroutine nodal_shear
 
-  !> Velocity across the film at node (i, j) [m/s], body 1 moving with (u1, v1).
+  !> Velocity across the film at inner node (i, j) [m/s], body 1 moving with (u1, v1).
   subroutine film_profile(contact, i, j, u1, v1, u, v, stat)
-    type(point_contact), intent(in) :: contact
+    class(film_contact), intent(in) :: contact
     integer, intent(in) :: i, j
     real(wp), intent(in) :: u1, v1
     real(wp), intent(out) :: u(:), v(:)
     integer, intent(out) :: stat
     type(shear_strip) :: shear
-    real(wp), dimension(1, size(u)) :: softening, u_levels, v_levels
+    real(wp) :: mean(1)
+    real(wp), dimension(1, size(u)) :: rise, softening, u_levels, v_levels
 
     call new_shear_strip(1, size(u), shear, stat)
     if (stat /= status_ok) return
-    call shear_nodes(contact, i, i, j, shear, softening)
+    call shear_nodes(contact, i, i, j, shear, mean, rise, softening)
     call film_velocity(contact%shear%nodes%law, contact%shear%nodes%levels, shear, [u1], [v1], u_levels, v_levels)
     u = u_levels(1, :)
     v = v_levels(1, :)
   end subroutine film_profile
 
-end module nodal_shear
+end module shear_fields

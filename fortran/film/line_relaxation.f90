@@ -2,7 +2,7 @@
 !>
 !> Each tridiagonal system is factored beforehand from both ends towards its middle, so that a line runs
 !> two independent recurrences side by side and divides nowhere. Of the matrix only what couples lines is kept.
-module line_smoother
+module line_relaxation
   use kinds, only: pp
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
@@ -141,4 +141,4 @@ contains
     if (mod(n, 2) == 1) x(n - 1) = g(n - 1) - inward(n - 1)*high
   end subroutine substitute
 
-end module line_smoother
+end module line_relaxation

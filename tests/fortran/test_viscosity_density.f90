@@ -1,6 +1,6 @@
-program test_oil_laws
+program test_viscosity_density
   use kinds, only: wp
-  use oil_laws, only: oil_law, viscosity, density, hot_fluidity, hot_density, expansivity, law_barus, law_roelands
+  use viscosity_density, only: oil_law, viscosity, density, hot_fluidity, hot_density, expansivity, law_barus, law_roelands
   use tap, only: close_to, check, done
   implicit none(type, external)
 
@@ -104,4 +104,4 @@ contains
     call close_to(by_temperature(1, 2), wanted, 1e-6_wp*abs(wanted), name//": slope of fluidity by temperature")
   end subroutine derivatives
 
-end program test_oil_laws
+end program test_viscosity_density

@@ -1,0 +1,471 @@
+!> Newton's method for the film of a contact at a given temperature, one step at a time: what all contacts share.
+!>
+!> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
+!> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
+!> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
+!> system. Pressure on the outline is kept as it is given. Python owns the loop; each call does one step.
+!>
+!> A kind of contact adds its deflection K p, its flow and the approximate solve that precedes the exact Jacobian in
+!> GMRES. Fields have shape (nx, ny); a line contact's have ny = 1.
+module film_newton
+  use flow_laws, only: flow_law
+  use interruption, only: interrupted
+  use kinds, only: pp, wp
+  use krylov, only: linear_system, gmres
+  use reynolds, only: film_fields, new_film_fields
+  use sheared_reynolds, only: sheared_film, new_sheared_film
+  use status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
+    status_no_memory
+  use tally, only: work_tally
+  use vectors, only: total
+  use viscosity_density, only: oil_law
+  implicit none(type, external)
+  private
+
+  public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, store, film_residual, film_step
+  public :: set_system, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
+
+  !> Shortest step tried along a Newton direction.
+  real(wp), parameter :: shortest_step = 1.0_wp/64
+  !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
+  real(wp), parameter :: most_growth = 2
+
+  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its solves; all of it,
+  !> by the caller.
+  type :: film_work
+    type(work_tally) :: convolution, flow, building, cycle, whole
+  end type film_work
+
+  type, abstract, extends(linear_system) :: film_contact
+    type(oil_law) :: oil
+    type(film_fields) :: fields
+    !> The flow across the film where the oil is not Newtonian or not of one temperature.
+    type(sheared_film), allocatable :: shear
+    !> Spacing along x and y [m]; that of a line contact along y is 1, so that cells count for each length.
+    real(wp) :: spacing(2) = 0
+    !> Undeformed gap [m]; true where both surfaces exist and pressure is no boundary value.
+    real(wp), allocatable :: gap(:, :)
+    logical, allocatable :: covered(:, :)
+    !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility falls no further.
+    real(wp) :: load = 0, floor = 0
+    !> Summed wedge flow of the undeformed gap [m/s], by which residuals are measured, and what brings the
+    !> load's row to the size of the others.
+    real(wp) :: wedge = 0, load_weight = 0
+    !> True where pressure is free in the present step.
+    logical, allocatable :: free(:, :)
+    !> Net outflow per area [m/s].
+    real(wp), allocatable :: imbalance(:, :)
+    !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
+    real(wp), allocatable :: softness(:, :)
+    real(wp) :: softness_load = 0
+    !> Scratch of one field; the Newton step's right-hand side, then the pressure and rigid film it starts
+    !> from; its solution; the Krylov basis, whose columns limit the iterations of a step.
+    real(wp), allocatable :: dh(:, :), right(:), change(:)
+    real(pp), allocatable :: basis(:, :)
+    type(film_work) :: work
+  contains
+    procedure(of_pressure), deferred :: deflection
+    procedure(of_film), deferred :: set_flow
+    procedure(linearisation), deferred :: linearise
+    procedure(derivative), deferred :: imbalance_change
+    procedure(solve), deferred :: relax
+    procedure(wedge_flow), deferred :: wedge_flow
+    procedure(storage), deferred :: set_storage
+    procedure :: multiply
+    procedure :: precondition
+  end type film_contact
+
+  abstract interface
+    !> Elastic deflection w [m] under pressure p [Pa].
+    subroutine of_pressure(self, p, w)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      real(wp), contiguous, target, intent(in) :: p(:, :)
+      real(wp), contiguous, target, intent(out) :: w(:, :)
+    end subroutine of_pressure
+
+    !> Oil, flow and imbalance at the pressure and film that the fields hold.
+    subroutine of_film(self)
+      import :: film_contact
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+    end subroutine of_film
+
+    !> Jacobian and preconditioner at the flow that was last set, with pressure free where it is.
+    subroutine linearisation(self, stat)
+      import :: film_contact
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      integer, intent(out) :: stat
+    end subroutine linearisation
+
+    !> Change of the imbalance for a small change of pressure and film.
+    subroutine derivative(self, dp, dh, change)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+      real(wp), contiguous, intent(out) :: change(:, :)
+    end subroutine derivative
+
+    !> Change of pressure that approximately makes a change r of the imbalance, at a given rigid film.
+    subroutine solve(self, r, dp)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      real(wp), contiguous, target, intent(in) :: r(:, :)
+      real(wp), contiguous, target, intent(out) :: dp(:, :)
+    end subroutine solve
+
+    !> Sum of |um . grad g| and of what the gap g stores over the inner nodes [m/s].
+    pure real(wp) function wedge_flow(self)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(in) :: self
+    end function wedge_flow
+
+    !> Change of the oil stored: `renewal` [1/s] times rho h, and `squeeze` [m/s].
+    subroutine storage(self, renewal, squeeze)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      real(wp), intent(in) :: renewal, squeeze(:, :)
+    end subroutine storage
+  end interface
+
+contains
+
+  !> Whether a contact of this gap [m], nodal speed of entrainment [m/s], load, floor and oil makes sense.
+  pure integer function film_status(gap, speed, load, floor, oil)
+    real(wp), intent(in) :: gap(:, :), speed(:, :), load, floor
+    type(oil_law), intent(in) :: oil
+
+    film_status = status_bad_argument
+    if (.not. (load > 0 .and. floor > 0 .and. oil%eta0 > 0)) return
+    film_status = status_not_finite
+    if (.not. (load <= huge(1.0_wp) .and. all(abs(gap) <= huge(1.0_wp)))) return
+    if (all(speed <= huge(1.0_wp))) film_status = status_ok
+  end function film_status
+
+  !> What all contacts hold, of at most `most_krylov` Krylov iterations in one Newton step. The outline is left
+  !> to the caller to take out of `covered`.
+  subroutine new_film_contact(self, gap, covered, dx, dy, oil, load, floor, most_krylov, stat)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: gap(:, :)
+    logical, intent(in) :: covered(:, :)
+    real(wp), intent(in) :: dx, dy, load, floor
+    type(oil_law), intent(in) :: oil
+    integer, intent(in) :: most_krylov
+    integer, intent(out) :: stat
+    integer :: nx, ny, err
+
+    nx = size(gap, 1)
+    ny = size(gap, 2)
+    self%spacing = [dx, dy]
+    self%oil = oil
+    self%gap = gap
+    self%covered = covered
+    self%load = load
+    self%floor = floor
+    call new_film_fields(nx, ny, self%fields, stat)
+    if (stat /= status_ok) return
+    allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
+      self%right(nx*ny + 1), self%change(nx*ny + 1), self%basis(nx*ny + 1, most_krylov), stat=err)
+    if (err /= 0) stat = status_no_memory
+  end subroutine new_film_contact
+
+  !> First row of nodes that are not on the outline; a line contact has one row.
+  pure integer function first_row(self)
+    class(film_contact), intent(in) :: self
+
+    first_row = min(2, size(self%gap, 2))
+  end function first_row
+
+  !> Last row of nodes that are not on the outline.
+  pure integer function last_row(self)
+    class(film_contact), intent(in) :: self
+
+    last_row = max(size(self%gap, 2) - 1, 1)
+  end function last_row
+
+  !> Wedge flow and weight of the load's row.
+  subroutine weigh_load(self)
+    class(film_contact), intent(inout) :: self
+
+    self%wedge = self%wedge_flow()
+    self%load_weight = self%wedge/self%load/sqrt(real(size(self%gap), wp))
+  end subroutine weigh_load
+
+  !> Lets the oil that the film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
+  subroutine store(self, renewal, squeeze, stat)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: renewal, squeeze(:, :)
+    integer, intent(out) :: stat
+
+    stat = status_bad_argument
+    if (any(shape(squeeze) /= shape(self%gap))) return
+    stat = status_not_finite
+    if (.not. (abs(renewal) <= huge(1.0_wp) .and. all(abs(squeeze) <= huge(1.0_wp)))) return
+    stat = status_ok
+    call self%set_storage(renewal, squeeze)
+    call weigh_load(self)
+  end subroutine store
+
+  !> Gives the oil a flow law, in place of any it has, and `levels` levels across the film, all at the inlet temperature.
+  !>
+  !> `sliding` is the nodal velocity of body 2 relative to body 1 [m/s].
+  subroutine shear_contact(self, law, levels, sliding_x, sliding_y, stat)
+    class(film_contact), intent(inout) :: self
+    type(flow_law), intent(in) :: law
+    integer, intent(in) :: levels
+    real(wp), intent(in) :: sliding_x(:, :), sliding_y(:, :)
+    integer, intent(out) :: stat
+    integer :: err
+
+    stat = status_not_finite
+    if (.not. all(abs(sliding_x) + abs(sliding_y) <= huge(1.0_wp))) return
+    if (.not. allocated(self%shear)) allocate (self%shear)
+    call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
+    ! a line contact has no flow along y
+    if (stat /= status_ok .or. allocated(self%fields%mobility_y) .or. size(self%gap, 2) == 1) return
+    allocate (self%fields%mobility_y, mold=self%gap, stat=err)
+    if (err /= 0) then
+      stat = status_no_memory
+      return
+    end if
+    self%fields%mobility_y = 0
+  end subroutine shear_contact
+
+  !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
+  !>
+  !> `residual` is the imbalance that complementarity leaves, summed, over the summed wedge flow; `load_error`
+  !> is the missing load over the load.
+  subroutine film_residual(self, p, h0, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: p(:, :)
+    real(wp), intent(in) :: h0
+    real(wp), intent(out) :: residual, load_error
+
+    call set_film(self, p, h0)
+    call film_balance(self, residual, load_error)
+  end subroutine film_residual
+
+  !> The film at pressure p [Pa] and rigid film h0 [m]; what flows is not known before `film_balance`.
+  subroutine set_film(self, p, h0)
+    class(film_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: p(:, :)
+    real(wp), intent(in) :: h0
+    integer :: j
+
+    call self%work%convolution%start()
+    call self%deflection(p, self%fields%h)
+    call self%work%convolution%finish()
+    !$omp parallel do schedule(static)
+    do j = 1, size(p, 2)
+      self%fields%p(:, j) = p(:, j)
+      self%fields%h(:, j) = self%fields%h(:, j) + self%gap(:, j) + h0
+    end do
+  end subroutine set_film
+
+  !> Flow and imbalance at the pressure and film that are held; for the arguments see `film_residual`.
+  subroutine film_balance(self, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(out) :: residual, load_error
+    integer :: j
+
+    call self%work%flow%start()
+    call self%set_flow()
+    associate (p => self%fields%p)
+      !$omp parallel do schedule(static)
+      do j = 1, size(p, 2)
+        self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
+        self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
+      end do
+      residual = total(self%dh)/self%wedge
+      ! a film with a stress that was not found is not to count as one that flows by its law
+      if (allocated(self%shear)) residual = residual + sum(self%shear%strips%unsolved)
+      load_error = 1 - total(p)*self%spacing(1)*self%spacing(2)/self%load
+    end associate
+    call self%work%flow%finish()
+  end subroutine film_balance
+
+  !> One Newton step from (p, h0), about which `film_residual` was last evaluated; both are replaced.
+  !>
+  !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
+  !> `step` is the share of the Newton step taken. If none is taken the state is as it was.
+  subroutine film_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0
+    real(wp), intent(inout) :: residual, load_error
+    integer, intent(out) :: krylov, stat
+    real(wp), intent(out) :: step
+
+    step = 0
+    call film_direction(self, forcing, p, h0, load_error, krylov, stat)
+    if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step, stat)
+  end subroutine film_step
+
+  !> Newton's step from (p, h0), of which `move_film` takes a share.
+  subroutine film_direction(self, forcing, p, h0, load_error, krylov, stat)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: forcing, h0, load_error
+    real(wp), contiguous, intent(in) :: p(:, :)
+    integer, intent(out) :: krylov, stat
+    real(wp) :: reduction
+    integer :: j, k, nx, n
+
+    nx = size(p, 1)
+    n = size(p)
+    krylov = 0
+    call set_system(self, stat)
+    if (stat /= status_ok) return
+    do j = 1, size(p, 2)
+      k = nx*(j - 1)
+      self%right(k + 1:k + nx) = merge(-self%imbalance(:, j), 0.0_wp, self%free(:, j))
+    end do
+    self%right(n + 1) = load_error*self%load*self%load_weight
+    call gmres(self, self%right, forcing, size(self%basis, 2), self%basis, self%change, krylov, reduction)
+    if (interrupted()) then
+      stat = status_interrupted
+      return
+    end if
+    if (.not. all(abs(self%change) <= huge(1.0_wp))) then
+      stat = status_not_finite
+      return
+    end if
+
+    do j = 1, size(p, 2)
+      k = nx*(j - 1)
+      self%right(k + 1:k + nx) = p(:, j)
+    end do
+    self%right(n + 1) = h0
+  end subroutine film_direction
+
+  !> Pressure, rigid film and film after a share of the Newton step.
+  subroutine move_film(self, share, p, h0)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: share
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(out) :: h0
+    integer :: j, k, nx, n
+
+    nx = size(p, 1)
+    n = size(p)
+    do j = 1, size(p, 2)
+      k = nx*(j - 1)
+      p(:, j) = max(self%right(k + 1:k + nx) + share*self%change(k + 1:k + nx), 0.0_wp)
+    end do
+    h0 = self%right(n + 1) + share*self%change(n + 1)
+    call set_film(self, p, h0)
+  end subroutine move_film
+
+  !> Whether the residual and load error of a film have not grown too much from `merit`, their sum.
+  pure logical function bearable(merit, residual, load_error)
+    real(wp), intent(in) :: merit, residual, load_error
+
+    bearable = residual + abs(load_error) <= most_growth*merit
+  end function bearable
+
+  !> Takes the largest share of Newton's step, by halving, that a film bears; for the arguments see `film_step`.
+  subroutine search_step(self, merit, p, h0, residual, load_error, step, stat)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: merit
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0
+    real(wp), intent(out) :: residual, load_error, step
+    integer, intent(out) :: stat
+
+    step = 1
+    do
+      call move_film(self, step, p, h0)
+      call film_balance(self, residual, load_error)
+      stat = merge(status_ok, status_no_descent, step > 0)
+      if (bearable(merit, residual, load_error) .or. .not. step > 0) return
+      if (interrupted()) then
+        stat = status_interrupted
+        return
+      end if
+      step = merge(step/2, 0.0_wp, step > shortest_step)
+    end do
+  end subroutine search_step
+
+  !> Jacobian and preconditioner, its border included, at the film last evaluated.
+  subroutine set_system(self, stat)
+    class(film_contact), intent(inout) :: self
+    integer, intent(out) :: stat
+
+    call self%work%building%start()
+    call self%linearise(stat)
+    call self%work%building%finish()
+    if (stat == status_ok) call set_softness(self)
+  end subroutine set_system
+
+  !> Pressure by which the preconditioner answers a unit rise of the rigid film.
+  subroutine set_softness(self)
+    class(film_contact), target, intent(inout) :: self
+    real(wp), contiguous, pointer :: start(:, :)
+
+    ! softness, change and dh are free at this point of a step
+    self%softness = 0
+    self%dh = 1
+    start(1:size(self%dh, 1), 1:size(self%dh, 2)) => self%change(:size(self%dh))
+    call self%imbalance_change(self%softness, self%dh, start)
+    call self%work%cycle%start()
+    call self%relax(start, self%softness)
+    call self%work%cycle%finish()
+    self%softness_load = total(self%softness)
+  end subroutine set_softness
+
+  !> The Jacobian: (change of pressure, of h0) to (change of imbalance, of load).
+  subroutine multiply(self, x, y)
+    class(film_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    real(wp), contiguous, pointer :: dp(:, :), dr(:, :)
+    integer :: j, n
+
+    n = size(self%gap)
+    dp(1:size(self%gap, 1), 1:size(self%gap, 2)) => x(:n)
+    dr(1:size(self%gap, 1), 1:size(self%gap, 2)) => y(:n)
+    call self%work%convolution%start()
+    call self%deflection(dp, self%dh)
+    call self%work%convolution%finish()
+    call self%work%flow%start()
+    !$omp parallel do schedule(static)
+    do j = 1, size(dp, 2)
+      self%dh(:, j) = self%dh(:, j) + x(n + 1)
+    end do
+    call self%imbalance_change(dp, self%dh, dr)
+    !$omp parallel do schedule(static)
+    do j = 1, size(dp, 2)
+      where (.not. self%free(:, j)) dr(:, j) = 0
+    end do
+    call self%work%flow%finish()
+    y(n + 1) = total(dp)*self%spacing(1)*self%spacing(2)*self%load_weight
+  end subroutine multiply
+
+  !> Bordered approximate solve: the kind's own for the pressure, with h0 such that the load comes out.
+  subroutine precondition(self, x, y)
+    class(film_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: x(:)
+    real(wp), contiguous, target, intent(out) :: y(:)
+    real(wp), contiguous, pointer :: r(:, :), dp(:, :)
+    integer :: j, n
+
+    n = size(self%gap)
+    r(1:size(self%gap, 1), 1:size(self%gap, 2)) => x(:n)
+    dp(1:size(self%gap, 1), 1:size(self%gap, 2)) => y(:n)
+    call self%work%cycle%start()
+    call self%relax(r, dp)
+    call self%work%cycle%finish()
+    y(n + 1) = (total(dp) - x(n + 1)/(self%spacing(1)*self%spacing(2)*self%load_weight))/self%softness_load
+    !$omp parallel do schedule(static)
+    do j = 1, size(dp, 2)
+      dp(:, j) = dp(:, j) - self%softness(:, j)*y(n + 1)
+    end do
+  end subroutine precondition
+
+end module film_newton

@@ -1,0 +1,284 @@
+!> Temperature of the film of a line contact, swept both ways (`thermal_step`).
+!>
+!> A sweep marches once against the entrainment, over the columns in which some oil flows back, and once with it, over
+!> all: each column sees what has just reached its neighbours, whichever way its levels flow. Derivatives along the film
+!> are upwind differences of second order.
+module line_heat
+  use column_sources, only: set_heat, carried_away
+  use film_column, only: film_strip, new_film_strip, solve_column
+  use film_newton, only: film_contact
+  use heated_surface, only: heated_body
+  use kinds, only: wp
+  use line_film, only: line_contact
+  use omp_lib, only: omp_get_max_threads, omp_get_thread_num
+  use shear_fields, only: shear_nodes
+  use shear_flow, only: shear_strip, new_shear_strip
+  use status, only: status_ok, status_bad_argument, status_no_memory
+  use thermal_properties, only: oil_heat_law
+  use thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
+  implicit none(type, external)
+  private
+
+  public :: line_film_heat, new_line_heat, heat_line_contact
+
+  !> Columns treated together.
+  integer, parameter :: most_columns = 64
+  !> Fraction of the largest pressure above which temperatures must settle, and of the walls' imbalance that a sweep
+  !> leaves; the Krylov iterations that it may take.
+  real(wp), parameter :: judged_pressure = 0.005_wp, wall_tolerance = 0.01_wp
+  integer, parameter :: most_wall_iterations = 20
+  !> Fraction of the faster body's velocity below which oil is slow.
+  real(wp), parameter :: slow_fraction = 0.2_wp
+
+  type, extends(film_heat) :: line_film_heat
+    !> Direction of the entrainment, 1 or -1.
+    integer :: onward = 1
+    !> Velocity of body 1's surface at the nodes [m/s].
+    real(wp), allocatable :: u1(:)
+    !> Stress at the middle of the film [Pa], from which the next sweep starts.
+    real(wp), allocatable :: stress(:)
+    !> What oil carries away, less what compression gives it [W/m2].
+    real(wp), allocatable :: carried(:)
+    !> Of the levels at the nodes: what a kelvin takes along x [W/(m3 K)], heat of shearing and of compression [W/m3].
+    real(wp), allocatable :: flow(:, :), dissipation(:, :), compression(:, :)
+    !> Columns of the inner nodes, strip by strip, and each thread's shear.
+    type(film_strip), allocatable :: columns(:)
+    type(shear_strip), allocatable :: shear(:)
+  contains
+    procedure :: sweep_columns
+    procedure :: cool
+    procedure :: unsolved
+    procedure :: carried_heat
+  end type line_film_heat
+
+contains
+
+  !> Heat of a line contact whose film is already sheared.
+  !>
+  !> u1 is the nodal velocity of body 1's surface [m/s]; the bodies move into it, `bulk` being their temperature
+  !> far below the surface, above the inlet's [K].
+  subroutine new_line_heat(self, film, law, u1, body_1, body_2, bulk, stat)
+    type(line_film_heat), intent(inout) :: self
+    type(line_contact), intent(inout) :: film
+    type(oil_heat_law), intent(in) :: law
+    real(wp), intent(in) :: u1(:), bulk(2)
+    class(heated_body), allocatable, intent(inout) :: body_1, body_2
+    integer, intent(out) :: stat
+    real(wp) :: change
+    integer :: n, levels, i, err
+
+    n = film%grid%n
+    levels = film%shear%nodes%levels%count
+    self%judged_pressure = judged_pressure
+    self%wall_tolerance = wall_tolerance
+    self%onward = merge(1, -1, sum(film%grid%u) > 0)
+    self%u1 = u1
+    call new_film_heat(self, film, law, body_1, body_2, bulk, most_wall_iterations, stat)
+    if (stat /= status_ok) return
+    allocate (self%stress(n), self%carried(n), self%flow(n, levels), self%dissipation(n, levels), &
+      self%compression(n, levels), source=0.0_wp, stat=err)
+    if (err == 0) allocate (self%columns((n - 2 + most_columns - 1)/most_columns), &
+      self%shear(0:omp_get_max_threads() - 1), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    do i = 1, size(self%columns)
+      if (stat == status_ok) call new_film_strip(self%columns(i), most_columns, film%shear%nodes%levels, stat)
+    end do
+    do i = 0, ubound(self%shear, 1)
+      if (stat == status_ok) call new_shear_strip(most_columns, levels, self%shear(i), stat)
+    end do
+    if (stat == status_ok) call set_walls(film, self, 0.0_wp, change)
+  end subroutine new_line_heat
+
+  !> Gives a line contact whose film is already sheared its heat; for the arguments see `new_line_heat`.
+  subroutine heat_line_contact(contact, law, u1, body_1, body_2, bulk, stat)
+    type(thermal_contact), intent(inout) :: contact
+    type(oil_heat_law), intent(in) :: law
+    real(wp), intent(in) :: u1(:), bulk(2)
+    class(heated_body), allocatable, intent(inout) :: body_1, body_2
+    integer, intent(out) :: stat
+    type(line_film_heat), allocatable :: heat
+
+    stat = status_bad_argument
+    allocate (heat)
+    select type (film => contact%film)
+    type is (line_contact)
+      call new_line_heat(heat, film, law, u1, body_1, body_2, bulk, stat)
+    end select
+    if (stat == status_ok) call move_alloc(heat, contact%heat)
+  end subroutine heat_line_contact
+
+  !> Columns whose shear stress was not found in the last sweep.
+  pure integer function unsolved(self)
+    class(line_film_heat), intent(in) :: self
+
+    unsolved = sum(self%shear%unsolved)
+  end function unsolved
+
+  !> Forgets the stresses that sweeps start from.
+  subroutine cool(self)
+    class(line_film_heat), intent(inout) :: self
+
+    self%stress = 0
+  end subroutine cool
+
+  !> What oil carries away, less what compression gives it, at the nodes [W/m2], as of the last sweep.
+  subroutine carried_heat(self, carried)
+    class(line_film_heat), intent(in) :: self
+    real(wp), intent(out) :: carried(:, :)
+
+    carried(:, 1) = self%carried
+  end subroutine carried_heat
+
+  !> One sweep over the columns, with walls as they are: against the entrainment, then with it.
+  !>
+  !> `change` is the largest of temperature [K] at more than a pressure of `least` [Pa].
+  subroutine sweep_columns(self, film, least, change)
+    class(line_film_heat), intent(inout) :: self
+    class(film_contact), intent(inout) :: film
+    real(wp), intent(in) :: least
+    real(wp), intent(out) :: change
+    integer :: strip, first, n
+
+    n = size(film%gap, 1)
+    self%shear%unsolved = 0
+    !$omp parallel do private(first) schedule(dynamic)
+    do strip = 1, size(self%columns)
+      first = 2 + (strip - 1)*most_columns
+      call set_strip(self, film, first, min(first + most_columns, n) - 1, self%columns(strip), &
+        self%shear(omp_get_thread_num()))
+    end do
+    call sweep_nodes(self, film, -self%onward)
+    call sweep_nodes(self, film, self%onward)
+    change = 0
+    do strip = 1, size(self%columns)
+      call take_up(self, film, strip, least, change)
+    end do
+  end subroutine sweep_columns
+
+  !> Shear and heat of the columns at nodes first..last; what oil brings along is left out.
+  subroutine set_strip(self, film, first, last, columns, shear)
+    class(line_film_heat), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    integer, intent(in) :: first, last
+    type(film_strip), intent(inout) :: columns
+    type(shear_strip), intent(inout) :: shear
+    real(wp), dimension(most_columns) :: p, mean, u1, v1, capacity
+    real(wp), dimension(most_columns, film%shear%nodes%levels%count) :: softening, u, v, compression
+    integer :: m, k
+
+    m = last - first + 1
+    shear%tau_x(:m) = self%stress(first:last)
+    shear%tau_y(:m) = 0
+    call shear_nodes(film, first, last, 1, shear, mean, columns%known, softening)
+    self%stress(first:last) = shear%tau_x(:m)
+    p(:m) = film%fields%p(first:last, 1)
+    u1(:m) = self%u1(first:last)
+    v1(:m) = 0
+    call set_heat(self%law, film%oil, film%shear%nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, &
+      compression)
+    do k = 1, size(u, 2)
+      self%flow(first:last, k) = capacity(:m)*u(:m, k)/film%spacing(1)
+      self%dissipation(first:last, k) = columns%source(:m, k)
+      self%compression(first:last, k) = compression(:m, k)
+    end do
+  end subroutine set_strip
+
+  !> Solves the columns at the inner nodes one after another, `along` x or against it; against the entrainment only those
+  !> where some oil flows so.
+  subroutine sweep_nodes(self, film, along)
+    class(line_film_heat), intent(inout) :: self
+    class(film_contact), intent(inout) :: film
+    integer, intent(in) :: along
+    integer :: i, strip, column, levels, n
+
+    n = size(film%gap, 1)
+    levels = size(self%flow, 2)
+    associate (rise => film%shear%nodes%rise)
+      do i = merge(2, n - 1, along > 0), merge(n - 1, 2, along > 0), along
+        if (along /= self%onward .and. all(along*self%flow(i, :) <= 0)) cycle
+        strip = (i - 2)/most_columns + 1
+        column = i - 1 - (strip - 1)*most_columns
+        associate (columns => self%columns(strip))
+          call bring(rise(:, 1, :), self%flow(i, :), i, columns%absorption(column, :), columns%source(column, :))
+          columns%source(column, :) = columns%source(column, :) + self%compression(i, :) + self%dissipation(i, :)
+          call solve_column(columns, column)
+          rise(i, 1, 2:levels - 1) = columns%temperature(column, 2:levels - 1)
+        end associate
+      end do
+    end associate
+  end subroutine sweep_nodes
+
+  !> What convection takes from the levels at node i for each kelvin, `absorption` [W/(m3 K)], and brings them, `inflow`
+  !> [W/m3], by differences to the one or two nodes from where oil comes.
+  !>
+  !> Where oil flows both ways, levels of little velocity have it from both sides: else one that turns from sweep to
+  !> sweep would have it now from the inlet, now from the contact.
+  pure subroutine bring(rise, flow, i, absorption, inflow)
+    real(wp), intent(in) :: rise(:, :), flow(:)
+    integer, intent(in) :: i
+    real(wp), intent(out) :: absorption(:), inflow(:)
+    real(wp) :: slow, from_before
+    integer :: k
+
+    slow = 0
+    if (minval(flow) < 0 .and. maxval(flow) > 0) slow = slow_fraction*maxval(abs(flow([1, size(flow)])))
+    do k = 1, size(flow)
+      if (abs(flow(k)) < slow) then
+        from_before = (1 + flow(k)/slow)/2
+      else
+        from_before = merge(1, 0, flow(k) > 0)
+      end if
+      absorption(k) = 0
+      inflow(k) = 0
+      call bring_from(-1, rise(:, k), i, from_before*abs(flow(k)), from_before >= 1, absorption(k), inflow(k))
+      call bring_from(1, rise(:, k), i, (1 - from_before)*abs(flow(k)), from_before <= 0, absorption(k), inflow(k))
+    end do
+  end subroutine bring
+
+  !> Adds what a `rate` [W/(m3 K)] of oil takes and brings from one side of node i, by a difference of `second` order or of
+  !> first, with which errors of values that lag behind do not grow from sweep to sweep.
+  pure subroutine bring_from(side, rise, i, rate, second, absorption, inflow)
+    integer, intent(in) :: side, i
+    real(wp), intent(in) :: rise(:), rate
+    logical, intent(in) :: second
+    real(wp), intent(inout) :: absorption, inflow
+
+    if (second .and. i + 2*side >= 1 .and. i + 2*side <= size(rise)) then
+      absorption = absorption + 1.5_wp*rate
+      inflow = inflow + rate*(2*rise(i + side) - 0.5_wp*rise(i + 2*side))
+    else
+      absorption = absorption + rate
+      inflow = inflow + rate*rise(i + side)
+    end if
+  end subroutine bring_from
+
+  !> Fluxes and admittances of a strip's columns for the walls, what oil carries away, and the largest change of
+  !> temperature [K] at nodes of more than a pressure of `least` [Pa].
+  subroutine take_up(self, film, strip, least, change)
+    class(line_film_heat), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    integer, intent(in) :: strip
+    real(wp), intent(in) :: least
+    real(wp), intent(inout) :: change
+    real(wp), dimension(most_columns, film%shear%nodes%levels%count) :: inflow
+    real(wp) :: carried(most_columns)
+    integer :: i, c, k, m
+
+    associate (columns => self%columns(strip), before => 1 + (strip - 1)*most_columns)
+      m = columns%columns
+      do k = 1, size(inflow, 2)
+        inflow(:m, k) = columns%source(:m, k) - self%dissipation(before + 1:before + m, k)
+      end do
+      call carried_away(columns, inflow, carried)
+      self%carried(before + 1:before + m) = carried(:m)
+      do c = 1, m
+        i = before + c
+        self%walls%flux(i, 1, :) = columns%flux(c, :)
+        self%walls%admittance(i, 1, :, :) = columns%admittance(c, :, :)
+        if (film%fields%p(i, 1) > least) change = max(change, maxval(abs(columns%temperature(c, :) - columns%known(c, :))))
+      end do
+    end associate
+  end subroutine take_up
+
+end module line_heat

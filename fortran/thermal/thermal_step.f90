@@ -1,0 +1,306 @@
+!> Newton steps of a film whose oil and bodies warm: what point and line contacts share.
+!>
+!> Sharif et al. (2001), eqs 18, 19 and 21: heat is conducted across the film, carried along it, made by shearing and
+!> by compression. A sweep solves the columns of the film with the walls as they are (a kind of contact says in which
+!> order), but the columns' answer to a change of the walls is kept, with which the balance of the walls is solved for
+!> the whole contact at the end: in a thin film the flux follows the walls so closely that taking turns diverges.
+!>
+!> Conduction along the film is left out: against that across it, it is as the square of film over contact length.
+module thermal_step
+  use column_sources, only: hottest
+  use film_newton, only: film_contact, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
+  use heated_surface, only: heated_body
+  use interruption, only: interrupted
+  use kinds, only: wp
+  use status, only: status_ok, status_interrupted, status_not_finite, status_no_memory
+  use tally, only: work_tally
+  use thermal_properties, only: oil_heat_law
+  use wall_balance, only: wall_pair, new_wall_pair, balance_walls
+  implicit none(type, external)
+  private
+
+  public :: film_heat, thermal_contact, new_film_heat, set_walls, heated_step, heat_sweep, set_temperature
+
+  !> Least fraction of a sweep's change that is taken.
+  real(wp), parameter :: least_fraction = 0.125_wp
+
+  !> Temperatures are those above the inlet's [K].
+  type, abstract :: film_heat
+    type(oil_heat_law) :: law
+    type(wall_pair) :: walls
+    !> Fraction of the largest pressure above which temperatures must settle (elsewhere they move little oil), and of the
+    !> walls' imbalance that a sweep leaves.
+    real(wp) :: judged_pressure = 0, wall_tolerance = 0
+    !> Temperature at the nodes of the grid before a step.
+    real(wp), allocatable :: before(:, :, :)
+    !> Fraction of a sweep's change that is taken, now and in the step before (zero if there was none), and the whole
+    !> change of the sweep in the step before [K].
+    real(wp) :: fraction = 1, last_fraction = 0
+    real(wp), allocatable :: wanted(:, :, :)
+    type(work_tally) :: work
+  contains
+    procedure(sweep), deferred :: sweep_columns
+    procedure(reset), deferred :: cool
+    procedure(count), deferred :: unsolved
+    procedure(convection), deferred :: carried_heat
+  end type film_heat
+
+  !> A film and, where heat is simulated, its temperature.
+  type :: thermal_contact
+    class(film_contact), allocatable :: film
+    class(film_heat), allocatable :: heat
+  end type thermal_contact
+
+  abstract interface
+    !> One sweep over the columns of a film, with walls as they are; `change` is the largest of temperature [K] at more
+    !> than a pressure of `least` [Pa].
+    subroutine sweep(self, film, least, change)
+      import :: film_heat, film_contact, wp
+      implicit none(type, external)
+      class(film_heat), intent(inout) :: self
+      class(film_contact), intent(inout) :: film
+      real(wp), intent(in) :: least
+      real(wp), intent(out) :: change
+    end subroutine sweep
+
+    !> Forgets the stresses that sweeps start from.
+    subroutine reset(self)
+      import :: film_heat
+      implicit none(type, external)
+      class(film_heat), intent(inout) :: self
+    end subroutine reset
+
+    !> Columns whose shear stress was not found in the last sweep.
+    pure integer function count(self)
+      import :: film_heat
+      implicit none(type, external)
+      class(film_heat), intent(in) :: self
+    end function count
+
+    !> What oil carries away, less what compression gives it, at the nodes [W/m2], as of the last sweep.
+    subroutine convection(self, carried)
+      import :: film_heat, wp
+      implicit none(type, external)
+      class(film_heat), intent(in) :: self
+      real(wp), intent(out) :: carried(:, :)
+    end subroutine convection
+  end interface
+
+contains
+
+  !> What all kinds of heat hold, of a film that is sheared already; its temperature is to be set by `set_walls` then.
+  !>
+  !> The bodies move into the walls, `bulk` being their temperature far below the surface, above the inlet's [K];
+  !> `most_iterations` bounds the Krylov iterations of one balance of the walls.
+  subroutine new_film_heat(self, film, law, body_1, body_2, bulk, most_iterations, stat)
+    class(film_heat), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    type(oil_heat_law), intent(in) :: law
+    class(heated_body), allocatable, intent(inout) :: body_1, body_2
+    real(wp), intent(in) :: bulk(2)
+    integer, intent(in) :: most_iterations
+    integer, intent(out) :: stat
+    integer :: err
+
+    self%law = law
+    call new_wall_pair(self%walls, body_1, bulk(1), body_2, bulk(2), most_iterations, stat)
+    if (stat /= status_ok) return
+    allocate (self%before, self%wanted, mold=film%shear%nodes%rise, stat=err)
+    if (err /= 0) then
+      stat = status_no_memory
+      return
+    end if
+    self%before = 0
+    self%wanted = 0
+  end subroutine new_film_heat
+
+  !> One Newton step of the film from (p, h0), about which it was last evaluated, one sweep of heat at the new film, and
+  !> the film's balance there.
+  !>
+  !> For the arguments see `film_step`, for `change` `heat_sweep`. The whole of Newton's step is judged after the heat
+  !> that follows it, so that flows are evaluated once. Where that is too much, by the step or by the heat, the step
+  !> is sought at the temperature before, and heat follows by half at most: a film that has thinned under pressure from
+  !> before makes heat without bound. Heat is swept even if no step helps.
+  subroutine heated_step(film, heat, forcing, p, h0, residual, load_error, krylov, step, change, stat)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(inout) :: heat
+    real(wp), intent(in) :: forcing
+    real(wp), contiguous, intent(inout) :: p(:, :)
+    real(wp), intent(inout) :: h0, residual, load_error
+    integer, intent(out) :: krylov, stat
+    real(wp), intent(out) :: step, change
+    real(wp) :: merit, most
+    integer :: heat_stat
+
+    step = 0
+    change = hottest
+    merit = residual + abs(load_error)
+    call film_direction(film, forcing, p, h0, load_error, krylov, stat)
+    if (stat /= status_ok) return
+    heat%before(:, :, :) = film%shear%nodes%rise
+    step = 1
+    call move_film(film, step, p, h0)
+    call warm_film(film, heat, 1.0_wp, residual, load_error, change, heat_stat)
+    if (heat_stat == status_interrupted) stat = heat_stat
+    if (stat /= status_ok) return
+    if (heat_stat /= status_ok .or. .not. bearable(merit, residual, load_error)) then
+      call set_temperature(film, heat, heat%before)
+      call search_step(film, merit, p, h0, residual, load_error, step, stat)
+      most = merge(0.5_wp, 1.0_wp, heat%last_fraction > 0)
+      call warm_film(film, heat, most, residual, load_error, change, heat_stat)
+      if (heat_stat /= status_ok) then
+        stat = heat_stat
+        change = hottest
+        return
+      end if
+    end if
+    heat%last_fraction = heat%fraction
+    heat%wanted(:, :, :) = (film%shear%nodes%rise - heat%before)/heat%fraction
+  end subroutine heated_step
+
+  !> A sweep of heat, of whose change the fraction that settles is taken, `most` of it at most, and the balance of the
+  !> film that it leaves.
+  subroutine warm_film(film, heat, most, residual, load_error, change, stat)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(inout) :: heat
+    real(wp), intent(in) :: most
+    real(wp), intent(inout) :: residual, load_error
+    real(wp), intent(out) :: change
+    integer, intent(out) :: stat
+
+    heat%fraction = 1
+    call heat_sweep(film, heat, change, stat)
+    if (stat /= status_ok) return
+    associate (rise => film%shear%nodes%rise)
+      heat%fraction = min(settling_fraction(film, heat), most)
+      if (heat%fraction < 1) call set_temperature(film, heat, heat%before + heat%fraction*(rise - heat%before))
+    end associate
+    call film_balance(film, residual, load_error)
+  end subroutine warm_film
+
+  !> Fraction of a sweep's change to be taken: less than all where sweeps undo or redouble what those before did, by
+  !> Aitken's extrapolation over the nodes where pressure counts (Kuettler and Wall 2008).
+  real(wp) function settling_fraction(film, heat) result(fraction)
+    class(film_contact), intent(in) :: film
+    class(film_heat), intent(in) :: heat
+    real(wp) :: turn, length, least, bend
+    integer :: i, j, k
+
+    turn = 0
+    length = 0
+    least = heat%judged_pressure*maxval(film%fields%p)
+    associate (rise => film%shear%nodes%rise)
+      do k = 1, size(rise, 3)
+        do j = 1, size(rise, 2)
+          do i = 1, size(rise, 1)
+            if (.not. film%fields%p(i, j) > least) cycle
+            bend = rise(i, j, k) - heat%before(i, j, k) - heat%wanted(i, j, k)
+            turn = turn - bend*heat%wanted(i, j, k)
+            length = length + bend**2
+          end do
+        end do
+      end do
+    end associate
+    fraction = 1
+    if (heat%last_fraction > 0 .and. length > 0) &
+      fraction = min(max(heat%last_fraction*turn/length, least_fraction), 1.0_wp)
+  end function settling_fraction
+
+  !> One sweep over the columns, then the balance of the walls.
+  !>
+  !> `change` is the largest change of temperature [K] where pressure counts. If it leaves all sense, the contact is
+  !> given back as cold as its bodies.
+  subroutine heat_sweep(film, heat, change, stat)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(inout) :: heat
+    real(wp), intent(out) :: change
+    integer, intent(out) :: stat
+    real(wp) :: least, missed, reduction, walls_change
+    integer :: iterations
+
+    change = hottest
+    stat = status_interrupted
+    if (interrupted()) return
+    call heat%work%start()
+    least = heat%judged_pressure*maxval(film%fields%p)
+    call heat%sweep_columns(film, least, change)
+    ! nor is heat of a stress that was not found to count as settled
+    if (heat%unsolved() > 0) change = hottest
+    ! the walls of a film that has left all sense may not even be numbers in single precision
+    call judge_temperature(film, heat, stat)
+    if (stat == status_ok) then
+      call balance_walls(heat%walls, heat%wall_tolerance, missed, iterations, reduction)
+      call set_walls(film, heat, least, walls_change)
+      change = max(change, walls_change)
+      call judge_temperature(film, heat, stat)
+    end if
+    call heat%work%finish()
+  end subroutine heat_sweep
+
+  !> Whether the film is between absolute zero and what no oil bears; if not it is cooled down.
+  subroutine judge_temperature(film, heat, stat)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(inout) :: heat
+    integer, intent(out) :: stat
+    real(wp) :: change
+    integer :: i
+
+    stat = status_ok
+    associate (rise => film%shear%nodes%rise, walls => heat%walls)
+      if (all(rise > -film%oil%temperature .and. rise < hottest)) return
+      stat = status_not_finite
+      rise = 0
+      walls%flux = 0
+      walls%admittance = 0
+      heat%last_fraction = 0
+      call heat%cool()
+      do i = 1, 2
+        walls%wall(:, :, i) = walls%body(i)%bulk
+      end do
+    end associate
+    call set_walls(film, heat, 0.0_wp, change)
+  end subroutine judge_temperature
+
+  !> Takes up a temperature above the inlet's [K], at the levels.
+  subroutine set_temperature(film, heat, rise)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(inout) :: heat
+    real(wp), intent(in) :: rise(:, :, :)
+
+    film%shear%nodes%rise(:, :, :) = rise
+    heat%walls%wall(:, :, 1) = rise(:, :, 1)
+    heat%walls%wall(:, :, 2) = rise(:, :, size(rise, 3))
+  end subroutine set_temperature
+
+  !> Gives the film the walls' temperature; what lies between follows as by conduction alone. On the outline it keeps
+  !> the inlet's. `change` is the largest of a wall [K] at more than a pressure of `least` [Pa].
+  subroutine set_walls(film, heat, least, change)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(in) :: heat
+    real(wp), intent(in) :: least
+    real(wp), intent(out) :: change
+    real(wp) :: change_1(size(film%gap, 1)), change_2(size(film%gap, 1))
+    integer :: j, k, inner, first, last
+
+    change = 0
+    inner = size(film%gap, 1) - 1
+    first = first_row(film)
+    last = last_row(film)
+    associate (rise => film%shear%nodes%rise, levels => film%shear%nodes%levels, wall => heat%walls%wall)
+      !$omp parallel do private(k, change_1, change_2) reduction(max:change) schedule(static)
+      do j = 1, size(rise, 2)
+        change_1 = wall(:, j, 1) - rise(:, j, 1)
+        change_2 = wall(:, j, 2) - rise(:, j, levels%count)
+        change = max(change, maxval(max(abs(change_1), abs(change_2)), mask=film%fields%p(:, j) > least))
+        rise(:, j, 1) = wall(:, j, 1)
+        rise(:, j, levels%count) = wall(:, j, 2)
+        if (j < first .or. j > last) cycle
+        do k = 2, levels%count - 1
+          rise(2:inner, j, k) = rise(2:inner, j, k) + (0.5_wp - levels%z(k))*change_1(2:inner) &
+            + (0.5_wp + levels%z(k))*change_2(2:inner)
+        end do
+      end do
+    end associate
+  end subroutine set_walls
+
+end module thermal_step
