@@ -1,6 +1,6 @@
-"""Whether a change of the code leaves results as they were, to the last bit: eight contacts, solved before and after.
+"""Whether a change of the code leaves the results of eight contacts as they were, to the last bit.
 
-    python benchmarks/same_bits.py keep FILE      # solve them and keep their figures and digests of their fields
+    python benchmarks/same_bits.py keep FILE      # solve them; keep figures and digests of fields
     python benchmarks/same_bits.py compare FILE   # solve them again; exit code 1 if anything differs
 
 Run both on one machine. A contact that differs is told with the largest relative change of its figures.
@@ -25,7 +25,7 @@ CONTACTS = {
     "roller worm": ("roller_ref.toml", "auto", 0.05),
     "gear pair": ("spur_pair.toml", "auto", 0.05),
 }
-"""What a contact is called -> its case file, effects and accuracy. Of a mesh cycle the contact in the middle is taken."""
+"""Name of a contact -> its case file, effects and accuracy; the contact in the middle of a mesh cycle."""
 
 COST = {"seconds", "convolutions"}
 """Keys of a summary that differ from run to run."""
@@ -56,12 +56,16 @@ def numbers(value: object, name: str = "") -> dict[str, float]:
         parts = enumerate(value)
     else:
         return {name: float(value)} if isinstance(value, int | float) else {}
-    return {key: number for part, of in parts for key, number in numbers(of, f"{name}.{part}").items()}
+    return {
+        key: number for part, of in parts for key, number in numbers(of, f"{name}.{part}").items()
+    }
 
 
 def differences(before: dict, after: dict) -> str:
     """What differs between two results; empty where nothing does."""
-    fields = [name for name, digest in before["fields"].items() if after["fields"].get(name) != digest]
+    fields = [
+        name for name, digest in before["fields"].items() if after["fields"].get(name) != digest
+    ]
     old, new = numbers(before["figures"]), numbers(after["figures"])
     moved = {
         name.lstrip("."): abs(new[name] / value - 1) if value else abs(new[name])

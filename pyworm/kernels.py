@@ -12,7 +12,6 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from pyworm import _core
-from pyworm.bodies import Body
 from pyworm.oils import Barus, FlowLaw, Oil, OilHeat
 
 _MESSAGES = {
@@ -293,7 +292,6 @@ class _Film:
         self.levels = 0
         self.heated = False
         self._warming = 0.0
-        self._told = self._tallies()
         weakref.finalize(self, _core.bindings.film_free, self._handle)
 
     def _on_nodes(self, field) -> np.ndarray:
@@ -346,13 +344,15 @@ class _Film:
             If the step cannot be made; pressure and film are as they were. If the temperature left all sense
             the film counts as far from its equations.
         """
-        rigid_film, residual, load_error, krylov, share, change, rise, status = _core.bindings.film_step(
-            self._handle,
-            forcing,
-            self._on_nodes(self.pressure),
-            self.rigid_film,
-            self.balance.residual,
-            self.balance.load_error,
+        rigid_film, residual, load_error, krylov, share, change, rise, status = (
+            _core.bindings.film_step(
+                self._handle,
+                forcing,
+                self._on_nodes(self.pressure),
+                self.rigid_film,
+                self.balance.residual,
+                self.balance.load_error,
+            )
         )
         self.rigid_film = rigid_film
         if self.heated:
@@ -364,33 +364,16 @@ class _Film:
     def fields(self) -> tuple[np.ndarray, ...]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
         return tuple(
-            self._on_grid(field)
-            for field in _core.bindings.film_fields(self._handle, *self._nodes)
+            self._on_grid(field) for field in _core.bindings.film_fields(self._handle, *self._nodes)
         )
 
     def thickness(self) -> np.ndarray:
         """Film [m]."""
         return self._on_grid(_core.bindings.film_thickness(self._handle, *self._nodes))
 
-    def _tallies(self) -> np.ndarray:
-        """Work since the film was made: counts, then processor times [s]."""
-        counts, seconds = _core.bindings.film_work(self._handle)
-        return np.concatenate([counts, seconds])
-
     def work(self) -> dict[str, float]:
-        """Convolutions, preconditioner solves and processor time by part [s], since this was last asked."""
-        before, self._told = self._told, self._tallies()
-        done = self._told - before
-        convolution, flow, building, cycle, heat, whole = done[6:]
-        return {
-            "convolutions": int(done[0]),
-            "cycles": int(done[3]),
-            "convolution_seconds": convolution,
-            "flow_seconds": flow,
-            "cycle_seconds": building + cycle,
-            "heat_seconds": heat,
-            "vector_seconds": whole - convolution - flow - building - cycle - heat,
-        }
+        """What was done since this was last asked, by name of a history's variable (`pyworm.variables`)."""
+        return {}
 
     def unsolved(self) -> int:
         """Faces and columns whose shear stress was not found when they were last met."""
@@ -450,9 +433,7 @@ class _Film:
 
     def _velocities(self, i: int, j: int, u1: float, v1: float) -> tuple[np.ndarray, np.ndarray]:
         """Velocity (u, v) [m/s] at the levels above a node, counted from 0."""
-        u, v, status = _core.bindings.film_profile(
-            self._handle, i + 1, j + 1, u1, v1, self.levels
-        )
+        u, v, status = _core.bindings.film_profile(self._handle, i + 1, j + 1, u1, v1, self.levels)
         _check(status)
         return u, v
 
@@ -490,6 +471,27 @@ class PointFilm(_Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+        self._told = self._tallies()
+
+    def _tallies(self) -> np.ndarray:
+        """Work since the film was made: counts, then processor times [s]."""
+        counts, seconds = _core.bindings.film_work(self._handle)
+        return np.concatenate([counts, seconds])
+
+    def work(self) -> dict[str, float]:
+        """Convolutions, preconditioner solves and processor time by part [s], since this was last asked."""
+        before, self._told = self._told, self._tallies()
+        done = self._told - before
+        convolution, flow, building, cycle, heat, whole = done[6:]
+        return {
+            "convolutions": int(done[0]),
+            "cycles": int(done[3]),
+            "convolution_seconds": convolution,
+            "flow_seconds": flow,
+            "cycle_seconds": building + cycle,
+            "heat_seconds": heat,
+            "vector_seconds": whole - convolution - flow - building - cycle - heat,
+        }
 
     def entrain(self, entrainment) -> None:
         """Changes the nodal entrainment velocity (u, v) [m/s]; the film is to be started before it steps."""

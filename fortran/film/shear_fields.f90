@@ -4,7 +4,10 @@ module shear_fields
   use flow_laws, only: has_limit, slip_stress, stress_scales
   use kinds, only: wp
   use viscosity_density, only: oil_law, hot_fluidity
-  use shear_flow, only: shear_strip, new_shear_strip, solve_shear, film_velocity, film_shear_rate, film_heat, flow_factors
+  use sharif_flow_factors, only: flow_factors
+  use shear_profile, only: film_velocity, film_shear_rate, film_heat
+  use shear_stress, only: solve_shear
+  use strip_of_points, only: shear_strip, new_shear_strip
   use sheared_reynolds, only: sheared_oil
   use status, only: status_ok
   implicit none(type, external)

@@ -13,7 +13,9 @@ module sheared_reynolds
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use viscosity_density, only: oil_law, hot_fluidity, hot_density
   use reynolds, only: film_grid, film_fields, add_wedge
-  use shear_flow, only: shear_strip, new_shear_strip, solve_shear, flow_change, flow_change_by_stresses
+  use shear_flow, only: flow_change, flow_change_by_stresses
+  use shear_stress, only: solve_shear
+  use strip_of_points, only: shear_strip, new_shear_strip
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private

@@ -5,7 +5,8 @@ module column_sources
   use kinds, only: wp
   use thermal_properties, only: oil_heat_law, conductivity, heat_capacity
   use viscosity_density, only: oil_law, expansivity
-  use shear_flow, only: shear_strip, film_velocity, film_heat
+  use shear_profile, only: film_velocity, film_heat
+  use strip_of_points, only: shear_strip
   use sheared_reynolds, only: sheared_oil
   implicit none(type, external)
   private

@@ -12,7 +12,7 @@ module line_heat
   use line_film, only: line_contact
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use shear_fields, only: shear_nodes
-  use shear_flow, only: shear_strip, new_shear_strip
+  use strip_of_points, only: shear_strip, new_shear_strip
   use status, only: status_ok, status_bad_argument, status_no_memory
   use thermal_properties, only: oil_heat_law
   use thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls

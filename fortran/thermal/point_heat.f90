@@ -12,7 +12,8 @@ module point_heat
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use point_film, only: point_contact
   use shear_fields, only: shear_columns
-  use shear_flow, only: shear_strip, new_shear_strip, film_shear_rate
+  use shear_profile, only: film_shear_rate
+  use strip_of_points, only: shear_strip, new_shear_strip
   use status, only: status_ok, status_bad_argument, status_no_memory
   use sweep_order, only: sweep_frame, new_sweep_frame, to_sweep, from_sweep
   use thermal_properties, only: oil_heat_law
@@ -204,8 +205,9 @@ contains
     self%threads%shear%unsolved = 0
     call enter_sweep(self, film)
     returned = 0
-    if (self%returned > lagging*maxval(self%rise)) &
+    if (self%returned > lagging*maxval(self%rise)) then
       call sweep_lines(self, film, least, self%way%lines - 1, 2, -1, settling, returned)
+    end if
     call sweep_lines(self, film, least, 2, self%way%lines - 1, 1, change, returned)
     self%returned = returned
     call leave_sweep(self, film)

@@ -202,8 +202,9 @@ contains
       end do
     end associate
     fraction = 1
-    if (heat%last_fraction > 0 .and. length > 0) &
+    if (heat%last_fraction > 0 .and. length > 0) then
       fraction = min(max(heat%last_fraction*turn/length, least_fraction), 1.0_wp)
+    end if
   end function settling_fraction
 
   !> One sweep over the columns, then the balance of the walls.

@@ -1,0 +1,67 @@
+!> Points of a film with their levels, on which the flow across the film is worked, a strip at a time so that loops run over
+!> points.
+module strip_of_points
+  use kinds, only: wp
+  use status, only: status_ok, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: shear_strip, new_shear_strip
+
+  !> Bits of a point's slip.
+  integer, parameter, public :: slip_at_body_1 = 1, slip_at_body_2 = 2
+
+  !> Points of a film, and its levels as second index.
+  type :: shear_strip
+    !> Points in use, at most as many as there is space for.
+    integer :: points = 0
+    !> Points whose stress was not found, counted by the callers, who also begin anew.
+    integer :: unsolved = 0
+    !> To be set: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and
+    !> limiting stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
+    real(wp), allocatable :: film(:), px(:), py(:), us(:), vs(:), reference(:), limit(:), fluidity(:, :)
+    !> Stress halfway [Pa]: a guess, or zero for none, and then the solution.
+    real(wp), allocatable :: tau_x(:), tau_y(:)
+    !> Where the film slips: 0, slip_at_body_1, slip_at_body_2, or their sum.
+    integer, allocatable :: slip(:)
+    !> Thinning [-] at the levels and its derivative by the square of the stress [1/Pa2].
+    real(wp), allocatable :: g(:, :), g_slope(:, :)
+    !> Inverse of the kinematic matrix A [Pa s/m].
+    real(wp), allocatable :: inverse_xx(:), inverse_xy(:), inverse_yy(:)
+    !> B A^-1 [m], how the flow follows the lacking velocity; set by `flow_change`.
+    real(wp), allocatable :: arm_xx(:), arm_xy(:), arm_yx(:), arm_yy(:)
+    !> For the callers' use: fields of the levels.
+    real(wp), allocatable :: level_x(:, :), level_y(:, :)
+    !> Scratch: reciprocal squares of the law's stresses, squares of the stress, sums over the film, a step.
+    real(wp), allocatable :: per_reference(:), per_limit(:), square(:), rest_x(:), rest_y(:), power(:), ease(:), a_xx(:), a_xy(:), &
+      a_yy(:), step_x(:), step_y(:), excess(:)
+  end type shear_strip
+
+contains
+
+  !> Space for strips of up to `points` points with `levels` levels.
+  subroutine new_shear_strip(points, levels, strip, stat)
+    integer, intent(in) :: points, levels
+    type(shear_strip), intent(out) :: strip
+    integer, intent(out) :: stat
+    integer :: err
+
+    allocate (strip%film(points), strip%px(points), strip%py(points), strip%us(points), strip%vs(points), &
+      strip%reference(points), strip%limit(points), strip%fluidity(points, levels), strip%tau_x(points), &
+      strip%tau_y(points), strip%slip(points), strip%g(points, levels), strip%g_slope(points, levels), &
+      strip%inverse_xx(points), strip%inverse_xy(points), strip%inverse_yy(points), strip%arm_xx(points), &
+      strip%arm_xy(points), strip%arm_yx(points), strip%arm_yy(points), strip%square(points), &
+      strip%rest_x(points), strip%rest_y(points), strip%power(points), strip%ease(points), strip%a_xx(points), strip%a_xy(points), &
+      strip%a_yy(points), strip%step_x(points), strip%step_y(points), strip%excess(points), &
+      strip%per_reference(points), strip%per_limit(points), strip%level_x(points, levels), strip%level_y(points, levels), &
+      stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    strip%points = points
+    strip%tau_x = 0
+    strip%tau_y = 0
+    strip%reference = 1
+    strip%limit = 1
+  end subroutine new_shear_strip
+
+end module strip_of_points
