@@ -9,7 +9,7 @@ program test_column_sources
   use shear_fields, only: shear_columns
   use thermal_properties, only: oil_heat_law
   use viscosity_density, only: oil_law, law_barus
-  use shear_flow, only: shear_strip, new_shear_strip
+  use strip_of_points, only: shear_strip, new_shear_strip
   use sheared_reynolds, only: sheared_oil
   use status, only: status_ok
   use tap, only: check, close_to, done

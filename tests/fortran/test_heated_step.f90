@@ -66,7 +66,8 @@ contains
     call check(residual + abs(load_error) < 1e-4_wp, "the isothermal film converges")
     call new_body(1 + half_slide, body_1)
     call new_body(1 - half_slide, body_2)
-    call new_point_heat(contact%heat, contact%film, oil_heat_law(conductivity=oil(1), capacity=oil(2)), 0*gap + 1 + half_slide, 0*gap, &
+    call new_point_heat(contact%heat, contact%film, oil_heat_law(conductivity=oil(1), capacity=oil(2)), &
+      0*gap + 1 + half_slide, 0*gap, &
       body_1, body_2, [0.0_wp, 0.0_wp], stat)
     call check(stat == status_ok, "and is heated")
     call film_residual(contact%film, p, h0, residual, load_error)
