@@ -17,7 +17,7 @@ import tempfile
 from pathlib import Path
 
 BUILD = Path("build/counted")
-STEP = "*point_film_MOD_film_step*"
+STEP = "*film_newton_MOD_film_step*"
 RHEOLOGY_AND_HEAT = {
     *(
         path.stem

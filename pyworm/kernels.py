@@ -295,12 +295,13 @@ class _Film:
         weakref.finalize(self, _core.bindings.film_free, self._handle)
 
     def _on_nodes(self, field) -> np.ndarray:
-        """A field as the kernel takes it, shape (nx, ny) with ny = 1 of a line contact; no copy."""
-        return _field(field).reshape(self._nodes + np.shape(field)[len(self._shape) :], order="F")
+        """A field as the kernel takes it, the second direction of a line contact one node long; no copy."""
+        field = _field(field)
+        return field[:, np.newaxis] if len(self._shape) == 1 else field
 
     def _on_grid(self, field: np.ndarray) -> np.ndarray:
         """A field that the kernel gave, in the shape of the grid; no copy."""
-        return field.reshape(self._shape + field.shape[2:], order="F")
+        return field[:, 0] if len(self._shape) == 1 else field
 
     def start(self, pressure, rigid_film: float) -> Balance:
         """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
