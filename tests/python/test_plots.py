@@ -293,7 +293,7 @@ def arrows(axes):
 
 @pytest.mark.filterwarnings("error")
 def test_only_what_was_simulated_is_drawn(tmp_path, monkeypatch, hot):
-    monkeypatch.setattr("pyworm.plots.write", lambda figure, path: path)
+    monkeypatch.setattr("pyworm.plots.attempts.write", lambda figure, path: path)
     line = line_with_heat(make_line_solution())
     solutions = (hot, without_heat(hot), line, without_heat(line))
     written = draw(Result("hot", {}, solutions, None, {}), tmp_path)
@@ -444,7 +444,7 @@ def test_a_traction_curve_has_the_sign_of_its_sliding_and_is_drawn_in_order():
 
 
 def test_only_a_sweep_whose_shear_was_simulated_is_a_traction_curve(tmp_path, monkeypatch):
-    monkeypatch.setattr("pyworm.plots.write", lambda figure, path: path)
+    monkeypatch.setattr("pyworm.plots.attempts.write", lambda figure, path: path)
     monkeypatch.setattr("pyworm.plots.SCENE_PICTURES", {"point": {}})
     curve = make_curve((0.1, 0.5))
     plain = tuple(replace(make_solution(points=(9, 9)), slide_roll_ratio=of) for of in (0.1, 0.5))
