@@ -99,19 +99,21 @@ class Settled:
 
 
 def stride(rung: Rung) -> Stride | None:
-    """One Newton step; None if there is none that helps."""
-    if rung.film.balance.residual > HOPELESS:
+    """One Newton step, or none but heat on its way; None if neither helps."""
+    if not rung.film.balance.residual <= HOPELESS:
         return None
+    warming = rung.film.balance.warming
+    krylov = 0
     try:
-        step = rung.film.step(rung.forcing)
+        krylov = rung.film.step(rung.forcing).krylov
     except KernelError as error:
         if error.status not in (NO_DESCENT, NOT_FINITE, NOT_CONVERGED):
             raise
-        return None
-    balance = step.balance
-    return Stride(
-        rung.grid.shape, balance.residual, balance.load_error, step.krylov, rung.film.work()
-    )
+        # a sweep of heat follows even where no step helps, and another film may belong to its temperatures
+        if error.status != NO_DESCENT or not 0 < rung.film.balance.warming <= warming / 2:
+            return None
+    balance = rung.film.balance
+    return Stride(rung.grid.shape, balance.residual, balance.load_error, krylov, rung.film.work())
 
 
 def lead(rung: Rung, tolerance: float, warming: float | None = None) -> list[Stride]:

@@ -107,6 +107,8 @@ class Plan:
         Residual and load error, at most, at which a grid of the figures is solved.
     work : Work
         The Newton steps that are expected; what they take is told by `pyworm.expectation`.
+    refusal : str or None
+        Why no grid is refined: the film needs far more nodes than allowed. None of any other contact.
     """
 
     accuracy: float
@@ -121,6 +123,7 @@ class Plan:
     largest_grid: int
     tolerance: float
     work: Work
+    refusal: str | None = None
 
     @property
     def on(self) -> frozenset[str]:
@@ -148,6 +151,7 @@ class _Numerics:
     largest_grid: int
     tolerance: float
     work: Work
+    refusal: str | None
 
 
 def plan(
@@ -301,22 +305,24 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
             size.groups.moes_l,
             _slenderness(size),
         )
+    work = expected_work(
+        "point",
+        _nodes(grids, wider_grids),
+        change,
+        accuracy,
+        LARGEST_GRID,
+        full=model.levels > 0,
+        stiffness=stiffness(model.heated, size.groups.moes_l),
+        lent=drawn is not scene,
+        moving=scene.past is not None,
+    )
     return _Numerics(
         grids=grids,
         wider_grids=wider_grids,
         largest_grid=LARGEST_GRID,
         tolerance=RESIDUAL_SHARE * accuracy,
-        work=expected_work(
-            "point",
-            _nodes(grids, wider_grids),
-            change,
-            accuracy,
-            LARGEST_GRID,
-            full=model.levels > 0,
-            stiffness=stiffness(model.heated, size.groups.moes_l),
-            lent=drawn is not scene,
-            moving=scene.past is not None,
-        ),
+        work=work,
+        refusal=_refusal(work, size.film, LARGEST_GRID),
     )
 
 
@@ -332,21 +338,33 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
     change = first_change(
         grid.spacing, (size.hertz.half_width,), (scene.radius,), size.film, size.groups.moes_l
     )
+    work = expected_work(
+        "line",
+        _nodes((grid,), (wider,)),
+        change,
+        accuracy,
+        LARGEST_LINE,
+        full=model.levels > 0,
+        stiffness=stiffness(model.heated, size.groups.moes_l),
+        moving=scene.past is not None,
+    )
     return _Numerics(
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
         tolerance=HEATED_LINE_SHARE * accuracy if model.heated else LINE_TOLERANCE,
-        work=expected_work(
-            "line",
-            _nodes((grid,), (wider,)),
-            change,
-            accuracy,
-            LARGEST_LINE,
-            full=model.levels > 0,
-            stiffness=stiffness(model.heated, size.groups.moes_l),
-            moving=scene.past is not None,
-        ),
+        work=work,
+        refusal=_refusal(work, size.film, LARGEST_LINE),
+    )
+
+
+def _refusal(work: Work, film: float, largest: int) -> str | None:
+    """Why a film [m] is not sought on finer grids; None if it is."""
+    if not work.in_vain:
+        return None
+    return (
+        f"the film of {film * 1e9:.2g} nm that is expected needs some {work.needed / 1e6:.3g} million nodes, "
+        f"{largest / 1e6:.3g} million are the largest grid allowed"
     )
 
 

@@ -41,6 +41,10 @@ FIRMNESS = (16.0, 8.0, 4.0, 2.8, 2.0, 1.4, 1.2, 1.0)
 LENT_TOLERANCE = 1e-2
 """Residual at which some more of lent entrainment is taken back."""
 
+SENSELESS = 1.0
+"""Residual beyond which a film is no start for a finer grid: its gradients ask for more stress than oil with
+a limit bears, and the slip that its law allows then is without bound."""
+
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid that only leads to a finer window is left."""
 
@@ -126,16 +130,23 @@ class PointLadder:
         the law is made firm and softened bit by bit.
         """
         pressure, rigid_film = rung.film.pressure, rung.film.rigid_film
-        strides: list[Stride] = []
-        for firmness in ((1.0,), FIRMNESS):
-            rung.film.start(pressure, rigid_film)
-            for times in firmness:
-                with_shear(self._scene, self._model, rung, times)
-                rung.film.restart()
-                strides += lead(rung, SHEAR_TOLERANCE)
-            if rung.film.balance.worst <= SHEAR_TOLERANCE:
+        self._flow_by_law(rung, 1.0)
+        strides = lead(rung, SHEAR_TOLERANCE)
+        if rung.film.balance.worst <= SHEAR_TOLERANCE:
+            return strides
+        rung.film.start(pressure, rigid_film)
+        for times in FIRMNESS:
+            self._flow_by_law(rung, times)
+            strides += lead(rung, SHEAR_TOLERANCE)
+            if lost(rung):  # from there softer stresses lead nowhere either
+                self._flow_by_law(rung, 1.0)
                 break
         return strides
+
+    def _flow_by_law(self, rung: Rung, firmness: float) -> None:
+        """The present film under the flow law, its stresses so many times as large."""
+        with_shear(self._scene, self._model, rung, firmness)
+        rung.film.restart()
 
     def _taken_back(self, rung: Rung) -> list[Stride]:
         """Steps of a film from the entrainment that was lent to it to its own."""
@@ -151,16 +162,22 @@ class PointLadder:
     def higher(self, rung: Rung) -> tuple[Rung, list[Stride]]:
         """Half the spacing over the same window."""
         grid = rung.grid.finer()
-        start = entry(rung, grid)
-        if lost(rung):
-            finer = next_rung(self._lent, self._size, rung, grid, start)
-            anew(self._lent, self._size, finer)
-            return finer, self._complete(finer)
-        finer = next_rung(self._lent, self._size, rung, grid, start)
+        if not lost(rung):
+            for start in (entry(rung, grid), rung.end().finer()):
+                finer = self._entered(rung, grid, start)
+                if finer.film.balance.residual <= SENSELESS:
+                    return finer, []
+        finer = next_rung(self._lent, self._size, rung, grid, rung.end().finer())
+        anew(self._lent, self._size, finer)
+        return finer, self._complete(finer)
+
+    def _entered(self, rung: Rung, grid: Grid, start: Start) -> Rung:
+        """A grid of half the spacing, with shear and heat, from a film that was led there."""
+        finer = next_rung(self._scene, self._size, rung, grid, start)
         if self._lent is not self._scene:
             finer.film.entrain(self._scene.entrainment(*finer.grid.mesh()))
         self._as_whole(finer, start)
-        return finer, []
+        return finer
 
     def _as_whole(self, rung: Rung, start: Start) -> None:
         """Shear and heat at once, for a film that starts from one that has them."""

@@ -11,13 +11,14 @@ import xarray as xr
 from pyworm.accuracy import Reading, domain_errors, grid_errors, peak_errors, unresolved
 from pyworm.history import History, marched
 from pyworm.kernels import NO_MEMORY, KernelError, LineFilm, PointFilm
-from pyworm.ladder import ALGEBRA_SHARE, Ladder, Rung, Settled, Stride, lead, settle
+from pyworm.ladder import ALGEBRA_SHARE, HOPELESS, Ladder, Rung, Settled, Stride, lead, settle
 from pyworm.line.ladder import LineLadder
 from pyworm.line.scene import LineScene
 from pyworm.memory import NoMemoryError, shortage
 from pyworm.place import Place
 from pyworm.planning import Plan, reviewed
 from pyworm.point_ladder import PointLadder
+from pyworm.prospect import refusal
 from pyworm.scene import Scene
 from pyworm.solution import Cost, Estimate, Figures, Solution
 from pyworm.variables import describe
@@ -32,6 +33,9 @@ ACCURATE = "the figures are as accurate as asked for"
 
 DOMAIN_SHARE = 0.3
 """Error of the films by the window beyond which the wider one is taken, as a share of the accuracy."""
+
+TELLING = 1e-2
+"""Residual beyond which the figures of a grid tell nothing of an error, unless the tolerance is larger."""
 
 MOST_UNSETTLED = 2
 """Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
@@ -101,7 +105,7 @@ def _climb(
     climb = LADDERS[type(scene)]
     domain: dict[str, float] = {}
     readings: list[Reading] = []
-    unsettled = 0
+    unsettled = refinements = 0
 
     short = shortage(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes), plan.model)
     if short is not None:
@@ -120,13 +124,17 @@ def _climb(
     while True:
         settled = _settle_figures(rung, plan)
         strides += settled.strides
-        readings.append(settled.reading)
+        if rung.film.balance.worst <= max(plan.tolerance, TELLING):
+            readings.append(settled.reading)
         unsettled += rung.film.balance.worst > plan.tolerance
-        stop_reason = history and history.flaw
-        if _film_is_sound(rung, settled, plan) and plan.wider_grids and not domain:
-            tell(f"{scene.name}: wider window", 1 - 0.7 ** len(readings))
+        stop_reason = (history and history.flaw) or refusal(
+            plan, readings, ladder.convergence.orders, rung.grid.finer()
+        )
+        sound = _film_is_sound(rung, settled, plan)
+        if stop_reason is None and sound and plan.wider_grids and not domain:
+            tell(f"{scene.name}: wider window", 1 - 0.7 ** (refinements + 1))
             try:
-                wider, settled_wider, steps = _in_wider_window(ladder, plan, len(readings) - 1)
+                wider, settled_wider, steps = _in_wider_window(ladder, plan, refinements)
             except KernelError as error:
                 stop_reason = _lack_of_memory(error)
             else:
@@ -145,7 +153,8 @@ def _climb(
         if stop_reason is not None:
             break
         size = " x ".join(str(count) for count in rung.grid.finer().shape)
-        tell(f"{scene.name}: {size}", 1 - 0.7 ** (len(readings) + 1))
+        refinements += 1
+        tell(f"{scene.name}: {size}", 1 - 0.7 ** (refinements + 1))
         try:
             rung, steps = _finer(ladder, rung, plan)
         except KernelError as error:
@@ -226,7 +235,7 @@ def _estimates(
     history: History | None,
 ) -> dict[str, Estimate]:
     """The figures with their error bars, which are infinite where the film is none."""
-    grid = grid_errors(readings, ladder.convergence.orders)
+    grid = grid_errors(readings or [settled.reading], ladder.convergence.orders)
     grid |= {name: max(grid[name], of) for name, of in peak_errors(settled.reading).items()}
     reasons = {"pressure_max": unresolved(settled.reading)}
     if not _film_is_sound(rung, settled, plan):
@@ -267,9 +276,10 @@ def _stop_reason(
     if not settled and (last or unsettled >= MOST_UNSETTLED):
         if rung.film.unsolved():
             return f"the shear stress was not found in {rung.film.unsolved()} places of the film"
-        return (
-            f"the residual stayed at {rung.film.balance.worst:.1e}, {plan.tolerance:.1e} is wanted"
-        )
+        worst = rung.film.balance.worst
+        if not worst <= HOPELESS:
+            return "no film was found whose stresses and temperatures the laws of the oil bear"
+        return f"the residual stayed at {worst:.1e}, {plan.tolerance:.1e} is wanted"
     if not last:
         return None
     if not resolved:

@@ -265,6 +265,8 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
+    if plan.refusal is not None:
+        table.add_row("Will not converge", plan.refusal)
     table.add_row("Expected time", duration(expected.seconds))
     table.add_row("Expected convolutions", rough(expected.convolutions))
     return table

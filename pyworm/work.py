@@ -29,10 +29,18 @@ LOG_CHANGE = tuple(log(share) for share in (0.2, 0.8, 9.6, 38.0, 154.0, 2460.0))
 HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
 """That change over the accuracy, and halvings between which a solve is as likely to stop as to go on.
 
-There is one at least.
+There is one at least; beyond the last each halving leaves a quarter, as it does before.
 
 The error bar on the second grid is the change itself, on the third a twelfth of it, and a quarter of the one
 before on each further (`pyworm.accuracy.grid_errors`); some of it is left to window and algebra."""
+
+
+WORTHLESS = 0.1
+"""Relative error of the films beyond which figures are worth no grid, whatever accuracy was asked for."""
+
+IN_VAIN = 0.8
+"""Halvings beyond the largest grid from which no such figures come: twice the scatter of the expected change,
+1.7, in halvings."""
 
 
 @dataclass(frozen=True)
@@ -110,10 +118,16 @@ class Work:
         "point" or "line".
     stages : tuple of Stage
         Its grids, finer ones last; these say on the average of what is likely.
+    needed : float
+        Nodes that figures of any worth are likely to need.
+    in_vain : bool
+        Whether these are so many more than allowed that no grid is refined.
     """
 
     kind: Kind
     stages: tuple[Stage, ...]
+    needed: float = 0.0
+    in_vain: bool = False
 
     @property
     def finest(self) -> float:
@@ -210,9 +224,19 @@ def expected_work(
         nodes = nests[0][-1] * growth ** (level - (kind == "point"))
         stages.append(Stage(nodes, count * (not full), count * full))
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
-    halvings = min(most, float(np.interp(log(change / accuracy), LOG_CHANGE, HALVINGS)))
+    least = _halvings(change / max(accuracy, WORTHLESS))
+    needed = nests[0][-1] * growth**least
+    if least > most + IN_VAIN:
+        return Work(kind, tuple(stages), needed, in_vain=True)
+    halvings = min(most, _halvings(change / accuracy))
     for number in range(int(halvings)):
         # the last grid is as fine as likely
         nodes = nests[0][-1] * growth ** (halvings - int(halvings) + number + 1)
         stages.append(Stage(nodes, cold * steps.finer * (not full), stiffness * steps.finer * full))
-    return Work(kind, tuple(stages))
+    return Work(kind, tuple(stages), needed)
+
+
+def _halvings(change: float) -> float:
+    """Halvings that a change of the films, over the accuracy, is likely to need."""
+    beyond = max(0.0, (log(change) - LOG_CHANGE[-1]) / log(4.0))
+    return float(np.interp(log(change), LOG_CHANGE, HALVINGS)) + beyond

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -17,6 +18,9 @@ import pyworm
 from pyworm import climb, kernels
 from pyworm.case_error import CaseError
 from pyworm.grid import Grid
+from pyworm.kernels import NO_DESCENT, KernelError
+from pyworm.ladder import settle, stride
+from pyworm.point_ladder import PointLadder
 from pyworm.scales import scales
 from pyworm.store import Store
 
@@ -84,6 +88,45 @@ def test_a_grid_on_which_newton_is_lost_costs_only_itself():
     assert solution.converged
     assert solution.history.sizes["iteration"] < 100
     assert solution.history.residual.max() < 20
+
+
+def thermal_ladder(number, seed, directory):
+    """A drawn scene's plan at the suite's accuracy, and its ladder."""
+    one = trial(DRAWS["thermal"](number, seed).tables, "drawn", directory, "all")
+    return one.plan, PointLadder(one.plan.simplified(one.scene), one.plan)
+
+
+def test_heat_goes_on_where_no_step_of_the_film_helps(tmp_path):
+    """The sheared film is at rest when heat begins: the first sweep makes another of it, no step does."""
+    plan, ladder = thermal_ladder(0, 12, tmp_path)
+    rung, _ = ladder.enter(plan.grids)
+    settled = settle(rung, plan.tolerance, plan.aim, 0.5)
+    assert rung.film.balance.worst <= plan.tolerance
+    assert settled.strides[0].krylov == 0
+    assert settled.reading.figures["temperature_max_film"] > 1.0
+
+
+def test_a_step_after_which_heat_no_longer_settles_is_the_last(tmp_path):
+    plan, ladder = thermal_ladder(0, 12, tmp_path)
+    rung, _ = ladder.enter(plan.grids)
+    taken = [stride(rung)]
+    rung.film.step = Mock(side_effect=KernelError(NO_DESCENT))
+    assert taken[0] is not None
+    assert stride(rung) is None  # its warming is what it was
+
+
+def test_an_extrapolated_film_that_no_oil_bears_is_no_start(tmp_path):
+    """Its gradients ask for more stress than the limit: slip without bound, a residual of 1e18."""
+    plan, ladder = thermal_ladder(11, 12, tmp_path)
+    rung, _ = ladder.enter(plan.grids)
+    settle(rung, plan.tolerance, plan.aim, 0.5)
+    rung, _ = ladder.higher(rung)
+    settle(rung, plan.tolerance, plan.aim, 0.5)
+    rung, strides = ladder.higher(rung)
+    assert strides == []  # entered as it is, with its heat
+    assert rung.film.balance.residual < 0.1
+    settle(rung, plan.tolerance, plan.aim, 0.5)
+    assert rung.film.balance.worst <= plan.tolerance
 
 
 def test_a_film_started_anew_keeps_its_outline_and_carries_its_load():

@@ -220,7 +220,7 @@ def test_more_accuracy_is_more_work():
 
 
 def test_no_work_is_expected_beyond_the_largest_grid():
-    work = expected_work("point", [[1e4]], 10.0, 1e-5, 2e5, full=False)
+    work = expected_work("point", [[1e4]], 1.0, 1e-5, 2e5, full=False)
     assert work.finest == pytest.approx(2e5)
 
 
