@@ -2,7 +2,7 @@
 
 Exit codes: 0 every result converged; 1 something outside the input failed (no compiled kernel, a full disk);
 2 bad input, one sentence on standard error, nothing written; 3 a result did not converge (written, and
-marked).
+marked); 130 and 143 stopped by Ctrl-C and by SIGTERM.
 """
 
 import argparse
@@ -22,6 +22,7 @@ from pyworm.place import PLACE_NAMES
 from pyworm.ratings.commands import add_oil, add_rate
 from pyworm.report.command import add_report
 from pyworm.result_case import add_case, case_for
+from pyworm.stopping import exit_code
 from pyworm.terminal import flush, prepare, put, say
 from pyworm.units import SHARE, parse
 from pyworm.workers import WorkerDiedError
@@ -77,8 +78,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _end(f"{error}; pyworm doctor tells what is missing", FAILED)
     except (OSError, WorkerDiedError) as error:
         return _end(f"{error}", FAILED)
-    except KeyboardInterrupt:
-        return _end(_stopped(options), FAILED)
+    except KeyboardInterrupt as stop:
+        return _end(_stopped(options), exit_code(stop))
 
 
 def _stopped(options: argparse.Namespace) -> str:

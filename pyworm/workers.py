@@ -1,11 +1,13 @@
 """Worker processes, one thread each; one that dies fails its own call and no other."""
 
+import ctypes
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
 from typing import Any
@@ -26,7 +28,8 @@ class WorkerPool(Executor):
     A process pool of the standard library breaks as a whole when one of its processes dies. Here each process
     has a thread of this one that waits for it, and is made anew at the next call. Leaving the pool by an
     exception, such as a keyboard interrupt, ends the processes at once; if this process is killed they end
-    with the call at hand. Functions, arguments, answers and exceptions are pickled.
+    with it on Linux, elsewhere with the call at hand. Functions, arguments, answers and exceptions are
+    pickled.
     """
 
     def __init__(self, count: int) -> None:
@@ -69,6 +72,7 @@ class _Worker:
     _starting = threading.Lock()  # the environment is that of this whole process
 
     def __init__(self) -> None:
+        self._ended = False
         self._process = None
         self._connection: Connection | None = None
 
@@ -94,30 +98,39 @@ class _Worker:
             self._process.join()
 
     def terminate(self) -> None:
+        with self._starting:
+            self._ended = True
         if self._process is not None:
             self._process.terminate()
 
     def _start(self) -> None:
-        self._connection, other_end = _SPAWN.Pipe()
+        connection, other_end = _SPAWN.Pipe()
         process = _SPAWN.Process(target=_serve, args=(other_end,), daemon=True)
         with self._starting:
+            if self._ended:
+                raise WorkerDiedError("the pool has ended")
             before = {name: os.environ.get(name) for name in _ONE_THREAD}
             os.environ.update(_ONE_THREAD)
+            # The keyboard's interrupt is for the process that waits, from the first moment of this one.
+            mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
             try:
                 process.start()
             finally:
+                signal.pthread_sigmask(signal.SIG_SETMASK, mask)
                 for name, value in before.items():
                     if value is None:
                         del os.environ[name]
                     else:
                         os.environ[name] = value
+            self._process, self._connection = process, connection
         other_end.close()
-        self._process = process
 
 
 def _serve(connection: Connection) -> None:
     """Answer calls until the other side is gone."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the keyboard's is for the process that waits
+    _end_with_parent()
+    if os.getppid() != parent_process().pid:  # it was killed before
+        return
     while True:
         try:
             function, arguments = connection.recv()
@@ -131,6 +144,16 @@ def _serve(connection: Connection) -> None:
             connection.send(outcome)
         except OSError:
             return
+
+
+_PR_SET_PDEATHSIG = 1
+"""Of Linux's prctl(2): a signal to this process when the thread that started it ends."""
+
+
+def _end_with_parent() -> None:
+    """Have the system end this process, in whatever call it is, when its parent is killed; on Linux."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
 def _ending(exit_code: int) -> str:

@@ -1,0 +1,23 @@
+"""The program `pyworm`, also as `python -m pyworm`: ready for signals before anything that takes time."""
+
+import sys
+
+from pyworm.stopping import end_at_once, end_in_order, exit_code
+
+
+def main() -> int:
+    """Run the command line; returns the exit code (`pyworm.cli`)."""
+    end_at_once()
+    from pyworm import cli  # takes a second
+
+    try:
+        end_in_order()
+        return cli.main()
+    except KeyboardInterrupt as stop:  # before the command has begun, or after its end
+        return exit_code(stop)
+    finally:
+        end_at_once()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,62 @@
+"""How the program ends when it is told to from outside: by Ctrl-C (SIGINT) or by SIGTERM.
+
+Exit codes are those of shells, 128 and the number of the signal. Only the command line asks for this: in a
+program that imports pyworm signals do what that program wants.
+"""
+
+import os
+import signal
+from types import FrameType
+
+SIGNALS = signal.SIGINT, signal.SIGTERM
+
+GRACE = 1.5
+"""Time to end in an orderly way [s]: with it, no process is left 2 s after the signal."""
+
+
+class Stopped(KeyboardInterrupt):
+    """A signal that asks the program to end.
+
+    Attributes
+    ----------
+    number : int
+        Which one.
+    """
+
+    def __init__(self, number: int) -> None:
+        """By the signal of a number."""
+        super().__init__()
+        self.number = number
+
+
+def exit_code(stop: KeyboardInterrupt) -> int:
+    """The exit code after an interrupt, which is one by SIGINT if nothing else is known."""
+    return 128 + getattr(stop, "number", signal.SIGINT)
+
+
+def end_at_once() -> None:
+    """From now on signals end this process at once: it has nothing to lose."""
+    for number in SIGNALS:
+        signal.signal(number, _end)
+
+
+def end_in_order() -> None:
+    """From now on a signal raises Stopped.
+
+    That may be lost, as in a finaliser, and what it ends may hang, as a connection to a machine that is gone:
+    the process ends without more ado at a second signal, and after `GRACE`.
+    """
+    for number in SIGNALS:
+        signal.signal(number, _raise)
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    os.write(2, b"pyworm: stopped\n")
+    os._exit(128 + number)
+
+
+def _raise(number: int, frame: FrameType | None) -> None:
+    end_at_once()
+    signal.signal(signal.SIGALRM, lambda *_: _end(number, None))
+    signal.setitimer(signal.ITIMER_REAL, GRACE)
+    raise Stopped(number)
