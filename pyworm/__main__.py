@@ -2,7 +2,7 @@
 
 import sys
 
-from pyworm.stopping import end_at_once, end_in_order, exit_code
+from pyworm.stopping import end_at_once, end_if_stopped, end_in_order, exit_code
 
 
 def main() -> int:
@@ -12,11 +12,13 @@ def main() -> int:
 
     try:
         end_in_order()
-        return cli.main()
+        code = cli.main()
     except KeyboardInterrupt as stop:  # before the command has begun, or after its end
-        return exit_code(stop)
+        code = exit_code(stop)
     finally:
         end_at_once()
+    end_if_stopped(code)
+    return code
 
 
 if __name__ == "__main__":

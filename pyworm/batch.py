@@ -12,6 +12,7 @@ from pyworm.reason import reason_of
 from pyworm.solver import Progress
 from pyworm.store import Store
 from pyworm.task import Task
+from pyworm.workers import WorkerDiedError
 
 
 def solve_all(
@@ -46,7 +47,7 @@ def solve_all(
             reasons[task.key] = solve_and_keep(task, store, share)
     else:
         tell(f"0 of {len(tasks)} scenes", 0.0)
-        futures = {executor.submit(solve_and_keep, task, store): task for task in tasks}
+        futures = {executor.submit(solve_for, task.key, task, store): task for task in tasks}
         for done, future in enumerate(as_completed(futures), 1):
             reasons[futures[future].key] = _reason(future, futures[future], store)
             tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
@@ -69,13 +70,20 @@ def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -
     return None
 
 
+def solve_for(key: str, task: Task, store: Store) -> str | None:
+    """The same for another process, by the key that the task has there."""
+    if task.key != key:
+        return "its worker has another build of pyworm, or of what it builds on"
+    return solve_and_keep(task, store)
+
+
 def _reason(future: Future, task: Task, store: Store) -> str | None:
     """Why a task came back without a solution, if it did."""
     error = future.exception()
     if error is not None:  # of the process, not of the solve
-        return str(error) or type(error).__name__
+        return str(error) if isinstance(error, WorkerDiedError) else reason_of(error)
     if future.result() is None and not store.file(task).exists():
-        return "its worker has another directory, or another build of pyworm"
+        return "its worker has another directory"
     return future.result()
 
 

@@ -523,7 +523,7 @@ def _executor(options: argparse.Namespace) -> AbstractContextManager:
     if options.scheduler is not None:
         from pyworm.cluster import cluster
 
-        return cluster(options.scheduler)
+        return cluster(options.scheduler, say)
     if options.jobs == 1:
         return nullcontext()
     from pyworm.workers import WorkerPool

@@ -15,20 +15,30 @@ Attributes that are not numbers or plain text (case, provenance, solution) are J
 import json
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
-from typing import Any, get_args, get_origin, get_type_hints
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from xarray.backends import NetCDF4DataStore
 
+from pyworm.case_error import CaseError
 from pyworm.output import whole_file
+from pyworm.reason import reason_of
 from pyworm.solution import Solution
+from pyworm.sound_result import check, typed
 
 FORMAT = "pyworm result"
 FORMAT_VERSION = 4
+
+PROVENANCE = {"plans": list, "keys": list, "failed": dict}
+"""What the provenance may have that readers take for granted."""
+
+LARGEST = 2**31
+"""Size beyond which arrays are not read [bytes]: some twenty times the largest scene of the solver."""
 
 _WORTH, _REPEATED = 1000, 0.1
 """Least size of values that are compressed, and least share of them that repeat their neighbours."""
@@ -100,7 +110,8 @@ def open_result(path: str | os.PathLike) -> Result:
     try:
         return _read(groups)
     except Exception as error:  # whatever is missing or of another kind
-        raise ValueError(f"{path} is damaged: what should be in it is not ({error})") from error
+        why = " ".join(str(error).split())
+        raise ValueError(f"{path} is damaged: what should be in it is not ({why})") from error
 
 
 def _load(path: Path) -> dict[str, xr.Dataset]:
@@ -108,6 +119,8 @@ def _load(path: Path) -> dict[str, xr.Dataset]:
     # Times are numbers of seconds here, not dates to be decoded.
     groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
     try:
+        if max(group.nbytes for group in groups.values()) > LARGEST:
+            raise ValueError("an array is larger than any of a result")
         return {name: group.load() for name, group in groups.items()}
     finally:
         for group in groups.values():
@@ -116,14 +129,22 @@ def _load(path: Path) -> dict[str, xr.Dataset]:
 
 def _read(groups: dict[str, xr.Dataset]) -> Result:
     said = groups["/"].attrs
+    provenance = typed(dict, json.loads(said["provenance"]), "provenance")
+    for name, kind in PROVENANCE.items():
+        typed(kind, provenance.get(name, kind()), f"provenance.{name}")
+    mesh_cycle = groups.get("/mesh_cycle")
+    if mesh_cycle is not None:
+        typed(str, mesh_cycle.attrs.get("drive"), "the drive of the mesh cycle")
     scenes = [name for name in groups if re.fullmatch(r"/scene_\d+", name)]
+    if not scenes:
+        raise ValueError("it has no scenes")
     scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
-        case_name=said["case_name"],
-        case=json.loads(said["case"]),
+        case_name=typed(str, said["case_name"], "case_name"),
+        case=typed(dict, json.loads(said["case"]), "case"),
         solutions=tuple(_read_solution(groups, scene) for scene in scenes),
-        mesh_cycle=groups.get("/mesh_cycle"),
-        provenance=json.loads(said["provenance"]),
+        mesh_cycle=mesh_cycle,
+        provenance=provenance,
     )
 
 
@@ -132,9 +153,28 @@ def case_in(path: Path) -> dict | None:
     try:
         with xr.open_dataset(path, engine="netcdf4") as root:
             known = root.attrs.get("format") == FORMAT
-            return json.loads(root.attrs["case"]) if known else None
-    except OSError:
+            return typed(dict, json.loads(root.attrs["case"]), "case") if known else None
+    except Exception:  # whatever a damaged file makes the library stumble over
         return None
+
+
+@contextmanager
+def readable(path: Path) -> Iterator[None]:
+    """Say in one sentence that a results file holds what its readers stumble over.
+
+    Raises
+    ------
+    CaseError
+        In place of what they raised.
+    """
+    try:
+        yield
+    except CaseError:
+        raise
+    except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError) as error:
+        raise CaseError(
+            f"{path} is damaged or was made by another program: {reason_of(error)}"
+        ) from error
 
 
 def _groups(result: Result) -> dict[str, xr.Dataset]:
@@ -216,17 +256,9 @@ def _read_solution(groups: dict[str, xr.Dataset], scene: str) -> Solution:
         for part in ("fields", "history", "profile")
         if f"{scene}/{part}" in groups
     }
-    return _rebuild(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
-
-
-def _rebuild(kind: Any, value: Any) -> Any:
-    """A value as its declared type: dataclasses from dictionaries, tuples from lists."""
-    if value is None:
-        return None
-    if get_origin(kind) is tuple:
-        return tuple(_rebuild(get_args(kind)[0], part) for part in value)
-    for option in (kind, *get_args(kind)):
-        if is_dataclass(option):
-            hints = get_type_hints(option)
-            return option(**{name: _rebuild(hints[name], part) for name, part in value.items()})
-    return value
+    try:
+        solution = typed(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
+        check(solution)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{scene[1:]}: {error}") from None
+    return solution

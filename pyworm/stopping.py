@@ -6,6 +6,8 @@ program that imports pyworm signals do what that program wants.
 
 import os
 import signal
+import sys
+from contextlib import suppress
 from types import FrameType
 
 SIGNALS = signal.SIGINT, signal.SIGTERM
@@ -48,6 +50,14 @@ def end_in_order() -> None:
     """
     for number in SIGNALS:
         signal.signal(number, _raise)
+
+
+def end_if_stopped(code: int) -> None:
+    """End with an exit code if a signal asked for that: what libraries do at exit may take long."""
+    if signal.getitimer(signal.ITIMER_REAL)[0] > 0:
+        with suppress(OSError):
+            sys.stdout.flush()
+        os._exit(code)
 
 
 def _end(number: int, frame: FrameType | None) -> None:

@@ -20,8 +20,9 @@ import xarray as xr
 
 from pyworm.left_out import LAMBDAS, LeftOut, worst
 from pyworm.output import whole_file
-from pyworm.result import plain_attributes
+from pyworm.result import LARGEST, plain_attributes
 from pyworm.schema.sweep import Value
+from pyworm.sound_result import typed
 from pyworm.units import parse_in
 
 FORMAT = "pyworm sweep"
@@ -106,27 +107,64 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
     Raises
     ------
     ValueError
-        It is one of another format version.
+        It is one of another format version, or what it holds cannot be such a table.
     """
-    try:
-        table = xr.load_dataset(path, engine="netcdf4", decode_times=False)
-    except OSError:
+    path = Path(path)
+    table = _loaded(path) if path.is_file() else None
+    if table is None:
         return None
     attributes, table.attrs = table.attrs, {}
     if attributes.get("format") != FORMAT:
         return None
-    if attributes["format_version"] != FORMAT_VERSION:
+    version = attributes.get("format_version")
+    if version != FORMAT_VERSION:
         raise ValueError(
-            f"{path} has sweep format {attributes['format_version']}; "
-            f"this version of pyworm reads format {FORMAT_VERSION}"
+            f"{path} has sweep format {version}; this version of pyworm reads format {FORMAT_VERSION}"
         )
-    return SweepResult(
-        attributes["name"],
-        attributes["title"],
-        json.loads(attributes["axes"]),
-        table,
-        json.loads(attributes["provenance"]),
-    )
+    try:
+        result = SweepResult(
+            typed(str, attributes["name"], "name"),
+            typed(str, attributes["title"], "title"),
+            typed(list[list[str]], json.loads(attributes["axes"]), "axes"),
+            table,
+            typed(dict, json.loads(attributes["provenance"]), "provenance"),
+        )
+        _check(result)
+    except (ValueError, LookupError, TypeError, RecursionError) as error:
+        why = " ".join(str(error).split())
+        raise ValueError(f"{path} is damaged: what should be in it is not ({why})") from error
+    return result
+
+
+def _loaded(path: Path) -> xr.Dataset | None:
+    """What a NetCDF file holds; None if it is none, or too large for any table."""
+    try:
+        with xr.open_dataset(path, engine="netcdf4", decode_times=False) as table:
+            return table.load() if table.nbytes <= LARGEST else None
+    except Exception:  # whatever a damaged file makes the library stumble over
+        return None
+
+
+def _check(result: SweepResult) -> None:
+    """Refuse what no sweep can have come to; ValueError with what is wrong first."""
+    table = result.table
+    if not table.sizes.get("scene"):
+        raise ValueError("it has no scenes")
+    for name, column in table.variables.items():
+        if column.dims != ("scene",):
+            raise ValueError(f"{name} does not have one value for each scene")
+        if column.dtype.kind not in "iufb" and not all(isinstance(of, str) for of in column.values):
+            raise ValueError(f"{name} holds neither numbers nor texts")
+    for key in (key for axis in result.axes for key in axis or [""]):
+        if not any(name == key or str(name).startswith(f"{key}[") for name in table.data_vars):
+            raise ValueError(f'there is no column of "{key}", which varies')
+    if table["stop_reason"].dtype.kind in "iufb":
+        raise ValueError("stop_reason is no text")
+    if not np.isin(table["converged"].values, (0, 1)).all():
+        raise ValueError("converged must be 0 or 1")
+    for name in {"film_min_m", "film_central_m", "pressure_max_Pa"} & set(table.data_vars):
+        if not (table[name].values[result.converged] > 0).all():
+            raise ValueError(f"{name} of a scene that is marked as converged is not above zero")
 
 
 def sweep_table(

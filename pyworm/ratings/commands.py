@@ -1,6 +1,7 @@
 """What `pyworm rate` and `pyworm oil` show."""
 
 import argparse
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -67,6 +68,7 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 def _rate(options: argparse.Namespace) -> int:
     from pyworm.left_out import headline
     from pyworm.ratings.asked import asked_of, left_out, load_asked, not_rated, ratings
+    from pyworm.result import readable
     from pyworm.schema.shown import assumptions
 
     asked, result, differ = load_asked(options.case), None, None
@@ -78,12 +80,13 @@ def _rate(options: argparse.Namespace) -> int:
         asked = asked_of(case)
     if differ is not None:
         say(f"warning: {differ}")
-    made = ratings(asked, result)
+    with nullcontext() if result is None else readable(options.result):
+        made = ratings(asked, result)
+        lacking = left_out(asked, result)
     if not made:
         raise CaseError(
             f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
-    lacking = left_out(asked, result)
     if options.json:
         print_json(
             {

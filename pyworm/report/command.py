@@ -21,7 +21,7 @@ def _report(options: argparse.Namespace) -> int:
     from pyworm.output import check_writable, whole_file
     from pyworm.report.build import build_report
     from pyworm.report.page import render
-    from pyworm.result import open_result
+    from pyworm.result import open_result, readable
 
     path = options.out or options.result.with_name("report.html")
     if path.is_dir():
@@ -34,7 +34,8 @@ def _report(options: argparse.Namespace) -> int:
     case, differ = None, None
     if options.case is not None:
         case, differ = case_for(options.case, result, options.anyway)
-    page = render(build_report(result, case, differ))
+    with readable(options.result):
+        page = render(build_report(result, case, differ))
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")

@@ -1,5 +1,7 @@
 """Pictures of a result for its report, as PNG in memory."""
 
+from collections.abc import Callable
+from functools import partial
 from io import BytesIO
 
 from matplotlib.figure import Figure
@@ -8,7 +10,8 @@ from pyworm.left_out import LeftOut, of_all
 from pyworm.plots import CYCLE_PICTURES, SCENE_PICTURES, SHOWS
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
-from pyworm.report.content import Picture, Section
+from pyworm.reason import reason_of
+from pyworm.report.content import Picture, Section, Words
 from pyworm.report.figures import place_of
 from pyworm.result import Result
 from pyworm.solution import Solution
@@ -47,14 +50,13 @@ def cycle_pictures(result: Result) -> Section | None:
     pictures, left_out = [], of_all(result.solutions)
     if result.mesh_cycle is not None:
         for name, draw in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            figure = draw(result)
-            if figure is not None:
-                pictures.append(
-                    Picture(_captioned(_CAPTIONS.get(name, name), left_out), png(figure))
-                )
+            caption = _captioned(_CAPTIONS.get(name, name), left_out)
+            picture = _drawn(caption, partial(draw, result))
+            if picture is not None:
+                pictures.append(picture)
     if traction_curve(result):
         caption = _captioned("Traction curve", left_out)
-        pictures.append(Picture(caption, png(draw_traction(result))))
+        pictures.append(_drawn(caption, partial(draw_traction, result)))
     return Section("The whole cycle", tuple(pictures)) if pictures else None
 
 
@@ -63,7 +65,7 @@ def contact_pictures(result: Result) -> Section:
     solutions = result.solutions
     thin = min(solutions, key=lambda of: of.figures.film_min.value)
     shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
-    pictures = [Picture("Contacts on the chart of regimes", png(draw_regimes(result)))]
+    pictures = [_drawn("Contacts on the chart of regimes", partial(draw_regimes, result))]
     for solution in shown:
         names = SCENE_PICTURES[solution.kind] if solution is thin else KEY_PICTURES[solution.kind]
         pictures += [
@@ -76,10 +78,19 @@ def _has(solution: Solution, name: str) -> bool:
     return name not in SHOWS or SHOWS[name](solution) is not None
 
 
-def _picture(case_name: str, solution: Solution, name: str) -> Picture:
-    drawn = SCENE_PICTURES[solution.kind][name](case_name, solution)
+def _picture(case_name: str, solution: Solution, name: str) -> Picture | Words | None:
     caption = f"{_CAPTIONS.get(name, name)}, {place_of(solution)}"
-    return Picture(_captioned(caption, solution.left_out), png(drawn))
+    draw = partial(SCENE_PICTURES[solution.kind][name], case_name, solution)
+    return _drawn(_captioned(caption, solution.left_out), draw)
+
+
+def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words | None:
+    """A picture, or why it failed, which costs nothing else; None where there is nothing to draw."""
+    try:
+        figure = draw()
+        return None if figure is None else Picture(caption, png(figure))
+    except Exception as error:
+        return Words(f"{caption}: could not be drawn ({reason_of(error)}).")
 
 
 def _captioned(caption: str, left_out: LeftOut) -> str:

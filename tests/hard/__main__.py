@@ -21,6 +21,7 @@ from typing import Any
 from cost_map import draw_map
 from draws import DRAWS, SEED
 from fuzz import many
+from fuzz_results import many as many_files
 from named import GAPS, HOT, ISOTHERMAL
 from promise import COUNTS, complaints
 from stability import CHECKS
@@ -133,6 +134,7 @@ def main() -> int:
         if part == "fuzz":
             with TemporaryDirectory() as directory:
                 found += many(print, Path(directory))
+                found += many_files(print, Path(directory))
             continue
         if part == "stability":
             found += [f"stability: {flaw}" for check in CHECKS for flaw in check(print)]
