@@ -14,13 +14,14 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install demo test test-fortran test-python hard docs lint clean
+.PHONY: help install demo test test-fortran test-python hard mutants docs lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test     run the Fortran and the Python tests"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
+	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
 	@echo "make lint     run the linters"
 	@echo "make clean    remove the virtual environment and all that was built (results stay)"
@@ -49,6 +50,9 @@ test-python: $(INSTALLED)
 
 hard: $(INSTALLED)
 	python tests/hard $(SCENE) $(if $(SEED),--seed $(SEED))
+
+mutants: $(INSTALLED)
+	python tests/mutants $(MUTANT)
 
 $(DOCS): $(INSTALLED)
 	python -m pip install --quiet --disable-pip-version-check --no-build-isolation --editable ".[docs]"

@@ -158,6 +158,7 @@ contains
     type(oil_law), parameter :: thick = oil_law(law_barus, 1e4_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, inlet, 0.0_wp, &
       eps, decay)
     type(heated_contact) :: contact
+    type(shear_field) :: field
     real(wp) :: p(n, n), x(n, n)
     integer :: i, at(2)
 
@@ -179,6 +180,9 @@ contains
         end if
       end associate
     end do
+    ! what the gradient drives is all that shears
+    call shear_fields(contact%point_contact, .false., field, stat)
+    call close_to(field%friction(middle, middle), slope**2*h**3/(12*thick%eta0), 1e-6_wp, "heat of Poiseuille flow")
   end subroutine compression
 
   !> Oil of one velocity between walls of 1 K: the mean difference to the walls' temperature falls along the film as
