@@ -146,7 +146,7 @@ def cycle_table(cycle: DriveCycle) -> Table:
         extreme("  of the central film", cycle.lambda_central, 1.0, "")
     if cycle.lifted is not None:
         share, phase = cycle.lifted
-        table.add_row("Load moved by lift of films", f"{share * 100:+.2g} %", f"{phase:g}")
+        table.add_row("Load moved by films' lift", f"{share * 100:+.2g} %", f"{phase:g}")
     return table
 
 
