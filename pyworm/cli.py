@@ -222,6 +222,8 @@ def _run(options: argparse.Namespace) -> int:
                 result, tasks = run_balanced(case, tasks, directory, executor, progress, say)
         except NothingSolvedError as error:
             return _end(f"{case.name}: {error}", FAILED)
+        for warning in result.provenance["warnings"][len(case.warnings) :]:
+            say(f"warning: {warning}")
         if not options.json:
             _show_run(case, tasks, result)
             put(f"Results   {directory / RESULT_NAME}")
@@ -237,7 +239,7 @@ def _run(options: argparse.Namespace) -> int:
                 "case": case.name,
                 "scenes": [solution.summary() for solution in result.solutions],
                 "failed": result.provenance["failed"],
-                "warnings": case.warnings,
+                "warnings": result.provenance["warnings"],
                 **({} if cycle is None else {"cycle": cycle.summary()}),
                 **({} if case.drive is None else {"standard_loss": standard.summary()}),
                 **({} if heating is None else {"heating_loss": heating.summary()}),

@@ -4,8 +4,9 @@ A contact that no bodies or no film could make is refused: the equations would b
 their answer would be an answer to nothing.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -37,6 +38,11 @@ small, and beyond 1 the surfaces do not make a contact."""
 
 MOLECULE = 1e-9
 """Thickness of a few molecules of oil [m], below which a film is no fluid."""
+
+
+HOTTEST_FILM = 300.0
+"""Temperature [degC] from which the molecules of oils break within hours; flashes of microseconds may pass
+it, but no law of viscosity was measured there (from memory; makers say 250 to 350)."""
 
 
 @dataclass(frozen=True)
@@ -89,6 +95,25 @@ def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
             if doubt.of not in worst or doubt.excess > worst[doubt.of].excess:
                 worst[doubt.of] = doubt
     return tuple(f"{key}: {doubt.sentence}" for doubt in worst.values())
+
+
+def overheated(summaries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
+    """A sentence on the hottest film, where it is beyond what oils stand.
+
+    Parameters
+    ----------
+    summaries : iterable of mapping
+        `Solution.summary()` of solved contacts.
+    """
+    hot = [of for of in summaries if "temperature_max_C" in of]
+    hottest = max(hot, key=lambda of: of["temperature_max_C"]["film"], default=None)
+    if hottest is None or not hottest["temperature_max_C"]["film"] > HOTTEST_FILM:
+        return ()
+    reached = hottest["temperature_max_C"]["film"]
+    return (
+        f"{hottest['name']}: the film reaches {reached:.0f} degC; oils break from {HOTTEST_FILM:.0f} degC "
+        "on, and their laws are extrapolated there",
+    )
 
 
 def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from pyworm.batch import solve_all
 from pyworm.case import Case
+from pyworm.plausibility import overheated
 from pyworm.result import Result, open_result
 from pyworm.solution import Solution
 from pyworm.solver import Progress
@@ -81,12 +82,13 @@ def run(
     solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
     plans = {task.key: kept[task.key][1] for task in solved}
     failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
+    hot = overheated(solution.summary() for solution in solutions)
     result = Result(
         case.name,
         case.resolved,
         solutions,
         None if case.drive is None else case.drive.cycle_data(),
-        provenance(plans) | {"failed": failed, "warnings": list(case.warnings)},
+        provenance(plans) | {"failed": failed, "warnings": [*case.warnings, *hot]},
     )
     result.save(directory / RESULT_NAME)
     store.drop(tasks)

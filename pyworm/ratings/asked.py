@@ -26,6 +26,7 @@ from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result import Result
 from pyworm.scene import Scene
 from pyworm.schema.rating import RATING_TABLES, RatedCase, RatingCase
+from pyworm.schema.unusual import unusual
 from pyworm.solution import Solution
 from pyworm.toml_file import read_toml
 
@@ -44,12 +45,15 @@ class Asked:
         The file, in SI.
     drive : ZiWormDrive, GearPairDrive or None
         Its drive, if it has one that can be rated.
+    warnings : tuple of str
+        What is unusual in it, as `Case.warnings`.
     """
 
     name: str
     directory: Path
     tables: RatedCase | RatingCase
     drive: ZiWormDrive | GearPairDrive | None = None
+    warnings: tuple[str, ...] = ()
 
     @property
     def worm_gear(self) -> bool:
@@ -109,7 +113,8 @@ def load_asked(path: str | Path) -> Asked:
             return asked_of(case_of(data, path.stem, path.parent))
         if not any(name in data for name in RATING_TABLES):
             raise CaseError("give a [drive], [bearings.NAME] or [worm_gear] to be rated")
-        return Asked(path.stem, path.parent, checked(RatingCase, data))
+        tables = checked(RatingCase, data)
+        return Asked(path.stem, path.parent, tables, warnings=unusual(tables, data))
     except CaseError as error:
         raise CaseError(f"{path}: {error}") from error
 
@@ -118,7 +123,7 @@ def asked_of(case: Case) -> Asked:
     """What a case that can be solved asks to be rated; CaseError if nothing can be."""
     if not isinstance(case.tables, RatedCase):
         raise CaseError('only drives of kind "zi-worm" and "gear-pair" and bearings are rated')
-    return Asked(case.name, case.directory, case.tables, case.drive)
+    return Asked(case.name, case.directory, case.tables, case.drive, case.warnings)
 
 
 def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:

@@ -78,8 +78,6 @@ def _rate(options: argparse.Namespace) -> int:
         result = _opened(options.result)
         case, differ = case_for(options.case, result, options.anyway)
         asked = asked_of(case)
-    if differ is not None:
-        say(f"warning: {differ}")
     with nullcontext() if result is None else readable(options.result):
         made = ratings(asked, result)
         lacking = left_out(asked, result)
@@ -87,6 +85,8 @@ def _rate(options: argparse.Namespace) -> int:
         raise CaseError(
             f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
+    for warning in (*([] if differ is None else [differ]), *asked.warnings):
+        say(f"warning: {warning}")
     if options.json:
         print_json(
             {
@@ -94,6 +94,7 @@ def _rate(options: argparse.Namespace) -> int:
                 **lacking.summary(),
                 "ratings": [rating.summary() for rating in made],
                 "not_rated": not_rated(asked, made),
+                "warnings": asked.warnings,
                 "assumed": asked.tables.assumed,
             }
         )

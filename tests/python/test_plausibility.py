@@ -11,6 +11,7 @@ import pyworm
 from pyworm.case import case_of
 from pyworm.case_error import CaseError
 from pyworm.cli import main
+from pyworm.plausibility import overheated
 from pyworm.report.build import build_report
 from pyworm.result import open_result
 
@@ -149,3 +150,38 @@ def test_warnings_go_to_standard_error_json_result_and_report(tmp_path, capsys):
     result = open_result(out / "result.nc")
     assert result.provenance["warnings"] == [SAID]
     assert SAID in build_report(result).warnings
+
+
+def test_ratings_tell_what_is_unusual_too(tmp_path, capsys):
+    text = (CASES / "oil_zi.toml").read_text()
+    assert '"0.3 um"' in text
+    (tmp_path / "case.toml").write_text(text.replace('"0.3 um"', '"9 um"'))
+    assert main(["rate", str(tmp_path / "case.toml"), "--json"]) == 0
+    said = capsys.readouterr()
+    (warning,) = json.loads(said.out)["warnings"]
+    assert warning.startswith(
+        'worm_gear.worm_roughness = "9 um": unusual, a root mean square height'
+    )
+    assert said.err == f"pyworm: warning: {warning}\n"
+
+
+def test_a_film_hotter_than_oils_stand_is_told():
+    films = [
+        {"name": name, "temperature_max_C": {"film": celsius}}
+        for name, celsius in (("phase 0.1", 310.0), ("phase 0.5", 431.0), ("phase 0.9", 120.0))
+    ]
+    (told,) = overheated([{"name": "isothermal"}, *films])
+    assert told.startswith("phase 0.5: the film reaches 431 degC; oils break from 300 degC on")
+    assert overheated(films[2:]) == overheated([{"name": "isothermal"}]) == ()
+
+
+def test_a_run_tells_of_a_film_that_is_too_hot(tmp_path, capsys):
+    """After the solve, where it is known."""
+    out = ("--json", "--accuracy", "30%", "--slide-roll-ratio", "3", "--out", str(tmp_path / "out"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plausibility.HOTTEST_FILM", 61.0)
+        assert main(["run", str(CASES / "traction_steel.toml"), *out]) == 0
+    said = capsys.readouterr()
+    (warning,) = json.loads(said.out)["warnings"]
+    assert "the film reaches" in warning and f"pyworm: warning: {warning}\n" in said.err
