@@ -1,7 +1,7 @@
 """The drive of a case file."""
 
 from collections.abc import Callable
-from math import inf
+from math import inf, pi
 from typing import Any
 
 from pyworm.case_error import CaseError
@@ -19,7 +19,7 @@ from pyworm.schema.case import CaseTable
 from pyworm.schema.gear_pair import GearPairCase, GearTable
 from pyworm.schema.roller_worm import RollerWormCase
 from pyworm.schema.zi_worm import WheelTable, WormTable, ZiWormCase
-from pyworm.thermal_balance import drive_temperatures
+from pyworm.thermal_balance import Cooling, drive_temperatures
 
 
 def case_drive(tables: CaseTable) -> Drive:
@@ -50,7 +50,10 @@ def _zi_worm(tables: ZiWormCase) -> ZiWormDrive:
         loss = tables.cooling.tooth_loss
         if loss is None:
             loss = _first_loss(_transmission(tables, speed, ratio), speed, ratio)
-        warm = drive_temperatures(tables.cooling, tables.drive, speed, loss)
+        cooling = Cooling(**tables.cooling.model_dump(exclude={"tooth_loss"}))
+        wheel = tables.drive.wheel
+        rim = wheel.face_width * (wheel.teeth * tables.drive.worm.axial_pitch / pi)
+        warm = drive_temperatures(cooling, rim, speed, loss)
         oil, bodies = warm.oil(oil), warm.bodies(bodies)
     return ZiWormDrive(
         worm=Worm(**_relieved(tables.drive.worm)),

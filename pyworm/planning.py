@@ -1,6 +1,6 @@
 """The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import cos, hypot, pi, sin, sqrt
 
@@ -20,7 +20,6 @@ from pyworm.line.scene import LineScene
 from pyworm.oils import NEWTONIAN
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
-from pyworm.solution import Solution
 from pyworm.window import FAR, near_reach, windows
 from pyworm.work import LENT_CHANGE, Work, expected_work, first_change, stiffness
 
@@ -242,12 +241,12 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
     return Aim(names, 1 / beta if beta > 0 else 0.0)
 
 
-def reviewed(scene: Scene | LineScene, plan: Plan, solution: Solution) -> Plan:
-    """The plan judged again by what its solution says; effects that are on stay on.
+def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
+    """The plan judged again by solved figures, by name; effects that are on stay on.
 
     Only where effects come in is anything else of it planned anew.
     """
-    seen = sketch(scene).seen(solution)
+    seen = sketch(scene).seen(figures)
     how = scene, plan.accuracy, plan.quantities, seen, plan.asked, plan.on
     again = replace(plan, effects=_judged(*how))
     return again if again.on == plan.on else planned(*how)

@@ -126,6 +126,10 @@ class Figures:
     temperature_max_film: Estimate | None = None
     heat_balance: float | None = None
 
+    def values(self) -> dict[str, float]:
+        """The values of the figures that have error bars, by name, without those that were not simulated."""
+        return {name: of.value for name, of in vars(self).items() if isinstance(of, Estimate)}
+
 
 @dataclass(frozen=True)
 class Cost:

@@ -74,7 +74,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     while True:
         solution, foot = _climb(plan.simplified(scene), plan, tell, foot)
         spent = solution.cost.after(spent)
-        seen = reviewed(scene, plan, solution) if solution.converged else plan
+        seen = reviewed(scene, plan, solution.figures.values()) if solution.converged else plan
         if plan.asked is not None or seen.on <= plan.on:
             return replace(solution, effects=seen.effects, cost=spent)
         missed = ", ".join(sorted(seen.on - plan.on))

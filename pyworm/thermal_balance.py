@@ -8,12 +8,35 @@ than the wheel's by a difference that is given: no source gives one in closed fo
 """
 
 from dataclasses import dataclass, replace
-from math import pi
 
 from pyworm.bodies import Body
 from pyworm.formulas.worm_standard import bulk_temperature
 from pyworm.oils import Oil
-from pyworm.schema.zi_worm import CoolingTable, ZiWormTable
+
+
+@dataclass(frozen=True)
+class Cooling:
+    """What carries the losses of a worm drive away.
+
+    Attributes
+    ----------
+    ambient_temperature : float
+        [K].
+    conductance : float
+        Heat that the housing gives to its surroundings for each kelvin of the oil above them [W/K].
+    other_loss : float
+        Loss of bearings, seals and churning [W].
+    immersion : float
+        The standards' c_k of the wheel [-].
+    worm_excess : float
+        How much warmer the worm's bulk is than the wheel's [K].
+    """
+
+    ambient_temperature: float
+    conductance: float
+    other_loss: float
+    immersion: float
+    worm_excess: float
 
 
 @dataclass(frozen=True)
@@ -44,16 +67,16 @@ class DriveTemperatures:
 
 
 def drive_temperatures(
-    cooling: CoolingTable, design: ZiWormTable, worm_speed: float, tooth_loss: float
+    cooling: Cooling, rim: float, worm_speed: float, tooth_loss: float
 ) -> DriveTemperatures:
     """Steady temperatures under a loss between the teeth.
 
     Parameters
     ----------
-    cooling : CoolingTable
-        `[cooling]`.
-    design : ZiWormTable
-        `[drive]`, for the rim of the wheel.
+    cooling : Cooling
+        What carries the losses away.
+    rim : float
+        Face width of the wheel times its reference diameter [m2].
     worm_speed, tooth_loss : float
         [rad/s] and [W].
 
@@ -63,7 +86,5 @@ def drive_temperatures(
         The sump would be hotter than the standard's formula is for.
     """
     sump = cooling.ambient_temperature + (tooth_loss + cooling.other_loss) / cooling.conductance
-    diameter = design.wheel.teeth * design.worm.axial_pitch / pi
-    rim = design.wheel.face_width * diameter
     wheel = bulk_temperature(sump, tooth_loss, worm_speed, rim, cooling.immersion)
     return DriveTemperatures(sump, wheel + cooling.worm_excess, wheel)

@@ -4,6 +4,7 @@ Effects are judged by these numbers and by nothing else, so that they can be jud
 Friction and temperatures are estimated together: oil that shears warms, and warm oil shears more easily.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import cos, hypot, inf, log, pi, sin, sqrt
@@ -226,24 +227,17 @@ class Sketch:
             return 0.0
         return min(1.0, self.warmest * self.inlet_beta)
 
-    def seen(self, solution) -> "Sketch":
-        """The same with what a solution of the contact says in place of closed forms."""
-        figures = solution.figures
-        changes = {
-            "pressure_max": figures.pressure_max.value,
-            "film_central": figures.film_central.value,
-            "film_min": figures.film_min.value,
-        }
-        if figures.friction_coefficient is not None:
-            friction = abs(figures.friction_coefficient.value)
+    def seen(self, figures: Mapping[str, float]) -> "Sketch":
+        """The same with solved figures (`pyworm.accuracy`), by name, in place of closed forms."""
+        changes = {name: figures[name] for name in ("pressure_max", "film_central", "film_min")}
+        if "friction_coefficient" in figures:
+            friction = abs(figures["friction_coefficient"])
             changes["work"] = friction * self.pressure_mean * self.sliding
-        if figures.temperature_max_film is not None:
-            inlet = solution.inlet_temperature
-            changes["rise_film"] = figures.temperature_max_film.value - inlet
-            changes["rise_bodies"] = (
-                max(figures.temperature_max_body_1.value, figures.temperature_max_body_2.value)
-                - inlet
-            )
+        if "temperature_max_film" in figures:
+            inlet = self.scene.oil.heat.inlet_temperature
+            changes["rise_film"] = figures["temperature_max_film"] - inlet
+            bodies = (figures[f"temperature_max_body_{number}"] for number in (1, 2))
+            changes["rise_bodies"] = max(bodies) - inlet
         return replace(self, **changes)
 
 
