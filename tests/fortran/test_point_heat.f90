@@ -181,7 +181,7 @@ contains
       end associate
     end do
     ! what the gradient drives is all that shears
-    call shear_fields(contact%point_contact, .false., field, stat)
+    call nodal_shear(contact%film, .false., field, stat)
     call close_to(field%friction(middle, middle), slope**2*h**3/(12*thick%eta0), 1e-6_wp, "heat of Poiseuille flow")
   end subroutine compression
 

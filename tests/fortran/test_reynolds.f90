@@ -111,19 +111,20 @@ contains
     real(wp), allocatable :: x(:), y(:), wanted(:, :), right(:), change(:), imbalance(:, :)
     real(pp), allocatable :: basis(:, :)
     logical, allocatable :: free(:, :)
-    real(wp) :: reduction, d
+    real(wp) :: reduction, dx, dy
     integer :: i, j, iterations, stat, ny
 
-    d = 4.0_wp/n
-    ny = 3*n/2
+    ny = 5*n/4
+    dx = 4.0_wp/n
+    dy = 6.0_wp/ny
     allocate (x(n + 1), y(ny + 1), wanted(n + 1, ny + 1), free(n + 1, ny + 1), imbalance(n + 1, ny + 1))
-    x = [(-2 + (i - 1)*d, i=1, n + 1)]
-    y = [(-3 + (j - 1)*d, j=1, ny + 1)]
+    x = [(-2 + (i - 1)*dx, i=1, n + 1)]
+    y = [(-3 + (j - 1)*dy, j=1, ny + 1)]
     allocate (system%grid%u(n + 1, ny + 1), system%grid%v(n + 1, ny + 1), system%grid%squeeze(n + 1, ny + 1))
     system%grid%nx = n + 1
     system%grid%ny = ny + 1
-    system%grid%dx = d
-    system%grid%dy = d
+    system%grid%dx = dx
+    system%grid%dy = dy
     system%grid%squeeze = squeeze
     call new_film_fields(n + 1, ny + 1, system%fields, stat)
     do j = 1, ny + 1
