@@ -105,7 +105,7 @@ def open_result(path: str | os.PathLike) -> Result:
     version = said.get("format_version")
     if version != FORMAT_VERSION:
         raise ValueError(
-            f"{path} has result format {version}; this version of pyworm reads format {FORMAT_VERSION}"
+            f"{path} has result format {version!s:.20}; this version of pyworm reads format {FORMAT_VERSION}"
         )
     try:
         return _read(groups)

@@ -119,7 +119,7 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
     version = attributes.get("format_version")
     if version != FORMAT_VERSION:
         raise ValueError(
-            f"{path} has sweep format {version}; this version of pyworm reads format {FORMAT_VERSION}"
+            f"{path} has sweep format {version!s:.20}; this version of pyworm reads format {FORMAT_VERSION}"
         )
     try:
         result = SweepResult(

@@ -23,7 +23,7 @@ import xarray as xr
 from fuzz import CASES, FACTORS, LITTER, LONGEST
 
 from pyworm.cli import BAD_INPUT, CONVERGED, FAILED, NOT_CONVERGED, main
-from pyworm.result import _as_netcdf, open_result
+from pyworm.result import _as_netcdf, _load, open_result
 
 COARSE = ("--accuracy", "30%")
 
@@ -97,9 +97,7 @@ def mutated(base: Base, rng: random.Random, directory: Path) -> tuple[str, bytes
         return _damaged(base.content, rng)
     file = directory / "sound.nc"
     file.write_bytes(base.content)
-    groups = {
-        name: group.load() for name, group in xr.open_groups(file, decode_times=False).items()
-    }
+    groups = _load(file)
     file.unlink()
     while True:
         name = rng.choice(list(groups))

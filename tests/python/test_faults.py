@@ -1,5 +1,6 @@
 """Faults: damaged files, a full disk, interrupts. What is finished is kept; what is said is one sentence."""
 
+import json
 import os
 import signal
 import subprocess
@@ -11,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 import fuzz
+import fuzz_results
 import netCDF4
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 import pyworm
 from pyworm.cli import BAD_INPUT, FAILED, main
 from pyworm.grid import Grid
-from pyworm.result import open_result
+from pyworm.result import _as_netcdf, _load, open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 TRACTION = CASES / "traction_steel.toml"
@@ -152,6 +154,99 @@ def test_a_result_with_the_wrong_things_in_it_is_refused(tmp_path, refusal, resu
     damage(tree)
     tree.to_netcdf(file, engine="netcdf4")
     assert str(file) in refusal("plot", str(file))
+
+
+@pytest.fixture(scope="module")
+def sound_files(tmp_path_factory):
+    """Files that are mutated: a result and a sweep."""
+    return fuzz_results.bases(tmp_path_factory.mktemp("sound"), ("traction_steel", "sweep"))
+
+
+@pytest.mark.parametrize("place", [0, 1], ids=["result", "sweep"])
+def test_a_mutated_file_is_used_or_refused_in_one_sentence(tmp_path, sound_files, place):
+    found = [fuzz_results.met([sound_files[place]], number, tmp_path) for number in range(25)]
+    assert [flaw for _, flaws in found for flaw in flaws] == []
+    assert {0, BAD_INPUT} <= {code for code, _ in found}
+
+
+def test_the_judge_of_mutated_files_sees_what_is_wrong(tmp_path, monkeypatch, sound_files):
+    base = sound_files[0]
+
+    def says(text, code, command="report"):
+        def run(arguments):
+            sys.stderr.write(text)
+            return code
+
+        monkeypatch.setattr(fuzz_results, "main", run)
+        return fuzz_results.outcome(base, command, base.content, tmp_path)[1]
+
+    assert says("pyworm: result.nc is damaged\n", BAD_INPUT) == []
+    assert says("pyworm: not drawn: x.png: no\n", FAILED, "plot") == []
+    assert says("", FAILED) != []
+    assert says("pyworm: a\nTraceback\n", BAD_INPUT) != []
+    monkeypatch.setattr(fuzz_results, "main", lambda arguments: 1 // 0)
+    assert fuzz_results.outcome(base, "plot", base.content, tmp_path)[1] == [
+        "ZeroDivisionError: integer division or modulo by zero"
+    ]
+
+
+def _field(name, number):
+    def damage(groups):
+        groups["/scene_000/fields"][name][3] = number
+
+    return damage
+
+
+def _scalar(*path, value):
+    def damage(groups):
+        content = json.loads(groups["/scene_000"].attrs["solution"])
+        inner = content
+        for key in path[:-1]:
+            inner = inner[key]
+        inner[path[-1]] = value
+        groups["/scene_000"].attrs["solution"] = json.dumps(content)
+
+    return damage
+
+
+def _no_field(groups):
+    groups["/scene_000/fields"] = groups["/scene_000/fields"].drop_vars("pressure")
+
+
+def _no_scenes(groups):
+    for name in [name for name in groups if name.startswith("/scene")]:
+        del groups[name]
+
+
+def _case_is_no_table(groups):
+    groups["/"].attrs["case"] = "[1, 2]"
+
+
+@pytest.mark.parametrize(
+    ("damage", "sentence"),
+    [
+        (_field("film", np.nan), "scene_000: the field film is not finite everywhere"),
+        (_field("pressure", -1.0), "scene_000: the pressure is negative somewhere"),
+        (_field("film", -1e-6), "marked as converged, but its film is not above zero everywhere"),
+        (_scalar("converged", value="no"), "scene_000: converged is 'no'"),
+        (_scalar("figures", "film_min", "value", value=float("nan")), "film_min is nan"),
+        (_scalar("figures", "film_min", "value", value=-1e-6), "its film_min is -1e-06"),
+        (_scalar("figures", "pressure_max", value=[1]), "figures.pressure_max is [1]"),
+        (_no_field, "scene_000: the field pressure is missing"),
+        (_no_scenes, "it has no scenes"),
+        (_case_is_no_table, "case is [1, 2]"),
+    ],
+)
+def test_a_result_that_no_solver_wrote_is_told_by_what_is_wrong(
+    tmp_path, refusal, result_file, damage, sentence
+):
+    file = tmp_path / "result.nc"
+    file.write_bytes(result_file)
+    groups = _load(file)
+    damage(groups)
+    file.write_bytes(_as_netcdf(groups))
+    for command in ("plot", "report"):
+        assert sentence in refusal(command, str(file))
 
 
 def test_a_run_over_a_damaged_result_solves_again(tmp_path, capsys):
