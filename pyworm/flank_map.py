@@ -11,6 +11,7 @@ in nowhere, entrainment fails the contact (Sharif et al. 2001, section 6, explai
 so).
 """
 
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -65,7 +66,7 @@ def flank_map(result: Result) -> xr.Dataset | None:
     shape = len(radius), len(face)
     extremes = {name: np.full(shape, np.inf if name in _LEAST else -np.inf) for name in names}
     loaded = LOADED_SHARE * max(float(layer["pressure"].max()) for layer in layers)
-    for before, after in pairwise(layers):
+    for before, after in _neighbours(solved, layers, [one.phase for one in result.unsound]):
         for part in np.linspace(0, 1, STEPS + 1):
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}
             inside = now["pressure"] > loaded
@@ -83,6 +84,18 @@ def flank_map(result: Result) -> xr.Dataset | None:
             coords={"radius": radius, "face": face},
         )
     )
+
+
+def _neighbours(
+    solved: list[Solution], layers: list[dict[str, Array]], gaps: list[float]
+) -> Iterator[tuple[dict[str, Array], dict[str, Array]]]:
+    """Layers between which fields are blended; each by itself where a phase between did not converge."""
+    for (first, before), (last, after) in pairwise(zip(solved, layers, strict=True)):
+        if any(first.phase < gap < last.phase for gap in gaps):
+            yield before, before
+            yield after, after
+        else:
+            yield before, after
 
 
 def _common_grid(solved: list[Solution]) -> tuple[Array, Array]:

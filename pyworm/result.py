@@ -17,7 +17,7 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -72,6 +72,16 @@ class Result:
     def converged(self) -> bool:
         """Whether every solution is."""
         return all(solution.converged for solution in self.solutions)
+
+    @property
+    def sound(self) -> "Result":
+        """The same with the converged solutions alone, of which extremes, means and curves are made."""
+        return replace(self, solutions=tuple(one for one in self.solutions if one.converged))
+
+    @property
+    def unsound(self) -> tuple[Solution, ...]:
+        """The solutions that did not converge."""
+        return tuple(one for one in self.solutions if not one.converged)
 
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""

@@ -20,6 +20,7 @@ from pyworm.planning import Plan, reviewed
 from pyworm.point_ladder import PointLadder
 from pyworm.prospect import refusal
 from pyworm.scene import Scene
+from pyworm.sharp_edge import CURE, rests_on_edge
 from pyworm.solution import Cost, Estimate, Figures, Solution
 from pyworm.variables import describe
 
@@ -166,6 +167,8 @@ def _climb(
     unit = convolution_seconds(rung.film)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
+    if stop_reason != ACCURATE and rests_on_edge(outcome.fields):
+        stop_reason += CURE
     solution = Solution(
         name=scene.name,
         kind=ladder.kind,

@@ -13,8 +13,11 @@ from pyworm.plots.style import (
     MICRO,
     MILLI,
     draw_largest_temperatures,
+    mark_gaps,
     new_figure,
     result_heading,
+    scale_from_zero,
+    with_gaps,
 )
 from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
 from pyworm.result import Result
@@ -107,19 +110,16 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
         ("film_min", "least film", "tab:green"),
     ):
         estimates = [getattr(solution.figures, name) for solution in solved]
-        film = np.array([estimate.value for estimate in estimates]) * MICRO
+        film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
         error = abs(film) * [estimate.error for estimate in estimates]
         axes.errorbar(phase, film, error, fmt="o-", color=colour, capsize=3, label=label)
-        failed = np.array([not solution.converged for solution in solved])
-        if failed.any():
-            label = "not converged" if name == "film_min" else None
-            axes.plot(phase[failed], film[failed], "x", color="black", markersize=11, label=label)
+    mark_gaps(axes, phase, solved)
     axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel("film / µm")
     pressure_axes = axes.twinx()
-    pressure = [solution.figures.pressure_max.value * MEGA for solution in solved]
+    pressure = with_gaps(solved, [one.figures.pressure_max.value * MEGA for one in solved])
     pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
-    pressure_axes.set_ylim(0, 1.3 * max(pressure))
+    scale_from_zero(pressure_axes, pressure, 1.3)
     pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
     axes.legend(frameon=False, ncols=2, loc="upper center")
 
@@ -135,25 +135,26 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
     sheared, standard = shown
     phase = np.array([solution.phase for solution in sheared])
     estimates = [solution.figures.friction_coefficient for solution in sheared]
-    friction = np.array([estimate.value for estimate in estimates])
+    friction = with_gaps(sheared, [estimate.value for estimate in estimates])
     error = abs(friction) * [estimate.error for estimate in estimates]
     axes.errorbar(phase, friction, error, fmt="o-", color="tab:purple", capsize=3)
-    top = max(friction)
+    mark_gaps(axes, phase, sheared)
+    scaled = friction
     if standard is not None:
         label = f"rough teeth by the standard: {standard.friction:.3g}"
         axes.axhline(standard.friction, color="tab:purple", linestyle=":", label=label)
         axes.legend(frameon=False, loc="upper center")
-        top = max(top, standard.friction)
-    axes.set_ylim(0, 1.3 * top)
+        scaled = np.append(friction, standard.friction)
+    scale_from_zero(axes, scaled, 1.3)
     rough = of_all(sheared).rough
     axes.set_ylabel(
         f"friction coefficient\n{AS_IF_SMOOTH}" if rough else "friction\ncoefficient",
         color="tab:purple",
     )
     power_axes = axes.twinx()
-    power = [solution.figures.power_loss.value for solution in sheared]
+    power = with_gaps(sheared, [solution.figures.power_loss.value for solution in sheared])
     power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
-    power_axes.set_ylim(0, 1.3 * max(power))
+    scale_from_zero(power_axes, power, 1.3)
     power_axes.set_ylabel(
         f"power loss / W\n{AS_IF_SMOOTH}" if rough else "power loss\n/ W", color="tab:red"
     )

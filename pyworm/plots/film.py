@@ -40,7 +40,9 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     figures = solution.figures
     titles = [
         f"film: central {_micrometres(figures.film_central.value)}, "
-        f"least {_micrometres(figures.film_min.value)} (circle)",
+        f"least {_micrometres(figures.film_min.value)} (circle)"
+        if solution.converged
+        else "film, not converged",
         "interferogram in red, green and blue light",
     ]
     figure, (film_axes, light_axes) = panels(window, titles, heading(case_name, solution))
@@ -55,14 +57,15 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     film_axes.contour(x, y, film, levels=lines, colors="white", linewidths=0.5, alpha=0.8)
     draw_tooth(film_axes, fields)
     draw_dry_outline(film_axes, fields, "black")
-    film_axes.plot(
-        figures.film_min_at[0] * MILLI,
-        figures.film_min_at[1] * MILLI,
-        "o",
-        markerfacecolor="none",
-        markeredgecolor="tab:red",
-        markeredgewidth=1.5,
-    )
+    if solution.converged:
+        film_axes.plot(
+            figures.film_min_at[0] * MILLI,
+            figures.film_min_at[1] * MILLI,
+            "o",
+            markerfacecolor="none",
+            markeredgecolor="tab:red",
+            markeredgewidth=1.5,
+        )
     colour_bar(film_axes, bands, "film / µm", lines)
 
     light_axes.imshow(

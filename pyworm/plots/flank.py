@@ -32,7 +32,9 @@ def draw_flank(result: Result) -> Figure | None:
     cycle = result.mesh_cycle
     shown = [panel for panel in _PANELS if panel[0] in field]
     rows = (len(shown) + 1) // 2
-    figure = new_figure(13, 2.75 * rows + 0.5, result_heading(result, "wheel flank"))
+    gaps = ", ".join(f"{one.phase:g}" for one in result.unsound)
+    what = f"wheel flank, phase {gaps} not converged and left out" if gaps else "wheel flank"
+    figure = new_figure(13, 2.75 * rows + 0.5, result_heading(result, what))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
     places = field["face"] * MILLI, field["radius"] * MILLI
     for panel, (name, label, scale, offset, colours) in zip(axes, shown, strict=False):

@@ -9,7 +9,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.left_out import of_all
-from pyworm.plots.style import MEGA, MICRO, MILLI, new_figure, result_heading
+from pyworm.plots.style import (
+    MEGA,
+    MICRO,
+    MILLI,
+    mark_gaps,
+    new_figure,
+    result_heading,
+    with_gaps,
+)
 from pyworm.result import Result
 from pyworm.solution import ZERO_CELSIUS, Estimate, Solution
 
@@ -105,14 +113,11 @@ def _draw_simulated(
     axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution], name: str, colour: str, label: str
 ) -> None:
     estimates: list[Estimate] = [getattr(solution.figures, name) for solution in solved]
-    film = np.array([estimate.value for estimate in estimates]) * MICRO
+    film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
     error = np.abs(film) * [estimate.error for estimate in estimates]
     axes.errorbar(_rolls(cycle, solved), film, error, fmt="o", color=colour, capsize=3, label=label)
-    failed = [not solution.converged for solution in solved]
-    if any(failed) and name == "film_min":
-        axes.plot(
-            _rolls(cycle, solved)[failed], film[failed], "kx", markersize=11, label="not converged"
-        )
+    if name == "film_min":
+        mark_gaps(axes, _rolls(cycle, solved), solved)
 
 
 def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> None:
@@ -120,7 +125,7 @@ def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution])
 
     Blok's rise goes with the coefficient of friction, so that it is drawn with the simulated one too.
     """
-    heated = [solution for solution in solved if _heated(solution)]
+    heated = [solution for solution in solved if solution.converged and _heated(solution)]
     rolls = _rolls(cycle, heated)
     if "closed_form_contact_temperature" in cycle:
         friction = cycle.attrs["friction_coefficient"]

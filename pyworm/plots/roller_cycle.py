@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
 from pyworm.plots.roller_drive import SECTION_COLOURS
-from pyworm.plots.style import MICRO, MILLI, new_figure, result_heading
+from pyworm.plots.style import MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result import Result
 from pyworm.solution import Solution
 
@@ -50,9 +50,10 @@ def _draw_film(axes: Axes, cycle: xr.Dataset, solutions: tuple[Solution, ...]) -
         solved = [one for one in solutions if one.section == section]
         if solved:
             at = [float(np.interp(one.phase, way["phase"], angle)) for one in solved]
-            film = np.array([one.figures.film_min.value for one in solved]) * MICRO
+            film = with_gaps(solved, [one.figures.film_min.value for one in solved]) * MICRO
             error = film * [one.figures.film_min.error for one in solved]
             axes.errorbar(at, film, error, fmt="k.", ms=5, capsize=2, lw=0.8)
+            mark_gaps(axes, at, solved)
         pitch = np.degrees(cycle.attrs["roller_pitch"])
         mesh = np.arange(np.ceil(angle[0] / pitch), np.floor(angle[-1] / pitch) + 1) * pitch
         film = np.interp(mesh, angle, middle["formula_film_min"] * MICRO)

@@ -255,7 +255,7 @@ def heading(case_name: str, solution: Solution) -> str:
     load, unit = solution.load, LOAD_UNITS[solution.kind]
     parts.append(f"{load / 1e3:.4g} k{unit}" if load >= 1e3 else f"{load:.4g} {unit}")
     if not solution.converged:
-        parts.append(f"NOT CONVERGED ({solution.stop_reason})")
+        parts.append(f"NOT CONVERGED ({solution.stop_reason.partition(';')[0]})")
     return joined(*parts, solution.left_out.words)
 
 
@@ -349,6 +349,26 @@ def draw_contact_point(axes: Axes) -> None:
     axes.plot(0, 0, "+", color="white", markersize=8, markeredgewidth=1.2)
 
 
+def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndarray:
+    """Values of a curve over solutions: NaN, and so a gap, where one did not converge."""
+    return np.where([one.converged for one in solutions], values, np.nan)
+
+
+def mark_gaps(axes: Axes, places: Sequence[float], solutions: Sequence[Solution]) -> None:
+    """Dotted lines where solutions did not converge, named in the legend."""
+    gaps = [place for place, one in zip(places, solutions, strict=True) if not one.converged]
+    label = f"not converged: {', '.join(f'{place:g}' for place in gaps)}"
+    for place in gaps:
+        axes.axvline(place, color="black", ls=":", lw=1.2, label=label)
+        label = None
+
+
+def scale_from_zero(axes: Axes, values: np.ndarray, room: float) -> None:
+    """The vertical scale from zero to the largest value times some room; as it is without a value."""
+    if np.isfinite(values).any():
+        axes.set_ylim(0, room * float(np.nanmax(values)))
+
+
 def draw_largest_temperatures(
     axes: Axes, places: Sequence[float], solutions: Sequence[Solution]
 ) -> None:
@@ -370,12 +390,13 @@ def draw_largest_temperatures(
         ("temperature_max_film", "film", "tab:red"),
     ):
         estimates = [getattr(solution.figures, name) for solution in solutions]
-        hottest = np.array([estimate.value for estimate in estimates])
+        hottest = with_gaps(solutions, [estimate.value for estimate in estimates])
         error = abs(hottest - inlet) * [estimate.error for estimate in estimates]
         axes.errorbar(
             places, hottest - ZERO_CELSIUS, error, fmt="o-", color=colour, capsize=3, label=label
         )
     axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
+    mark_gaps(axes, places, solutions)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
     axes.set_ylabel("largest\ntemperature / °C")

@@ -98,6 +98,8 @@ def sweep_figure(result: SweepResult) -> Figure:
     """Films, pressure, and friction and temperature where simulated, over all that varies."""
     axes, figures = _axes(result), _shown(result)
     converged = result.converged
+    if not converged.any():
+        raise ValueError("no scene of the sweep converged, there is nothing to draw")
     if len(axes) == 1 and _crossed(axes):
         return _draw_lines(result, axes[0], None, figures, converged)
     if len(axes) == 2 and _crossed(axes):
@@ -143,7 +145,7 @@ def _shown(result: SweepResult) -> list[_Shown]:
     shown = []
     for name, scale, label, error, relative in _FIGURES:
         if name in table and np.isfinite(table[name]).any():
-            values = table[name].values * scale
+            values = np.where(result.converged, table[name].values * scale, np.nan)
             errors = table[error].values * (abs(values) if relative else 1.0)
             if name == "friction_coefficient":
                 label = result.left_out.headed(label)
@@ -187,7 +189,7 @@ def _draw_lines(
                 markersize=4,
                 label=None if member is None else _name(family, member),
             )
-        _cross_out(panel, along.values, figure.values, converged)
+        _cross_out(panel, along.values, converged)
         _scale(panel, along, figure)
         panel.set_ylabel(figure.label)
     panels[-1].set_xlabel(along.label)
@@ -249,7 +251,7 @@ def _draw_clouds(
     for row, figure in zip(panels, figures, strict=True):
         for panel, axis in zip(row, axes, strict=True):
             panel.plot(axis.values, figure.values, "o", color="tab:blue", markersize=4, alpha=0.7)
-            _cross_out(panel, axis.values, figure.values, converged)
+            _cross_out(panel, axis.values, converged)
             _scale(panel, axis, figure)
         row[0].set_ylabel(figure.label)
     for panel, axis in zip(panels[-1], axes, strict=True):
@@ -259,12 +261,14 @@ def _draw_clouds(
     return picture
 
 
-def _cross_out(panel: Axes, x: np.ndarray, y: np.ndarray, converged: np.ndarray) -> None:
-    """A cross on what did not converge."""
+def _cross_out(panel: Axes, x: np.ndarray, converged: np.ndarray) -> None:
+    """A cross on the lower edge of the panel where a scene did not converge, which has no value."""
     if not converged.all():
-        failed = ~converged
-        cross = {"color": "black", "markersize": 10, "label": "not converged"}
-        panel.plot(x[failed], y[failed], "x", **cross)
+        cross = {"color": "black", "markersize": 10, "label": "not converged", "clip_on": False}
+        places = x[~converged]
+        panel.plot(
+            places, np.zeros(places.size), "x", transform=panel.get_xaxis_transform(), **cross
+        )
 
 
 def _scale(panel: Axes, axis: _Axis, figure: _Shown) -> None:

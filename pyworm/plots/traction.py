@@ -5,7 +5,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.left_out import of_all
-from pyworm.plots.style import draw_largest_temperatures, new_figure, result_heading
+from pyworm.plots.style import (
+    draw_largest_temperatures,
+    mark_gaps,
+    new_figure,
+    result_heading,
+    with_gaps,
+)
 from pyworm.result import Result
 from pyworm.solution import Solution
 
@@ -41,13 +47,11 @@ def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     """The friction coefficient takes the sign of the sliding."""
     ratios = np.array([solution.slide_roll_ratio for solution in swept])
     estimates = [solution.figures.friction_coefficient for solution in swept]
-    friction = np.array([estimate.value for estimate in estimates])
+    friction = with_gaps(swept, [estimate.value for estimate in estimates])
     error = abs(friction) * [estimate.error for estimate in estimates]
     signed = np.sign(ratios) * friction
     axes.errorbar(ratios, signed, error, fmt="o-", color="tab:purple", capsize=3)
-    failed = np.array([not solution.converged for solution in swept])
-    if failed.any():
-        cross = {"color": "black", "markersize": 11, "label": "not converged"}
-        axes.plot(ratios[failed], signed[failed], "x", **cross)
+    mark_gaps(axes, ratios, swept)
+    if not all(one.converged for one in swept):
         axes.legend(frameon=False)
     axes.set_ylabel(of_all(swept).headed("friction coefficient"))

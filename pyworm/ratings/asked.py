@@ -71,6 +71,12 @@ class Asked:
         return None if table is None else worm_duty_of_table(table)
 
 
+def _sound(result: Result | None) -> Result | None:
+    """The part of a result that converged; None where nothing did."""
+    sound = result and result.sound
+    return sound if sound and sound.solutions else None
+
+
 def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
     """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
     if result is not None:
@@ -134,7 +140,7 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     asked : Asked
         The case.
     result : Result, optional
-        Solved contacts of its drive, shown beside.
+        Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
 
     Raises
     ------
@@ -142,6 +148,7 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
         What lies outside the methods, in one sentence.
     """
     tables, drive = asked.tables, asked.drive
+    result = _sound(result)
     made: list[Rating] = []
     try:
         worm_rating = getattr(tables, "worm_rating", None)
@@ -162,6 +169,16 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     except ValueError as error:
         raise CaseError(f"{asked.name}: {error}") from error
     return tuple(made)
+
+
+def unconverged(result: Result | None) -> tuple[str, ...]:
+    """What of a result is not shown beside its ratings, a sentence for each contact that did not converge."""
+    if result is None:
+        return ()
+    return tuple(
+        f"{Place.of(one)} did not converge and is left out: {one.stop_reason}."
+        for one in result.unsound
+    )
 
 
 def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:

@@ -67,7 +67,14 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
 def _rate(options: argparse.Namespace) -> int:
     from pyworm.left_out import headline
-    from pyworm.ratings.asked import asked_of, left_out, load_asked, not_rated, ratings
+    from pyworm.ratings.asked import (
+        asked_of,
+        left_out,
+        load_asked,
+        not_rated,
+        ratings,
+        unconverged,
+    )
     from pyworm.result import readable
     from pyworm.schema.shown import assumptions
 
@@ -95,6 +102,7 @@ def _rate(options: argparse.Namespace) -> int:
                 "ratings": [rating.summary() for rating in made],
                 "not_rated": not_rated(asked, made),
                 "warnings": asked.warnings,
+                "not_converged": unconverged(result),
                 "assumed": asked.tables.assumed,
             }
         )
@@ -105,6 +113,8 @@ def _rate(options: argparse.Namespace) -> int:
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n")
     for line in filter(None, (lacking.sentence, headline(result.solutions if result else ()))):
         console.print(f"{line}\n")
+    for sentence in unconverged(result):
+        console.print(sentence)
     for rating in made:
         _print(console, rating)
     left = not_rated(asked, made)

@@ -44,7 +44,7 @@ class MeshLoss:
 
 def mesh_loss(drive: Drive | None, solutions: tuple[Solution, ...]) -> MeshLoss | None:
     """Loss between the teeth of a drive; None where friction was not simulated or power is not known."""
-    if any(of.figures.friction_coefficient is None for of in solutions):
+    if not solutions or any(of.figures.friction_coefficient is None for of in solutions):
         return None
     error = max(of.figures.power_loss.error for of in solutions)
     if isinstance(drive, ZiWormDrive) and isinstance(drive.load, Transmission):

@@ -60,15 +60,16 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         for name, reason in result.provenance.get("failed", {}).items()
     )
     made, unrated = _rated(case, result)
+    sound = result.sound
     warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
     warnings += tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
     sections = (
-        _noted(left_out, glance_section(case, result, made, standard)),
+        _noted(left_out, glance_section(case, sound, made, standard)),
         _noted(left_out, film_section(case, result)),
         _noted(left_out, heat_section(case, result)),
         _ratings_section(made, unrated),
-        _noted(left_out, printed_section(case, result)),
-        _noted(left_out, sensitivity_section(case, result)),
+        _noted(left_out, printed_section(case, sound)),
+        _noted(left_out, sensitivity_section(case, sound)),
         cycle_pictures(result),
         contact_pictures(result),
         assumptions_section(case, result),

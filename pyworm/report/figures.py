@@ -39,7 +39,7 @@ DECIDE = (
 
 def composite_roughness(result: Result) -> float | None:
     """Composite roughness of the surfaces [m], where it is known."""
-    return result.solutions[0].composite_roughness
+    return result.solutions[0].composite_roughness if result.solutions else None
 
 
 def place_of(solution: Solution) -> str:
@@ -52,9 +52,13 @@ def glance_section(
 ) -> Section:
     """The few figures that decide, each at the contact where it is worst; ratings in `DECIDE`.
 
-    Where roughness carries load the standard's loss stands beside the simulated one.
+    The result has solutions that converged alone; without any, only ratings decide. Where roughness carries
+    load the standard's loss stands beside the simulated one.
     """
     solutions, headed = result.solutions, of_all(result.solutions).headed
+    if not solutions:
+        table = Table(("", "Value", "Where"), _decisive(made))
+        return Section("At a glance", (Words("No contact converged."), table))
     rows = [
         _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
         _worst("Thinnest central film", solutions, min, lambda of: of.film_central, 1e6, "µm"),
@@ -85,18 +89,23 @@ def glance_section(
     loss = mesh_loss(case.drive, solutions)
     if loss is not None:
         rows += _loss_rows(loss, of_all(solutions), standard)
-    rows += [
-        (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
-        for rating in made
-        for figure in rating.figures
-        if figure.key in DECIDE
-    ]
+    rows += _decisive(made)
     note = (
         "± is numerical: the error of the solution of the model, not of the model or of the inputs."
     )
     if loss is not None:
         note += f" Loss: {loss.words}."
     return Section("At a glance", (Table(("", "Value", "Where"), tuple(rows), note=note),))
+
+
+def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
+    """Figures of ratings that are told at a glance."""
+    return tuple(
+        (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
+        for rating in made
+        for figure in rating.figures
+        if figure.key in DECIDE
+    )
 
 
 def _worst(
@@ -147,7 +156,7 @@ def temperature(figure: Estimate, inlet: float) -> str:
 
 
 def film_section(case: Case, result: Result) -> Section:
-    """Load, pressure and film of every contact."""
+    """Load, pressure and film of every contact; nothing simulated of one that did not converge."""
     roughness = composite_roughness(result)
     head = ["", "Load", "Hertz", "Dry contact", "Largest pressure", "Central film", "Minimum film"]
     head += ["which is"] + (["lambda"] if roughness else []) + ["Converged"]
@@ -160,13 +169,16 @@ def film_section(case: Case, result: Result) -> Section:
             _load(solution),
             "" if hertz is None else f"{hertz / 1e6:.4g} MPa",
             "" if figures.dry is None else f"{figures.dry.pressure_max / 1e6:.4g} MPa",
+        ]
+        told = [
             estimate(figures.pressure_max, 1e-6, "MPa"),
             estimate(figures.film_central, 1e6, "µm"),
             estimate(figures.film_min, 1e6, "µm"),
             figures.film_min_kind,
         ]
         if roughness:
-            cells.append(f"{figures.film_min.value / roughness:.3g}")
+            told.append(f"{figures.film_min.value / roughness:.3g}")
+        cells += told if solution.converged else [""] * len(told)
         rows.append((*cells, _converged(solution)))
     blocks: list[Block] = [_without_empty(Table(tuple(head), tuple(rows)))]
     if roughness:
@@ -209,7 +221,10 @@ def _converged(solution: Solution) -> str:
 
 
 def heat_section(case: Case, result: Result) -> Section | None:
-    """Friction, loss and temperatures of every contact; None where friction was not simulated."""
+    """Friction, loss and temperatures of every contact; None where friction was not simulated.
+
+    Of a contact that did not converge nothing is told.
+    """
     if any(of.figures.friction_coefficient is None for of in result.solutions):
         return None
     heated = all(of.figures.temperature_max_film is not None for of in result.solutions)
@@ -220,6 +235,9 @@ def heat_section(case: Case, result: Result) -> Section | None:
     head += [f"Hottest on {body}" for body in bodies] + ["Hottest in the film"] if heated else []
     rows = []
     for solution in result.solutions:
+        if not solution.converged:
+            rows.append((place_of(solution), "not converged", *[""] * (len(head) - 2)))
+            continue
         figures = solution.figures
         scale, unit = (1.0, "W") if solution.kind == "point" else (1e-3, "kW/m")
         cells = [

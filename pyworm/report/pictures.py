@@ -63,7 +63,7 @@ def cycle_pictures(result: Result) -> Section | None:
 def contact_pictures(result: Result) -> Section:
     """Regimes of all; all pictures of that with the thinnest film, the most telling of the others."""
     solutions = result.solutions
-    thin = min(solutions, key=lambda of: of.figures.film_min.value)
+    thin = min(result.sound.solutions or solutions, key=lambda of: of.figures.film_min.value)
     shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
     pictures = [_drawn("Contacts on the chart of regimes", partial(draw_regimes, result))]
     for solution in shown:

@@ -70,8 +70,8 @@ class Variation:
 
 
 def sensitivity_section(case: Case, result: Result) -> Section | None:
-    """The variations of a case as a table; None for a gap whose file the result does not keep."""
-    if isinstance(case.tables, GapCase):
+    """The variations of a case as a table; None without a film, and of a gap whose file is not kept."""
+    if isinstance(case.tables, GapCase) or not result.solutions:
         return None
     found = variations(case, result)
     roughness = composite_roughness(result)

@@ -1,0 +1,40 @@
+"""Whether a contact rests on an edge at which its surfaces end, which bounds no pressure.
+
+At a sharp edge the elastic pressure grows without bound as the grid is refined (Johnson, Contact Mechanics,
+1985, section 2.4), and no film converges there; an edge that is eased carries none of it.
+"""
+
+import numpy as np
+import xarray as xr
+
+SHARE = 0.3
+"""Dry pressure beside an edge over the largest from which the contact rests on it."""
+
+CURE = (
+    "; the load rests on a sharp edge of the surfaces, where pressure has no bound: ease the edge, as tip "
+    "relief of teeth does (tip_relief, tip_relief_length)"
+)
+"""What a stop reason adds then."""
+
+
+def rests_on_edge(fields: xr.Dataset) -> bool:
+    """Whether the dry pressure of a solution's fields is large beside the end of a surface.
+
+    Parameters
+    ----------
+    fields : xarray.Dataset
+        Fields of a solution; "dry_pressure" [Pa], or "pressure" where there is none, and "covered".
+    """
+    if "covered" not in fields:
+        return False
+    covered = fields["covered"].values.astype(bool)
+    pressure = fields["dry_pressure" if "dry_pressure" in fields else "pressure"].values
+    beside = np.zeros_like(covered)
+    for axis in range(covered.ndim):
+        ends = np.diff(covered.astype(np.int8), axis=axis) != 0
+        before, after = ([slice(None)] * covered.ndim for _ in range(2))
+        before[axis], after[axis] = slice(None, -1), slice(1, None)
+        beside[tuple(before)] |= ends
+        beside[tuple(after)] |= ends
+    at_edge = pressure[beside & covered]
+    return bool(at_edge.size and at_edge.max() > SHARE * pressure.max())
