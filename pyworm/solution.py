@@ -279,9 +279,11 @@ class Solution:
         """What the film is to the surfaces' heights, with the error bar of the film."""
         if self.composite_roughness is None:
             return {}
+        known = {"composite_roughness_m": self.composite_roughness}
         film = self.figures.film_min
-        return {
-            "composite_roughness_m": self.composite_roughness,
+        if not self.converged:
+            return known
+        return known | {
             "specific_film": film.value / self.composite_roughness,
             "specific_film_error": film.error,
         }

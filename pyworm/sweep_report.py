@@ -73,12 +73,13 @@ def rows_table(result: SweepResult) -> Table:
     table.add_column("Con-\nverged")
     for number in range(data.sizes["scene"]):
         row = data.isel(scene=number)
+        converged = row["converged"] == 1
         cells = [_cell(row[key].item()) for key in varied]
         cells += [
-            "" if np.isnan(row[name]) else f"{row[name].item() * scale:{form}}"
+            f"{row[name].item() * scale:{form}}" if converged and not np.isnan(row[name]) else ""
             for _, name, scale, form in shown
         ]
-        table.add_row(*cells, "yes" if row["converged"] == 1 else "NO")
+        table.add_row(*cells, "yes" if converged else "NO")
     return table
 
 

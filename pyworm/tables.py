@@ -1,6 +1,7 @@
 """Tables for people: what a scene is, what is planned for it, and what came out, in workshop units."""
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from typing import Any
 
 from rich.box import SIMPLE_HEAD
@@ -130,6 +131,9 @@ def figures_table(
             continue
         if key in _RUBBING:
             label = left_out.headed(label)
+        if not summary["converged"] and not isfinite(figures.get(error_key, 0.0)):
+            add(label, "not converged", name)
+            continue
         add(label, _value(figures[key] * scale, unit, figures.get(error_key)), name)
         if error_key is not None and f"{error_key}_reason" in figures:
             table.add_row("  error bar", figures[f"{error_key}_reason"])
@@ -149,6 +153,8 @@ def figures_table(
 def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
     """The figures by which scenes are compared, a row a scene; the specific film where roughness is known.
 
+    Of a scene that did not converge nothing simulated is shown.
+
     Parameters
     ----------
     scenes : sequence of Scene
@@ -160,24 +166,25 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     title = _at_worst(summaries).titled("All scenes")
     table = Table(title=title, title_justify="left", **SLENDER)
     table.add_column(heading, no_wrap=True)
-    rough = all("specific_film" in values for values in summaries)
+    rough = any("specific_film" in values for values in summaries)
     headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
     for heading in (*headings, *(["lambda"] if rough else []), "s"):
         table.add_column(heading, justify="right")
     table.add_column("Con-\nver-\nged")
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
-        table.add_row(
-            label,
-            f"{_dry_pressure(scene, values) / 1e6:.4g}",
-            f"{values['pressure_max_Pa'] / 1e6:.4g}",
-            f"{values['film_central_m'] * 1e6:.4g}",
-            f"{values['film_central_error'] * 100:.2g}",
-            f"{values['film_min_m'] * 1e6:.4g}",
-            f"{values['film_min_error'] * 100:.2g}",
-            *([f"{values['specific_film']:.3g}"] if rough else []),
-            f"{values['seconds']:.1f}",
-            "yes" if values["converged"] else "NO",
-        )
+        cells = [""] * (7 if rough else 6)
+        if values["converged"]:
+            cells = [
+                f"{_dry_pressure(scene, values) / 1e6:.4g}",
+                f"{values['pressure_max_Pa'] / 1e6:.4g}",
+                f"{values['film_central_m'] * 1e6:.4g}",
+                f"{values['film_central_error'] * 100:.2g}",
+                f"{values['film_min_m'] * 1e6:.4g}",
+                f"{values['film_min_error'] * 100:.2g}",
+                *([f"{values['specific_film']:.3g}"] if rough else []),
+            ]
+        converged = "yes" if values["converged"] else "NO"
+        table.add_row(label, *cells, f"{values['seconds']:.1f}", converged)
     return table
 
 
@@ -197,6 +204,9 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     for heading in headings:
         table.add_column(heading, justify="right")
     for label, values in zip(labels, summaries, strict=True):
+        if not values["converged"]:
+            table.add_row(label, "not converged")
+            continue
         loss, unit, scale = _LOSSES[values["kind"]]
         cells = [
             f"{values['friction_coefficient']:.4g}",

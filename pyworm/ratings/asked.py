@@ -88,6 +88,7 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
 
 def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
     """What the solved contacts of a case do not hold; without any, the lubrication by closed forms."""
+    result = _sound(result)
     if result is not None:
         return of_all(result.solutions)
     if asked.drive is not None:
