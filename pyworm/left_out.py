@@ -127,7 +127,7 @@ def judged(
     roughness : float or None
         Composite roughness [m].
     """
-    known = films if roughness is not None else ()
+    known = films if roughness else ()
     central, least = (film / roughness for film in known) if known else (None, None)
     return LeftOut(beyond(effects, accuracy), lubrication(central, least), central, least)
 

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from pyworm.formulas.lubrication import BY_SEVERITY
 from pyworm.left_out import LAMBDAS, LeftOut, worst
 from pyworm.output import whole_file
 from pyworm.result import LARGEST, plain_attributes
@@ -194,12 +195,14 @@ def sweep_table(
 
 
 def _left_out(row: Mapping[str, float | str]) -> LeftOut:
-    """What the figures of a scene do not hold, from its row."""
-    known = {name: of for name, of in row.items() if of == of}  # NaN where a scene has none
+    """What the figures of a scene do not hold, from its row; what a file has of no sense is left out."""
+    numbers = {name: of for name, of in row.items() if isinstance(of, float) and not np.isnan(of)}
     influence = {
-        name.removeprefix(LEFT_OUT): of for name, of in known.items() if name.startswith(LEFT_OUT)
+        name.removeprefix(LEFT_OUT): of for name, of in numbers.items() if name.startswith(LEFT_OUT)
     }
-    return LeftOut.read({"lubrication": "unknown", **known, "left_out": influence})
+    said = row.get("lubrication")
+    lubrication = said if said in BY_SEVERITY else "unknown"
+    return LeftOut.read({**numbers, "left_out": influence, "lubrication": lubrication})
 
 
 def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:

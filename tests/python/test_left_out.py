@@ -239,6 +239,8 @@ def test_a_sweep_s_table_tells_the_worst_of_its_scenes():
     shown = rows_table(swept)
     assert WORDS in shown.title
     assert "Friction\nas if\nsmooth" in [column.header for column in shown.columns]
+    odd = replace(swept, table=table.assign(lubrication=("scene", ["of no kind"] * 3)))
+    assert odd.left_out.lubrication == "unknown"
 
 
 # ------------------------------------------------------------------------------------ the standard's loss
