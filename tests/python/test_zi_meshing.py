@@ -102,8 +102,12 @@ def test_cycle_begins_and_ends_on_a_tooth_boundary():
     assert min(smallest[1:-1]) > 1e-4
     assert drive.cycle.begin_boundary == "wheel throat"
     assert drive.cycle.end_boundary == "worm tip"
-    # the worm turns forward through the cycle
+    # the worm turns forward through the cycle, by the way of the contact over its base travel
     assert np.all(np.diff([contact.worm_angle for contact in cycle]) > 0)
+    way = np.linalg.norm(cycle[-1].point - cycle[0].point)
+    screw = 86.18 * MM / (2 * np.pi)
+    base_travel = screw * np.cos(np.arctan(screw / (26.23 * MM)))
+    assert drive.cycle.worm_rotation == pytest.approx(way / base_travel, rel=1e-9)
 
 
 def test_transmission_error_of_matching_base_pitches_is_constant():
