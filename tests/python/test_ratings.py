@@ -66,7 +66,14 @@ def rated(capsys, name):
 def test_shipped_cases_are_rated(capsys, name, keys):
     content = said(capsys, "rate", CASES / f"{name}.toml")
     lubrication = {"left_out", "lubrication", "lambda_central", "lambda_min"}
-    assert set(content) - lubrication == {"case", "ratings", "not_rated", "warnings", "assumed"}
+    assert set(content) - lubrication == {
+        "case",
+        "ratings",
+        "not_rated",
+        "not_converged",
+        "warnings",
+        "assumed",
+    }
     assert content["case"] == name
     assert [rating["rating"] for rating in content["ratings"]] == keys
     for rating in content["ratings"]:
