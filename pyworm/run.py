@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,10 +18,6 @@ from pyworm.task import Task, provenance
 RESULT_NAME = "result.nc"
 SCENES = "scenes"
 """Directory, beside the result, of scenes kept while others are not solved yet."""
-
-
-GONE = "its file was removed before it was read; the same command solves it again"
-"""Why a scene is missing that was solved without a fault."""
 
 
 class NothingSolvedError(RuntimeError):
@@ -74,8 +69,8 @@ def run(
     if before:
         say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
     reasons = solve_all(missing, store, executor, progress)
-    kept = _collected(tasks, store, earlier, directory / RESULT_NAME)
-    reasons = {task.key: reasons.get(task.key, GONE) for task in tasks if task.key not in kept}
+    kept, unread = _collected(tasks, store, earlier, directory / RESULT_NAME)
+    reasons = {key: reasons.get(key, why) for key, why in unread.items()}
     solved = [task for task in tasks if task.key in kept]
     if not solved:
         raise NothingSolvedError(reasons[tasks[-1].key])
@@ -99,19 +94,23 @@ _Kept = dict[str, tuple[Solution, dict[str, Any]]]
 """Solutions with their plans, by the keys of their tasks."""
 
 
-def _collected(tasks: Sequence[Task], store: Store, earlier: _Kept, file: Path) -> _Kept:
-    """Solutions of these tasks, as far as there are any.
+def _collected(
+    tasks: Sequence[Task], store: Store, earlier: _Kept, file: Path
+) -> tuple[_Kept, dict[str, str]]:
+    """Solutions of these tasks, and by key why others cannot be read.
 
     Another run of the same case in the same directory may have taken them from the store into its result.
     """
-    kept = dict(earlier)
+    kept, unread = dict(earlier), {}
     for task in tasks:
         if task.key not in kept:
-            with suppress(OSError):
+            try:
                 kept |= _of_each(store.result(task))
-    if any(task.key not in kept for task in tasks):
+            except OSError as error:
+                unread[task.key] = str(error)
+    if unread:
         kept |= _solved_before(file, lambda message: None)
-    return kept
+    return kept, {key: why for key, why in unread.items() if key not in kept}
 
 
 def _solved_before(path: Path, say: Callable[[str], None]) -> _Kept:

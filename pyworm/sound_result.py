@@ -1,7 +1,8 @@
 """Whether what a results file holds can be a result: types, fields and figures that make sense.
 
-Files may be damaged, edited or made by others. What passes here is what the solver writes: every field finite
-and no pressure negative, and in a converged solution film, pressure and load above zero.
+Files may be damaged, edited or made by others. What passes here is what the solver writes: fields of numbers
+over the right directions, and in a converged solution finite ones, no negative pressure, and film, pressure
+and load above zero. One that did not converge is marked so, and may hold any numbers.
 """
 
 from collections.abc import Iterator
@@ -126,10 +127,10 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
         if field.dtype.kind not in "iufb":
             yield f"the field {name} is not one of numbers"
         # a tooth's gap is known where the teeth are
-        elif name != "tooth_gap" and not np.isfinite(field.values).all():
-            yield f"the field {name} is not finite everywhere"
-    if fields["pressure"].values.min() < 0:
-        yield "the pressure is negative somewhere"
+        elif solution.converged and name != "tooth_gap" and not np.isfinite(field.values).all():
+            yield f"it is marked as converged, but its field {name} is not finite everywhere"
+    if solution.converged and fields["pressure"].values.min() < 0:
+        yield "it is marked as converged, but its pressure is negative somewhere"
     if solution.converged and not fields["film"].values.min() > 0:
         yield "it is marked as converged, but its film is not above zero everywhere"
     for name in SIZES[solution.kind]:
@@ -147,7 +148,7 @@ def _flaws_of_parts(solution: Solution) -> Iterator[str]:
         wanted.append((solution.profile, _ACROSS, "profile"))
     for part, names, what in wanted:
         for name in names:
-            if name not in part or part[name].dtype.kind not in "iuf" or part[name].size == 0:
+            if name not in part or part[name].dtype.kind not in "iuf":
                 yield f"its {what} has no numbers for {name}"
 
 
@@ -158,11 +159,11 @@ def _flaws_of_figures(solution: Solution) -> Iterator[str]:
         for part in parts_of(figures)
         if isinstance(getattr(figures, part.name), Estimate)
     }
-    for name, estimate in estimates.items():
+    for name, estimate in estimates.items() if solution.converged else ():
         if not isfinite(estimate.value):
-            yield f"{name} is {estimate.value}"
+            yield f"it is marked as converged, but its {name} is {estimate.value}"
         if not estimate.error >= 0:
-            yield f"the error bar of {name} is {estimate.error}"
+            yield f"it is marked as converged, but the error bar of its {name} is {estimate.error}"
     sizes = {name: estimates[name].value for name in ("film_min", "film_central", "pressure_max")}
     for name, value in (sizes | {"load": solution.load}).items():
         if solution.converged and not value > 0:

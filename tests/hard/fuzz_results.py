@@ -286,7 +286,8 @@ def _variable(groups: dict[str, xr.Dataset], name: str, rng: random.Random) -> s
         elif what == "all":
             changed[...] = number
         else:
-            changed *= rng.choice(FACTORS)
+            with np.errstate(over="ignore"):
+                changed *= rng.choice(FACTORS)
         groups[name] = group.assign({key: (group[key].dims, changed, group[key].attrs)})
     return f"{key} {what}"
 

@@ -225,8 +225,11 @@ def _case_is_no_table(groups):
 @pytest.mark.parametrize(
     ("damage", "sentence"),
     [
-        (_field("film", np.nan), "scene_000: the field film is not finite everywhere"),
-        (_field("pressure", -1.0), "scene_000: the pressure is negative somewhere"),
+        (
+            _field("film", np.nan),
+            "scene_000: it is marked as converged, but its field film is not finite",
+        ),
+        (_field("pressure", -1.0), "marked as converged, but its pressure is negative somewhere"),
         (_field("film", -1e-6), "marked as converged, but its film is not above zero everywhere"),
         (_scalar("converged", value="no"), "scene_000: converged is 'no'"),
         (_scalar("figures", "film_min", "value", value=float("nan")), "film_min is nan"),

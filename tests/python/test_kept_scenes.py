@@ -7,6 +7,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pyworm.batch import solve_all
@@ -174,3 +175,20 @@ def test_a_key_that_names_another_scene_is_not_believed(tmp_path, solved):
     store = Store(tmp_path, fields=True)
     store.keep(first, replace(result, provenance=result.provenance | {"keys": [second.key]}))
     assert store.missing([first]) == [first]
+
+
+@pytest.mark.parametrize("fields", [True, False], ids=["nc", "json"])
+def test_what_did_not_converge_is_kept_whatever_it_holds(tmp_path, solved, fields):
+    """Such as a solve that ended before its first step, of films that no law of the oil bears."""
+    task, result = solved[0]
+    (solution,) = result.solutions
+    nothing = replace(
+        solution,
+        converged=False,
+        history=solution.history.isel(iteration=slice(0)),
+        fields=solution.fields.assign(film=np.nan * solution.fields["film"]),
+    )
+    store = Store(tmp_path, fields)
+    store.keep(task, replace(result, solutions=(nothing,)))
+    assert store.missing([task]) == []
+    assert not store.summary(task)["converged"]
