@@ -1,9 +1,11 @@
 """Whether error bars hold: random scenes at 2 %, all figures against finer grids in a wider window.
 
 Scenes are those of `tests/hard/draws.py`, COUNT isothermal and as many thermal ones of each seed. The truth
-is Richardson's limit over grids down to a quarter of the solution's spacing (as far as MOST_NODES allows) in
-a window of twice the reach, with more levels across the film, corrected for the end of that window. How far
-it may be off is given too: `pyworm.precision.limits`, and half of the correction. From the repository's root:
+is Richardson's limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as
+MOST_NODES allows), in a window of twice the reach, with more levels across the film, corrected for the end of
+that window: with heat by what a window of four times the reach changes and by how the changes fall. How far
+it may be off is given too: `pyworm.precision.limits`, and half of what no window shows. From the repository's
+root:
 
     python benchmarks/error_bars.py [COUNT [SEED ...]]
 
@@ -12,7 +14,8 @@ What was found is kept in results/error_bars.csv, and the next run goes on from 
 
 import csv
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import count, product
 from math import inf, nan
 from pathlib import Path
@@ -23,12 +26,16 @@ from accuracy_page import markdown
 import pyworm
 from pyworm.accuracy import Reading
 from pyworm.case import case_of
+from pyworm.grid import Grid, nest
 from pyworm.ladder import ALGEBRA_SHARE, settle
+from pyworm.lent import lent
 from pyworm.place import Place
 from pyworm.planning import Plan
 from pyworm.precision.limits import limit
+from pyworm.scales import scales
 from pyworm.solver import LADDERS
 from pyworm.task import Task
+from pyworm.window import FAR, near_reach, windows
 
 sys.path.append(str(Path(__file__).parents[1] / "tests" / "hard"))
 from draws import DRAWS, Drawn
@@ -38,9 +45,12 @@ EXACT = 0.1
 """Accuracy of the truth's levels and algebra over that of the solution."""
 
 EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
-MOST_NODES = {"isothermal": 1_500_000, "thermal": 600_000}
-FINER = 0.3
+MOST_NODES = {"isothermal": 1_500_000, "thermal": 1_000_000}
+FINER = {"isothermal": 0.3, "thermal": 0.6}
 """Spacing of the truth's last grid over the solution's."""
+
+SLOWEST = 0.75
+"""Largest fall of the changes by the window that is extrapolated."""
 
 FIGURES = {
     "film_min": "minimum film",
@@ -56,11 +66,11 @@ OUT = Path("results/error_bars.csv")
 
 
 def climbed(
-    scene: pyworm.Scene, plan: Plan, wide: bool, spacing: float, most: float
+    scene: pyworm.Scene, plan: Plan, grids: Sequence[Grid], spacing: float, most: float
 ) -> dict[int, Reading]:
     """Readings on grids of halving spacing by number, the last ones on which the equations are met."""
     ladder = LADDERS[type(scene)](scene, plan)
-    rung, _ = ladder.enter(plan.wider_grids if wide else plan.grids)
+    rung, _ = ladder.enter(grids)
     readings: dict[int, Reading] = {}
     for number in count():
         settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
@@ -73,25 +83,45 @@ def climbed(
         rung, _ = ladder.higher(rung)
 
 
+def farther(scene: pyworm.Scene, plan: Plan) -> tuple[Grid, ...]:
+    """The plan's grids to a window of four times the reach."""
+    drawn = lent(scene)
+    size = scales(drawn)
+    reaches = (reach.doubled().doubled() for reach in (near_reach(size), FAR))
+    grids = nest(*windows(scene, size, *reaches), *plan.grids[-1].spacing)
+    return grids if drawn is scene else grids[-1:]
+
+
 def truth(
-    scene: pyworm.Scene, plan: Plan, spacing: float, most: float
+    scene: pyworm.Scene, plan: Plan, spacing: float, kind: str
 ) -> dict[str, tuple[float, float]]:
     """Figures on an infinitely fine grid in an endless window, and how far each may be off.
 
     Nothing where no two grids of the wider window have a film.
     """
-    wide = climbed(scene, plan, True, FINER * spacing, most)
-    near = climbed(scene, plan, False, 2.1 * spacing, most)
+    most = MOST_NODES[kind]
+    wide = climbed(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
+    near = climbed(scene, plan, plan.grids, 2.1 * spacing, most)
     common = max(wide.keys() & near.keys(), default=None)
     if common is None or len(wide) < 2:
         return {}
+    first = min(wide.keys() & near.keys())
+    far = {}
+    if plan.model.heated:
+        far = climbed(scene, plan, farther(scene, plan), 1.1 * plan.grids[-1].dx / 2**first, most)
     left = LADDERS[type(scene)](scene, plan).convergence.wider_share
     found = {}
     for name in wide[common].figures:
         fine = limit([reading.figures[name] for reading in wide.values()])
         change = wide[common].figures[name] - near[common].figures[name]
+        seen = 0.0
+        if first in far:
+            change = wide[first].figures[name] - near[first].figures[name]
+            seen = far[first].figures[name] - wide[first].figures[name]
+            left = min(max(seen / change, 0.0), SLOWEST) if change else 0.0
+            change = seen
         beyond = change * left / (1 - left)
-        found[name] = fine.value + beyond, fine.error + abs(beyond) / 2
+        found[name] = fine.value + seen + beyond, fine.error + abs(beyond) / 2
     return found
 
 
@@ -100,8 +130,10 @@ def judged(kind: str, drawn: Drawn) -> Iterator[dict]:
     task = Task(case_of(drawn.tables, kind, Path()), Place(), ACCURACY, EFFECTS[kind])
     solution = pyworm.solve(task.scene, task.plan)
     exact = pyworm.plan(task.scene, EXACT * ACCURACY, EFFECTS[kind])
+    # temperatures of films that hardly warm are settled too
+    exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
     x = solution.fields.x.values
-    real = truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), MOST_NODES[kind])
+    real = truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), kind)
     for name in FIGURES:
         bar = getattr(solution.figures, name)
         if bar is None:

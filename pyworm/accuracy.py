@@ -191,13 +191,26 @@ def peak_errors(reading: Reading) -> dict[str, float]:
     return errors
 
 
-def domain_errors(this: Reading, wider: Reading, limit: float) -> dict[str, float]:
+def domain_errors(
+    this: Reading, wider: Reading, limit: float, algebra: Mapping[str, float]
+) -> dict[str, float]:
     """Relative error of each figure by the end of its window, from a window of twice the reach.
 
-    `limit` is that error over the change seen (`Convergence.window_limit`).
+    Parameters
+    ----------
+    this, wider : Reading
+        Figures in both windows.
+    limit : float
+        Error over the change seen (`Convergence.window_limit`).
+    algebra : mapping
+        Relative error of each figure in both windows together by their unfinished algebra, which may hide
+        a change as large.
     """
-    return {name: limit * of for name, of in change(wider, this).items()}
+    return {name: limit * (of + algebra[name]) for name, of in change(wider, this).items()}
 
+
+FIRST_CHANGE = 0.5
+"""Change by a Newton step from which it belongs to no series yet, as where a film begins to warm."""
 
 LEAST_FALL = 0.2
 """Ratio of a Newton step's change to that of the step before below which it is not believed: changes of
@@ -208,11 +221,12 @@ def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> di
     """Relative error of each figure that is left after the last two Newton steps changed it so much.
 
     What later steps of a geometric series would still add; the whole last change where the changes do not
-    fall by half. The fall of the residual says nothing here: it shows the roughest errors, and a step may
-    divide it by ten while the central film, a smooth figure, is still on its way.
+    fall by half or have only begun. The fall of the residual says nothing here: it shows the roughest errors,
+    and a step may divide it by ten while the central film, a smooth figure, is still on its way.
     """
     errors = {}
     for name in last:
-        fall = max(last[name] / before[name], LEAST_FALL) if before[name] > 0 else 1.0
+        series = 0 < before[name] < FIRST_CHANGE
+        fall = max(last[name] / before[name], LEAST_FALL) if series else 1.0
         errors[name] = last[name] * (fall / (1 - fall) if fall < 0.5 else 1.0)
     return errors

@@ -127,6 +127,8 @@ def cycle_table(cycle: DriveCycle) -> Table:
         value = f"{(one.value - offset) * scale:.4g} {unit}".rstrip()
         place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
         table.add_row(label, f"{value} ± {_two(one.error * scale)}", f"{one.phase:g}", *place)
+        if one.reason is not None:
+            table.add_row("  error bar", one.reason)
 
     extreme("Least film", cycle.film_min, 1e6, "µm")
     extreme("Largest pressure", cycle.pressure_max, 1e-6, "MPa")

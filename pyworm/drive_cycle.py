@@ -38,12 +38,15 @@ class Extreme:
     place : tuple of float or None
         On the wheel's flank: along the face from its middle, and distance from the wheel's axis [m]; None of
         a temperature.
+    reason : str or None
+        Why its error bar is infinite (`solution.Estimate`).
     """
 
     value: float
     error: float
     phase: float
     place: tuple[float, float] | None = None
+    reason: str | None = None
 
 
 @dataclass(frozen=True)
@@ -174,6 +177,8 @@ def _told(one: Extreme, unit: str) -> dict:
     told = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
     if one.place is not None:
         told |= {"face_m": one.place[0], "radius_m": one.place[1]}
+    if one.reason is not None:
+        told["error_reason"] = one.reason
     return told
 
 
@@ -245,7 +250,7 @@ def _extreme(
     heat = name.startswith("temperature")
     size = estimate.value - one.inlet_temperature if heat else estimate.value
     at = None if place is None else flank_place(one, *place(one))
-    return Extreme(estimate.value, estimate.error * abs(size), one.phase, at)
+    return Extreme(estimate.value, estimate.error * abs(size), one.phase, at, estimate.reason)
 
 
 def _largest_at(solution: Solution) -> tuple[float, float]:

@@ -142,7 +142,13 @@ def _climb(
                 strides += steps
                 if _film_is_sound(wider, settled_wider, plan):
                     domain = domain_errors(
-                        settled.reading, settled_wider.reading, ladder.convergence.window_limit
+                        settled.reading,
+                        settled_wider.reading,
+                        ladder.convergence.window_limit,
+                        {
+                            name: of + settled_wider.algebra[name]
+                            for name, of in settled.algebra.items()
+                        },
                     )
                     seen = plan.aim.worst(domain, settled.reading.figures)
                     if seen > DOMAIN_SHARE * plan.accuracy:

@@ -20,7 +20,7 @@ from pyworm.case import case_of
 from pyworm.climb import Rung, anew
 from pyworm.ladder import settle
 from pyworm.planning import Plan
-from pyworm.point_ladder import PointLadder
+from pyworm.point_ladder import ORDERS, PointLadder
 from pyworm.scales import scales
 from pyworm.scene import Paraboloid, Scene
 from pyworm.solution import Solution
@@ -139,7 +139,7 @@ def resolved(scene: Scene, plan: Plan) -> list[Reading]:
     readings: list[Reading] = []
     for reading in climb(scene, plan):
         readings.append(reading)
-        errors = grid_errors(readings, PointLadder.convergence.orders)
+        errors = grid_errors(readings, ORDERS)
         if max(errors[name] for name in FILMS) < RESOLVED:
             break
     return readings

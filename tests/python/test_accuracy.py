@@ -1,5 +1,7 @@
 """Error bars from readings on grids, windows and Newton steps."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -106,8 +108,23 @@ def test_a_pressure_spike_too_narrow_for_the_grid_has_no_bound_and_a_reason():
     assert unresolved(spike) == "unresolved pressure spike, 2.3 nodes wide"
 
 
+def test_a_narrow_hot_spot_has_a_bar_however_few_nodes_it_is_wide():
+    rise = {"temperature_max_film": 50.0}
+    hot = replace(
+        reading(1.0),
+        peaks={**reading(1.0).peaks, "temperature_max_film": Peak(60.0, 2.0)},
+        further=rise,
+    )
+    errors = peak_errors(hot)
+    assert errors["temperature_max_film"] == pytest.approx(SAFETY * 0.2)
+    assert unresolved(hot) is None
+
+
 def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
-    assert domain_errors(reading(1.0), reading(1.1), 1.5)["film_min"] == pytest.approx(0.15)
+    none = dict.fromkeys(FIGURES, 0.0)
+    assert domain_errors(reading(1.0), reading(1.1), 1.5, none)["film_min"] == pytest.approx(0.15)
+    left = none | {"film_min": 0.02}
+    assert domain_errors(reading(1.0), reading(1.0), 1.5, left)["film_min"] == pytest.approx(0.03)
 
 
 @pytest.mark.parametrize(
@@ -117,6 +134,7 @@ def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
         (0.4, 0.3, 0.3),  # no series
         (0.4, 0.001, 0.001 / 4),  # too good to be believed
         (0.0, 0.1, 0.1),
+        (1.0, 0.03, 0.03),  # from nothing: no series yet
     ],
 )
 def test_algebra_left_is_what_further_steps_would_change(before, last, error):

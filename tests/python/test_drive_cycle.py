@@ -155,6 +155,17 @@ def test_extremes_know_their_phase_and_place():
     assert "0.2 µm ± 0.004" in list(table.columns[1].cells)
 
 
+def test_a_largest_pressure_without_a_bar_says_why():
+    whole = result(PHASES)
+    spike = Estimate(9e9, np.inf, reason="unresolved pressure spike, 2.0 nodes wide")
+    first, *others = whole.solutions
+    first = replace(first, figures=replace(first.figures, pressure_max=spike))
+    cycle = drive_cycle(replace(whole, solutions=(first, *others)))
+    assert cycle.summary()["pressure_max"]["error_reason"] == spike.reason
+    assert "error_reason" not in cycle.summary()["film_min"]
+    assert spike.reason in list(cycle_table(cycle).columns[1].cells)
+
+
 def test_what_did_not_converge_is_left_out_and_named():
     whole = result(PHASES)
     bad = replace(
