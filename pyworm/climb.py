@@ -28,8 +28,9 @@ TRACE = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
 
 CONTACT_PRESSURE = 0.01
-"""Pressure over the largest down to which friction counts as the contact's. Oil farther out is dragged along
-too, but its friction falls with the gap alone, so that its sum has no end but the bodies'."""
+"""Pressure over the largest down to which friction and the film's temperature count as the contact's. Oil farther
+out is dragged along too, but its friction falls with the gap alone, so that its sum has no end but the bodies';
+where opposite surfaces turn it round, its temperature is that of a recirculation that ends with the window."""
 
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
@@ -151,6 +152,10 @@ class Rung:
             self._shear_figures() | temperatures,
         )
 
+    def contact(self) -> np.ndarray:
+        """Nodes where pressure makes the contact, of which friction and the film's temperature are read."""
+        return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+
     def end(self) -> Start:
         """Its present state."""
         film = self.film
@@ -185,7 +190,7 @@ class Rung:
         if shear is None:
             return {}
         stresses, friction_power, rate = shear
-        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+        within = self.contact()
         force = [float(stress[within].sum()) * self.grid.cell for stress in stresses]
         # along the sliding at the contact point; without any friction has no direction, and no size
         speed = hypot(*self.sliding)
@@ -204,11 +209,14 @@ class Rung:
         fields = dict(
             zip(HEAT_FIGURES, (rise[:, :, 0], rise[:, :, -1], rise.max(axis=2)), strict=True)
         )
-        largest = {name: reading.maximum(field) for name, field in fields.items()}
-        positions = kernels.level_positions(self.film.levels)
-        largest["temperature_max_film"] = reading.maximum_across(rise, positions)
+        counted = dict(zip(HEAT_FIGURES, (True, True, self.contact()), strict=True))
+        largest = {name: reading.maximum(field, counted[name]) for name, field in fields.items()}
+        largest["temperature_max_film"] = reading.maximum_across(
+            rise, kernels.level_positions(self.film.levels), self.contact()
+        )
         return largest, {
-            name: reading.peak(field, True, largest[name]) for name, field in fields.items()
+            name: reading.peak(field, counted[name], largest[name])
+            for name, field in fields.items()
         }
 
 

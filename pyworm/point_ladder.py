@@ -288,11 +288,10 @@ class PointLadder:
         }
 
     def _profile(self, rung: Rung) -> xr.Dataset:
-        """Across the film where it is hottest, off the outline, where pressure has no slope."""
+        """Across the film where it is hottest in the contact."""
         rise = rung.film.rise()
-        hottest = rise[1:-1, 1:-1].max(axis=2)
-        inner = np.unravel_index(np.argmax(hottest), hottest.shape)
-        node = int(inner[0]) + 1, int(inner[1]) + 1
+        hottest = np.where(rung.contact(), rise.max(axis=2), -np.inf)
+        node = tuple(int(at) for at in np.unravel_index(np.argmax(hottest), hottest.shape))
         place = np.array(rung.grid.x[node[0]]), np.array(rung.grid.y[node[1]])
         u, v = rung.film.profile(node, [float(of) for of in self._scene.motions[0](*place)])
         return describe(

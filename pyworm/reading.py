@@ -38,8 +38,10 @@ def film_minimum(
 def maximum(field: Array, covered: Array | bool = True) -> float:
     """Largest value of a field, between nodes, where both surfaces exist."""
     counted = np.broadcast_to(covered, field.shape)
-    # only the upper half has peaks to look for: a pressure is flat, at nought, in most places
-    upper = counted & ~(field < (field.min() + field.max()) / 2)
+    lowest = np.min(field, where=counted, initial=np.inf)
+    highest = np.max(field, where=counted, initial=-np.inf)
+    # only the upper half has peaks to look for: a pressure is flat, at zero, in most places
+    upper = counted & ~(field < (lowest + highest) / 2)
     return -minimum(-field, upper, counted)[0]
 
 
@@ -94,7 +96,7 @@ ABOUT = 12
 """Nodes to each side of the hottest whose columns are searched: all that decide the surface there."""
 
 
-def maximum_across(field: Array, positions: Array) -> float:
+def maximum_across(field: Array, positions: Array, within: Array) -> float:
     """Largest value of a field at levels across the film, between nodes and between levels.
 
     Across the film it is the polynomial through the levels that the kernel works with.
@@ -102,14 +104,18 @@ def maximum_across(field: Array, positions: Array) -> float:
     Parameters
     ----------
     field : numpy.ndarray
-        Values, shape (nx, ny, levels).
+        Values, shape (nx, ny, levels), or (n, levels) of a line contact.
     positions : numpy.ndarray
         Where the levels are, from -1/2 to 1/2.
+    within : numpy.ndarray
+        Nodes that count.
     """
-    node = np.unravel_index(np.argmax(field.max(axis=2)), field.shape[:2])
+    nodal = np.where(within, field.max(axis=-1), -np.inf)
+    node = np.unravel_index(np.argmax(nodal), nodal.shape)
     about = tuple(slice(max(at - ABOUT, 0), at + ABOUT + 1) for at in node)
     between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
-    return maximum((field[about] @ between.T).max(axis=2))
+    columns = (field[about] @ between.T).max(axis=-1)
+    return (maximum if within.ndim == 2 else line_maximum)(columns, within[about])
 
 
 def _lagrange(nodes: Array, places: Array) -> Array:

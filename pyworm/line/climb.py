@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.accuracy import HEAT_FIGURES, Peak, Reading
 from pyworm.climb import CONTACT_PRESSURE
 from pyworm.extremum import line_minimum
-from pyworm.kernels import LineFilm
+from pyworm.kernels import LineFilm, level_positions
 from pyworm.ladder import Storage
 from pyworm.line.far_field import line_far_field
 from pyworm.line.grid import LineGrid
@@ -16,7 +16,7 @@ from pyworm.line.scales import LineScales
 from pyworm.line.scene import Array, LineScene
 from pyworm.oils import NEWTONIAN, Barus, Roelands
 from pyworm.planning import Model
-from pyworm.reading import line_maximum, newtonian_shear, peak
+from pyworm.reading import line_maximum, maximum_across, newtonian_shear, peak
 
 FLOOR_SHARE = 1e-3
 """Film, as a share of the expected one, below which mobility falls no further."""
@@ -87,6 +87,10 @@ class LineRung:
             self._shear_figures() | temperatures,
         )
 
+    def contact(self) -> Array:
+        """Nodes where pressure makes the contact, of which friction and the film's temperature are read."""
+        return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+
     def _shear(self) -> tuple[Array, Array, Array] | None:
         """Stress on body 1 [Pa], heat of shearing [W/m2] and shear rate [1/s]; None of an unknown law."""
         if self.film.levels:
@@ -108,7 +112,7 @@ class LineRung:
         if shear is None:
             return {}
         stress, friction_power, rate = shear
-        within = self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+        within = self.contact()
         # against the sliding; without any, friction has no direction, and no size
         force = -np.sign(self.sliding) * float(stress[within].sum()) * self.grid.dx
         return {
@@ -123,8 +127,14 @@ class LineRung:
             return {}, {}
         rise = self.film.rise()
         fields = dict(zip(HEAT_FIGURES, (rise[:, 0], rise[:, -1], rise.max(axis=1)), strict=True))
-        largest = {name: line_maximum(field) for name, field in fields.items()}
-        return largest, {name: peak(field, True, largest[name]) for name, field in fields.items()}
+        counted = dict(zip(HEAT_FIGURES, (True, True, self.contact()), strict=True))
+        largest = {name: line_maximum(field, counted[name]) for name, field in fields.items()}
+        largest["temperature_max_film"] = maximum_across(
+            rise, level_positions(self.film.levels), self.contact()
+        )
+        return largest, {
+            name: peak(field, counted[name], largest[name]) for name, field in fields.items()
+        }
 
 
 def first_rung(

@@ -225,9 +225,9 @@ class LineLadder:
         }
 
     def _profile(self, rung: LineRung) -> xr.Dataset:
-        """Across the film where it is hottest."""
+        """Across the film where it is hottest in the contact."""
         rise = rung.film.rise()
-        node = int(np.argmax(rise[1:-1].max(axis=1))) + 1
+        node = int(np.argmax(np.where(rung.contact(), rise.max(axis=1), -np.inf)))
         return describe(
             xr.Dataset(
                 {

@@ -23,13 +23,13 @@ def test_a_peak_between_nodes_and_levels_is_found(levels):
     across = 1 - 4 * (z - 0.2) ** 2 + 0.3 * (z - 0.2) ** 3
     field = 50 * across * (1 - 0.02 * (x - 4.3) ** 2 - 0.03 * (y - 2.8) ** 2)
     assert field.max() < 0.999 * 50
-    assert maximum_across(field, z) == pytest.approx(50, rel=2e-4)
+    assert maximum_across(field, z, np.ones(field.shape[:2], bool)) == pytest.approx(50, rel=2e-4)
 
 
 def test_a_peak_at_a_wall_in_a_corner_is_found():
     z = kernels.level_positions(7)
     x, y = np.arange(6.0)[:, None, None], np.arange(6.0)[None, :, None]
-    assert maximum_across(x + y + 10 * z, z) == pytest.approx(15)
+    assert maximum_across(x + y + 10 * z, z, np.ones((x + y).shape[:2], bool)) == pytest.approx(15)
 
 
 SHAPE = (25, 21)
@@ -197,3 +197,14 @@ def test_where_nothing_flows_there_is_no_share_out_of_balance():
     grid, still = Grid(0.0, 0.0, 1.0, 1.0, *SHAPE), np.zeros(SHAPE)
     assert np.isnan(outline_imbalance(grid, (still, still), still, X > 5))
     assert outline_imbalance(grid, (still + 1, still), still, X > 5) == 0
+
+
+@pytest.mark.parametrize("shape", [(40, 30), (40,)])
+def test_a_hot_column_outside_the_contact_is_not_the_films_temperature(shape):
+    places = np.meshgrid(*(np.linspace(-1, 1, count) for count in shape), indexing="ij")
+    hump = np.exp(-3 * sum(place**2 for place in places))
+    positions = kernels.level_positions(5)
+    field = hump[..., np.newaxis] * (1.2 - 2 * positions**2)
+    field[(1,) * len(shape)] = 5.0  # a column by the side of the window that heat never settled
+    within = hump > 0.2
+    assert maximum_across(field, positions, within) == pytest.approx(1.2, rel=2e-3)
