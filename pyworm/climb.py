@@ -29,9 +29,9 @@ TRACE = 1e-6
 
 CONTACT_PRESSURE = 0.01
 """Pressure over the largest down to which friction and the film's temperature count as the contact's. Oil
-farther out is dragged along too, but its friction falls with the gap alone, so that its sum has no end but the
-bodies'; where opposite surfaces turn it round, its temperature is that of a recirculation that ends with the
-window."""
+farther out is dragged along too, but its friction falls with the gap alone, so that its sum has no end but
+the bodies'. Where opposite surfaces turn it round, its temperature is that of a recirculation that ends with
+the window."""
 
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
