@@ -236,6 +236,7 @@ def test_stress_by_a_flow_law_inverts_its_rate(flow):
         else:
             share_left = 1 - (tau / limit) ** (2 * flow.exponent)
             back = flow.stress / viscosity * np.sinh(tau / flow.stress) / share_left
+        assert flow.stress_at(viscosity * rate, pressure) == pytest.approx(tau, rel=1e-6)
         # at the limit itself a rate cannot be told from the stress
         assert back == pytest.approx(rate, rel=1e-6) or tau == pytest.approx(limit, rel=1e-9)
 
