@@ -139,11 +139,15 @@ def test_the_cheap_rung_is_near_the_full_model(hot):
         (FlowLaw("eyring", stress=4e6), lambda tau: 4e6 * np.sinh(tau / 4e6)),
         (FlowLaw("bair-winer", limit=1e8), lambda tau: -1e8 * np.log(1 - tau / 1e8)),
         (
+            FlowLaw("eyring-limited", stress=4e6, limit=2e7),
+            lambda tau: 4e6 * np.sinh(tau / 4e6) / (1 - (tau / 2e7) ** 2),
+        ),
+        (
             FlowLaw("carreau", stress=6e6, exponent=0.42),
             lambda tau: tau * (1 + (tau / 6e6) ** 2) ** ((1 / 0.42 - 1) / 2),
         ),
     ],
-    ids=["eyring", "bair-winer", "carreau"],
+    ids=["eyring", "bair-winer", "eyring-limited", "carreau"],
 )
 def test_friction_is_that_of_the_flow_law_over_the_contact(law, newtonian):
     """eta sliding over film is the published function of the stress; eta at a parabola's mean temperature."""
@@ -154,14 +158,14 @@ def test_friction_is_that_of_the_flow_law_over_the_contact(law, newtonian):
     rise = (2 * fields.temperature_middle + walls) / 3 - scene.oil.heat.inlet_temperature
     eta = np.vectorize(scene.oil.eta)(fields.pressure.values, rise.values)
     wanted = eta * np.hypot(fields.sliding_x, fields.sliding_y).values / fields.film.values
-    low, high = np.zeros_like(wanted), np.minimum(wanted, 0.99 * (law.limit or np.inf))
+    low, high = np.zeros_like(wanted), np.minimum(wanted, 0.995 * (law.limit or np.inf))
     for _ in range(60):
         middle = (low + high) / 2
         high = np.where(newtonian(middle) > wanted, middle, high)
         low = np.where(newtonian(middle) > wanted, low, middle)
     node = float(fields.x.diff("x").mean() * fields.y.diff("y").mean())
     friction = low.sum() * node / solution.load
-    assert solution.figures.friction_coefficient.value == pytest.approx(friction, rel=0.02)
+    assert solution.figures.friction_coefficient.value == pytest.approx(friction, rel=0.03)
 
 
 def test_bulk_temperatures_apart(hot):

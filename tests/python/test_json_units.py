@@ -14,6 +14,7 @@ from test_drive_cycle import PHASES, result
 
 from pyworm.cli import main
 from pyworm.drive_cycle import drive_cycle
+from pyworm.json_output import as_json
 
 CASES = Path(__file__).parents[2] / "cases"
 RATED = "bearing_nu2210", "oil_zi", "zi_sharif_2001", "errichello_speed_increaser"
@@ -94,6 +95,16 @@ def agree_with_their_keys(content):
         assert known, f"{key}: not known here"
         low, high = known[0]
         assert low <= value <= high, f"{key} = {value:g} is not between {low:g} and {high:g}"
+
+
+def test_json_has_null_where_a_number_is_none():
+    content = {"error": float("inf"), "films": [float("nan"), -float("inf"), 1.5], "at": (None, 2)}
+    assert json.loads(as_json(content)) == {
+        "error": None,
+        "films": [None, None, 1.5],
+        "at": [None, 2],
+    }
+    assert "NaN" not in as_json(content) and "Infinity" not in as_json(content)
 
 
 def said(capsys, *command):

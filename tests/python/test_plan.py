@@ -273,6 +273,15 @@ def test_automatic_plans_keep_the_accuracy(name, accuracy):
     assert all(one["true"] <= accuracy for one in left_out)
 
 
+@pytest.mark.parametrize(
+    ("accuracy", "levels"), [(0.1, 5), (0.01, 7), (0.0039, 9), (0.001, 9), (2e-4, 11)]
+)
+def test_levels_across_the_film_leave_a_tenth_of_the_accuracy(accuracy, levels):
+    """5, 7 and 9 levels leave 1 %, 0.04 % and 0.003 % in the figures (docs/validation.md)."""
+    scene = pyworm.load("cases/traction_steel.toml").scene()
+    assert pyworm.plan(scene, accuracy, "all").model.levels == levels
+
+
 def test_friction_of_a_newtonian_film_is_read_without_levels():
     """Where thinning changes nothing it is left out, and friction is that of eta us/h."""
     scene = TRIALS["rubber in water"].scene()

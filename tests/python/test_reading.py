@@ -11,6 +11,7 @@ from pyworm.reading import (
     line_maximum,
     maximum,
     maximum_across,
+    newtonian_shear,
     outline_imbalance,
     peak,
 )
@@ -208,3 +209,22 @@ def test_a_hot_column_outside_the_contact_is_not_the_films_temperature(shape):
     field[(1,) * len(shape)] = 5.0  # a column by the side of the window that heat never settled
     within = hump > 0.2
     assert maximum_across(field, positions, within) == pytest.approx(1.2, rel=2e-3)
+
+
+def test_shear_of_a_newtonian_film_is_that_of_its_profile():
+    """Stress eta du/dz and heat eta (du/dz)^2 across the film, of Couette and Poiseuille flow together."""
+    viscosity, film = np.array([0.2, 3.0]), np.array([1e-6, 0.4e-6])
+    sliding = np.array([1.5, -0.3]), np.array([0.0, 2.0])
+    slopes = np.array([4e11, -1e13]), np.array([-2e11, 3e13])
+    shear = newtonian_shear(viscosity, film, sliding, slopes)
+    place = np.linspace(-0.5, 0.5, 2001)[:, None] * film  # from body 1, which slides, to body 2
+    stresses = [
+        -viscosity * speed / film + place * slope
+        for speed, slope in zip(sliding, slopes, strict=True)
+    ]
+    squares = sum(stress**2 for stress in stresses)
+    for found, stress in zip(shear.stress, stresses, strict=True):
+        assert found == pytest.approx(stress[1000])
+    heat = np.trapezoid(squares / viscosity, place, axis=0)
+    assert shear.friction == pytest.approx(heat, rel=1e-5)
+    assert shear.rate == pytest.approx(np.sqrt(squares).max(axis=0) / viscosity)
