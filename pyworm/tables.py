@@ -166,7 +166,8 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     title = _at_worst(summaries).titled("All scenes")
     table = Table(title=title, title_justify="left", **SLENDER)
     table.add_column(heading, no_wrap=True)
-    rough = any("specific_film" in values for values in summaries)
+    solved = [values for values in summaries if values["converged"]]
+    rough = bool(solved) and all("specific_film" in values for values in solved)
     headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
     for heading in (*headings, *(["lambda"] if rough else []), "s"):
         table.add_column(heading, justify="right")

@@ -31,7 +31,9 @@ DATA = Path(__file__).parents[1] / "data"
 
 def read(name):
     """Rows of a table as dictionaries."""
-    table = np.genfromtxt(DATA / name, delimiter=",", names=True, skip_header=3)
+    lines = (DATA / name).read_text().splitlines()
+    rows = [line for line in lines if not line.startswith("#")]
+    table = np.genfromtxt(rows, delimiter=",", names=True)
     return [dict(zip(table.dtype.names, map(float, row), strict=True)) for row in table]
 
 
