@@ -3,9 +3,9 @@
 Scenes are those of `tests/hard/draws.py`, COUNT isothermal and as many thermal ones of each seed. The truth
 is Richardson's limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as
 MOST_NODES allows), in a window of twice the reach, with more levels across the film, corrected for the end of
-that window: with heat by what a window of four times the reach changes and by how the changes fall. How far
-it may be off is given too: `pyworm.precision.limits`, and half of what no window shows. From the repository's
-root:
+that window by windows of four and eight times the reach on a coarse grid, and by how their changes fall. It
+may be off by the limit's own uncertainty (`pyworm.precision.limits`) and half of what no window shows; a bar
+is judged where that is below half of it. From the repository's root:
 
     python benchmarks/error_bars.py [COUNT [SEED ...]]
 
@@ -45,12 +45,18 @@ EXACT = 0.1
 """Accuracy of the truth's levels and algebra over that of the solution."""
 
 EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
-MOST_NODES = {"isothermal": 1_500_000, "thermal": 1_000_000}
+MOST_NODES = {"isothermal": 3_000_000, "thermal": 1_000_000}
 FINER = {"isothermal": 0.3, "thermal": 0.6}
 """Spacing of the truth's last grid over the solution's."""
 
+FAR_NODES = 250_000
+"""Nodes beyond which no window of eight times the reach is solved."""
+
 SLOWEST = 0.75
 """Largest fall of the changes by the window that is extrapolated."""
+
+KNOWN = 0.5
+"""Uncertainty of the truth over a bar up to which the bar is judged."""
 
 FIGURES = {
     "film_min": "minimum film",
@@ -83,13 +89,27 @@ def climbed(
         rung, _ = ladder.higher(rung)
 
 
-def farther(scene: pyworm.Scene, plan: Plan) -> tuple[Grid, ...]:
-    """The plan's grids to a window of four times the reach."""
+def farther(scene: pyworm.Scene, plan: Plan) -> Iterator[tuple[Grid, ...]]:
+    """The plan's grids to windows of four and eight times the reach."""
     drawn = lent(scene)
     size = scales(drawn)
-    reaches = (reach.doubled().doubled() for reach in (near_reach(size), FAR))
-    grids = nest(*windows(scene, size, *reaches), *plan.grids[-1].spacing)
-    return grids if drawn is scene else grids[-1:]
+    reaches = [near_reach(size).doubled(), FAR.doubled()]
+    for _ in range(2):
+        reaches = [reach.doubled() for reach in reaches]
+        grids = nest(*windows(scene, size, *reaches), *plan.grids[-1].spacing)
+        yield grids if drawn is scene else grids[-1:]
+
+
+def beyond(readings: Sequence[Reading], name: str) -> tuple[float, float]:
+    """What an endless window adds to one of twice the reach, and how far that may be off.
+
+    From readings in windows of growing reach on one grid, the second of twice the first's.
+    """
+    values = [reading.figures[name] for reading in readings]
+    before, last = values[-2] - values[-3], values[-1] - values[-2]
+    fall = min(max(last / before, 0.0), SLOWEST) if before else 0.0
+    rest = last * fall / (1 - fall)
+    return values[-1] + rest - values[1], abs(rest) / 2
 
 
 def truth(
@@ -101,27 +121,21 @@ def truth(
     """
     most = MOST_NODES[kind]
     wide = climbed(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
-    near = climbed(scene, plan, plan.grids, 2.1 * spacing, most)
-    common = max(wide.keys() & near.keys(), default=None)
-    if common is None or len(wide) < 2:
+    if len(wide) < 2:
         return {}
-    first = min(wide.keys() & near.keys())
-    far = {}
-    if plan.model.heated:
-        far = climbed(scene, plan, farther(scene, plan), 1.1 * plan.grids[-1].dx / 2**first, most)
-    left = LADDERS[type(scene)](scene, plan).convergence.wider_share
+    first = min(wide)
+    coarse = 1.1 * plan.grids[-1].dx / 2**first
+    ends = [climbed(scene, plan, plan.grids, coarse, most).get(first), wide[first]]
+    for grids in farther(scene, plan):
+        if len(ends) < 3 or grids[-1].nodes * 4**first < FAR_NODES:
+            ends.append(climbed(scene, plan, grids, coarse, most).get(first))
+    if None in ends:
+        return {}
     found = {}
-    for name in wide[common].figures:
+    for name in wide[first].figures:
         fine = limit([reading.figures[name] for reading in wide.values()])
-        change = wide[common].figures[name] - near[common].figures[name]
-        seen = 0.0
-        if first in far:
-            change = wide[first].figures[name] - near[first].figures[name]
-            seen = far[first].figures[name] - wide[first].figures[name]
-            left = min(max(seen / change, 0.0), SLOWEST) if change else 0.0
-            change = seen
-        beyond = change * left / (1 - left)
-        found[name] = fine.value + seen + beyond, fine.error + abs(beyond) / 2
+        further, unsure = beyond(ends, name)
+        found[name] = fine.value + further, fine.error + unsure
     return found
 
 
@@ -173,25 +187,31 @@ def keep(rows: list[dict]) -> None:
         writer.writerows(rows)
 
 
+def judgeable(row: dict) -> bool:
+    """Whether the truth is known well enough for a bar."""
+    return bool(row["reason"]) or row["unsure"] <= KNOWN * row["bar"] < inf
+
+
 def told(rows: list[dict]) -> list[list[str]]:
-    """A row for each figure: how many bars hold, and how much of them the errors are."""
-    head = ["figure", "bars", "hold", "by the reason", "error/bar, median", "largest", "truth/bar"]
-    table = [head]
+    """A row for each figure: how many bars of converged solutions hold, and errors over bars."""
+    table = [["figure", "bars", "judged", "hold", "of these no bar", "median error/bar", "largest"]]
     for name, words in FIGURES.items():
         of = [row for row in rows if row["figure"] == name and row["converged"]]
-        open_ = [row for row in of if row["reason"]]
-        shares = [row["error"] / row["bar"] for row in of if not row["reason"]]
-        unsure = [row["unsure"] / row["bar"] for row in of if not row["reason"]]
-        held = sum(share <= 1 for share in shares) + len(open_)
+        known = [row for row in of if judgeable(row)]
+        shares = [row["error"] / row["bar"] for row in known if not row["reason"]]
+        if not shares:
+            continue
+        without = len(known) - len(shares)
+        held = sum(share <= 1 for share in shares) + without
         table.append(
             [
                 words,
                 str(len(of)),
-                f"{held} ({held / len(of):.0%})",
-                str(len(open_)),
+                str(len(known)),
+                f"{held} ({held / len(known):.0%})",
+                str(without),
                 f"{median(shares):.2f}",
                 f"{max(shares):.2f}",
-                f"{median(unsure):.2f}",
             ]
         )
     return table
@@ -202,7 +222,11 @@ def by_scene(rows: list[dict]) -> list[list[str]]:
     table = [["scene", "converged", "± film / %", "± pressure / %", "largest error/bar", "of"]]
     for scene in dict.fromkeys(row["scene"] for row in rows):
         of = {row["figure"]: row for row in rows if row["scene"] == scene}
-        finite = {name: row["error"] / row["bar"] for name, row in of.items() if row["bar"] < inf}
+        finite = {
+            name: row["error"] / row["bar"]
+            for name, row in of.items()
+            if judgeable(row) and not row["reason"]
+        }
         worst = max(finite, key=finite.get, default=None)
         film = max(of[name]["bar"] for name in ("film_min", "film_central"))
         pressure = of["pressure_max"]

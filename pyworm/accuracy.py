@@ -99,15 +99,15 @@ class Convergence:
     ----------
     orders : mapping
         The highest order to believe in by which each figure converges with the spacing.
-    window_limit : float
-        Error of a window over what doubling its reach (in gap) changes.
-    wider_share : float
-        Share of a window's error that is left when its reach is doubled.
+    window_limits : mapping
+        Error of each figure by a window over what doubling its reach (in gap) changes.
+    wider_shares : mapping
+        Share of that error that is left when its reach is doubled.
     """
 
     orders: Mapping[str, float]
-    window_limit: float
-    wider_share: float
+    window_limits: Mapping[str, float]
+    wider_shares: Mapping[str, float]
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
@@ -140,14 +140,14 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
     """Relative error of each figure on the last of grids of halving spacing.
 
     On two grids no fall of the changes is seen; then the larger change of both films is the error of all, or
-    their own change if that is larger.
+    their own change if that is larger, `SAFETY` times.
     """
     if len(readings) == 1:
         return dict.fromkeys(readings[0].figures, np.inf)
     last = _changes(readings[-2], readings[-1])
     if len(readings) == 2:
         films = max(abs(last[name]) for name in FILMS)
-        return {name: max(films, abs(of)) for name, of in last.items()}
+        return {name: SAFETY * max(films, abs(of)) for name, of in last.items()}
     before = _changes(readings[-3], readings[-2])
     return {name: _grid_error(before[name], last[name], 2 ** orders[name]) for name in last}
 
@@ -192,7 +192,7 @@ def peak_errors(reading: Reading) -> dict[str, float]:
 
 
 def domain_errors(
-    this: Reading, wider: Reading, limit: float, algebra: Mapping[str, float]
+    this: Reading, wider: Reading, limits: Mapping[str, float], algebra: Mapping[str, float]
 ) -> dict[str, float]:
     """Relative error of each figure by the end of its window, from a window of twice the reach.
 
@@ -200,13 +200,14 @@ def domain_errors(
     ----------
     this, wider : Reading
         Figures in both windows.
-    limit : float
-        Error over the change seen (`Convergence.window_limit`).
+    limits : mapping
+        Error over the change seen (`Convergence.window_limits`).
     algebra : mapping
         Relative error of each figure in both windows together by their unfinished algebra, which may hide
         a change as large.
     """
-    return {name: limit * (of + algebra[name]) for name, of in change(wider, this).items()}
+    changes = change(wider, this)
+    return {name: limits[name] * of + algebra[name] for name, of in changes.items()}
 
 
 FIRST_CHANGE = 0.5

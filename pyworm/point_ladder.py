@@ -49,15 +49,19 @@ COARSE_TOLERANCE = 1e-4
 """Residual at which a grid that only leads to a finer window is left."""
 
 
-ORDERS = dict.fromkeys((*FIGURES, *SHEAR_FIGURES, *HEAT_FIGURES), 2.0)
+ALL = (*FIGURES, *SHEAR_FIGURES, *HEAT_FIGURES)
+
+ORDERS = dict.fromkeys(ALL, 2.0)
 
 # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
-# measured against a reach 15 times larger; 2^-1.5 is left when the reach is doubled.
-CONVERGENCE = Convergence(ORDERS, window_limit=1.7, wider_share=0.35)
-
-# Oil warms long before the contact: of the temperatures' error 0.45 to 0.67 were left when the reach was
-# doubled (against a reach 8 times larger), most where they rise by little.
-HEATED_CONVERGENCE = Convergence(ORDERS, window_limit=3.0, wider_share=0.67)
+# measured against a reach 15 times larger; 2^-1.5 is left when the reach is doubled. Oil warms long before
+# the contact: of the temperatures' error 0.45 to 0.67 were left then (against a reach 8 times larger), most
+# where they rise by little.
+CONVERGENCE = Convergence(
+    ORDERS,
+    window_limits=dict.fromkeys(ALL, 1.7) | dict.fromkeys(HEAT_FIGURES, 3.0),
+    wider_shares=dict.fromkeys(ALL, 0.35) | dict.fromkeys(HEAT_FIGURES, 0.67),
+)
 
 
 class PointLadder:
@@ -75,12 +79,12 @@ class PointLadder:
 
     kind: ClassVar[str] = "point"
     rungs: ClassVar[type] = Rung
+    convergence: ClassVar[Convergence] = CONVERGENCE
 
     def __init__(self, scene: Scene, plan: Plan, storage: Storage | None = None):
         self._scene = scene
         self._storage = storage
         self._model = plan.model
-        self.convergence = HEATED_CONVERGENCE if plan.model.heated else CONVERGENCE
         self._lent = lent(scene) if plan.model.heated else scene
         self._size = scales(self._lent)
         self.origins = (

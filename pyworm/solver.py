@@ -144,7 +144,7 @@ def _climb(
                     domain = domain_errors(
                         settled.reading,
                         settled_wider.reading,
-                        ladder.convergence.window_limit,
+                        ladder.convergence.window_limits,
                         {
                             name: of + settled_wider.algebra[name]
                             for name, of in settled.algebra.items()
@@ -152,8 +152,8 @@ def _climb(
                     )
                     seen = plan.aim.worst(domain, settled.reading.figures)
                     if seen > DOMAIN_SHARE * plan.accuracy:
-                        left = ladder.convergence.wider_share
-                        domain = {name: left * error for name, error in domain.items()}
+                        left = ladder.convergence.wider_shares
+                        domain = {name: left[name] * error for name, error in domain.items()}
                         rung, settled, readings = wider, settled_wider, [settled_wider.reading]
         estimates = _estimates(ladder, rung, readings, domain, settled, plan, history)
         stop_reason = stop_reason or _stop_reason(rung, settled, estimates, unsettled, plan)

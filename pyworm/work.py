@@ -25,14 +25,14 @@ M 4 to 1000 and L 1 to 20, from which they scatter by 1.7."""
 LEAST_CHANGE, LENT_CHANGE = 5e-3, 0.1
 """The least, and that of a film that heat alone carries, which no formula knows."""
 
-LOG_CHANGE = tuple(log(share) for share in (0.2, 0.8, 7.7, 31.0, 123.0, 1970.0))
+LOG_CHANGE = tuple(log(share) for share in (0.15, 0.65, 7.7, 31.0, 123.0, 1970.0))
 HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
 """That change over the accuracy, and halvings between which a solve is as likely to stop as to go on.
 
 There is one at least; beyond the last each halving leaves a quarter, as it does before.
 
-The error bar on the second grid is the change itself, on the third a tenth of it, and a quarter of the one
-before on each further (`pyworm.accuracy.grid_errors`); some of it is left to window and algebra."""
+The error bar on the second grid is 1.25 times the change, on the third a tenth of it, and a quarter of the
+one before on each further (`pyworm.accuracy.grid_errors`); some of it is left to window and algebra."""
 
 
 WORTHLESS = 0.1

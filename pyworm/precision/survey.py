@@ -217,7 +217,7 @@ class _Study:
         change over 1 - s, which is believed to a half.
         """
         rung = self._complete
-        share = LADDERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_share
+        shares = LADDERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_shares
         pairs = [
             (here, wider)
             for here, wider in zip(complete.points, window.points, strict=False)
@@ -231,7 +231,7 @@ class _Study:
             by_window = 0.0
             if pairs:
                 here, wider = pairs[-1]
-                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - share)
+                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - shares[figure])
             value = complete.limits[figure].value + by_window
             size = abs(value)
             if figure == "temperature_max_film" and beta > 0:

@@ -153,9 +153,9 @@ def test_the_window_s_bar_of_a_contact_that_warms_little_holds():
 
     near, wide, whole = (read(grids) for grids in (plan.grids, plan.wider_grids, farthest))
     settled = dict.fromkeys(near.figures, 0.0)
-    errors = domain_errors(near, wide, ladder.convergence.window_limit, settled)
-    left = ladder.convergence.wider_share
+    errors = domain_errors(near, wide, ladder.convergence.window_limits, settled)
+    left = ladder.convergence.wider_shares
     for name in HEAT_FIGURES:
         true = whole.figures[name]
         assert abs(near.figures[name] / true - 1) < errors[name]
-        assert abs(wide.figures[name] / true - 1) < left * errors[name]
+        assert abs(wide.figures[name] / true - 1) < left[name] * errors[name]
