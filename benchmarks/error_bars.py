@@ -3,9 +3,10 @@
 Scenes are those of `tests/hard/draws.py`, COUNT isothermal and as many thermal ones of each seed. The truth
 is Richardson's limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as
 MOST_NODES allows), in a window of twice the reach, with more levels across the film, corrected for the end of
-that window by windows of four and eight times the reach on a coarse grid, and by how their changes fall. It
-may be off by the limit's own uncertainty (`pyworm.precision.limits`) and half of what no window shows; a bar
-is judged where that is below half of it. From the repository's root:
+that window: by the power with which a film's error falls, and of temperatures by windows of four and eight
+times the reach on a coarse grid and by how their changes fall. It may be off by the limit's own uncertainty
+(`pyworm.precision.limits`) and half of what no window shows; a bar is judged where that is below half of it.
+From the repository's root:
 
     python benchmarks/error_bars.py [COUNT [SEED ...]]
 
@@ -24,18 +25,15 @@ from statistics import median
 from accuracy_page import markdown
 
 import pyworm
-from pyworm.accuracy import Reading
+from pyworm.accuracy import HEAT_FIGURES, Reading
 from pyworm.case import case_of
 from pyworm.grid import Grid, nest
 from pyworm.ladder import ALGEBRA_SHARE, settle
-from pyworm.lent import lent
 from pyworm.place import Place
 from pyworm.planning import Plan
 from pyworm.precision.limits import limit
-from pyworm.scales import scales
 from pyworm.solver import LADDERS
 from pyworm.task import Task
-from pyworm.window import FAR, near_reach, windows
 
 sys.path.append(str(Path(__file__).parents[1] / "tests" / "hard"))
 from draws import DRAWS, Drawn
@@ -48,6 +46,9 @@ EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
 MOST_NODES = {"isothermal": 3_000_000, "thermal": 1_000_000}
 FINER = {"isothermal": 0.3, "thermal": 0.6}
 """Spacing of the truth's last grid over the solution's."""
+
+LEFT = 2**-1.5
+"""Share of a film's error by its window that is left when the reach is doubled (`docs/theory/film.md`)."""
 
 FAR_NODES = 250_000
 """Nodes beyond which no window of eight times the reach is solved."""
@@ -89,27 +90,27 @@ def climbed(
         rung, _ = ladder.higher(rung)
 
 
-def farther(scene: pyworm.Scene, plan: Plan) -> Iterator[tuple[Grid, ...]]:
-    """The plan's grids to windows of four and eight times the reach."""
-    drawn = lent(scene)
-    size = scales(drawn)
-    reaches = [near_reach(size).doubled(), FAR.doubled()]
-    for _ in range(2):
-        reaches = [reach.doubled() for reach in reaches]
-        grids = nest(*windows(scene, size, *reaches), *plan.grids[-1].spacing)
-        yield grids if drawn is scene else grids[-1:]
+def farther(plan: Plan) -> Iterator[tuple[Grid, ...]]:
+    """The plan's grids to windows of about four and eight times the reach, in which gaps rise as squares."""
+    for growth in (2**0.5, 2.0):
+        inner, outer = (
+            tuple(growth * side for side in plan.wider_grids[place].box) for place in (-1, 0)
+        )
+        grids = nest(inner, outer, *plan.grids[-1].spacing)
+        yield grids[-len(plan.wider_grids) :]
 
 
-def beyond(readings: Sequence[Reading], name: str) -> tuple[float, float]:
-    """What an endless window adds to one of twice the reach, and how far that may be off.
+def rest_of(values: Sequence[float], name: str) -> float:
+    """What an endless window adds to the last of some windows of growing reach, each of twice the one before.
 
-    From readings in windows of growing reach on one grid, the second of twice the first's.
+    From the values of a figure in them, on one grid.
     """
-    values = [reading.figures[name] for reading in readings]
-    before, last = values[-2] - values[-3], values[-1] - values[-2]
-    fall = min(max(last / before, 0.0), SLOWEST) if before else 0.0
-    rest = last * fall / (1 - fall)
-    return values[-1] + rest - values[1], abs(rest) / 2
+    last = values[-1] - values[-2]
+    left = LEFT
+    if name in HEAT_FIGURES:
+        before = values[-2] - values[-3]
+        left = min(max(last / before, 0.0), SLOWEST) if before else 0.0
+    return last * left / (1 - left)
 
 
 def truth(
@@ -117,25 +118,30 @@ def truth(
 ) -> dict[str, tuple[float, float]]:
     """Figures on an infinitely fine grid in an endless window, and how far each may be off.
 
-    Nothing where no two grids of the wider window have a film.
+    Nothing where no two grids of the wider window have a film, or none has one in all windows.
     """
     most = MOST_NODES[kind]
     wide = climbed(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
-    if len(wide) < 2:
+    coarse = 1.1 * plan.grids[-1].dx / 2 ** min(wide, default=0)
+    near = climbed(scene, plan, plan.grids, coarse / 2, most)
+    first = min(wide.keys() & near.keys(), default=None)
+    if first is None or len(wide) < 2:
         return {}
-    first = min(wide)
-    coarse = 1.1 * plan.grids[-1].dx / 2**first
-    ends = [climbed(scene, plan, plan.grids, coarse, most).get(first), wide[first]]
-    for grids in farther(scene, plan):
+    ends = [near[first], wide[first]]
+    for grids in farther(plan) if plan.model.heated else ():
         if len(ends) < 3 or grids[-1].nodes * 4**first < FAR_NODES:
+            coarse = 1.1 * plan.grids[-1].dx / 2**first
             ends.append(climbed(scene, plan, grids, coarse, most).get(first))
     if None in ends:
         return {}
     found = {}
     for name in wide[first].figures:
         fine = limit([reading.figures[name] for reading in wide.values()])
-        further, unsure = beyond(ends, name)
-        found[name] = fine.value + further, fine.error + unsure
+        # films in windows farther out are off by the coarse grids there
+        seen = ends if name in HEAT_FIGURES else ends[:2]
+        values = [reading.figures[name] for reading in seen]
+        rest = rest_of(values, name)
+        found[name] = fine.value + values[-1] + rest - values[1], fine.error + abs(rest) / 2
     return found
 
 

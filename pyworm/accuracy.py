@@ -155,15 +155,15 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
 def _grid_error(before: float, last: float, steepest: float) -> float:
     """Error that the last two changes of a figure leave, which fall by so much at most.
 
-    The last change, or a quarter of the one before if that is larger (a figure may stand still by chance).
-    Where changes fall regularly it is divided by what their fall promises: at second order three quarters of
-    the error are gone at each grid. Changes that differ in sign or fall too steeply promise nothing.
+    The last change, `SAFETY` times, or a quarter of the one before if that is larger (a figure may stand
+    still by chance). Where changes fall regularly it is divided by what their fall promises: at second order
+    three quarters of the error are gone at each grid. Changes that differ in sign or fall too steeply promise
+    nothing, and are taken as they are.
     """
-    error = max(abs(last), abs(before) / 4)
     if before * last < 0 or abs(before) > STEEPEST_FALL * abs(last):
-        return error
+        return max(abs(last), abs(before) / 4)
     fall = before / last if last != 0 else steepest
-    return float(SAFETY * error / (np.clip(fall, 2.0, steepest) - 1))
+    return float(max(SAFETY * abs(last), abs(before) / 4) / (np.clip(fall, 2.0, steepest) - 1))
 
 
 LEAST_PEAK = 4.0

@@ -20,7 +20,7 @@ from pyworm.line.scene import LineScene
 from pyworm.oils import NEWTONIAN
 from pyworm.scales import Scales, scales
 from pyworm.scene import Scene
-from pyworm.window import FAR, near_reach, windows
+from pyworm.window import FAR, grown, near_reach, windows
 from pyworm.work import LENT_CHANGE, Work, expected_work, first_change, stiffness
 
 
@@ -290,9 +290,13 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
     nested = slice(None) if drawn is scene else slice(-1, None)
     near = near_reach(size)
-    inner, outer, *wider = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
+    inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
+    if (
+        wider == inner
+    ):  # beside a thin film the gap rises beyond both within one step of the windows' growth
+        wider = grown(inner)
     grids = _grids(scene, size, inner, outer)[nested]
-    wider_grids = _grids(scene, size, *wider)[nested]
+    wider_grids = _grids(scene, size, wider, *far)[nested]
     half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
     change = LENT_CHANGE
     if drawn is scene:

@@ -103,6 +103,12 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
     )
 
 
+def grown(box: Box) -> Box:
+    """The rectangle a step of growth larger."""
+    west, east, south, north = (GROWTH * side for side in box)
+    return west, east, south, north
+
+
 def _least(scene: Scene, box: Array) -> float:
     """Least gap in a rectangle [m]; 0 where no surfaces are."""
     x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)

@@ -53,13 +53,17 @@ def test_two_grids_give_the_larger_change_of_both_films_to_all():
     ("films", "error"),
     [
         ((21.0, 5.0, 1.0), 4 / 3),  # second order
-        ((15.0, 3.0, 1.0), 3 / 3),  # a fall too steep to believe in
+        ((13.5, 3.5, 1.0), 2.5 / 3),  # four times
         ((3.0, 2.0, 1.0), 1.0),  # no fall
         ((1.0, 1.0, 1.0), 0.0),
     ],
 )
 def test_the_fall_of_the_changes_promises_the_error(films, error):
     assert film_error(*films) == pytest.approx(SAFETY * error)
+
+
+def test_a_fall_too_steep_to_believe_in_is_that_of_the_order():
+    assert film_error(17.0, 3.0, 1.0) == pytest.approx(14 / 4 / 3)
 
 
 @pytest.mark.parametrize(

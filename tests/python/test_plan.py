@@ -375,3 +375,12 @@ def test_surfaces_that_entrain_nothing_may_have_a_past():
     scene = point("ball", (0.01, 0.01), 40.0, against, (STEEL, STEEL), mineral(0.04, 2e-8))
     moving = replace(scene, past=Past(1.0, lambda seconds: Earlier(seconds, scene)))
     assert judged(pyworm.plan(moving, 0.05))["squeeze"].indicator == 0
+
+
+@pytest.mark.parametrize("load", [0.3, 3.0, 30.0, 300.0])
+def test_the_wider_window_is_wider_however_thin_the_film(load):
+    for sliding in (0.0, 0.5):
+        plan = pyworm.plan(ball(sliding, 0.02, load), 0.02, "all")
+        inner, wider = np.array(plan.grids[-1].box), np.array(plan.wider_grids[-1].box)
+        assert (np.abs(wider) >= np.abs(inner)).all()
+        assert np.abs(wider).max() > 1.3 * np.abs(inner).max()
