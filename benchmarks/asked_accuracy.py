@@ -20,13 +20,13 @@ from accuracy_page import fill, markdown
 from plan_scenes import STEEL, mineral
 
 import pyworm
-from pyworm.bodies import Body
 from pyworm.formulas.film import radii_at_angle
 from pyworm.formulas.hertz import hertz
-from pyworm.oils import Density, Oil, Roelands
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Density, Oil, Roelands
 from pyworm.precision.study import Study
 from pyworm.precision.survey import study
-from pyworm.scene import Paraboloid, RigidMotion, Scene
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
 ACCURACIES = (0.05, 0.01, 0.002)
 

@@ -15,13 +15,13 @@ from resource import RUSAGE_CHILDREN, getrusage
 from tempfile import TemporaryDirectory
 from time import perf_counter, process_time
 
-from pyworm.batch import solve_all
-from pyworm.case import load
-from pyworm.place import Place
-from pyworm.store import Store
-from pyworm.sweep import load_sweep
-from pyworm.task import Task
-from pyworm.workers import WorkerPool
+from pyworm.batch.solve_tasks import solve_all
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.sweep import load_sweep
+from pyworm.batch.task import Task
+from pyworm.batch.workers import WorkerPool
+from pyworm.case.case import load
+from pyworm.scene.index import Place
 
 SWEEP = Path("cases/sweeps/film_of_speed_and_load.toml")
 TIMED = ("seconds", "convolutions")

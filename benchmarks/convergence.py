@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 import pyworm
-from pyworm.grid import Grid
-from pyworm.scales import scales
-from pyworm.scene import Scene
+from pyworm.planning.grid import Grid
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import scales
 
 COARSEST = 48
 TOLERANCE = 1e-6

@@ -21,7 +21,7 @@ from matplotlib.ticker import FuncFormatter
 from scipy.interpolate import CubicSpline
 
 import pyworm
-from pyworm.plots.style import write
+from pyworm.plots.layout import write
 
 CASE = Path("cases/zi_sharif_2001.toml")
 FIRST, LAST = 0.1, 0.9

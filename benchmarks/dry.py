@@ -23,7 +23,7 @@ from time import perf_counter
 
 import numpy as np
 
-from pyworm import kernels
+from pyworm import kernel
 
 NODES = (256, 512, 1024)
 REPEATS = 5
@@ -60,7 +60,7 @@ class Hertz:
 
 
 def pyworm(hertz: Hertz, tolerance: float):
-    dry = kernels.dry_contact(
+    dry = kernel.dry_contact(
         hertz.gap,
         np.ones_like(hertz.gap),
         hertz.spacing,

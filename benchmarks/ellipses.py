@@ -13,10 +13,10 @@ from dataclasses import replace
 import numpy as np
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.oils import Density, Oil, Roelands
-from pyworm.scales import scales
-from pyworm.scene import Paraboloid, RigidMotion, Scene
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Density, Oil, Roelands
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+from pyworm.scene.scales import scales
 
 STEEL = Body(205.66e9, 0.3)
 OIL = Oil(Roelands.from_alpha(0.04, 22e-9), Density.dowson_higginson_pole(870.0))

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import pyworm
-from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.drives.gear_pair.drive import GearPairDrive
 
 CASES = {"original": "errichello_speed_increaser", "optimised": "errichello_optimised_addenda"}
 MICROINCH = 25.4e-9

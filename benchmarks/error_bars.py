@@ -25,15 +25,16 @@ from statistics import median
 from accuracy_page import markdown
 
 import pyworm
-from pyworm.accuracy import HEAT_FIGURES, Reading
-from pyworm.case import case_of
-from pyworm.grid import Grid, nest
-from pyworm.ladder import ALGEBRA_SHARE, settle
-from pyworm.place import Place
-from pyworm.planning import Plan
-from pyworm.precision.limits import limit
-from pyworm.solver import LADDERS
-from pyworm.task import Task
+from pyworm.batch.task import Task
+from pyworm.case.case import case_of
+from pyworm.planning.grid import Grid, nest
+from pyworm.planning.plan import Plan
+from pyworm.planning.target import HEAT_FIGURES
+from pyworm.precision.extrapolation import limit
+from pyworm.scene.index import Place
+from pyworm.solver.error_estimate import Reading
+from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.newton import ALGEBRA_SHARE, settle
 
 sys.path.append(str(Path(__file__).parents[1] / "tests" / "hard"))
 from draws import DRAWS, Drawn

@@ -7,7 +7,7 @@ from time import process_time
 from accuracy_page import fill, markdown
 
 import pyworm
-from pyworm.expectation import expectation
+from pyworm.solver.cost.expected_time import expectation
 
 PLACES = {
     "point_m20_l10": {},

@@ -17,12 +17,12 @@ from pathlib import Path
 from statistics import median
 
 import pyworm
-from pyworm.grid import nest
-from pyworm.planning import Plan
-from pyworm.scales import scales
-from pyworm.scene import Scene
-from pyworm.solution import Solution
-from pyworm.window import FAR, near_reach, windows
+from pyworm.planning.grid import nest
+from pyworm.planning.plan import Plan
+from pyworm.planning.window import FAR, near_reach, windows
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import scales
+from pyworm.solver.solution import Solution
 
 COARSEST = 64
 TOLERANCE = 1e-6

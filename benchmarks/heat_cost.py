@@ -25,10 +25,10 @@ import numpy as np
 from film import PARTS, refined
 
 import pyworm
-from pyworm.ladder import lead
-from pyworm.point_ladder import PointLadder
-from pyworm.scene import Scene
-from pyworm.solution import Solution
+from pyworm.scene.point import Scene
+from pyworm.solver.newton import lead
+from pyworm.solver.point.contact import PointLadder
+from pyworm.solver.solution import Solution
 
 HALVINGS = 2
 TOLERANCES = (1e-3, 1e-6)

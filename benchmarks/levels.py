@@ -2,7 +2,7 @@
 
 3 levels are the mean-film model, a parabola. The grid is the one at which 3 % are reached; Newton and heat go
 on until they leave less than the levels do. Relative errors, those of temperatures over the rise above the
-inlet's; `pyworm.planning.LEVEL_ERRORS` is the worst of each number of levels. Run from the repository's root
+inlet's; `planning.model.LEVEL_ERRORS` is the worst of each number of levels. Run from the repository's root
 (it takes minutes):
 
     python benchmarks/levels.py
@@ -13,10 +13,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import pyworm
-from pyworm.kernels import KernelError
-from pyworm.planning import Model
-from pyworm.scene import RigidMotion, Scene
-from pyworm.solution import Solution
+from pyworm.kernel.core import KernelError
+from pyworm.planning.model import Model
+from pyworm.scene.point import RigidMotion, Scene
+from pyworm.solver.solution import Solution
 
 LEVELS = (3, 5, 7, 9, 11)
 REFERENCE = 13

@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.line.scales import line_scales
-from pyworm.line.scene import LineScene, Parabola
-from pyworm.oils import Barus, Density, Oil, Roelands
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Barus, Density, Oil, Roelands
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.scales import line_scales
 
 ETA0, ALPHA, RADIUS = 0.04, 22e-9, 0.01
 STEEL = Body(205.66e9, 0.3)

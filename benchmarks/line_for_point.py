@@ -1,6 +1,6 @@
 """Line contacts in place of ellipses of the same largest pressure, entrained across their long axis.
 
-What `pyworm.effects.bodies` knows of the influence of the second dimension. Films on one grid of each, so
+What `planning.effects.geometry` knows of the influence of the second dimension. Films on one grid of each, so
 that a few tenths of a percent are the grids'. Run from the repository's root:
 
     python benchmarks/line_for_point.py
@@ -10,7 +10,7 @@ from plan_scenes import STEEL, mineral, point
 from plans import on_one_grid
 
 import pyworm
-from pyworm.effects.sketch import sketch
+from pyworm.planning.prediction import sketch
 
 RATIOS = (3, 10, 30, 100, 1000)
 THICK, THIN = mineral(0.1, 2e-8), mineral(0.04, 2e-8)

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.line.scene import LineScene, Parabola
-from pyworm.oils import Barus, Density, FlowLaw, Oil, OilHeat, Roelands
-from pyworm.scene import Paraboloid, RigidMotion, Scene
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Barus, Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
 CELSIUS = 273.15
 FILM = ("film",)

@@ -22,16 +22,16 @@ from matplotlib.figure import Figure
 from plan_scenes import TRIALS, Trial
 
 import pyworm
-from pyworm.accuracy import HEAT_FIGURES
-from pyworm.effects.catalogue import EFFECTS
-from pyworm.effects.judgement import Judgement
-from pyworm.effects.sketch import sketch
-from pyworm.kernels import KernelError
-from pyworm.ladder import settle
-from pyworm.planning import Plan
-from pyworm.solution import Solution
-from pyworm.solver import LADDERS
-from pyworm.units import SHARE, parse
+from pyworm.io.units import SHARE, parse
+from pyworm.kernel.core import KernelError
+from pyworm.planning.effects.catalogue import EFFECTS
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.plan import Plan
+from pyworm.planning.prediction import sketch
+from pyworm.planning.target import HEAT_FIGURES
+from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.newton import settle
+from pyworm.solver.solution import Solution
 
 FINER = 1
 """Halvings of a plan's first grid on which the figures of two plans are compared."""

@@ -25,12 +25,12 @@ import expected_cost
 from accuracy_page import fill, markdown
 
 import pyworm
-from pyworm.expectation import duration
+from pyworm.io.format import duration, percent
+from pyworm.plots.layout import write
 from pyworm.plots.precision import draw_precision
-from pyworm.plots.style import write
-from pyworm.precision.report import LABELS, percent
 from pyworm.precision.study import TARGETS, Study
 from pyworm.precision.survey import study
+from pyworm.precision.tables import LABELS
 
 PICTURES = Path("docs/pictures")
 RESULTS = Path("results/accuracy")

@@ -11,9 +11,9 @@ import numpy as np
 from roller_tables import ENDS, SOURCE
 
 import pyworm
-from pyworm.bodies import reduced_modulus
-from pyworm.drives.roller_motion import line_motion
+from pyworm.drives.roller_worm.motion import line_motion
 from pyworm.formulas.roller_enveloping import printed_minimum
+from pyworm.materials.body import reduced_modulus
 
 CASE = Path(__file__).parents[1] / "cases" / "roller_ref.toml"
 TILTS, HEIGHTS, OUTER = (0, 30, 60, 90), (-20, -10, 0, 10, 20), (50, 60, 70)

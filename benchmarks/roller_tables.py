@@ -10,12 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import pyworm
-from pyworm.bodies import reduced_modulus
-from pyworm.formulas.roller_enveloping import (
-    normal_force,
-    printed_minimum,
-    printed_normal_force,
-)
+from pyworm.formulas.roller_enveloping import normal_force, printed_minimum, printed_normal_force
+from pyworm.materials.body import reduced_modulus
 
 CASE = Path(__file__).parents[1] / "cases" / "roller_ref.toml"
 

@@ -9,7 +9,7 @@ spread of heat across the path, of variance 2 kappa t. Run from the repository's
 import numpy as np
 from numpy.polynomial.hermite_e import hermegauss
 
-from pyworm.bodies import Body
+from pyworm.materials.body import Body
 
 INSTANTS = 2000
 """Points of the integral over past times."""

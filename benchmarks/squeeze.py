@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from time import process_time
 
 import pyworm
-from pyworm.effects.sketch import sketch
-from pyworm.effects.squeeze import SQUEEZE, lag, spread
-from pyworm.solution import Estimate
+from pyworm.planning.effects.squeeze import SQUEEZE, lag, spread
+from pyworm.planning.prediction import sketch
+from pyworm.solver.solution import Estimate
 
 HEADS = ("ms", "lag", "spread", "told", "central", "least", "friction", "s")
 

@@ -9,9 +9,10 @@ Run from the repository's root:
 import sys
 from math import pi
 
-from pyworm.drive_cycle import drive_cycle
-from pyworm.formulas.worm_standard import WormGear, rate_worm
-from pyworm.result import open_result
+from pyworm.formulas.worm_gear import WormGear
+from pyworm.formulas.worm_rating import rate_worm
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import open_result
 
 GEAR = WormGear(
     centre_distance=0.3048,

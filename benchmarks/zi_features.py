@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from pyworm.result import open_result
+from pyworm.result.result import open_result
 
 MM = 1e-3
 HIGH = 100e6

@@ -7,10 +7,10 @@ from dataclasses import replace
 from math import radians
 
 import pyworm
-from pyworm.climb import dry_contact
-from pyworm.grid import Grid
-from pyworm.reading import contact_extent, maximum
-from pyworm.scales import scales
+from pyworm.planning.grid import Grid
+from pyworm.scene.scales import scales
+from pyworm.solver.figures import contact_extent, maximum
+from pyworm.solver.point.level import dry_contact
 
 # Swivel [deg], shift along the wheel's axis [mm], phase at which the pair reproduces the published radii
 SET_UPS = (

@@ -13,14 +13,14 @@ from typing import Any
 __all__ = ["Case", "CaseError", "LineScene", "Scene", "Solution", "load", "plan", "solve"]
 
 _HOMES = {
-    "Case": "pyworm.case",
-    "CaseError": "pyworm.case_error",
-    "LineScene": "pyworm.line.scene",
-    "Scene": "pyworm.scene",
-    "Solution": "pyworm.solution",
-    "load": "pyworm.case",
-    "plan": "pyworm.planning",
-    "solve": "pyworm.solver",
+    "Case": "pyworm.case.case",
+    "CaseError": "pyworm.io.input_error",
+    "LineScene": "pyworm.scene.line",
+    "Scene": "pyworm.scene.point",
+    "Solution": "pyworm.solver.solution",
+    "load": "pyworm.case.case",
+    "plan": "pyworm.planning.plan",
+    "solve": "pyworm.solver.solve",
 }
 
 

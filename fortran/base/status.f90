@@ -1,5 +1,5 @@
 !> How a kernel procedure says that it failed: it never stops the process and never prints.
-!> Python turns these numbers into sentences in one place, `pyworm/kernels.py`.
+!> Python turns these numbers into sentences in one place, `pyworm/kernel/film.py`.
 module status
   implicit none(type, external)
   private

@@ -4,8 +4,8 @@ from typing import Protocol
 
 import xarray as xr
 
-from pyworm.line.scene import LineScene
-from pyworm.scene import Scene
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
 
 
 class Drive(Protocol):
@@ -23,7 +23,7 @@ class Drive(Protocol):
         """The lubricated contact at a phase of the mesh cycle, 0 to 1.
 
         A drive whose contacts more than the phase tells apart takes the other names of `Place` that its
-        `[operation]` lists (`pyworm.case.MESH_PLACES`), too, and names its `sections`.
+        `[operation]` lists (`pyworm.case.case.MESH_PLACES`), too, and names its `sections`.
         """
 
     def cycle_data(self) -> xr.Dataset:

@@ -7,10 +7,11 @@ units are used inside only.
 """
 
 from dataclasses import dataclass
-from math import atan, cos, pi, sqrt, tan
+from math import atan, pi, sqrt, tan
 from typing import Literal
 
 from pyworm.formulas.ranges import one_of, positive, within
+from pyworm.formulas.worm_gear import REFERENCE_FILM, WormGear
 
 OilKind = Literal["mineral", "PAO", "PAG"]
 
@@ -35,147 +36,15 @@ _FRICTION = {
 }
 
 # factor and exponent of J_0T, and its largest value; wheel of CuSn12Ni2
-_WEAR = {"mineral": (2.4e-11, -3.1, 400e-9), "PAG": (1.27e-10, -2.24, 400e-9)}
+WEAR_INTENSITIES = {"mineral": (2.4e-11, -3.1, 400e-9), "PAG": (1.27e-10, -2.24, 400e-9)}
 
-REFERENCE_FILM = 0.07
-"""h* of the reference gear, nominal."""
 
 STATIC_FRICTION = 0.13
 """mu_0 at rest of steel on tin bronze; aluminium bronze has 0.15 and cast iron 0.18. From a public
 transcription of DIN 3996 (the worksheet on worm gears of MITCalc), not checked against its text."""
 
-ALLOWED_WEAR = 0.3
-"""Depth worn off the wheel's flanks over m_x cos gamma that the standard allows (the same transcription)."""
 
 _RPM = 30 / pi
-
-
-@dataclass(frozen=True)
-class WormGear:
-    """Geometry of a worm gear as the standards see it.
-
-    Attributes
-    ----------
-    centre_distance : float
-        a [m]; 25 mm to 2 m.
-    starts, teeth : int
-        z1 of the worm, z2 of the wheel.
-    module : float
-        Axial module m_x [m].
-    diameter_factor : float
-        q, reference diameter of the worm over the module [-]; above 0.5.
-    face_width : float
-        b_2H of the wheel [m].
-    profile_shift : float
-        x2 of the wheel [-].
-
-    Raises
-    ------
-    ValueError
-        Lengths in other units, or parts that do not make up the centre distance within 2 %.
-    """
-
-    centre_distance: float
-    starts: int
-    teeth: int
-    module: float
-    diameter_factor: float
-    face_width: float
-    profile_shift: float = 0.0
-
-    def __post_init__(self) -> None:
-        """Refuse what is no worm gear."""
-        within("centre distance", self.centre_distance, 0.025, 2, "m")
-        within("number of worm starts", self.starts, 1, 12, "")
-        within("number of wheel teeth", self.teeth, 15, 300, "")
-        within("module", self.module, 5e-4, 0.1, "m")
-        within("diameter factor", self.diameter_factor, 4, 40, "")
-        within("face width", self.face_width, 2e-3, 1, "m")
-        within("profile shift", self.profile_shift, -2, 2, "")
-        made = self.module / 2 * (self.diameter_factor + self.teeth + 2 * self.profile_shift)
-        if abs(made / self.centre_distance - 1) > 0.02:
-            raise ValueError(
-                f"centre distance = {self.centre_distance:g} m: module, diameter factor, teeth and profile "
-                f"shift make {made:g} m"
-            )
-
-    @property
-    def ratio(self) -> float:
-        """u = z2/z1 [-]."""
-        return self.teeth / self.starts
-
-    @property
-    def tan_lead(self) -> float:
-        """Tangent of the lead angle gamma at the worm's reference cylinder, z1/q [-]."""
-        return self.starts / self.diameter_factor
-
-    @property
-    def lead_angle(self) -> float:
-        """Lead angle gamma at the worm's reference cylinder [rad]."""
-        return atan(self.tan_lead)
-
-    @property
-    def tooth_thickness(self) -> float:
-        """Nominal normal thickness of the wheel's teeth, pi m_x cos(gamma)/2 [m]."""
-        return pi / 2 * self.module * cos(self.lead_angle)
-
-    @property
-    def wear_limit(self) -> float:
-        """Largest depth that may wear off the wheel's flanks, 0.3 m_x cos(gamma) [m]."""
-        return ALLOWED_WEAR * self.module * cos(self.lead_angle)
-
-    @property
-    def film_parameter(self) -> float:
-        """h* [-], how well the shape of the gear draws oil into the contact.
-
-        0.018 + q/[7.86 (q + z2)] + 1/z2 + x2/110 - u/36300 + b2H/(370.4 mx) - sqrt(2 q - 1)/213.9.
-        Checked: 0.0657 for the reference gear, nominally 0.07.
-        """
-        q, z2 = self.diameter_factor, self.teeth
-        return (
-            0.018
-            + q / (7.86 * (q + z2))
-            + 1 / z2
-            + self.profile_shift / 110
-            - self.ratio / 36300
-            + self.face_width / (370.4 * self.module)
-            - sqrt(2 * q - 1) / 213.9
-        )
-
-    @property
-    def pressure_parameter(self) -> float:
-        """p_m* [-] of the mean contact pressure.
-
-        1.03 {0.4 + x2/u + 0.01 z2 - 0.083 b2H/mx + sqrt(2 q - 1)/6.9 + [q + 50 (u + 1)/u]/(15.9 + 37.5
-        q)}. Checked: 0.988 for the reference gear, nominally 0.962.
-        """
-        q, u = self.diameter_factor, self.ratio
-        return 1.03 * (
-            0.4
-            + self.profile_shift / u
-            + 0.01 * self.teeth
-            - 0.083 * self.face_width / self.module
-            + sqrt(2 * q - 1) / 6.9
-            + (q + 50 * (u + 1) / u) / (15.9 + 37.5 * q)
-        )
-
-    @property
-    def sliding_parameter(self) -> float:
-        """s* [-] of the mean sliding path, 0.78 + 0.21 u + 5.6/tan gamma.
-
-        Checked: 30.3 for the reference gear, nominally 30.8.
-        """
-        return 0.78 + 0.21 * self.ratio + 5.6 / self.tan_lead
-
-    def sliding_speed(self, worm_speed: float) -> float:
-        """Sliding speed at the worm's reference cylinder v_g [m/s], d_m1 omega/(2 cos gamma)."""
-        positive("worm speed", worm_speed, "rad/s")
-        diameter = self.diameter_factor * self.module
-        return diameter / 2 * worm_speed * sqrt(1 + self.tan_lead**2)
-
-
-REFERENCE_GEAR = WormGear(0.1, 2, 41, 4e-3, 9.0, 30e-3)
-"""The gear that the standards' test results belong to."""
 
 
 def minimum_film(
@@ -417,11 +286,11 @@ def wear_intensity(
         W_S of the oil's structure and W_H of the pressure [-], from the standard; 1 is mineral oil at
         moderate pressure.
     """
-    one_of("oil of the wear rating", oil, tuple(_WEAR))
+    one_of("oil of the wear rating", oil, tuple(WEAR_INTENSITIES))
     within("mean minimum film", film, 1e-9, 1e-4, "m")
     positive("W_S", structure_factor, "")
     positive("W_H", pressure_factor, "")
-    factor, exponent, largest = _WEAR[oil]
+    factor, exponent, largest = WEAR_INTENSITIES[oil]
     return min(factor * (film * 1e6 * structure_factor * pressure_factor) ** exponent, largest)
 
 
@@ -549,175 +418,3 @@ def teeth_loss(
     return TeethLoss(
         friction, forward, backward_efficiency(gear.tan_lead, friction), output * (1 / forward - 1)
     )
-
-
-@dataclass(frozen=True)
-class WormRating:
-    """A worm gear by the standards' methods.
-
-    Attributes
-    ----------
-    film_parameter, pressure_parameter, sliding_parameter : float
-        h*, p_m*, s* [-].
-    sliding_speed : float
-        vg [m/s].
-    film : float
-        h_min,m [m].
-    mean_pressure : float
-        sigma_Hm [Pa].
-    friction : float
-        mu_zm [-].
-    forward_efficiency, backward_efficiency : float
-        Of the teeth [-]; backward zero or less where the wheel cannot drive.
-    self_locking_margin : float
-        mu/tan gamma [-], running.
-    static_friction, static_locking_margin : float
-        mu and mu/tan gamma at rest [-].
-    tooth_loss : float
-        Power lost between the teeth, worm driving [W].
-    bulk_temperature : float or None
-        Of the wheel [K]; None without a sump temperature.
-    pitting_safety : float or None
-        S_H [-]; None without a strength and a life.
-    wear_intensity, wear_depth : float or None
-        J [-] and depth [m] in the life; None without a life or W_S, and with PAO.
-    wear_safety : float or None
-        S_W [-], `WormGear.wear_limit` over that depth; None likewise.
-    temperature_safety : float or None
-        S_T [-]; None without a limit.
-    source : str
-        The standards.
-    """
-
-    film_parameter: float
-    pressure_parameter: float
-    sliding_parameter: float
-    sliding_speed: float
-    film: float
-    mean_pressure: float
-    friction: float
-    forward_efficiency: float
-    backward_efficiency: float
-    self_locking_margin: float
-    static_friction: float
-    static_locking_margin: float
-    tooth_loss: float
-    bulk_temperature: float | None
-    pitting_safety: float | None
-    wear_intensity: float | None
-    wear_depth: float | None
-    wear_safety: float | None
-    temperature_safety: float | None
-    source: str = SOURCE
-
-
-def rate_worm(
-    gear: WormGear,
-    *,
-    oil: OilKind,
-    viscosity: float,
-    worm_speed: float,
-    torque: float,
-    reduced_modulus: float,
-    roughness: float,
-    material_factor: float = 1.0,
-    pitting_strength: float | None = None,
-    life: float | None = None,
-    structure_factor: float | None = None,
-    pressure_factor: float = 1.0,
-    sump_temperature: float | None = None,
-    immersion_factor: float = 1.0,
-    temperature_limit: float | None = None,
-) -> WormRating:
-    """Rate a worm gear; what is not given is not rated.
-
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    oil : str
-        "mineral", "PAO" or "PAG".
-    viscosity : float
-        Dynamic viscosity at the wheel's bulk temperature [Pa s].
-    worm_speed : float
-        [rad/s].
-    torque : float
-        T2 on the wheel [N m].
-    reduced_modulus : float
-        E_red [Pa].
-    roughness : float
-        Ra of the worm's flanks [m].
-    material_factor : float
-        Y_W [-].
-    pitting_strength, life : float, optional
-        sigma_HlimT [Pa] and wanted life [h].
-    structure_factor, pressure_factor : float
-        W_S and W_H of `wear_intensity` [-]; W_S of mineral oil is 1, of PAG it must be given for wear to
-        be rated.
-    sump_temperature, temperature_limit : float, optional
-        Temperature of the oil and the highest allowed [K].
-    immersion_factor : float
-        c_k of `bulk_temperature` [-].
-
-    Raises
-    ------
-    ValueError
-        What lies outside the methods, in one sentence.
-    """
-    a = gear.centre_distance
-    film = minimum_film(
-        gear.film_parameter,
-        PRESSURE_VISCOSITY[_known(oil)],
-        viscosity,
-        worm_speed,
-        a,
-        reduced_modulus,
-        torque,
-    )
-    pressure = mean_pressure(gear.pressure_parameter, torque, reduced_modulus, a)
-    sliding = gear.sliding_speed(worm_speed)
-    lost = teeth_loss(gear, oil, worm_speed, torque, roughness, material_factor)
-    # of a small gear that creeps the running one is larger: teeth at rest rub no less
-    at_rest = max(lost.friction, static_friction(a, roughness, material_factor))
-    safety = intensity = depth = bulk = None
-    if pitting_strength is not None and life is not None:
-        safety = pitting_safety(pressure, pitting_strength, life, sliding, a, oil)
-    if oil == "mineral" and structure_factor is None:
-        structure_factor = 1.0
-    if life is not None and structure_factor is not None and oil in _WEAR:
-        intensity = wear_intensity(oil, film, structure_factor, pressure_factor)
-        cycles = worm_speed / gear.ratio / (2 * pi) * life * 3600
-        depth = wear_depth(intensity, gear.sliding_parameter, pressure, a, reduced_modulus, cycles)
-    if sump_temperature is not None:
-        area = gear.face_width * gear.teeth * gear.module
-        bulk = bulk_temperature(sump_temperature, lost.power, worm_speed, area, immersion_factor)
-    return WormRating(
-        film_parameter=gear.film_parameter,
-        pressure_parameter=gear.pressure_parameter,
-        sliding_parameter=gear.sliding_parameter,
-        sliding_speed=sliding,
-        film=film,
-        mean_pressure=pressure,
-        friction=lost.friction,
-        forward_efficiency=lost.forward_efficiency,
-        backward_efficiency=lost.backward_efficiency,
-        self_locking_margin=self_locking_margin(gear.tan_lead, lost.friction),
-        static_friction=at_rest,
-        static_locking_margin=self_locking_margin(gear.tan_lead, at_rest),
-        tooth_loss=lost.power,
-        bulk_temperature=bulk,
-        pitting_safety=safety,
-        wear_intensity=intensity,
-        wear_depth=depth,
-        wear_safety=None if depth is None else gear.wear_limit / depth,
-        temperature_safety=(
-            None
-            if sump_temperature is None or temperature_limit is None
-            else temperature_safety(sump_temperature, temperature_limit)
-        ),
-    )
-
-
-def _known(oil: OilKind) -> OilKind:
-    one_of("oil", oil, OIL_KINDS)
-    return oil

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from pyworm.plots.style import write
-from pyworm.reason import reason_of
+from pyworm.io.reason import reason_of
+from pyworm.plots.layout import write
 
 
 class PicturesError(RuntimeError):

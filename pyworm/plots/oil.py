@@ -8,9 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullFormatter, ScalarFormatter
 
-from pyworm.formulas.oil_laws import WALTHER_SHIFT, ZERO_CELSIUS
-from pyworm.named_oils import NamedOil
-from pyworm.plots.style import new_figure
+from pyworm.formulas.oil_properties import WALTHER_SHIFT, ZERO_CELSIUS
+from pyworm.materials.library import NamedOil
+from pyworm.plots.layout import new_figure
 
 MILLIMETRE_SQUARED = 1e6
 """From m2/s to mm2/s."""

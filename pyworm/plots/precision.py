@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from pyworm.precision.report import percent
+from pyworm.io.format import percent
 from pyworm.precision.study import Curve, Study
 
 TITLES = {

@@ -19,9 +19,9 @@ from pyworm.formulas.regimes import (
     line_films,
     point_films,
 )
-from pyworm.place import Place
-from pyworm.plots.style import new_figure, result_heading
-from pyworm.result import Result
+from pyworm.plots.layout import new_figure, result_heading
+from pyworm.result.result import Result
+from pyworm.scene.index import Place
 
 SHORT = {
     ISOVISCOUS_RIGID: "R-I",

@@ -12,11 +12,10 @@ from matplotlib.axis import Axis as MatplotlibAxis
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from pyworm.place import PLACE_NAMES
 from pyworm.plots.attempts import Attempts
-from pyworm.plots.style import joined, new_figure
-from pyworm.sweep_report import columns, telling
-from pyworm.sweep_table import SweepResult
+from pyworm.plots.layout import joined, new_figure
+from pyworm.result.sweep_result import SweepResult, columns, telling
+from pyworm.scene.index import PLACE_NAMES
 
 # Variable, factor from SI to the unit shown, label, variable of its error, whether that is relative.
 _FIGURES = (

@@ -4,16 +4,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.left_out import of_all
-from pyworm.plots.style import (
-    draw_largest_temperatures,
-    mark_gaps,
-    new_figure,
-    result_heading,
-    with_gaps,
-)
-from pyworm.result import Result
-from pyworm.solution import Solution
+from pyworm.plots.layout import mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.plots.overlays import draw_largest_temperatures
+from pyworm.result.result import Result
+from pyworm.solver.left_out import of_all
+from pyworm.solver.solution import Solution
 
 
 def draw_traction(result: Result) -> Figure:

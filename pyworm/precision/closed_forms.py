@@ -5,14 +5,13 @@ from time import process_time
 
 import numpy as np
 
-from pyworm.effects.sketch import sketch
 from pyworm.formulas import film
 from pyworm.formulas.film import Film
-from pyworm.line.scales import line_scales
-from pyworm.line.scene import LineScene
-from pyworm.precision.climb import Point
-from pyworm.scales import scales
-from pyworm.scene import Scene
+from pyworm.planning.prediction import sketch
+from pyworm.precision.grid_series import Point
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import line_scales, scales
 
 POINT_FORMULAS: dict[str, Callable[..., Film]] = {
     "Hamrock-Dowson": film.hamrock_dowson,
@@ -28,7 +27,7 @@ LINE_FORMULAS: dict[str, Callable[..., Film]] = {
 }
 
 SKETCH = "estimate of plans"
-"""Friction and temperature by which plans judge effects (`pyworm.effects.sketch`)."""
+"""Friction and temperature by which plans judge effects (`pyworm.planning.prediction`)."""
 
 REPEATS = 20
 """Times that a formula is worked out to see what it costs."""

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from pyworm.precision.climb import Point
-from pyworm.precision.limits import Limit
+from pyworm.precision.extrapolation import Limit
+from pyworm.precision.grid_series import Point
 
 TARGETS = (0.1, 0.05, 0.01, 0.001)
 """Accuracies for which the cheapest rung and grid are told."""

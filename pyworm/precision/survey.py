@@ -5,18 +5,19 @@ from dataclasses import replace
 from math import inf, isfinite
 from time import perf_counter
 
-from pyworm.effects.sketch import sketch
-from pyworm.expectation import duration, expectation
-from pyworm.kernels import KernelError
-from pyworm.line.scene import LineScene
-from pyworm.planning import PARABOLA, Model
-from pyworm.precision.climb import Point, climb, on_grid, settled_row, step_of, tightened
+from pyworm.io.format import duration
+from pyworm.kernel.core import KernelError
+from pyworm.planning.model import PARABOLA, Model
+from pyworm.planning.prediction import sketch
 from pyworm.precision.closed_forms import closed_forms
-from pyworm.precision.fidelity import Fidelity, fidelities
-from pyworm.precision.limits import Limit, limit
+from pyworm.precision.extrapolation import Limit, limit
+from pyworm.precision.grid_series import Point, climb, on_grid, settled_row, step_of, tightened
+from pyworm.precision.models import Fidelity, fidelities
 from pyworm.precision.study import Curve, Reference, Study
-from pyworm.scene import Scene
-from pyworm.solver import LADDERS
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.cost.expected_time import expectation
+from pyworm.solver.grid_sequence import LADDERS
 
 FINE_ENOUGH = 1e-4
 """Error of all figures by the grid below which a rung is not refined further."""

@@ -3,6 +3,7 @@
 from math import pi
 from pathlib import Path
 
+from pyworm.case.ratings import BearingTable
 from pyworm.formulas.bearing_life import (
     REVOLUTIONS,
     BearingRating,
@@ -11,9 +12,8 @@ from pyworm.formulas.bearing_life import (
     rate_bearing,
     viscosity_ratio,
 )
-from pyworm.ratings.oils import oil_called
+from pyworm.materials.oil_file import oil_called
 from pyworm.ratings.rating import RatedFigure, Rating, Value
-from pyworm.schema.rating import BearingTable
 
 # Key, label, attribute of `BearingRating`, scale to the unit shown, unit
 _FIGURES = (

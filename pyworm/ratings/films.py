@@ -1,15 +1,15 @@
 """What each film formula says of one contact, and what heating of its inlet takes from it."""
 
-from pyworm.effects.sketch import Sketch, sketch
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
 from pyworm.formulas.regimes import POINT_RANGE, line_regime, point_regime
-from pyworm.left_out import LeftOut
-from pyworm.line.scene import LineScene
-from pyworm.place import Place
+from pyworm.planning.prediction import Sketch, sketch
 from pyworm.ratings.rating import RatedFigure, Rating
-from pyworm.scene import Scene
-from pyworm.solution import Solution
+from pyworm.scene.index import Place
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.left_out import LeftOut
+from pyworm.solver.solution import Solution
 
 _POINT = {
     "hamrock_dowson": ("Hamrock and Dowson 1977", film.hamrock_dowson),

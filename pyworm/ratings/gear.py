@@ -2,18 +2,18 @@
 
 import numpy as np
 
-from pyworm.bodies import composite_roughness
-from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.case.case_file import PublishedValue
+from pyworm.case.ratings import GearRatingTable
+from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
-from pyworm.left_out import LeftOut, of_all
-from pyworm.ratings.loss import mesh_loss
+from pyworm.materials.body import composite_roughness
+from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
-from pyworm.result import Result
-from pyworm.schema.case import PublishedValue
-from pyworm.schema.rating import GearRatingTable
-from pyworm.solution import ZERO_CELSIUS, Solution
+from pyworm.result.result import Result
+from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.solution import ZERO_CELSIUS, Solution
 
 LITRES_PER_MINUTE = 6e4
 """From m3/s to l/min."""

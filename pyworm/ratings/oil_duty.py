@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from pyworm.bodies import composite_roughness
-from pyworm.case_error import CaseError
-from pyworm.drives.gear_pair import GearPairDrive
+from pyworm.case.ratings import BearingTable, OilChoiceTable
+from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
-from pyworm.oil_choice import Duty, OilChoice, choose_oil, line_film, worm_film
-from pyworm.ratings.asked import Asked
+from pyworm.io.input_error import CaseError
+from pyworm.materials.body import composite_roughness
+from pyworm.ratings.oil_choice import OilChoice, choose_oil
+from pyworm.ratings.oil_grades import Duty, line_film, worm_film
+from pyworm.ratings.rated_case import Asked
 from pyworm.ratings.worm import WormDuty
-from pyworm.schema.rating import BearingTable, OilChoiceTable
 
 
 def oil_choice(asked: Asked) -> OilChoice:

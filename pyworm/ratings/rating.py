@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-from pyworm.left_out import LeftOut
+from pyworm.solver.left_out import LeftOut
 
 Value = float | int | str | None
 

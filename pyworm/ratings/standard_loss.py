@@ -7,14 +7,14 @@ which was measured on rough teeth, is what an engineer reckons with.
 from dataclasses import dataclass
 from typing import Any
 
-from pyworm.case import Case, case_again
-from pyworm.case_error import CaseError
-from pyworm.drives.gear_pair import GearPairDrive
-from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.case.case import Case, case_again
+from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.formulas.worm_standard import SOURCE, teeth_loss
-from pyworm.ratings.oils import oil_called
+from pyworm.io.input_error import CaseError
+from pyworm.materials.oil_file import oil_called
 from pyworm.ratings.worm import MEAN_TO_RMS, worm_duty_of_drive
-from pyworm.result import Result
+from pyworm.result.result import Result
 
 
 @dataclass(frozen=True)

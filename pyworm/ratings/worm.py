@@ -6,26 +6,22 @@ from pathlib import Path
 
 import numpy as np
 
-from pyworm.bodies import reduced_modulus
-from pyworm.case_error import CaseError
-from pyworm.drives.zi_load import Transmission
-from pyworm.drives.zi_worm import ZiWormDrive
+from pyworm.case.ratings import WormGearTable, WormRatingTable
+from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.load_sharing import Transmission
 from pyworm.formulas.wear_distress import composite_roughness, regime, specific_film
-from pyworm.formulas.worm_standard import (
-    OIL_KINDS,
-    PITTING_STRENGTH,
-    WormGear,
-    WormRating,
-    rate_worm,
-)
-from pyworm.left_out import LeftOut, of_all
-from pyworm.ratings.loss import mesh_loss
-from pyworm.ratings.oils import oil_called
+from pyworm.formulas.worm_gear import WormGear
+from pyworm.formulas.worm_rating import WormRating, rate_worm
+from pyworm.formulas.worm_standard import OIL_KINDS, PITTING_STRENGTH
+from pyworm.io.input_error import CaseError
+from pyworm.materials.body import reduced_modulus
+from pyworm.materials.oil_file import oil_called
+from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.ratings.worm_verdict import failures, left_unrated, locking
-from pyworm.result import Result
-from pyworm.schema.rating import WormGearTable, WormRatingTable
-from pyworm.solution import ZERO_CELSIUS
+from pyworm.result.result import Result
+from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.solution import ZERO_CELSIUS
 
 MEAN_TO_RMS = 0.8
 """Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""

@@ -2,8 +2,9 @@
 
 from math import atan, degrees
 
-from pyworm.formulas.worm_standard import WormGear, WormRating
-from pyworm.schema.rating import WormRatingTable
+from pyworm.case.ratings import WormRatingTable
+from pyworm.formulas.worm_gear import WormGear
+from pyworm.formulas.worm_rating import WormRating
 
 NEVER_RATED = (
     "Tooth root strength, worm deflection: no formulas of the standards are known here.",

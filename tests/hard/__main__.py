@@ -28,7 +28,7 @@ from stability import CHECKS
 from traps import set_traps
 from trial import HEADING, BriefTrial, Trial, Verdict, trial, verdict
 
-from pyworm.store import Store
+from pyworm.batch.solved_scenes import Store
 
 EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
 
@@ -85,7 +85,7 @@ def show(one: Trial, tables: dict[str, Any], store: Store) -> None:
 
 def _toml(tables: dict[str, Any], above: str = "") -> Iterator[str]:
     """A case file's lines."""
-    from pyworm.case_error import toml
+    from pyworm.io.input_error import toml
 
     plain = {key: value for key, value in tables.items() if not isinstance(value, dict)}
     if above and plain:

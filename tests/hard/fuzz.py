@@ -23,9 +23,10 @@ from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 from trial import flaws as flaws_of_solution
 
-from pyworm.case_error import toml
-from pyworm.cli import BAD_INPUT, CONVERGED, NOT_CONVERGED, main
-from pyworm.result import open_result
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
+from pyworm.io.input_error import toml
+from pyworm.result.result import open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -128,8 +129,8 @@ def solved(mutant: Mutant, directory: Path) -> tuple[int, str, list[str]]:
     out = directory / "out"
     command = ("run", "--accuracy", "30%", "--out", str(out), *SHORTER.get(mutant.base, ()))
     with (
-        patch("pyworm.plots.draw", lambda result, directory, executor: []),
-        patch("pyworm.planning.LARGEST_GRID", SMALL_GRID),
+        patch("pyworm.plots.draw.draw", lambda result, directory, executor: []),
+        patch("pyworm.planning.discretisation.LARGEST_GRID", SMALL_GRID),
     ):
         run = outcome(mutant, directory, command, out / "result.nc")
     if out.exists():

@@ -22,8 +22,9 @@ import numpy as np
 import xarray as xr
 from fuzz import CASES, FACTORS, LITTER, LONGEST
 
-from pyworm.cli import BAD_INPUT, CONVERGED, FAILED, NOT_CONVERGED, main
-from pyworm.result import _as_netcdf, _load, open_result
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT, CONVERGED, FAILED, NOT_CONVERGED
+from pyworm.result.result import _as_netcdf, _load, open_result
 
 COARSE = ("--accuracy", "30%")
 

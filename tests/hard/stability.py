@@ -15,15 +15,15 @@ from draws import DRAWS
 from named import ISOTHERMAL, contact
 
 import pyworm
-from pyworm.accuracy import Reading, grid_errors
-from pyworm.case import case_of
-from pyworm.climb import Rung, anew
-from pyworm.ladder import settle
-from pyworm.planning import Plan
-from pyworm.point_ladder import ORDERS, PointLadder
-from pyworm.scales import scales
-from pyworm.scene import Paraboloid, Scene
-from pyworm.solution import Solution
+from pyworm.case.case import case_of
+from pyworm.planning.plan import Plan
+from pyworm.scene.point import Paraboloid, Scene
+from pyworm.scene.scales import scales
+from pyworm.solver.error_estimate import Reading, grid_errors
+from pyworm.solver.newton import settle
+from pyworm.solver.point.contact import ORDERS, PointLadder
+from pyworm.solver.point.level import Rung, anew
+from pyworm.solver.solution import Solution
 
 Tell = Callable[[str], None]
 

@@ -9,7 +9,7 @@ import ctypes
 from collections.abc import Callable
 from typing import Any
 
-from pyworm import kernels
+from pyworm.kernel import core
 
 INVALID, DIVIDED_BY_ZERO, OVERFLOW = 1, 4, 8
 """Flags of <fenv.h> on x86."""
@@ -36,13 +36,6 @@ class _Trapped:
         return trapped
 
 
-class _TrappedCore:
-    """The compiled module with trapped bindings."""
-
-    def __init__(self, core: Any):
-        self.bindings = _Trapped(core.bindings)
-
-
 def set_traps() -> None:
     """From now on every call of the kernel is trapped."""
-    kernels._core = _TrappedCore(kernels._core)
+    core.bindings = _Trapped(core.bindings)

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.batch import solve_and_keep
-from pyworm.case import case_of
-from pyworm.place import Place
-from pyworm.planning import Plan
-from pyworm.result import Result
-from pyworm.solution import Solution
-from pyworm.solver import Progress
-from pyworm.store import Store
-from pyworm.task import Task
+from pyworm.batch.solve_tasks import solve_and_keep
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.task import Task
+from pyworm.case.case import case_of
+from pyworm.io.progress import Progress
+from pyworm.planning.plan import Plan
+from pyworm.result.result import Result
+from pyworm.scene.index import Place
+from pyworm.solver.solution import Solution
 
 ACCURACY = {"isothermal": 0.05, "all": 0.05}
 """Accuracy at which scenes are solved, by their effects."""

@@ -3,7 +3,7 @@
 A table of a TOML file here is one mutation, its name the table's:
 
     [far-field-load-halved]
-    file = "pyworm/far_field.py"
+    file = "pyworm/solver/point/far_field.py"
     old = "return FarField(outline, pressure, load)"
     new = "return FarField(outline, pressure, load / 2)"
     tests = ["test_film.py::test_the_load_beyond_a_window_is_that_of_the_exact_field"]

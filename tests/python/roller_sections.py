@@ -2,9 +2,9 @@
 
 from math import radians
 
-from pyworm.drives.roller_envelope import RollerEnvelope
-from pyworm.drives.roller_profile import RollerProfile
-from pyworm.drives.roller_section import WormSection
+from pyworm.drives.roller_worm.envelope import RollerEnvelope
+from pyworm.drives.roller_worm.profile import RollerProfile
+from pyworm.drives.roller_worm.section import WormSection
 
 CENTRE_DISTANCE = 0.16
 ROLLERS = 35

@@ -7,13 +7,13 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import RegularGridInterpolator
 
-from pyworm.drives.zi_data import mesh_cycle_data
+from pyworm.drives.zi_worm.dataset import mesh_cycle_data
 from pyworm.formulas.film import line_groups, point_groups
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.formulas.regimes import line_regime, point_regime
-from pyworm.result import Result
-from pyworm.solution import Cost, DryFigures, Estimate, Figures, Solution
-from pyworm.variables import describe
+from pyworm.io.variables import describe
+from pyworm.result.result import Result
+from pyworm.solver.solution import Cost, DryFigures, Estimate, Figures, Solution
 
 
 def make_solution(

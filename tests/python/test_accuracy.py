@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyworm.accuracy import (
-    FIGURES,
+from pyworm.planning.target import FIGURES
+from pyworm.solver.error_estimate import (
     SAFETY,
     Peak,
     Reading,

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyworm.cli import BAD_INPUT, main
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT
 
 CASES = Path(__file__).parents[2] / "cases"
 DRIVE = (CASES / "zi_sharif_2001.toml").read_text()
@@ -432,7 +433,7 @@ def test_wrong_commands(tmp_path, monkeypatch, capsys, arguments, sentence):
 def test_a_process_ends_the_same_way(tmp_path):
     """As `main` is tested above, once through a real command line."""
     (tmp_path / "case.toml").write_text(changed(DRIVE, ('load = "14 kN"', "load = 14")))
-    program = "import sys; from pyworm.cli import main; sys.exit(main())"
+    program = "import sys; from pyworm.cli.main import main; sys.exit(main())"
     ended = subprocess.run(
         [sys.executable, "-c", program, "run", "case.toml"],
         cwd=tmp_path,

@@ -14,24 +14,26 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyworm.batch import solve_all
-from pyworm.case import load
-from pyworm.cli import CONVERGED, NOT_CONVERGED, main
-from pyworm.place import Place
-from pyworm.plots import draw
-from pyworm.result import open_result
-from pyworm.store import Store
-from pyworm.task import Task, program_digest
-from pyworm.workers import WorkerDiedError, WorkerPool
+from pyworm.batch.provenance import program_digest
+from pyworm.batch.solve_tasks import solve_all
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.task import Task
+from pyworm.batch.workers import WorkerDiedError, WorkerPool
+from pyworm.case.case import load
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED, NOT_CONVERGED
+from pyworm.plots.draw import draw
+from pyworm.result.result import open_result
+from pyworm.scene.index import Place
 
 CASES = Path(__file__).parents[2] / "cases"
 TRACTION = CASES / "traction_steel.toml"
 CHEAP = {"accuracy": 0.3, "effects": "isothermal"}
 RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--json")
 WITHOUT_PICTURES = """
-import sys, pyworm.plots
-from pyworm.__main__ import main
-pyworm.plots.draw = lambda result, directory, executor: []
+import sys, pyworm.plots.draw
+from pyworm.cli.__main__ import main
+pyworm.plots.draw.draw = lambda result, directory, executor: []
 sys.exit(main())
 """
 
@@ -64,7 +66,7 @@ def bits(store, tasks):
 def test_a_task_takes_its_plan_along_once_made(monkeypatch):
     task, other = some_tasks(2)
     made = task.plan
-    monkeypatch.setattr("pyworm.task.plan", lambda *scene_and_more: None)
+    monkeypatch.setattr("pyworm.batch.task.plan", lambda *scene_and_more: None)
     assert [pickle.loads(pickle.dumps(one)).plan for one in (task, other)] == [made, None]
 
 
@@ -189,7 +191,7 @@ def test_a_key_tells_the_program_down_to_the_compiled_kernel(tmp_path, monkeypat
     digests = []
     for content in (b"one build", b"another", b"one build"):
         kernel.write_bytes(content)
-        monkeypatch.setattr("pyworm._core.__file__", str(kernel))
+        monkeypatch.setattr("pyworm.kernel.core.EXTENSION", kernel)
         digests.append(program_digest.__wrapped__())
     assert digests[0] == digests[2] != digests[1]
 
@@ -242,7 +244,7 @@ def started(out):
 @pytest.fixture(autouse=True, scope="module")
 def without_pictures():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
         yield
 
 
@@ -310,7 +312,7 @@ def test_a_second_run_solves_nothing_and_more_places_only_themselves(
     assert capsys.readouterr().err == ""
     assert main([*arguments, "1", "2", "0"]) == CONVERGED
     assert "2 of 3 scenes were solved before" in capsys.readouterr().err
-    monkeypatch.setattr("pyworm.task.solve", None)
+    monkeypatch.setattr("pyworm.batch.task.solve", None)
     assert main([*arguments, "2", "1"]) == CONVERGED
     result = open_result(tmp_path / "result.nc")
     assert [solution.slide_roll_ratio for solution in result.solutions] == [2, 1]

@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from pyworm.case import load
+from pyworm.case.case import load
 from pyworm.formulas.hertz import hertz
-from pyworm.line.scales import line_scales
-from pyworm.line.scene import LineScene
-from pyworm.oils import FlowLaw, OilHeat, Roelands
-from pyworm.planning import plan
-from pyworm.ratings.asked import load_asked, ratings
-from pyworm.sampled_gap import SampledGap, read_gap
+from pyworm.materials.oil import FlowLaw, OilHeat, Roelands
+from pyworm.planning.plan import plan
+from pyworm.ratings.rated_case import load_asked, ratings
+from pyworm.scene.gap_file import read_gap
+from pyworm.scene.line import LineScene
+from pyworm.scene.sampled_gap import SampledGap
+from pyworm.scene.scales import line_scales
 
 ROOT = Path(__file__).parents[2]
 CASES = ROOT / "cases"

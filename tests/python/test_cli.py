@@ -9,10 +9,11 @@ import pytest
 from synthetic_solution import make_hot_worm
 
 import pyworm
-import pyworm.task
-from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
-from pyworm.kernels import KernelError
-from pyworm.result import Result, open_result
+import pyworm.batch.task
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED
+from pyworm.kernel.core import KernelError
+from pyworm.result.result import Result, open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 CASE = str(CASES / "point_m20_l10.toml")
@@ -52,11 +53,11 @@ def solve_at_once(monkeypatch, solved):
         path.write_bytes(b"")
         return [path]
 
-    monkeypatch.setattr("pyworm.plots.draw", mark)
+    monkeypatch.setattr("pyworm.plots.draw.draw", mark)
 
     def install(**changes):
         solution = replace(solved[1], **changes)
-        monkeypatch.setattr("pyworm.task.solve", lambda scene, plan, progress: solution)
+        monkeypatch.setattr("pyworm.batch.task.solve", lambda scene, plan, progress: solution)
 
     return install
 
@@ -155,14 +156,14 @@ def test_a_scene_that_the_kernel_gives_up_does_not_cost_the_others(
     tmp_path, capsys, monkeypatch, solve_at_once
 ):
     solve_at_once(phase=0.4)
-    at_once = pyworm.task.solve
+    at_once = pyworm.batch.task.solve
 
     def half(scene, plan, progress):
         if scene.phase > 0.5:
             raise KernelError(2)
         return at_once(scene, plan, progress)
 
-    monkeypatch.setattr("pyworm.task.solve", half)
+    monkeypatch.setattr("pyworm.batch.task.solve", half)
     drive = str(CASES / "zi_sharif_2001.toml")
     arguments = ["run", drive, "--phase", "0.4", "0.6", "--json", "--out", str(tmp_path / "out")]
     assert main(arguments) == NOT_CONVERGED
@@ -213,7 +214,7 @@ def test_a_result_that_could_not_be_written_leaves_what_was_solved(
     assert "No space left on device" in capsys.readouterr().err
     assert [path.parent.name for path in out.rglob("*.*")] == ["scenes"]
     monkeypatch.setattr(Result, "save", save)
-    monkeypatch.setattr("pyworm.task.solve", None)
+    monkeypatch.setattr("pyworm.batch.task.solve", None)
     assert main(["run", CASE, "--out", str(out)]) == CONVERGED
     assert sorted(path.name for path in out.iterdir()) == ["mark.png", "result.nc"]
 
@@ -222,7 +223,7 @@ def test_a_kernel_that_gives_up_is_told_in_one_sentence(tmp_path, capsys, monkey
     def give_up(scene, plan, progress):
         raise KernelError(6)
 
-    monkeypatch.setattr("pyworm.task.solve", give_up)
+    monkeypatch.setattr("pyworm.batch.task.solve", give_up)
     assert main(["run", CASE, "--out", str(tmp_path / "out")]) == FAILED
     assert capsys.readouterr().err == "pyworm: point_m20_l10: there is not enough memory\n"
     assert list(tmp_path.iterdir()) == []
@@ -274,8 +275,7 @@ def test_doctor_finds_nothing_wrong_here(tmp_path, capsys, monkeypatch):
 
 
 def test_doctor_says_what_to_do_about_a_missing_kernel(capsys, monkeypatch):
-    monkeypatch.setitem(sys.modules, "pyworm._core", None)
-    monkeypatch.delattr(pyworm, "_core", raising=False)
+    monkeypatch.setitem(sys.modules, "pyworm.kernel.core", None)
     assert main(["doctor"]) == FAILED
     said = capsys.readouterr().out
     assert "kernel        NO  not built" in said

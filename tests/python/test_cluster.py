@@ -11,15 +11,16 @@ from pathlib import Path
 import pytest
 from test_batch import CHEAP, Deadly, some_tasks
 
-from pyworm.batch import solve_all, solve_for
-from pyworm.case import load
-from pyworm.cli import BAD_INPUT, CONVERGED, FAILED, main
-from pyworm.cluster import cluster as workers_of
-from pyworm.place import Place
-from pyworm.store import Store
-from pyworm.sweep_table import open_sweep
-from pyworm.task import Task
-from pyworm.workers import WorkerPool
+from pyworm.batch.cluster import cluster as workers_of
+from pyworm.batch.solve_tasks import solve_all, solve_for
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.task import Task
+from pyworm.batch.workers import WorkerPool
+from pyworm.case.case import load
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT, CONVERGED, FAILED
+from pyworm.result.sweep_result import open_sweep
+from pyworm.scene.index import Place
 
 pytest.importorskip("distributed")
 
@@ -72,7 +73,7 @@ def test_nothing_is_lost_when_a_worker_is_killed(cluster, tmp_path):
     path = tmp_path / "friction.toml"
     path.write_text(SWEEP)
     out = tmp_path / "out"
-    command = "import sys; from pyworm.cli import main; sys.exit(main())"
+    command = "import sys; from pyworm.cli.main import main; sys.exit(main())"
     with subprocess.Popen(
         [
             *(sys.executable, "-c", command, "sweep", str(path)),
@@ -110,7 +111,7 @@ def sweeping(tmp_path, address, out):
     path.write_text(SWEEP)
     process = subprocess.Popen(
         [
-            *(sys.executable, "-m", "pyworm", "sweep", str(path)),
+            *(sys.executable, "-m", "pyworm.cli", "sweep", str(path)),
             *("--scheduler", address, "--out", str(out)),
         ],
         stdout=subprocess.DEVNULL,
@@ -157,7 +158,7 @@ def test_a_worker_of_another_build_fails_its_scenes_with_the_reason(tmp_path, mo
     """What it unpickles has another key there, since the key counts the program in."""
     case = load(CASES / "traction_steel.toml")
     task = Task(case, Place(slide_roll_ratio=0.5), 0.3, "isothermal")
-    monkeypatch.setattr("pyworm.task.program_digest", lambda: "another")
+    monkeypatch.setattr("pyworm.batch.provenance.program_digest", lambda: "another")
     store = Store(tmp_path / "scenes", fields=False)
     reason = solve_for("0" * 24, task, store)
     assert reason == "its worker has another build of pyworm, or of what it builds on"
@@ -168,7 +169,7 @@ def test_a_worker_of_another_build_fails_its_scenes_with_the_reason(tmp_path, mo
 
 
 def test_no_scheduler_is_told(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("pyworm.cluster.PATIENCE", 0.5)
+    monkeypatch.setattr("pyworm.batch.cluster.PATIENCE", 0.5)
     path = tmp_path / "friction.toml"
     path.write_text(SWEEP)
     arguments = ["sweep", str(path), "--out", str(tmp_path / "out"), "--scheduler"]

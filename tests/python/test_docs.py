@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.cli import _parser
+from pyworm.cli.main import _parser
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]

@@ -10,15 +10,15 @@ import xarray as xr
 from synthetic_solution import make_mesh_cycle, make_result, make_worm_solution, with_heat
 
 import pyworm
-from pyworm import balance
-from pyworm.cycle_tables import cycle_table
-from pyworm.drive_cycle import drive_cycle
-from pyworm.drives import zi_data
-from pyworm.flank_map import flank_map, supply
-from pyworm.plots import CYCLE_PICTURES
-from pyworm.result import case_in
-from pyworm.solution import Estimate
-from pyworm.task import Task
+from pyworm.batch import drive_iteration
+from pyworm.batch.task import Task
+from pyworm.drives.zi_worm import dataset
+from pyworm.plots.draw import CYCLE_PICTURES
+from pyworm.report.console.mesh_cycle import cycle_table
+from pyworm.result.flank_map import flank_map, supply
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import case_in
+from pyworm.solver.solution import Estimate
 
 CASES = Path(__file__).parents[2] / "cases"
 LOADS = np.linspace(-0.1, 1.1, 241)
@@ -262,24 +262,27 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
         found.save(directory / "result.nc")
         return found
 
-    monkeypatch.setattr(balance, "run", run)
+    monkeypatch.setattr(drive_iteration, "run", run)
 
     def tasks():
         return [Task(worm_case, place, 0.02) for place in worm_case.places()]
 
-    _, solved = balance.run_balanced(worm_case, tasks(), tmp_path, say=said.append)
+    _, solved = drive_iteration.run_balanced(worm_case, tasks(), tmp_path, say=said.append)
     assert ran == [[0.01] * 3, [0.02] * 3]
     assert solved[0].case.drive.load.friction == 0.02
     assert said == ["solved again with operation.friction = 0.02"]
     assert case_in(tmp_path / "result.nc")["operation"]["friction"] == 0.02
     # and another run of the same case begins with it
     ran.clear()
-    balance.run_balanced(worm_case, tasks(), tmp_path)
+    drive_iteration.run_balanced(worm_case, tasks(), tmp_path)
     assert ran == [[0.02] * 3]
     # of a wheel's torque, friction takes little
     wheel = pyworm.load(CASES / "zi_drive.toml")
     more = {"operation": {"friction": 0.02}}
-    moved = [balance.load_change(of, of.with_found(more), (0.3, 0.6)) for of in (wheel, worm_case)]
+    moved = [
+        drive_iteration.load_change(of, of.with_found(more), (0.3, 0.6))
+        for of in (wheel, worm_case)
+    ]
     assert moved[0] < 0.005 < 0.02 < moved[1]
 
 
@@ -307,17 +310,17 @@ def test_lifts_found_at_a_glance_share_the_load(tmp_path, monkeypatch):
             found,
             case=case.resolved,
             solutions=solutions,
-            mesh_cycle=zi_data.loaded_cycle_data(case.drive, 0.0),
+            mesh_cycle=dataset.loaded_cycle_data(case.drive, 0.0),
         )
         found.save(directory / "result.nc")
         return found
 
-    monkeypatch.setattr(balance, "run", run)
-    monkeypatch.setattr(zi_data, "LOADED_PHASES", 11)
+    monkeypatch.setattr(drive_iteration, "run", run)
+    monkeypatch.setattr(dataset, "LOADED_PHASES", 11)
     tasks = [Task(case, place, 0.02) for place in places]
-    balanced, _ = balance.run_balanced(case, tasks, tmp_path, say=said.append)
+    balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
     lifts = tuple((place.phase, pytest.approx((1 + 2 * place.phase) * 1e-6)) for place in places)
-    assert ran == [(balance.GLANCE, ()), (0.02, lifts)]
+    assert ran == [(drive_iteration.GLANCE, ()), (0.02, lifts)]
     assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
     share, phase = drive_cycle(balanced).lifted
     at = balanced.mesh_cycle.interp(load_phase=phase)
@@ -326,5 +329,5 @@ def test_lifts_found_at_a_glance_share_the_load(tmp_path, monkeypatch):
     assert phase == 0.1 and -0.1 < share < -0.01
     # and another run of the same case begins with them
     ran.clear()
-    balance.run_balanced(case, tasks, tmp_path)
+    drive_iteration.run_balanced(case, tasks, tmp_path)
     assert ran == [(0.02, lifts)]

@@ -11,19 +11,20 @@ from draws import thermal
 from rich.console import Console
 
 import pyworm
-from pyworm.accuracy import HEAT_FIGURES, domain_errors
-from pyworm.case import case_of
-from pyworm.grid import nest
-from pyworm.json_output import as_json
-from pyworm.ladder import settle
-from pyworm.place import Place
-from pyworm.point_ladder import PointLadder
-from pyworm.report.figures import estimate
-from pyworm.result import Result, open_result
-from pyworm.scales import scales
-from pyworm.tables import figures_table
-from pyworm.task import Task
-from pyworm.window import FAR, near_reach, windows
+from pyworm.batch.task import Task
+from pyworm.case.case import case_of
+from pyworm.io.json import as_json
+from pyworm.planning.grid import nest
+from pyworm.planning.target import HEAT_FIGURES
+from pyworm.planning.window import FAR, near_reach, windows
+from pyworm.report.console.scenes import figures_table
+from pyworm.report.page.figures import estimate
+from pyworm.result.result import Result, open_result
+from pyworm.scene.index import Place
+from pyworm.scene.scales import scales
+from pyworm.solver.error_estimate import domain_errors
+from pyworm.solver.newton import settle
+from pyworm.solver.point.contact import PointLadder
 
 
 def task(accuracy, radii, load, modulus, velocity, spin, viscosity, density):

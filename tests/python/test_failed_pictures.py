@@ -13,35 +13,36 @@ import pytest
 import xarray as xr
 from synthetic_solution import make_result, make_worm_solution
 
-from pyworm.cli import CONVERGED, FAILED, NOT_CONVERGED, main
-from pyworm.plots import SCENE_PICTURES, draw
+from pyworm.batch.workers import WorkerPool
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED
+from pyworm.io.variables import describe
 from pyworm.plots.attempts import PicturesError
-from pyworm.plots.gap import draw_gap
-from pyworm.result import open_result
-from pyworm.variables import describe
-from pyworm.workers import WorkerPool
+from pyworm.plots.contact.gap import draw_gap
+from pyworm.plots.draw import SCENE_PICTURES, draw
+from pyworm.result.result import open_result
 
 CASE = Path(__file__).parents[2] / "cases" / "point_m20_l10.toml"
 RUN = ("run", str(CASE), "--accuracy", "30%", "--effects", "isothermal")
 
 KILLED = """
 import os, signal, sys
-import pyworm.plots
-from pyworm.cli import main
+import pyworm.plots.draw
+from pyworm.cli.main import main
 
 def draw(result, directory, executor):
     (directory / "scene_000_film.png").write_text("half")
     os.kill(os.getpid(), signal.SIGKILL)
 
-pyworm.plots.draw = draw
+pyworm.plots.draw.draw = draw
 sys.exit(main(sys.argv[1:]))
 """
 
 SHORT = """
 import resource, sys
-import pyworm.plots
-from pyworm.cli import main
-draw = pyworm.plots.draw
+import pyworm.plots.draw
+from pyworm.cli.main import main
+draw = pyworm.plots.draw.draw
 
 def with_little_memory(result, directory, executor):
     used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
@@ -51,7 +52,7 @@ def with_little_memory(result, directory, executor):
     finally:
         resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
 
-pyworm.plots.draw = with_little_memory
+pyworm.plots.draw.draw = with_little_memory
 sys.exit(main(sys.argv[1:]))
 """
 
@@ -118,12 +119,12 @@ def test_a_scene_that_did_not_converge_is_still_told_by_the_exit_code(
     solved = {}
 
     def unconverged(scene, plan, progress):
-        from pyworm.solver import solve
+        from pyworm.solver.solve import solve
 
         solved["one"] = replace(solve(scene, plan), converged=False)
         return solved["one"]
 
-    monkeypatch.setattr("pyworm.task.solve", unconverged)
+    monkeypatch.setattr("pyworm.batch.task.solve", unconverged)
     for name in SCENE_PICTURES["point"]:
         monkeypatch.setitem(SCENE_PICTURES["point"], name, fails)
     assert main([*RUN, "--out", str(tmp_path)]) == NOT_CONVERGED
@@ -137,7 +138,7 @@ def test_a_disk_that_is_full_costs_no_figure(tmp_path, capsys, monkeypatch):
         (directory / "half.png").write_text("half")
         raise OSError("No space left on device")
 
-    monkeypatch.setattr("pyworm.plots.draw", full)
+    monkeypatch.setattr("pyworm.plots.draw.draw", full)
     assert main([*RUN, "--out", str(tmp_path / "out")]) == CONVERGED
     assert capsys.readouterr().err == "pyworm: no pictures: No space left on device\n"
     assert [path.name for path in tmp_path.rglob("*")] == ["out", "result.nc"]
@@ -178,7 +179,7 @@ def test_a_run_killed_while_drawing_leaves_nothing_behind_after_the_next(tmp_pat
     ended = subprocess.run([sys.executable, "-c", KILLED, *command], check=False)
     assert ended.returncode == -signal.SIGKILL
     assert len(list(tmp_path.rglob("scene_000_film.png"))) == 1
-    monkeypatch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
     assert main(command) == CONVERGED
     assert [path.name for path in tmp_path.rglob("*")] == ["out", "result.nc"]
 

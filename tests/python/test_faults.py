@@ -20,9 +20,10 @@ import xarray as xr
 from hypothesis import HealthCheck, Phase, given, settings
 
 import pyworm
-from pyworm.cli import BAD_INPUT, FAILED, main
-from pyworm.grid import Grid
-from pyworm.result import _as_netcdf, _load, open_result
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT, FAILED
+from pyworm.planning.grid import Grid
+from pyworm.result.result import _as_netcdf, _load, open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 TRACTION = CASES / "traction_steel.toml"
@@ -90,7 +91,7 @@ def whole_result(directory):
     out = directory / "out"
     command = ["run", str(TRACTION), *CHEAP, "--slide-roll-ratio", "0", "--out", str(out)]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
         assert main(command) == 0
     return (out / "result.nc").read_bytes(), command
 
@@ -257,7 +258,7 @@ def test_a_run_over_a_damaged_result_solves_again(tmp_path, capsys):
     file = tmp_path / "out" / "result.nc"
     file.write_bytes(content[: len(content) // 2])
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
         assert main(command) == 0
     assert open_result(file).converged
     assert "solved before" not in capsys.readouterr().err
@@ -326,9 +327,9 @@ def test_a_huge_gap_is_refused_before_it_is_read(tmp_path, refusal):
 
 FULL = """
 import resource, signal, sys
-import pyworm.plots
-from pyworm.cli import main
-pyworm.plots.draw = lambda result, directory, executor: []
+import pyworm.plots.draw
+from pyworm.cli.main import main
+pyworm.plots.draw.draw = lambda result, directory, executor: []
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
 sys.exit(main(sys.argv[2:]))

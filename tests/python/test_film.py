@@ -8,15 +8,15 @@ import pytest
 from convergence import films
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.far_field import far_field
-from pyworm.grid import Grid, nest
-from pyworm.kernels import KernelError
-from pyworm.oils import Barus, Density, Oil, Roelands
-from pyworm.sampled_gap import SampledGap
-from pyworm.scales import scales
-from pyworm.scene import Paraboloid, RigidMotion, Scene
-from pyworm.window import FAR, Reach, near_reach, windows
+from pyworm.kernel.core import KernelError
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Barus, Density, Oil, Roelands
+from pyworm.planning.grid import Grid, nest
+from pyworm.planning.window import FAR, Reach, near_reach, windows
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+from pyworm.scene.sampled_gap import SampledGap
+from pyworm.scene.scales import scales
+from pyworm.solver.point.far_field import far_field
 
 STEEL = Body(205.66e9, 0.3)
 """Two of these give E' = 226 GPa."""

@@ -10,16 +10,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.case_error import CaseError
-from pyworm.cli import main
-from pyworm.drives.gear_gap import Flank
-from pyworm.drives.gear_pair import TipRelief
+from pyworm.cli.main import main
+from pyworm.drives.gear_pair.drive import TipRelief
+from pyworm.drives.gear_pair.gap import Flank
 from pyworm.formulas.film import dowson_higginson, line_groups
 from pyworm.formulas.hertz import hertz, hertz_line
-from pyworm.line.scene import LineScene
-from pyworm.plots.gear_pair import draw_film_and_temperature, draw_line_of_action
-from pyworm.result import Result, open_result
+from pyworm.io.input_error import CaseError
+from pyworm.materials.body import Body
+from pyworm.plots.drives.gear_pair import draw_film_and_temperature, draw_line_of_action
+from pyworm.result.result import Result, open_result
+from pyworm.scene.line import LineScene
 
 CASES = Path(__file__).parents[2] / "cases"
 SPUR_TEXT = (CASES / "spur_pair.toml").read_text()

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from test_film import RADIUS, circular
 
-from pyworm.grid import CELLS_MULTIPLE, Grid, coarsened, nest
-from pyworm.kernels import prolong
-from pyworm.scales import scales
-from pyworm.window import Reach, windows
+from pyworm.kernel.interpolation import prolong
+from pyworm.planning.grid import CELLS_MULTIPLE, Grid, coarsened, nest
+from pyworm.planning.window import Reach, windows
+from pyworm.scene.scales import scales
 
 side = st.floats(0.5, 20.0)
 

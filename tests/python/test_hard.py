@@ -15,14 +15,15 @@ from promise import COUNTS, complaints
 from trial import Verdict, trial, verdict
 
 import pyworm
-from pyworm import climb, kernels
-from pyworm.case_error import CaseError
-from pyworm.grid import Grid
-from pyworm.kernels import NO_DESCENT, KernelError
-from pyworm.ladder import settle, stride
-from pyworm.point_ladder import PointLadder
-from pyworm.scales import scales
-from pyworm.store import Store
+from pyworm import kernel
+from pyworm.batch.solved_scenes import Store
+from pyworm.io.input_error import CaseError
+from pyworm.kernel.core import NO_DESCENT, KernelError
+from pyworm.planning.grid import Grid
+from pyworm.scene.scales import scales
+from pyworm.solver.newton import settle, stride
+from pyworm.solver.point import level
+from pyworm.solver.point.contact import PointLadder
 
 
 @pytest.mark.parametrize("name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22"])
@@ -134,10 +135,10 @@ def test_a_film_started_anew_keeps_its_outline_and_carries_its_load():
     size = scales(scene)
     a = size.hertz.semi_axis_x
     grid = Grid(-3 * a, -2 * a, a / 8, a / 8, 41, 33)
-    rung = climb.first_rung(scene, scene, size, grid)
+    rung = level.first_rung(scene, scene, size, grid)
     before = rung.film.pressure.copy()
     rung.film.start(before / 3, 5 * size.film)
-    climb.anew(scene, size, rung)
+    level.anew(scene, size, rung)
     outline = np.ones(grid.shape, dtype=bool)
     outline[1:-1, 1:-1] = False
     assert np.array_equal(rung.film.pressure[outline], before[outline] / 3)
@@ -174,4 +175,4 @@ def test_kernel_statuses_all_have_words():
         for line in status.read_text().splitlines()
         if "parameter" in line
     ]
-    assert [str(kernels.KernelError(number)) for number in numbers if number]
+    assert [str(kernel.KernelError(number)) for number in numbers if number]

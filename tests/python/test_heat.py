@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm.ladder import lead
-from pyworm.oils import NEWTONIAN, FlowLaw
-from pyworm.planning import Model
-from pyworm.point_ladder import PointLadder
-from pyworm.scene import RigidMotion
+from pyworm.materials.oil import NEWTONIAN, FlowLaw
+from pyworm.planning.model import Model
+from pyworm.scene.point import RigidMotion
+from pyworm.solver.newton import lead
+from pyworm.solver.point.contact import PointLadder
 
 CASES = Path(__file__).parents[2] / "cases"
 COARSE = 0.05

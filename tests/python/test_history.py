@@ -8,10 +8,10 @@ import pytest
 from plan_scenes import STEEL, mineral, point
 
 import pyworm
-from pyworm.effects.bodies import as_line
-from pyworm.effects.sketch import sketch
-from pyworm.history import _rate
-from pyworm.past import Earlier, Past
+from pyworm.planning.effects.geometry import as_line
+from pyworm.planning.prediction import sketch
+from pyworm.scene.past import Earlier, Past
+from pyworm.solver.transient import _rate
 
 AGES = 1.0
 """Age of the contacts [s], which is many times that of the oil in them."""

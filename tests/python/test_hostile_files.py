@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyworm.case import load
-from pyworm.case_error import CaseError
-from pyworm.sampled_gap import read_gap
-from pyworm.toml_file import LARGEST, read_toml
+from pyworm.case.case import load
+from pyworm.io.input_error import CaseError
+from pyworm.io.toml import LARGEST, read_toml
+from pyworm.scene.gap_file import read_gap
 
 CASES = Path(__file__).parents[2] / "cases"
 CASE = (CASES / "point_m20_l10.toml").read_text()

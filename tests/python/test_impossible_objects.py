@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.oils import Barus, Density, FlowLaw, Oil, OilHeat, Roelands
-from pyworm.scene import Paraboloid
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Barus, Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.scene.point import Paraboloid
 
 CASES = Path(__file__).parents[2] / "cases"
 VISCOSITY, DENSITY = Roelands(0.04, 0.6), Density.dowson_higginson(870.0)

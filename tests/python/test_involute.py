@@ -8,14 +8,14 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from pyworm.drives.involute import (
+from pyworm.drives.gear_pair.involute import (
     Gear,
     InvolutePair,
     ToothSystem,
     inverse_involute,
     involute,
 )
-from pyworm.drives.load_sharing import LoadSharing
+from pyworm.drives.gear_pair.load_sharing import LoadSharing
 
 FZG_C = InvolutePair(
     ToothSystem(4.5e-3, radians(20)), Gear(16, 0.1817), Gear(24, 0.1715), 91.5e-3, 14e-3

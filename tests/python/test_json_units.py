@@ -12,9 +12,9 @@ import pytest
 from synthetic_solution import line_with_heat, make_hot_worm, make_line_solution
 from test_drive_cycle import PHASES, result
 
-from pyworm.cli import main
-from pyworm.drive_cycle import drive_cycle
-from pyworm.json_output import as_json
+from pyworm.cli.main import main
+from pyworm.io.json import as_json
+from pyworm.result.mesh_cycle import drive_cycle
 
 CASES = Path(__file__).parents[2] / "cases"
 RATED = "bearing_nu2210", "oil_zi", "zi_sharif_2001", "errichello_speed_increaser"

@@ -10,12 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyworm.batch import solve_all
-from pyworm.case import load
-from pyworm.cli import CONVERGED, main
-from pyworm.result import open_result
-from pyworm.store import Store
-from pyworm.task import Task
+from pyworm.batch.solve_tasks import solve_all
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.task import Task
+from pyworm.case.case import load
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED
+from pyworm.result.result import open_result
 
 TRACTION = Path(__file__).parents[2] / "cases" / "traction_steel.toml"
 RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--json")
@@ -23,10 +24,10 @@ RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--
 TOGETHER = """
 import sys, time
 from pathlib import Path
-import pyworm.run, pyworm.plots
-from pyworm.cli import main
+import pyworm.batch.case_run, pyworm.plots.draw
+from pyworm.cli.main import main
 
-solve_all = pyworm.run.solve_all
+solve_all = pyworm.batch.case_run.solve_all
 
 def together(*arguments):
     "Once the other run is as far."
@@ -42,7 +43,7 @@ def one_picture(result, directory, executor):
     (directory / "mark.png").write_text(sys.argv[1])
     return [directory / "mark.png"]
 
-pyworm.run.solve_all, pyworm.plots.draw = together, one_picture
+pyworm.batch.case_run.solve_all, pyworm.plots.draw.draw = together, one_picture
 if __name__ == "__main__":
     sys.exit(main(sys.argv[3:]))
 """
@@ -143,7 +144,7 @@ def test_scenes_that_another_run_took_into_its_result_are_read_there(tmp_path, m
     """As when the other run ends between this one's last solve and its reading of what was solved."""
     out = tmp_path / "out"
     command = [*RUN, "--slide-roll-ratio", "0", "--out", str(out)]
-    monkeypatch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
     taken = []
     real = solve_all
 
@@ -155,14 +156,14 @@ def test_scenes_that_another_run_took_into_its_result_are_read_there(tmp_path, m
             assert not store.directory.exists()
         return reasons
 
-    monkeypatch.setattr("pyworm.run.solve_all", and_the_other_ends)
+    monkeypatch.setattr("pyworm.batch.case_run.solve_all", and_the_other_ends)
     assert main(command) == CONVERGED
     assert len(open_result(out / "result.nc").solutions) == 1
 
 
 def test_an_earlier_result_that_cannot_be_used_is_told(tmp_path, capsys, monkeypatch):
     command = [*RUN, "--slide-roll-ratio", "0", "--out", str(tmp_path)]
-    monkeypatch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
     (tmp_path / "result.nc").write_text("no result")
     assert main(command) == CONVERGED
     said = capsys.readouterr().err

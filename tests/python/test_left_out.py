@@ -11,23 +11,23 @@ from synthetic_solution import make_hot_worm, make_mesh_cycle
 from test_drive_cycle import PHASES, result
 
 import pyworm
-from pyworm import balance
-from pyworm.cli import main
-from pyworm.cycle_tables import loss_table
-from pyworm.drive_cycle import drive_cycle
-from pyworm.effects.judgement import Judgement
+from pyworm.batch import drive_iteration
+from pyworm.cli.main import main
 from pyworm.formulas.lubrication import lubrication
-from pyworm.heating import heating_loss, heating_of
-from pyworm.left_out import LeftOut, beyond, headline, of_all, opening, worst
-from pyworm.plots.style import heading
-from pyworm.ratings.asked import asked_of, ratings
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.plots.layout import heading
+from pyworm.ratings.heating import heating_loss, heating_of
+from pyworm.ratings.rated_case import asked_of, ratings
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
-from pyworm.report.build import build_report
-from pyworm.report.content import Picture, Table
-from pyworm.result import Result, open_result
-from pyworm.sweep_report import rows_table
-from pyworm.sweep_table import SweepResult, sweep_table
-from pyworm.tables import figures_table, heat_table, scenes_table
+from pyworm.report.console.mesh_cycle import loss_table
+from pyworm.report.console.scenes import figures_table, heat_table, scenes_table
+from pyworm.report.console.sweep import rows_table
+from pyworm.report.page.build import build_report
+from pyworm.report.page.content import Picture, Table
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import Result, open_result
+from pyworm.result.sweep_result import SweepResult, sweep_table
+from pyworm.solver.left_out import LeftOut, beyond, headline, of_all, opening, worst
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -326,10 +326,12 @@ def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypat
     loss = replace(BOUNDARY_CYCLE.loss, power=300.0, friction=0.0096)
     cycle = replace(BOUNDARY_CYCLE, loss=loss, lifts=())
     said, solved = [], []
-    monkeypatch.setattr(balance, "run", lambda case, tasks, *how: solved.append(tasks[0].case))
-    monkeypatch.setattr(balance, "drive_cycle", lambda result: cycle)
-    tasks = [pyworm.task.Task(case, place, 0.03) for place in case.places()]
-    _, tasks = balance.run_balanced(case, tasks, tmp_path, say=said.append)
+    monkeypatch.setattr(
+        drive_iteration, "run", lambda case, tasks, *how: solved.append(tasks[0].case)
+    )
+    monkeypatch.setattr(drive_iteration, "drive_cycle", lambda result: cycle)
+    tasks = [pyworm.batch.task.Task(case, place, 0.03) for place in case.places()]
+    _, tasks = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
     power = standard_loss(case).power
     assert power > 1000
     sump = tasks[0].case.drive.oil.heat.inlet_temperature - 273.15

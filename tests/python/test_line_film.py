@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm.bodies import Body
-from pyworm.kernels import KernelError, LineFilm
-from pyworm.line.grid import LineGrid
-from pyworm.line.scales import line_scales
-from pyworm.line.scene import LineScene, Parabola
-from pyworm.oils import Barus, Density, Oil, Roelands
+from pyworm.kernel.core import KernelError
+from pyworm.kernel.line_film import LineFilm
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Barus, Density, Oil, Roelands
+from pyworm.planning.line_grid import LineGrid
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.scales import line_scales
 
 ETA0, ALPHA, MODULUS, RADIUS = 0.04, 22e-9, 226e9, 0.01
 

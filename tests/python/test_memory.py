@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 import pyworm
-from pyworm import memory
-from pyworm.cli import FAILED, NOT_CONVERGED, main
-from pyworm.kernels import KernelError
-from pyworm.planning import Model
+from pyworm.cli.main import main
+from pyworm.cli.shared import FAILED, NOT_CONVERGED
+from pyworm.kernel.core import KernelError
+from pyworm.planning.model import Model
+from pyworm.solver import memory
 
 CASE = Path(__file__).parents[2] / "cases" / "point_m20_l10.toml"
 
@@ -19,12 +20,12 @@ MEASURE = """
 import sys
 from pathlib import Path
 import pyworm
-from pyworm.grid import Grid
-from pyworm import climb
-from pyworm.ladder import stride
-from pyworm.planning import Model
-from pyworm.point_ladder import PointLadder
-from pyworm.scales import scales
+from pyworm.planning.grid import Grid
+from pyworm.solver.point import level
+from pyworm.solver.newton import stride
+from pyworm.planning.model import Model
+from pyworm.solver.point.contact import PointLadder
+from pyworm.scene.scales import scales
 from dataclasses import replace
 
 def peak():
@@ -34,11 +35,11 @@ def peak():
 def solved(nodes):
     base = plan.grids[-1]
     grid = Grid(base.west, base.south, *(base.dx * 64 / (nodes - 1),) * 2, nodes, nodes)
-    rung = climb.first_rung(scene, scene, scales(scene), grid)
+    rung = level.first_rung(scene, scene, scales(scene), grid)
     if plan.model.levels:
-        climb.with_shear(scene, plan.model, rung)
+        level.with_shear(scene, plan.model, rung)
     if plan.model.heated:
-        climb.with_heat(scene, scales(scene), rung)
+        level.with_heat(scene, scales(scene), rung)
     rung.film.restart()
     stride(rung), stride(rung)
     PointLadder(scene, plan).outcome(rung)
@@ -110,7 +111,7 @@ def test_a_scene_without_memory_costs_no_other(tmp_path, monkeypatch, capsys):
         return 1e6 if len(asked) == 1 else float("inf")
 
     monkeypatch.setattr(memory, "available", only_at_first)
-    monkeypatch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
     command = ["run", str(CASE.with_name("traction_steel.toml")), "--accuracy", "30%"]
     command += ["--effects", "isothermal", "--slide-roll-ratio", "0", "1"]
     assert main([*command, "--out", str(tmp_path / "out")]) == NOT_CONVERGED

@@ -13,17 +13,17 @@ from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycl
 from test_drive_cycle import result as swept
 
 import pyworm
-from pyworm.cli import main
-from pyworm.drive_cycle import drive_cycle
-from pyworm.flank_map import flank_map
-from pyworm.plots.cycle import draw_cycle
-from pyworm.plots.film import draw_film
-from pyworm.plots.flank import draw_flank
-from pyworm.plots.style import heading
-from pyworm.ratings.asked import asked_of, ratings
-from pyworm.report.build import build_report
-from pyworm.result import Result
-from pyworm.sharp_edge import CURE, rests_on_edge
+from pyworm.cli.main import main
+from pyworm.plots.contact.film import draw_film
+from pyworm.plots.drives.zi_worm import draw_cycle
+from pyworm.plots.drives.zi_worm_flank import draw_flank
+from pyworm.plots.layout import heading
+from pyworm.ratings.rated_case import asked_of, ratings
+from pyworm.report.page.build import build_report
+from pyworm.result.flank_map import flank_map
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import Result
+from pyworm.solver.sharp_edge import CURE, rests_on_edge
 
 CASES = Path(__file__).parents[2] / "cases"
 REASON = "the residual stayed at 5.0e+02, 1.0e-05 is wanted" + CURE

@@ -9,10 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pyworm
-from pyworm.cli import BAD_INPUT, main
-from pyworm.named_oils import named_oil, names
-from pyworm.oils import Barus, FlowLaw
-from pyworm.schema.oil import OilTable
+from pyworm.case.oil import OilTable
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT
+from pyworm.materials.library import named_oil, names
+from pyworm.materials.oil import Barus, FlowLaw
 
 CASE = Path(__file__).parents[2] / "cases" / "ball_pag_460.toml"
 OIL = CASE.read_text().partition("[oil]")[0]
@@ -165,7 +166,7 @@ def test_bodies_owe_a_named_oil_their_heat(tmp_path, capsys):
 
 
 def test_a_sweep_may_go_over_oils_and_temperatures(tmp_path):
-    from pyworm.sweep import load_sweep
+    from pyworm.batch.sweep import load_sweep
 
     (tmp_path / "sweep.toml").write_text(
         f'title = "Oils"\ncase = "{CASE}"\n[[vary]]\n"oil.name" = ["PAO VG 220", "PAG VG 460"]\n'

@@ -10,11 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.text import Text
 
-from pyworm.named_oils import BASES, ISO_GRADES, named_oil, oil_from_index
-from pyworm.oil_choice import choose_oil, page
+from pyworm.materials.base_stock import BASES
+from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
 from pyworm.plots.oil import draw_pressure_viscosity, draw_viscosity
-from pyworm.ratings.asked import load_asked
+from pyworm.ratings.oil_choice import choose_oil, page
 from pyworm.ratings.oil_duty import oil_duty
+from pyworm.ratings.rated_case import load_asked
 
 C = 273.15
 

@@ -9,22 +9,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import pyworm
-from pyworm import named_oils
-from pyworm.case_error import CaseError
-from pyworm.formulas import oil_laws
-from pyworm.named_oils import (
-    BASES,
-    base_stock,
-    named_oil,
-    names,
-    oil_from_index,
-    oil_from_viscosities,
-    read_oil,
-)
-from pyworm.oils import ROELANDS_POLE_TEMPERATURE
+from pyworm.formulas import oil_properties
+from pyworm.io.input_error import CaseError
+from pyworm.materials import base_stock as named_oils
+from pyworm.materials.base_stock import BASES, base_stock
+from pyworm.materials.library import named_oil, names, oil_from_index, oil_from_viscosities
+from pyworm.materials.oil import ROELANDS_POLE_TEMPERATURE
+from pyworm.materials.oil_file import read_oil
 
 CASES = Path(__file__).parents[2] / "cases"
-TABLE = Path(pyworm.__file__).parent / "data" / "oils.toml"
+TABLE = Path(pyworm.__file__).parent / "materials" / "oils.toml"
 
 C = 273.15
 MM2 = 1e-6
@@ -92,43 +86,43 @@ def test_the_polyglycol_of_sharif_2001_at_60_degrees():
     [(9.904, 0.1390, 18.8), (6.605, 0.1360, 12.4), (7.382, 0.1335, 13.7), (5.489, 0.1485, 10.9)],
 )
 def test_gold_at_100_mm2_per_second(s, t, alpha):
-    assert oil_laws.gold_alpha(100 * MM2, s, t) * 1e9 == pytest.approx(alpha, abs=0.06)
+    assert oil_properties.gold_alpha(100 * MM2, s, t) * 1e9 == pytest.approx(alpha, abs=0.06)
 
 
 def test_pao_vg_320_of_fernandes_has_15_9_per_gigapascal():
     stock = base_stock("PAO")
-    alpha = oil_laws.gold_alpha(313.5 * MM2, stock.gold_s, stock.gold_t)
+    alpha = oil_properties.gold_alpha(313.5 * MM2, stock.gold_s, stock.gold_t)
     assert alpha * 1e9 == pytest.approx(15.90, abs=0.01)
 
 
 def test_exchanged_constants_of_gold_are_refused():
     with pytest.raises(ValueError, match="s of Gold's law"):
-        oil_laws.gold_alpha(220 * MM2, 1.390, 0.9904)
+        oil_properties.gold_alpha(220 * MM2, 1.390, 0.9904)
 
 
 @pytest.mark.parametrize(
     ("k", "s", "alpha"), [(0.010471, 0.1348, 19.5), (0.010326, 0.0507, 13.0), (0.0047, 0.1572, 9.7)]
 )
 def test_agma_925_at_100_centipoise(k, s, alpha):
-    assert oil_laws.agma_alpha(0.1, k, s) * 1e9 == pytest.approx(alpha, abs=0.06)
+    assert oil_properties.agma_alpha(0.1, k, s) * 1e9 == pytest.approx(alpha, abs=0.06)
 
 
 @pytest.mark.parametrize(("viscosity", "per_psi"), [(6.6e-3, 1.02e-4), (10e-3, 1.09e-4)])
 def test_agma_925_against_the_mineral_oils_of_errichello(viscosity, per_psi):
-    alpha = oil_laws.agma_alpha(viscosity, 0.010471, 0.1348)
+    alpha = oil_properties.agma_alpha(viscosity, 0.010471, 0.1348)
     assert alpha == pytest.approx(per_psi / 6894.757, rel=0.10)
 
 
 @pytest.mark.parametrize(("cold", "hot", "index"), [(73.30, 8.86, 92), (22.83, 5.05, 156)])
 def test_viscosity_index_of_the_examples_of_astm_d2270(cold, hot, index):
-    assert oil_laws.viscosity_index(cold * MM2, hot * MM2) == pytest.approx(index, abs=0.6)
+    assert oil_properties.viscosity_index(cold * MM2, hot * MM2) == pytest.approx(index, abs=0.6)
 
 
-@pytest.mark.parametrize("joint", [row[0] for row in oil_laws._INDEX_OILS[1:]])
+@pytest.mark.parametrize("joint", [row[0] for row in oil_properties._INDEX_OILS[1:]])
 @pytest.mark.parametrize("cold", [5.0, 12.0])
 def test_viscosity_index_is_continuous_where_its_polynomials_join(joint, cold):
     below, above = (
-        oil_laws.viscosity_index(cold * joint * MM2, joint * (1 + side) * MM2)
+        oil_properties.viscosity_index(cold * joint * MM2, joint * (1 + side) * MM2)
         for side in (-1e-9, 1e-9)
     )
     assert below == pytest.approx(above, abs=0.6)
@@ -136,20 +130,20 @@ def test_viscosity_index_is_continuous_where_its_polynomials_join(joint, cold):
 
 @given(st.floats(32, 1000), st.floats(60, 280))
 def test_viscosity_index_comes_back(viscosity_40, index):
-    hot = oil_laws.viscosity_100_of_index(viscosity_40 * MM2, index)
+    hot = oil_properties.viscosity_100_of_index(viscosity_40 * MM2, index)
     # The polynomials of neighbouring ranges leave gaps of a tenth of a unit, in which the root is a jump.
-    assert oil_laws.viscosity_index(viscosity_40 * MM2, hot) == pytest.approx(index, abs=1.0)
+    assert oil_properties.viscosity_index(viscosity_40 * MM2, hot) == pytest.approx(index, abs=1.0)
 
 
 @given(st.floats(10, 1000), st.floats(0.05, 0.5))
 def test_walther_goes_through_its_two_points_and_back(cold, share):
     hot = 2 + share * (cold - 2)
-    m, n = oil_laws.walther_constants(cold * MM2, 40 + C, hot * MM2, 100 + C)
-    assert oil_laws.walther_viscosity(m, n, 40 + C) == pytest.approx(cold * MM2, rel=1e-9)
-    assert oil_laws.walther_viscosity(m, n, 100 + C) == pytest.approx(hot * MM2, rel=1e-9)
+    m, n = oil_properties.walther_constants(cold * MM2, 40 + C, hot * MM2, 100 + C)
+    assert oil_properties.walther_viscosity(m, n, 40 + C) == pytest.approx(cold * MM2, rel=1e-9)
+    assert oil_properties.walther_viscosity(m, n, 100 + C) == pytest.approx(hot * MM2, rel=1e-9)
     for celsius in (40, 70, 100):
-        nu = oil_laws.walther_viscosity(m, n, celsius + C)
-        assert oil_laws.walther_temperature(m, n, nu) == pytest.approx(celsius + C, rel=1e-10)
+        nu = oil_properties.walther_viscosity(m, n, celsius + C)
+        assert oil_properties.walther_temperature(m, n, nu) == pytest.approx(celsius + C, rel=1e-10)
 
 
 @given(oils, temperatures)
@@ -191,7 +185,7 @@ def test_the_oil_of_a_contact_is_the_named_one_at_its_inlet(name, kelvin):
 def test_roelands_exponent_goes_through_both_viscosities():
     oil = named_oil("mineral VG 220")
     cold, hot = 40 + C, 100 + C
-    s0 = oil_laws.roelands_exponent(oil.viscosity(cold), cold, oil.viscosity(hot), hot)
+    s0 = oil_properties.roelands_exponent(oil.viscosity(cold), cold, oil.viscosity(hot), hot)
     pole = (hot - 138) / (cold - 138)
     assert (log(oil.viscosity(cold)) + 9.67) * pole**-s0 - 9.67 == pytest.approx(
         log(oil.viscosity(hot))
@@ -202,7 +196,7 @@ def test_roelands_exponent_goes_through_both_viscosities():
 
 def test_eyring_stress_of_arana():
     """A paraffinic oil of 20 /GPa: 2 0.040 / 20e-9 = 4 MPa."""
-    assert oil_laws.eyring_stress(20e-9, 0.040) == pytest.approx(4e6)
+    assert oil_properties.eyring_stress(20e-9, 0.040) == pytest.approx(4e6)
 
 
 @given(oils, temperatures)
@@ -347,11 +341,14 @@ def test_unknown_oils_are_refused_with_what_there_is(name):
         (lambda: named_oil("PAG VG 460").oil(60.0), "temperature = 60 K: must lie between 200"),
         (lambda: oil_from_viscosities("", "PAO", 225, 27), "kinematic viscosity = 225 m2/s"),
         (lambda: oil_from_viscosities("", "oil", 2e-4, 2e-5), 'base "oil": must be one of mineral'),
-        (lambda: oil_laws.density(0.9, 6e-4, 300.0), "density at 15 degC = 0.9 kg/m3"),
-        (lambda: oil_laws.agma_alpha(220.0 * 100, 0.01, 0.13), "dynamic viscosity"),
-        (lambda: oil_laws.viscosity_100_of_index(220, 95), "kinematic viscosity at 40 degC = 220"),
+        (lambda: oil_properties.density(0.9, 6e-4, 300.0), "density at 15 degC = 0.9 kg/m3"),
+        (lambda: oil_properties.agma_alpha(220.0 * 100, 0.01, 0.13), "dynamic viscosity"),
+        (
+            lambda: oil_properties.viscosity_100_of_index(220, 95),
+            "kinematic viscosity at 40 degC = 220",
+        ),
         (lambda: named_oil("ester VG 320").agma_alpha(333.0), "AGMA 925 has no .* ester"),
-        (lambda: oil_laws.roelands_exponent(0.1, 300, 0.1, 300), "must differ"),
+        (lambda: oil_properties.roelands_exponent(0.1, 300, 0.1, 300), "must differ"),
     ],
 )
 def test_values_in_wrong_units_are_refused(call, sentence):

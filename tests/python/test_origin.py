@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from pyworm import _core, kernels, origin
-from pyworm.task import where_and_when
+from pyworm import _core, kernel
+from pyworm.batch import origin
+from pyworm.batch.provenance import where_and_when
 
 ROOT = Path(__file__).parents[2]
 
@@ -63,4 +64,4 @@ def test_without_git_no_commit_is_told(checkout, monkeypatch):
 def test_an_installed_package_has_no_commit(checkout):
     shutil.rmtree(checkout.parents[1] / ".git")
     assert "commit" not in origin.origin()
-    assert origin.origin()["compiler"] == kernels.compiled_with()[0]
+    assert origin.origin()["compiler"] == kernel.compiled_with()[0]

@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.output import remove_abandoned, whole, whole_file
+from pyworm.io.atomic import remove_abandoned, whole, whole_file
 
 NOBODY = 65534
 
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from pyworm.output import whole, whole_file
+from pyworm.io.atomic import whole, whole_file
 out = Path(sys.argv[1])
 with whole(out) as aside, whole_file(out / "result.nc") as partial:
     (aside / "scene_000_film.png").write_text("half")

@@ -14,17 +14,18 @@ from plan_scenes import STEEL, TRIALS, mineral, point
 from plans import trial
 
 import pyworm
-from pyworm.cli import CONVERGED, main
-from pyworm.effects.bodies import departure
-from pyworm.effects.catalogue import EFFECTS
-from pyworm.effects.effect import QUANTITIES
-from pyworm.effects.sketch import sketch
-from pyworm.line.scene import LineScene
-from pyworm.oils import NEWTONIAN
-from pyworm.past import Earlier, Past
-from pyworm.planning import planned
-from pyworm.scales import scales
-from pyworm.scene import Paraboloid, RigidMotion
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED
+from pyworm.materials.oil import NEWTONIAN
+from pyworm.planning.effects.catalogue import EFFECTS
+from pyworm.planning.effects.effect import QUANTITIES
+from pyworm.planning.effects.geometry import departure
+from pyworm.planning.plan import planned
+from pyworm.planning.prediction import sketch
+from pyworm.scene.line import LineScene
+from pyworm.scene.past import Earlier, Past
+from pyworm.scene.point import Paraboloid, RigidMotion
+from pyworm.scene.scales import scales
 
 BY_NAME = {effect.name: effect for effect in EFFECTS}
 

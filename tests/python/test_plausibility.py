@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 import pyworm
-from pyworm.case import case_of
-from pyworm.case_error import CaseError
-from pyworm.cli import main
-from pyworm.plausibility import overheated
-from pyworm.report.build import build_report
-from pyworm.result import open_result
+from pyworm.case.case import case_of
+from pyworm.case.plausibility import overheated
+from pyworm.cli.main import main
+from pyworm.io.input_error import CaseError
+from pyworm.report.page.build import build_report
+from pyworm.result.result import open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 FILES = {
@@ -142,7 +142,7 @@ def test_warnings_go_to_standard_error_json_result_and_report(tmp_path, capsys):
     out = tmp_path / "out"
     how = ("--accuracy", "30%", "--effects", "isothermal", "--json", *ratio)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
         assert main(["run", case_file, *how, "--out", str(out)]) == 0
     said = capsys.readouterr()
     assert said.err.startswith(f"pyworm: warning: {SAID}\n")
@@ -179,8 +179,8 @@ def test_a_run_tells_of_a_film_that_is_too_hot(tmp_path, capsys):
     """After the solve, where it is known."""
     out = ("--json", "--accuracy", "30%", "--slide-roll-ratio", "3", "--out", str(tmp_path / "out"))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw", lambda result, directory, executor: [])
-        patch.setattr("pyworm.plausibility.HOTTEST_FILM", 61.0)
+        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.case.plausibility.HOTTEST_FILM", 61.0)
         assert main(["run", str(CASES / "traction_steel.toml"), *out]) == 0
     said = capsys.readouterr()
     (warning,) = json.loads(said.out)["warnings"]

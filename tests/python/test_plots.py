@@ -28,26 +28,26 @@ from synthetic_solution import (
 
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.formulas.regimes import line_films, point_films, prevailing
-from pyworm.plots import draw
-from pyworm.plots.across_film import draw_across_film
-from pyworm.plots.cycle import draw_cycle
-from pyworm.plots.entrainment import LINES, draw_entrainment, inflow_points
-from pyworm.plots.film import draw_film, interferogram
-from pyworm.plots.friction import draw_friction
-from pyworm.plots.gap import draw_gap
-from pyworm.plots.history import draw_history
-from pyworm.plots.line_heat import draw_line_friction, draw_line_temperature
-from pyworm.plots.line_profiles import draw_line_profiles
-from pyworm.plots.outline import signed_square
-from pyworm.plots.pressure import draw_pressure
-from pyworm.plots.profiles import draw_profiles
+from pyworm.io.variables import describe
+from pyworm.plots.contact.across_film import draw_across_film
+from pyworm.plots.contact.convergence import draw_history
+from pyworm.plots.contact.entrainment import LINES, draw_entrainment, inflow_points
+from pyworm.plots.contact.film import draw_film, interferogram
+from pyworm.plots.contact.friction import draw_friction
+from pyworm.plots.contact.gap import draw_gap
+from pyworm.plots.contact.line_heat import draw_line_friction, draw_line_temperature
+from pyworm.plots.contact.line_profiles import draw_line_profiles
+from pyworm.plots.contact.outline import signed_square
+from pyworm.plots.contact.pressure import draw_pressure
+from pyworm.plots.contact.profiles import draw_profiles
+from pyworm.plots.contact.temperature import draw_temperature
+from pyworm.plots.draw import draw
+from pyworm.plots.drives.zi_worm import draw_cycle
+from pyworm.plots.layout import Window, contact_window, heading
 from pyworm.plots.regimes import SHORT, draw_chart, draw_regimes
-from pyworm.plots.style import Window, contact_window, heading
-from pyworm.plots.temperature import draw_temperature
 from pyworm.plots.traction import draw_traction
-from pyworm.result import Result
-from pyworm.solution import Estimate
-from pyworm.variables import describe
+from pyworm.result.result import Result
+from pyworm.solver.solution import Estimate
 
 SCENE_NAMES = ["gap", "pressure", "film", "entrainment", "profiles", "history"]
 LINE_NAMES = ["profiles", "history"]
@@ -445,7 +445,7 @@ def test_a_traction_curve_has_the_sign_of_its_sliding_and_is_drawn_in_order():
 
 def test_only_a_sweep_whose_shear_was_simulated_is_a_traction_curve(tmp_path, monkeypatch):
     monkeypatch.setattr("pyworm.plots.attempts.write", lambda figure, path: path)
-    monkeypatch.setattr("pyworm.plots.SCENE_PICTURES", {"point": {}})
+    monkeypatch.setattr("pyworm.plots.draw.SCENE_PICTURES", {"point": {}})
     curve = make_curve((0.1, 0.5))
     plain = tuple(replace(make_solution(points=(9, 9)), slide_roll_ratio=of) for of in (0.1, 0.5))
     single = tuple(replace(of, slide_roll_ratio=None) for of in curve)

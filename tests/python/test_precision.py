@@ -12,17 +12,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import pyworm
-from pyworm import calibration
-from pyworm.calibration import Calibration, Pace
-from pyworm.cli import BAD_INPUT, main
-from pyworm.effects.choice import chosen
-from pyworm.planning import Model
-from pyworm.precision.climb import Point, settled_row
-from pyworm.precision.fidelity import fidelities
-from pyworm.precision.limits import limit, observed_order
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT
+from pyworm.planning.effects.selection import chosen
+from pyworm.planning.expected_work import Stage, Work, expected_work, first_change
+from pyworm.planning.model import Model
+from pyworm.precision.extrapolation import limit, observed_order
+from pyworm.precision.grid_series import Point, settled_row
+from pyworm.precision.models import fidelities
 from pyworm.precision.study import Curve, Reference, Study
 from pyworm.precision.survey import BudgetError, study
-from pyworm.work import Stage, Work, expected_work, first_change
+from pyworm.solver.cost import calibration
+from pyworm.solver.cost.calibration import Calibration, Pace
 
 CASES = Path("cases")
 LINE = CASES / "line_m20_l10.toml"

@@ -7,11 +7,12 @@ import pytest
 from test_film import circular
 
 import pyworm
-from pyworm.accuracy import FIGURES, Peak, Reading, grid_errors
-from pyworm.expectation import Expectation
-from pyworm.prospect import least_errors, refusal
-from pyworm.tables import plan_table
-from pyworm.work import WORTHLESS, expected_work
+from pyworm.planning.expected_work import WORTHLESS, expected_work
+from pyworm.planning.target import FIGURES
+from pyworm.report.console.scenes import plan_table
+from pyworm.solver.cost.expected_time import Expectation
+from pyworm.solver.error_estimate import Peak, Reading, grid_errors
+from pyworm.solver.prospect import least_errors, refusal
 
 ORDERS = dict.fromkeys(FIGURES, 2.0)
 

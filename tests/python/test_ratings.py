@@ -21,13 +21,13 @@ from synthetic_solution import (
 from test_bad_input import changed, refusal
 
 import pyworm
-from pyworm.case import checked
-from pyworm.cli import main
-from pyworm.ratings.asked import Asked, asked_of, ratings
+from pyworm.case.case import checked
+from pyworm.case.ratings import BearingTable, RatingCase
+from pyworm.cli.main import main
 from pyworm.ratings.bearing import bearing_life
+from pyworm.ratings.rated_case import Asked, asked_of, ratings
 from pyworm.ratings.worm import standard_rating, worm_duty_of_table
-from pyworm.result import Result
-from pyworm.schema.rating import BearingTable, RatingCase
+from pyworm.result.result import Result
 
 CASES = Path(__file__).parents[2] / "cases"
 BEARING, WORM, INCREASER = (

@@ -3,23 +3,23 @@
 import numpy as np
 import pytest
 
-from pyworm import kernels
-from pyworm.extremum import line_minimum, minimum
-from pyworm.grid import Grid
-from pyworm.reading import (
+from pyworm import kernel
+from pyworm.planning.grid import Grid
+from pyworm.solver.extremum import line_minimum, minimum
+from pyworm.solver.figures import (
     exit_minimum,
     line_maximum,
     maximum,
     maximum_across,
-    newtonian_shear,
     outline_imbalance,
     peak,
 )
+from pyworm.solver.newtonian_shear import newtonian_shear
 
 
 @pytest.mark.parametrize("levels", [5, 7, 13])
 def test_a_peak_between_nodes_and_levels_is_found(levels):
-    z = kernels.level_positions(levels)
+    z = kernel.level_positions(levels)
     x, y = np.arange(9.0)[:, None, None], np.arange(7.0)[None, :, None]
     across = 1 - 4 * (z - 0.2) ** 2 + 0.3 * (z - 0.2) ** 3
     field = 50 * across * (1 - 0.02 * (x - 4.3) ** 2 - 0.03 * (y - 2.8) ** 2)
@@ -28,7 +28,7 @@ def test_a_peak_between_nodes_and_levels_is_found(levels):
 
 
 def test_a_peak_at_a_wall_in_a_corner_is_found():
-    z = kernels.level_positions(7)
+    z = kernel.level_positions(7)
     x, y = np.arange(6.0)[:, None, None], np.arange(6.0)[None, :, None]
     assert maximum_across(x + y + 10 * z, z, np.ones((x + y).shape[:2], bool)) == pytest.approx(15)
 
@@ -204,7 +204,7 @@ def test_where_nothing_flows_there_is_no_share_out_of_balance():
 def test_a_hot_column_outside_the_contact_is_not_the_films_temperature(shape):
     places = np.meshgrid(*(np.linspace(-1, 1, count) for count in shape), indexing="ij")
     hump = np.exp(-3 * sum(place**2 for place in places))
-    positions = kernels.level_positions(5)
+    positions = kernel.level_positions(5)
     field = hump[..., np.newaxis] * (1.2 - 2 * positions**2)
     field[(1,) * len(shape)] = 5.0  # a column by the side of the window that heat never settled
     within = hump > 0.2

@@ -22,18 +22,18 @@ from synthetic_solution import (
 from test_bad_input import refusal
 
 import pyworm
-from pyworm.case import case_again
-from pyworm.cli import main
-from pyworm.effects.judgement import Judgement
+from pyworm.case.case import case_again
+from pyworm.cli.main import main
 from pyworm.formulas.film import chittenden
-from pyworm.oils import Barus
-from pyworm.report.assumptions import plan_section
-from pyworm.report.build import build_report
-from pyworm.report.content import Picture, Table
-from pyworm.report.page import render
-from pyworm.report.sensitivity import thickened, variations
-from pyworm.result import Result
-from pyworm.scales import scales
+from pyworm.materials.oil import Barus
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.report.page.assumptions import plan_section
+from pyworm.report.page.build import build_report
+from pyworm.report.page.content import Picture, Table
+from pyworm.report.page.html import render
+from pyworm.report.page.sensitivity import thickened, variations
+from pyworm.result.result import Result
+from pyworm.scene.scales import scales
 
 CASES = Path(__file__).parents[2] / "cases"
 

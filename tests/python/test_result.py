@@ -17,8 +17,8 @@ from synthetic_solution import (
     make_solution,
 )
 
-from pyworm.result import open_result
-from pyworm.variables import describe
+from pyworm.io.variables import describe
+from pyworm.result.result import open_result
 
 
 @pytest.fixture(scope="module")

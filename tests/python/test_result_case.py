@@ -8,11 +8,11 @@ from synthetic_solution import make_hot_worm, make_mesh_cycle
 from test_bad_input import changed, refusal
 
 import pyworm
-from pyworm.case import case_of
-from pyworm.cli import main
-from pyworm.result import Result
-from pyworm.result_case import as_solved, differences
-from pyworm.toml_file import read_toml
+from pyworm.case.case import case_of
+from pyworm.cli.main import main
+from pyworm.io.toml import read_toml
+from pyworm.result.result import Result
+from pyworm.result.result_case import as_solved, differences
 
 CASES = Path(__file__).parents[2] / "cases"
 TEXT = (CASES / "zi_sharif_2001.toml").read_text()

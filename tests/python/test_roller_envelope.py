@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from roller_sections import CENTRE_DISTANCE, ROLLERS, envelope, section
 
-from pyworm.drives.roller_envelope import RollerEnvelope, dot
-from pyworm.drives.roller_load import lever, worm_lever
-from pyworm.drives.roller_profile import RollerProfile
+from pyworm.drives.roller_worm.envelope import RollerEnvelope, dot
+from pyworm.drives.roller_worm.load_sharing import lever, worm_lever
+from pyworm.drives.roller_worm.profile import RollerProfile
 
 KINDS = [
     {},

@@ -5,9 +5,9 @@ import pytest
 from roller_sections import section
 from scipy.optimize import minimize_scalar
 
-from pyworm.drives.roller_gap import ContactFrame, RollerGap, RollerMotion
-from pyworm.drives.roller_motion import line_motion
-from pyworm.drives.roller_profile import Crown
+from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
+from pyworm.drives.roller_worm.motion import line_motion
+from pyworm.drives.roller_worm.profile import Crown
 
 CROWN = Crown(0.5, 8e-3)
 WHEEL_SPEED = 4.488

@@ -9,17 +9,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from roller_sections import ROLLERS, section
 
-from pyworm.bodies import Body, reduced_modulus
-from pyworm.drives.roller_load import Compliance, lever, share, slices, worm_lever
-from pyworm.drives.roller_motion import (
+from pyworm.drives.roller_worm.load_sharing import Compliance, lever, share, slices, worm_lever
+from pyworm.drives.roller_worm.motion import (
     FilmTraction,
     Pin,
     flow_stress,
     line_motion,
     roller_speed,
 )
-from pyworm.drives.roller_profile import Crown
-from pyworm.oils import Density, FlowLaw, Oil, Roelands
+from pyworm.drives.roller_worm.profile import Crown
+from pyworm.materials.body import Body, reduced_modulus
+from pyworm.materials.oil import Density, FlowLaw, Oil, Roelands
 
 BODIES = Body(210e9, 0.26), Body(207e9, 0.29)
 OIL = Oil(

@@ -12,11 +12,9 @@ import pytest
 from rich.console import Console
 
 import pyworm
-from pyworm.case import Case
-from pyworm.case_error import CaseError
-from pyworm.cli import main
-from pyworm.cycle_tables import ends_table
-from pyworm.drives.roller_film import closed_films
+from pyworm.case.case import Case
+from pyworm.cli.main import main
+from pyworm.drives.roller_worm.film_formulas import closed_films
 from pyworm.formulas.film import dowson_higginson, line_groups
 from pyworm.formulas.roller_enveloping import (
     normal_force,
@@ -25,11 +23,13 @@ from pyworm.formulas.roller_enveloping import (
     printed_normal_force,
     printed_parameters,
 )
-from pyworm.line.scales import line_scales
-from pyworm.line.scene import LineScene
-from pyworm.plots import CYCLE_PICTURES
-from pyworm.result import Result
-from pyworm.scene import Scene
+from pyworm.io.input_error import CaseError
+from pyworm.plots.draw import CYCLE_PICTURES
+from pyworm.report.console.mesh_cycle import ends_table
+from pyworm.result.result import Result
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import line_scales
 
 CASES = Path(__file__).parents[2] / "cases"
 REFERENCE = (CASES / "roller_ref.toml").read_text()

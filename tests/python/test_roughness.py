@@ -14,14 +14,15 @@ from rich.console import Console
 from synthetic_solution import make_line_solution, make_solution
 
 import pyworm
-from pyworm.bodies import Body, composite_roughness
-from pyworm.cli import BAD_INPUT, main
-from pyworm.effects.sketch import sketch
-from pyworm.expectation import Expectation
-from pyworm.result import Result, open_result
-from pyworm.scene_summary import scene_summary
-from pyworm.solution import Estimate
-from pyworm.tables import figures_table, plan_table, scenes_table
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT
+from pyworm.materials.body import Body, composite_roughness
+from pyworm.planning.prediction import sketch
+from pyworm.report.console.scenes import figures_table, plan_table, scenes_table
+from pyworm.result.result import Result, open_result
+from pyworm.scene.summary import scene_summary
+from pyworm.solver.cost.expected_time import Expectation
+from pyworm.solver.solution import Estimate
 
 CASES = Path(__file__).parents[2] / "cases"
 ROUGH = {

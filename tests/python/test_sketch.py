@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import pyworm
-from pyworm.effects.sketch import sketch
+from pyworm.planning.prediction import sketch
 
 CASES = Path(__file__).parents[2] / "cases"
 HEAT = 1e7

@@ -24,7 +24,7 @@ from pyworm.formulas.gear_oil import (
     worm_table,
 )
 from pyworm.formulas.wear_distress import distress_probability, film_of_probability
-from pyworm.named_oils import BASES, base_stock
+from pyworm.materials.base_stock import BASES, base_stock
 
 RPM = pi / 30
 INCH = 0.0254

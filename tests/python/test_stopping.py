@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.workers import WorkerPool
+from pyworm.batch.workers import WorkerPool
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -65,7 +65,7 @@ def catches(process, number):
 def test_a_signal_in_the_first_seconds_ends_all_at_once(tmp_path, end, delay):
     """While libraries are imported, the case is checked and workers start; the terminal's is for all."""
     command = ("run", str(CASES / "zi_sharif_2001.toml"), "-j", "2", "--out", str(tmp_path / "out"))
-    process = started("-m", "pyworm", *command)
+    process = started("-m", "pyworm.cli", *command)
     while not catches(process, signal.SIGTERM):
         assert process.poll() is None
         time.sleep(0.002)
@@ -106,7 +106,7 @@ def test_a_second_signal_does_not_wait():
 
 def test_a_worker_in_a_long_call_ends_with_its_killed_parent():
     program = (
-        "import time\nfrom pyworm.workers import WorkerPool\n"
+        "import time\nfrom pyworm.batch.workers import WorkerPool\n"
         "with WorkerPool(1) as pool:\n    import os\n"
         "    print(pool.submit(os.getpid).result(), flush=True)\n"
         "    pool.submit(time.sleep, 60).result()\n"

@@ -6,13 +6,12 @@ from plan_scenes import STEEL, mineral, point
 from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 import pyworm
-from pyworm import climb
-from pyworm.effects.bodies import as_line
-from pyworm.kernels import KernelError
-from pyworm.ladder import lead
-from pyworm.line.climb import first_rung
-from pyworm.line.scales import line_scales
-from pyworm.scales import scales
+from pyworm.kernel.core import KernelError
+from pyworm.planning.effects.geometry import as_line
+from pyworm.scene.scales import line_scales, scales
+from pyworm.solver.line.level import first_rung
+from pyworm.solver.newton import lead
+from pyworm.solver.point import level
 
 THIRD_ORDER = (11 / 6, -3.0, 3 / 2, -1 / 3)
 """Weights of the present and of three equal steps back in a rate of change (Gear's)."""
@@ -24,7 +23,7 @@ def ball(speed):
 
 
 def film_of(scene, grid, store=None):
-    return storing(climb.first_rung(scene, scene, scales(scene), grid), store)
+    return storing(level.first_rung(scene, scene, scales(scene), grid), store)
 
 
 def storing(rung, store):

@@ -16,9 +16,9 @@ from synthetic_solution import (
     without_heat,
 )
 
-from pyworm.case import load
-from pyworm.solution import Estimate
-from pyworm.tables import figures_table, heat_table
+from pyworm.case.case import load
+from pyworm.report.console.scenes import figures_table, heat_table
+from pyworm.solver.solution import Estimate
 
 CASES = Path(__file__).parents[2] / "cases"
 SHEAR_KEYS = {"friction_coefficient", "power_loss_W", "shear_rate_max_1_s"}

@@ -11,15 +11,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-import pyworm.task
-from pyworm.cli import BAD_INPUT, CONVERGED, NOT_CONVERGED, main
-from pyworm.kernels import KernelError
+import pyworm.batch.task
+from pyworm.batch.sweep import load_sweep
+from pyworm.case.sweep import DrawTable, RangeTable
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
+from pyworm.io.units import parse_in
+from pyworm.kernel.core import KernelError
 from pyworm.plots.sweep import sweep_figure
-from pyworm.schema.sweep import DrawTable, RangeTable
-from pyworm.sweep import load_sweep
-from pyworm.sweep_report import rows_table
-from pyworm.sweep_table import SweepResult, open_sweep, sweep_table
-from pyworm.units import parse_in
+from pyworm.report.console.sweep import rows_table
+from pyworm.result.sweep_result import SweepResult, open_sweep, sweep_table
 
 CASES = Path(__file__).parents[2] / "cases"
 SHIPPED = sorted((CASES / "sweeps").glob("*.toml"))
@@ -257,7 +258,7 @@ def test_a_sweep_writes_a_table_and_a_picture(solved, capsys, monkeypatch):
     assert {f"{row['key']}.json" for row in rows} == {
         file.name for file in (out / "scenes").iterdir()
     }
-    monkeypatch.setattr("pyworm.task.solve", None)
+    monkeypatch.setattr("pyworm.batch.task.solve", None)
     capsys.readouterr()
     assert main(["sweep", str(path), "--out", str(out), "--json"]) == CONVERGED
     said = capsys.readouterr()
@@ -300,14 +301,14 @@ def test_a_longer_sweep_solves_what_is_new_and_keeps_fields_if_asked(solved, tmp
 
 
 def test_a_scene_without_solution_is_a_row_with_its_reason(tmp_path, capsys, monkeypatch):
-    solve = pyworm.task.solve
+    solve = pyworm.batch.task.solve
 
     def half(scene, plan, progress):
         if scene.load > 150e3:
             raise KernelError(2)
         return solve(scene, plan, progress)
 
-    monkeypatch.setattr("pyworm.task.solve", half)
+    monkeypatch.setattr("pyworm.batch.task.solve", half)
     path = written(tmp_path, LINE)
     arguments = ["sweep", str(path), "--out", str(tmp_path / "out")]
     assert main(arguments) == NOT_CONVERGED

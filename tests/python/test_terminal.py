@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.cli import BAD_INPUT, main
-from pyworm.terminal import plain
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT
+from pyworm.io.terminal import plain
 
 CASES = Path(__file__).parents[2] / "cases"
 BALL = CASES / "ball_pag_460.toml"
 TITLE = 'title = "Steel ball on a bronze disc in an oil known by its name"'
-PROGRAM = "import sys; from pyworm.cli import main; sys.exit(main())"
+PROGRAM = "import sys; from pyworm.cli.main import main; sys.exit(main())"
 
 
 def titled(directory, title, name="case.toml"):

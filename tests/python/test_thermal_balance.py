@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm import balance
-from pyworm.drive_cycle import DriveCycle, Extreme, Loss
-from pyworm.solution import ZERO_CELSIUS
-from pyworm.task import Task
+from pyworm.batch import drive_iteration
+from pyworm.batch.task import Task
+from pyworm.result.mesh_cycle import DriveCycle, Extreme
+from pyworm.result.tooth_loss import Loss
+from pyworm.solver.solution import ZERO_CELSIUS
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -32,7 +33,7 @@ def test_heat_leaves_through_the_housing_and_the_wheel(case):
     rim = 59 * 28.73e-3 / np.pi * 60.33e-3
     assert wheel == pytest.approx(sump + 1100 / ((1940 + 15 * 1500) * rim))
     assert worm == pytest.approx(wheel + 15)
-    assert balance.tooth_loss_of(with_loss(case, 1100.0)) == pytest.approx(1100)
+    assert drive_iteration.tooth_loss_of(with_loss(case, 1100.0)) == pytest.approx(1100)
 
 
 def test_oil_of_the_sump_is_the_oil_warmed_by_its_own_laws(case):
@@ -57,7 +58,7 @@ def test_the_loss_is_found_that_agrees_with_its_own_temperatures(case, monkeypat
     ran, said = [], []
 
     def run(case, tasks, directory, *rest):
-        assumed = balance.tooth_loss_of(tasks[0].case)
+        assumed = drive_iteration.tooth_loss_of(tasks[0].case)
         ran.append((len(tasks), assumed, 1100 + fall * (assumed - 1000)))
 
     def cycle(result):
@@ -66,12 +67,12 @@ def test_the_loss_is_found_that_agrees_with_its_own_temperatures(case, monkeypat
         nothing = Extreme(0.0, 0.0, 0.5)
         return DriveCycle((0.5,), (), nothing, nothing, {}, None, loss, {})
 
-    monkeypatch.setattr(balance, "run", run)
-    monkeypatch.setattr(balance, "drive_cycle", cycle)
+    monkeypatch.setattr(drive_iteration, "run", run)
+    monkeypatch.setattr(drive_iteration, "drive_cycle", cycle)
     tasks = [Task(case, place, 0.03) for place in case.places()]
-    _, solved = balance.run_balanced(case, tasks, tmp_path, say=said.append)
+    _, solved = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
     _, assumed, found = ran[-1]
-    assert abs(found - assumed) / 40 < 1.001 * balance.WARMTH
+    assert abs(found - assumed) / 40 < 1.001 * drive_iteration.WARMTH
     assert assumed == pytest.approx(1000 + 100 / (1 - fall), abs=25)
     # most passes solve a few of the phases, all of them only in the end
     counts = [count for count, *_ in ran]

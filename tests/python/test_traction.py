@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyworm.cli import CONVERGED, main
-from pyworm.climb import CONTACT_PRESSURE
-from pyworm.result import open_result
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED
+from pyworm.result.result import open_result
+from pyworm.solver.level import CONTACT_PRESSURE
 
 CASE = str(Path(__file__).parents[2] / "cases" / "traction_steel.toml")
 RATIOS = ("-0.5", "0", "0.5")
@@ -23,7 +24,7 @@ def directory(tmp_path_factory):
 def swept(directory):
     """The steel contact at three slide-roll ratios, without the pictures of each."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.SCENE_PICTURES", {"point": {}})
+        patch.setattr("pyworm.plots.draw.SCENE_PICTURES", {"point": {}})
         arguments = ["run", CASE, "--accuracy", "5%", "--out", str(directory)]
         assert main([*arguments, "--slide-roll-ratio", *RATIOS]) == CONVERGED
     return open_result(directory / "result.nc").solutions

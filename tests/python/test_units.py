@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pyworm.units import SHARE, Kind, parse, parse_any
+from pyworm.io.units import SHARE, Kind, parse, parse_any
 
 FORCE = Kind("a force", "N", "14 kN")
 LENGTH = Kind("a length", "m", "305 mm", "any")

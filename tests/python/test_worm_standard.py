@@ -6,20 +6,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pyworm.bodies import Body, reduced_modulus
+from pyworm.formulas.worm_gear import REFERENCE_GEAR, WormGear
+from pyworm.formulas.worm_rating import rate_worm
 from pyworm.formulas.worm_standard import (
     OIL_KINDS,
     PITTING_STRENGTH,
     PRESSURE_VISCOSITY,
-    REFERENCE_GEAR,
-    WormGear,
     backward_efficiency,
     bulk_temperature,
     forward_efficiency,
     mean_pressure,
     minimum_film,
     pitting_safety,
-    rate_worm,
     self_locking_margin,
     static_friction,
     temperature_safety,
@@ -27,6 +25,7 @@ from pyworm.formulas.worm_standard import (
     wear_depth,
     wear_intensity,
 )
+from pyworm.materials.body import Body, reduced_modulus
 
 RPM = pi / 30
 BRONZE = 150622e6

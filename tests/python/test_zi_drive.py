@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm.cli import CONVERGED, main
+from pyworm.cli.main import main
+from pyworm.cli.shared import CONVERGED
 from pyworm.formulas.film import nijenbanning_venner_moes
-from pyworm.result import open_result
-from pyworm.scales import scales
+from pyworm.result.result import open_result
+from pyworm.scene.scales import scales
 
 CASE = Path(__file__).parents[2] / "cases" / "zi_drive.toml"
 PHASES = "0.2", "0.5", "0.8"
@@ -31,8 +32,8 @@ def drive(tmp_path_factory):
     out = tmp_path_factory.mktemp("drive")
     with pytest.MonkeyPatch.context() as patch:
         said = []
-        patch.setattr("pyworm.cli.print_json", said.append)
-        patch.setattr("pyworm.plots.draw", lambda *given, **options: [])
+        patch.setattr("pyworm.cli.run.print_json", said.append)
+        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
         options = ["--accuracy", "20%", "--phase", *PHASES, "--json", "--out", str(out)]
         assert main(["run", str(CASE), *options]) == CONVERGED
     return open_result(out / "result.nc"), json.loads(json.dumps(said[0]))

@@ -9,8 +9,8 @@ from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
 import pyworm
-from pyworm.drives.kept import Kept
-from pyworm.drives.tooth_boundary import TipRelief
+from pyworm.drives.zi_worm.point_cache import Kept
+from pyworm.drives.zi_worm.tooth import TipRelief
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
 DATA = Path(__file__).parents[1] / "data"

@@ -7,9 +7,9 @@ import pytest
 from zi_drives import DEGREE, HOB, MM, WHEEL, WORM, changed, sharif
 
 import pyworm
-from pyworm.case import case_of
-from pyworm.case_error import CaseError
-from pyworm.toml_file import read_toml
+from pyworm.case.case import case_of
+from pyworm.io.input_error import CaseError
+from pyworm.io.toml import read_toml
 
 DATA = Path(__file__).parents[1] / "data"
 

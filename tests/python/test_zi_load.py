@@ -9,10 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from zi_drives import sharif
 
-from pyworm.drives import zi_load, zi_worm
-from pyworm.drives.zi_load import Arms, ToothSprings, Transmission, share, tooth_springs
+from pyworm.drives.zi_worm import drive as zi_worm
+from pyworm.drives.zi_worm import tooth_compliance
+from pyworm.drives.zi_worm.load_sharing import Arms, Transmission, share
+from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
 from pyworm.formulas.hertz import hertz
-from pyworm.scene import Paraboloid
+from pyworm.scene.point import Paraboloid
 
 TORQUE = 6.7e3
 RADII = 3.0, 0.095
@@ -204,10 +206,10 @@ def test_the_x_axis_of_an_earlier_contact_is_turned_by_its_angle(drive):
 def test_dry_contacts_are_solved_once_for_equal_teeth(monkeypatch):
     """Whatever friction, lifts and driver are; drives take them along to processes that know nothing."""
     calls = []
-    solve = zi_load.kernels.dry_contact
-    monkeypatch.setattr(zi_load, "SPRING_PHASES", np.array([0.0, 0.5, 1.0]))
+    solve = tooth_compliance.kernel.dry_contact
+    monkeypatch.setattr(tooth_compliance, "SPRING_PHASES", np.array([0.0, 0.5, 1.0]))
     monkeypatch.setattr(
-        zi_load.kernels, "dry_contact", lambda *given: calls.append(1) or solve(*given)
+        tooth_compliance.kernel, "dry_contact", lambda *given: calls.append(1) or solve(*given)
     )
     for change in ({}, {"friction": 0.03, "lifts": ((0.5, 1e-6),)}):
         drive = loaded(torque=1.01 * TORQUE, **change)
@@ -215,4 +217,4 @@ def test_dry_contacts_are_solved_once_for_equal_teeth(monkeypatch):
         assert springs[0] is springs[1]
     zi_worm._springs.cache_clear()
     _ = pickle.loads(pickle.dumps(drive)).springs
-    assert len(calls) == 3 * len(zi_load.LOAD_SHARES)
+    assert len(calls) == 3 * len(tooth_compliance.LOAD_SHARES)

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyworm.bodies import Body
-from pyworm.drives.zi_worm import Hob, Wheel, Worm, ZiWormDrive
-from pyworm.oils import Density, Oil, Roelands
+from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
+from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Density, Oil, Roelands
 
 MM = 1e-3
 DEGREE = np.pi / 180

@@ -1,0 +1,132 @@
+"""From the tasks of one case to its result; what an earlier run solved is not solved again."""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from pyworm.batch.provenance import provenance
+from pyworm.batch.solve_tasks import solve_all
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.task import Task
+from pyworm.case.case import Case
+from pyworm.case.plausibility import overheated
+from pyworm.io.progress import Progress
+from pyworm.result.result import Result, open_result
+from pyworm.solver.solution import Solution
+
+RESULT_NAME = "result.nc"
+SCENES = "scenes"
+"""Directory, beside the result, of scenes kept while others are not solved yet."""
+
+
+class NothingSolvedError(RuntimeError):
+    """No scene of a run has a solution; the message is the last one's reason."""
+
+
+def run(
+    case: Case,
+    tasks: Sequence[Task],
+    directory: Path,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    say: Callable[[str], None] = lambda message: None,
+) -> Result:
+    """Solve a case and write its result.
+
+    Parameters
+    ----------
+    case : Case
+        The case.
+    tasks : sequence of Task
+        Scenes of this case.
+    directory : Path
+        Where the result is written as `RESULT_NAME`; what it, or a run that was stopped, left there is used.
+    executor : Executor, optional
+        Whose processes solve; by default this one does.
+    progress : callable, optional
+        Told what is being done and which share of all is done, 0 to 1.
+    say : callable, optional
+        Told once if scenes were solved before, and if an earlier result cannot be used.
+
+    Returns
+    -------
+    Result
+        Solutions in the order of the tasks. Scenes without one are missing and named, with the reason, under
+        `failed` in its provenance.
+
+    Raises
+    ------
+    NothingSolvedError
+        No scene has a solution.
+    OSError
+        The result cannot be written.
+    """
+    store = Store(directory.absolute() / SCENES, fields=True)
+    earlier = _solved_before(directory / RESULT_NAME, say)
+    missing = store.missing(task for task in tasks if task.key not in earlier)
+    before = sum(task not in missing for task in tasks)
+    if before:
+        say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+    reasons = solve_all(missing, store, executor, progress)
+    kept, unread = _collected(tasks, store, earlier, directory / RESULT_NAME)
+    reasons = {key: reasons.get(key, why) for key, why in unread.items()}
+    solved = [task for task in tasks if task.key in kept]
+    if not solved:
+        raise NothingSolvedError(reasons[tasks[-1].key])
+    solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
+    plans = {task.key: kept[task.key][1] for task in solved}
+    failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
+    hot = overheated(solution.summary() for solution in solutions)
+    result = Result(
+        case.name,
+        case.resolved,
+        solutions,
+        None if case.drive is None else case.drive.cycle_data(),
+        provenance(plans) | {"failed": failed, "warnings": [*case.warnings, *hot]},
+    )
+    result.save(directory / RESULT_NAME)
+    store.drop(tasks)
+    return result
+
+
+_Kept = dict[str, tuple[Solution, dict[str, Any]]]
+"""Solutions with their plans, by the keys of their tasks."""
+
+
+def _collected(
+    tasks: Sequence[Task], store: Store, earlier: _Kept, file: Path
+) -> tuple[_Kept, dict[str, str]]:
+    """Solutions of these tasks, and by key why others cannot be read.
+
+    Another run of the same case in the same directory may have taken them from the store into its result.
+    """
+    kept, unread = dict(earlier), {}
+    for task in tasks:
+        if task.key not in kept:
+            try:
+                kept |= _of_each(store.result(task))
+            except OSError as error:
+                unread[task.key] = str(error)
+    if unread:
+        kept |= _solved_before(file, lambda message: None)
+    return kept, {key: why for key, why in unread.items() if key not in kept}
+
+
+def _solved_before(path: Path, say: Callable[[str], None]) -> _Kept:
+    """What an earlier result holds, if there is one; told if that cannot be used."""
+    try:
+        return _of_each(open_result(path))
+    except FileNotFoundError:
+        return {}
+    except ValueError as error:
+        say(f"{error}; its scenes are solved again")
+        return {}
+
+
+def _of_each(result: Result) -> _Kept:
+    """Solutions of a result with their plans, by key."""
+    said = result.provenance
+    plans = zip(result.solutions, said.get("plans", ()), strict=False)
+    return dict(zip(said.get("keys", ()), plans, strict=False))

@@ -1,0 +1,211 @@
+"""Friction, lifts and loss fed back into what they depend on.
+
+The loads of a drive's teeth follow from its torque, from friction and from how far films lift the teeth off
+each other, the temperatures of its oil and bodies from the loss between the teeth; all of these follow from
+films under these loads and temperatures. Where roughness carries load, which is not simulated, a standard's
+loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
+found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
+temperatures are found with every `STRIDE`-th phase, lifts with every second one at an accuracy of `GLANCE`.
+"""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pyworm.batch.case_run import RESULT_NAME, run
+from pyworm.batch.task import Task
+from pyworm.case.case import Case, case_again
+from pyworm.io.progress import Progress
+from pyworm.ratings.heating import HeatingLoss, heating_loss, tooth_loss_of
+from pyworm.ratings.standard_loss import standard_loss
+from pyworm.result.mesh_cycle import FEWEST_PHASES, DriveCycle, drive_cycle
+from pyworm.result.result import Result, case_in
+
+PASSES = 3
+"""Most passes with all phases: friction moves loads by a few per cent, which hardly move friction."""
+
+WARM_PASSES = 8
+"""Most passes with some of the phases, until temperatures are found."""
+
+STRIDE = 4
+"""Every which phase is solved while temperatures are sought."""
+
+GLANCE = 0.1
+"""Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load."""
+
+GLANCE_STRIDE = 2
+"""Every which phase is solved for that: lifts of phases between follow within a per cent."""
+
+LOAD_SHARE = 0.25
+"""Change of the loads that asks for another pass, as a share of the accuracy."""
+
+WARMTH = 0.5
+"""Change of the sump's temperature that does [K]."""
+
+FIRST_FALL = -0.5
+"""How the loss found goes with the loss assumed, before two passes tell: warmer oil loses less."""
+
+
+def run_balanced(
+    case: Case,
+    tasks: Sequence[Task],
+    directory: Path,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    say: Callable[[str], None] = lambda message: None,
+) -> tuple[Result, Sequence[Task]]:
+    """Solve a case, with the friction and the loss that it finds itself if it is to find them.
+
+    Arguments and errors as of `batch.case_run.run`; also returns the tasks as they were solved in the end.
+    """
+    how = directory, executor, progress, say
+    open_ = case.left_open
+    if not open_:
+        return run(case, tasks, *how), tasks
+    earlier = _earlier(case, directory)
+    search = _Search(open_, tasks[0].accuracy, say)
+    if earlier:
+        case = case.with_found(earlier)
+    else:
+        if "cooling" in open_:
+            case, _, _ = search.settle(case, every(STRIDE, tasks), how, WARM_PASSES)
+        if "lifts" in open_.get("operation", ()) and search.accuracy < GLANCE:
+            case = search.glance(case, every(GLANCE_STRIDE, tasks), how)
+    case, result, tasks = search.settle(case, tasks, how, PASSES)
+    return result, tasks
+
+
+@dataclass
+class _Search:
+    """Passes over a case until what it finds is what it took."""
+
+    open: dict[str, tuple[str, ...]]
+    accuracy: float
+    say: Callable[[str], None]
+
+    def glance(self, case: Case, tasks: Sequence[Task], how: tuple) -> Case:
+        """The case with what films that are less accurate find."""
+        tasks = [replace(task, case=case, accuracy=GLANCE) for task in tasks]
+        return self._next(case, run(case, tasks, *how), [])
+
+    def settle(
+        self, case: Case, tasks: Sequence[Task], how: tuple, passes: int
+    ) -> tuple[Case, Result, Sequence[Task]]:
+        """The case as last solved, what came out and the tasks; all of it solved at most so often."""
+        losses: list[tuple[float, float]] = []
+        while True:
+            tasks = [task if task.case is case else replace(task, case=case) for task in tasks]
+            result = run(case, tasks, *how)
+            passes -= 1
+            new = case if passes == 0 else self._next(case, result, losses)
+            if new is case:
+                return case, result, tasks
+            case = new
+
+    def _next(self, case: Case, result: Result, losses: list[tuple[float, float]]) -> Case:
+        """The case to solve next; itself if what was found hardly changes it."""
+        cycle = drive_cycle(result)
+        if cycle is None or cycle.loss is None:
+            return case
+        heating = heating_loss(cycle, standard_loss(case))
+        found = self._found(case, cycle, heating, losses)
+        new = case.with_found(found)
+        if self._enough(case, new, cycle, heating):
+            return case
+        by = f" ({heating.words})" if "cooling" in found else ""
+        self.say(f"solved again with {' and '.join(_told(found))}{by}")
+        return new
+
+    def _found(
+        self,
+        case: Case,
+        cycle: DriveCycle,
+        heating: HeatingLoss,
+        losses: list[tuple[float, float]],
+    ) -> dict[str, dict[str, Any]]:
+        """What is to be taken next; a standard's loss, which knows no temperatures, as it is."""
+        loss = cycle.loss
+        of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
+        found = {
+            table: {key: of_loads[key] for key in keys}
+            for table, keys in self.open.items()
+            if table == "operation"
+        }
+        if "cooling" in self.open:
+            losses.append((tooth_loss_of(case), heating.power))
+            power = heating.power if heating.by == "standard" else _next_loss(losses)
+            found["cooling"] = {"tooth_loss": float(f"{power:.3g}")}
+        return found
+
+    def _enough(self, case: Case, new: Case, cycle: DriveCycle, heating: HeatingLoss) -> bool:
+        """Whether what was found hardly changes the case."""
+        if "cooling" in self.open:
+            misses = abs(heating.power - tooth_loss_of(case)) / case.tables.cooling.conductance
+            if misses > WARMTH:
+                return False
+        return load_change(case, new, cycle.phases) <= LOAD_SHARE * self.accuracy
+
+
+def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:
+    """Every so manieth task, and the last; all if that leaves fewer than a cycle takes."""
+    some = [*tasks[:-1:stride], tasks[-1]]
+    return some if len(some) >= FEWEST_PHASES else tasks
+
+
+def _next_loss(losses: list[tuple[float, float]]) -> float:
+    """A loss [W] that may be found as assumed: by the secant of the last two, (assumed, found)."""
+    fall = FIRST_FALL
+    if len(losses) > 1 and losses[-1][0] != losses[-2][0]:
+        (before, first), (after, last) = losses[-2:]
+        fall = min((last - first) / (after - before), 0.0)
+    assumed, found = losses[-1]
+    return assumed + (found - assumed) / (1 - fall)
+
+
+def _told(found: dict[str, dict[str, Any]]) -> list[str]:
+    """What was found, as one would write it into a case file."""
+    said = []
+    for table, of in found.items():
+        for key, value in of.items():
+            if key != "lifts":
+                said.append(f"{table}.{key} = {value:g}")
+            elif value is not None:
+                lifts = [1e6 * lift for _, lift in value]
+                said.append(f"{table}.lifts of {min(lifts):.2f} to {max(lifts):.2f} µm")
+    return said
+
+
+def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
+    """Largest share by which loads at some phases change from a case to another."""
+    before, after = (
+        np.array([of.drive.shared(phase).force(phase) for phase in phases]) for of in (case, new)
+    )
+    return float(np.max(np.abs(after / before - 1)))
+
+
+def _earlier(case: Case, directory: Path) -> dict[str, dict[str, Any]]:
+    """What an earlier run of the same case found and kept there; nothing if there was none."""
+    kept = case_in(directory / RESULT_NAME)
+    if kept is None or _given(kept, case.left_open) != _given(case.resolved, case.left_open):
+        return {}
+    tables = case_again(kept).tables
+    found = {
+        table: {key: getattr(getattr(tables, table), key) for key in keys}
+        for table, keys in case.left_open.items()
+    }
+    return found if all(None not in of.values() for of in found.values()) else {}
+
+
+def _given(resolved: dict, open_: dict[str, tuple[str, ...]]) -> dict:
+    """A case without what is found, and without the phases asked for."""
+    left = {
+        table: {key: value for key, value in resolved[table].items() if key not in found}
+        for table, found in open_.items()
+        if resolved.get(table) is not None
+    }
+    left["operation"] = {**left.get("operation", resolved["operation"]), "phases": None}
+    return {**resolved, **left}

@@ -1,0 +1,92 @@
+"""Many scenes, each solved by itself.
+
+None waits for, or starts from, another: any order and any number of processes gives the same solutions to the
+last bit.
+"""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor, Future, as_completed
+
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.task import Task
+from pyworm.batch.workers import WorkerDiedError
+from pyworm.io.progress import Progress
+from pyworm.io.reason import reason_of
+from pyworm.kernel.core import KernelError
+
+
+def solve_all(
+    tasks: Sequence[Task],
+    store: Store,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+) -> dict[str, str]:
+    """Solve tasks and keep each solution as soon as it is there.
+
+    Parameters
+    ----------
+    tasks : sequence of Task
+        What to solve, each once (`Store.missing`).
+    store : Store
+        Where solutions are kept; every process of the executor must reach its directory.
+    executor : Executor, optional
+        Whose processes solve, such as `WorkerPool`; by default this one does.
+    progress : callable, optional
+        Told what is being done and which share of all is done, 0 to 1.
+
+    Returns
+    -------
+    dict
+        Key of each task that has no solution, and the reason.
+    """
+    tell = progress or (lambda message, share: None)
+    reasons = {}
+    if executor is None:
+        for position, task in enumerate(tasks):
+            share = _share(tell, position, len(tasks))
+            reasons[task.key] = solve_and_keep(task, store, share)
+    else:
+        tell(f"0 of {len(tasks)} scenes", 0.0)
+        futures = {executor.submit(solve_for, task.key, task, store): task for task in tasks}
+        for done, future in enumerate(as_completed(futures), 1):
+            reasons[futures[future].key] = _reason(future, futures[future], store)
+            tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
+    return {task.key: reasons[task.key] for task in tasks if reasons[task.key] is not None}
+
+
+def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -> str | None:
+    """Solve one task, unless another run has meanwhile; returns why there is no solution, or None.
+
+    Whatever goes wrong is the reason, since it must not cost the other tasks.
+    """
+    try:
+        if store.holds(task):
+            return None
+        store.keep(task, task.solved(progress))
+    except KernelError as error:
+        return str(error)
+    except Exception as error:
+        return reason_of(error)
+    return None
+
+
+def solve_for(key: str, task: Task, store: Store) -> str | None:
+    """The same for another process, by the key that the task has there."""
+    if task.key != key:
+        return "its worker has another build of pyworm, or of what it builds on"
+    return solve_and_keep(task, store)
+
+
+def _reason(future: Future, task: Task, store: Store) -> str | None:
+    """Why a task came back without a solution, if it did."""
+    error = future.exception()
+    if error is not None:  # of the process, not of the solve
+        return str(error) if isinstance(error, WorkerDiedError) else reason_of(error)
+    if future.result() is None and not store.file(task).exists():
+        return "its worker has another directory"
+    return future.result()
+
+
+def _share(tell: Callable[[str, float], None], position: int, count: int) -> Progress:
+    """Progress of one of several solves as a share of all."""
+    return lambda message, fraction: tell(message, (position + fraction) / count)

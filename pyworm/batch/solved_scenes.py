@@ -1,0 +1,92 @@
+"""Solved scenes, each kept in a file of its own as soon as it is solved, under the key of its task."""
+
+import json
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pyworm.batch.task import Task, key_of
+from pyworm.io.atomic import remove_abandoned, whole_file
+from pyworm.result.result import Result, open_result
+
+
+@dataclass(frozen=True)
+class Store:
+    """A directory of solved scenes; several processes may fill one together.
+
+    Files appear whole or not at all; a damaged one counts as not there.
+
+    Attributes
+    ----------
+    directory : Path
+        Where the files are; made with the first.
+    fields : bool
+        Whether solutions are kept in full, `KEY.nc`, a result of one scene; else only their scalars are,
+        `KEY.json`, with all that decided them.
+    """
+
+    directory: Path
+    fields: bool
+
+    def file(self, task: Task) -> Path:
+        """Where a solved task is kept."""
+        return self.directory / f"{task.key}.{'nc' if self.fields else 'json'}"
+
+    def keep(self, task: Task, result: Result) -> None:
+        """Write down what a task came to; OSError if that is not possible."""
+        file = self.file(task)
+        if self.fields:
+            result.save(file)
+            return
+        (solution,) = result.solutions
+        content = {"task": task.identity, "summary": solution.summary()}
+        with whole_file(file) as partial:
+            partial.write_text(json.dumps(content, default=lambda item: item.item()))
+
+    def holds(self, task: Task) -> bool:
+        """Whether a task was solved and its file can be read."""
+        try:
+            self.summary(task)
+        except OSError:
+            return False
+        return True
+
+    def missing(self, tasks: Iterable[Task]) -> list[Task]:
+        """The tasks that are still to be solved, each once; halves left by killed processes are removed."""
+        remove_abandoned(self.directory)
+        return list({task.key: task for task in tasks if not self.holds(task)}.values())
+
+    def result(self, task: Task) -> Result:
+        """A solution kept in full, as the result that it came in; OSError if its file is gone or damaged."""
+        file = self.file(task)
+        try:
+            result = open_result(file)
+        except ValueError as error:
+            raise OSError(f"{error}; the same command solves it again") from error
+        if result.provenance.get("keys") != [task.key] or len(result.solutions) != 1:
+            raise OSError(f"{file} holds another scene; the same command solves it again")
+        return result
+
+    def summary(self, task: Task) -> dict[str, Any]:
+        """The scalars of a solution, as of `Solution.summary`; OSError if its file is gone or damaged."""
+        if self.fields:
+            return self.result(task).solutions[0].summary()
+        file = self.file(task)
+        try:
+            content = json.loads(file.read_text())
+            summary = dict(content["summary"])
+            sound = key_of(content["task"]) == task.key
+        except (ValueError, LookupError, TypeError, RecursionError):
+            sound = False
+        if not sound:
+            raise OSError(f"{file} is damaged; the same command solves it again")
+        return summary
+
+    def drop(self, tasks: Iterable[Task]) -> None:
+        """Forget what these tasks came to."""
+        for task in tasks:
+            self.file(task).unlink(missing_ok=True)
+        with suppress(OSError):  # not empty, or never made
+            self.directory.rmdir()

@@ -1,0 +1,170 @@
+"""From a sweep file to the tasks of all its scenes, each checked before the first is solved."""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Executor
+from copy import deepcopy
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise, product
+from pathlib import Path
+from typing import Any
+
+from pyworm.batch.task import Task
+from pyworm.case.case import Case, case_of, checked
+from pyworm.case.sweep import SweepTable, Value
+from pyworm.io.input_error import CaseError, toml
+from pyworm.io.toml import read_toml
+
+_STEP = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
+"""A table's key, and places in lists after it."""
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Scenes that differ in some values of one case.
+
+    Attributes
+    ----------
+    name, title : str
+        File name without its ending, and what it is.
+    written : dict
+        The file.
+    axes : list of list of str
+        The keys that vary, those that go together in one list.
+    values : tuple of mapping
+        Of each scene the values that vary, as written, by key.
+    tasks : tuple of Task
+        Its scenes: the values of the last table of `vary` change fastest but for the places of each case.
+    """
+
+    name: str
+    title: str
+    written: dict[str, Any]
+    axes: list[list[str]]
+    values: tuple[Mapping[str, Value], ...]
+    tasks: tuple[Task, ...]
+
+
+def load_sweep(
+    path: str | Path,
+    share: tuple[int, int] = (1, 1),
+    executor: Executor | None = None,
+    progress: Callable[[str, float], None] | None = None,
+) -> Sweep:
+    """Read a sweep file and check every scene of it in full.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file as in `cases/sweeps/`.
+    share : tuple of int
+        (i, n) for the i-th of n shares of its cases.
+    executor : Executor, optional
+        Whose processes check; by default this one does.
+    progress : callable, optional
+        Told what is being done and which share of all is done, 0 to 1.
+
+    Raises
+    ------
+    CaseError
+        Whatever is wrong first, in one sentence that names the sweep and, of a scene, the values.
+    """
+    path = Path(path)
+    data = read_toml(path)
+    try:
+        tables = checked(SweepTable, data)
+        base = path.parent / tables.case
+        # One that cannot be read says its own name.
+        content = _with(read_toml(base), tables.fixed)
+        first, count = share
+        combinations = list(_combinations(tables))[first - 1 :: count]
+        make = partial(_tasks, content, path.stem, base.parent, tables.effects)
+        pairs = []
+        made = (executor.map if executor else map)(make, combinations)
+        for number, (values, tasks) in enumerate(zip(combinations, made, strict=True), 1):
+            pairs += [(values, task) for task in tasks]
+            if progress is not None:
+                progress(
+                    f"{number} of {len(combinations)} cases checked", number / len(combinations)
+                )
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+    if not pairs:
+        raise CaseError(f"{path}: has no share {first}/{count}, there are fewer cases")
+    values, tasks = zip(*pairs, strict=True)
+    axes = [list(table) for table in tables.vary]
+    return Sweep(path.stem, tables.title, data, axes, values, tasks)
+
+
+def label(values: Mapping[str, Value]) -> str:
+    """What tells the scenes of a sweep apart, for people."""
+    return ", ".join(f"{key} = {toml(value)}" for key, value in values.items())
+
+
+def _combinations(tables: SweepTable) -> Iterator[dict[str, Value]]:
+    """The values of every scene, by key."""
+    axes = [
+        [dict(zip(axis, together, strict=True)) for together in zip(*axis.values(), strict=True)]
+        for axis in tables.axes()
+    ]
+    for one in product(*axes):
+        yield {key: value for part in one for key, value in part.items()}
+
+
+def _tasks(
+    content: dict[str, Any],
+    name: str,
+    directory: Path,
+    effects: str | None,
+    values: dict[str, Value],
+) -> list[Task]:
+    """The scenes of one case of a sweep, checked and planned; nothing of that is kept."""
+    try:
+        case: Case = case_of(_with(content, values), f"{name}: {label(values)}", directory)
+        tasks = [
+            Task(case, place, case.accuracy, effects or case.effects, case.quantities)
+            for place in case.places()
+        ]
+        for task in tasks:
+            _ = task.plan
+    except ValueError as error:
+        raise CaseError(f"with {label(values)}: {error}") from error
+    bare = replace(case)
+    return [replace(task, case=bare) for task in tasks]
+
+
+def _with(content: dict[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:
+    """A case file's content with some values in place of its own."""
+    changed = deepcopy(content)
+    for key, value in values.items():
+        _put(changed, key, value)
+    return changed
+
+
+def _put(content: dict[str, Any], key: str, value: Value) -> None:
+    """Set what a dotted key means; tables that are not there are made, for the case to judge."""
+    steps: list[str | int] = []
+    for part in key.split("."):
+        match = _STEP.fullmatch(part)
+        if match is None:
+            raise CaseError(f'"{key}": must be a dotted key, such as "motion.velocity_1[0]"')
+        steps += [match[1], *(int(place) for place in re.findall(r"\d+", match[2]))]
+    inner: Any = content
+    for step, following in pairwise(steps):
+        if isinstance(inner, dict) and not isinstance(following, int):
+            inner.setdefault(step, {})
+        inner = _inner(inner, step, key)
+    _inner(inner, steps[-1], key, there=False)
+    inner[steps[-1]] = value
+
+
+def _inner(outer: Any, step: str | int, key: str, there: bool = True) -> Any:
+    """What a table or a list holds at a step of a key."""
+    if isinstance(step, int):
+        if not (isinstance(outer, list) and step < len(outer)):
+            raise CaseError(f'"{key}": the case has no list with a place [{step}] there')
+        return outer[step]
+    if not isinstance(outer, dict) or (there and step not in outer):
+        raise CaseError(f'"{key}": the case has no table with {step} there')
+    return outer.get(step)

@@ -1,0 +1,83 @@
+"""From a sweep to its table; what an earlier run solved is not solved again."""
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+from dataclasses import asdict
+from pathlib import Path
+
+from pyworm.batch.case_run import SCENES
+from pyworm.batch.provenance import where_and_when
+from pyworm.batch.solve_tasks import solve_all
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.sweep import Sweep
+from pyworm.batch.task import Task
+from pyworm.io.progress import Progress
+from pyworm.result.sweep_result import SweepResult, sweep_table
+
+
+def run_sweep(
+    sweep: Sweep,
+    directory: Path,
+    fields: bool = False,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    say: Callable[[str], None] = lambda message: None,
+) -> SweepResult:
+    """Solve a sweep.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        What to solve.
+    directory : Path
+        Under it solved scenes are kept, and looked for.
+    fields : bool
+        Whether they are kept in full, or their scalars only.
+    executor, progress, say
+        As of `pyworm.batch.case_run.run`.
+
+    Returns
+    -------
+    SweepResult
+        A row a scene, those without a solution included.
+    """
+    reasons, store = solve_share(sweep.tasks, directory, fields, executor, progress, say)
+    rows = [
+        _unsolved(task, reasons[task.key]) if task.key in reasons else store.summary(task)
+        for task in sweep.tasks
+    ]
+    return SweepResult(
+        sweep.name,
+        sweep.title,
+        sweep.axes,
+        sweep_table(sweep.values, rows, [task.key for task in sweep.tasks]),
+        where_and_when() | {"sweep": sweep.written},
+    )
+
+
+def solve_share(
+    tasks: tuple[Task, ...],
+    directory: Path,
+    fields: bool = False,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+    say: Callable[[str], None] = lambda message: None,
+) -> tuple[dict[str, str], Store]:
+    """Solve some scenes of a sweep and keep them; arguments as of `run_sweep`.
+
+    Returns
+    -------
+    tuple of dict and Store
+        Key and reason of each scene without solution, and where the others are.
+    """
+    store = Store(directory.absolute() / SCENES, fields)
+    missing = store.missing(tasks)
+    new = {task.key for task in missing}
+    before = sum(task.key not in new for task in tasks)
+    if before:
+        say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+    return solve_all(missing, store, executor, progress), store
+
+
+def _unsolved(task: Task, reason: str) -> dict:
+    return {**asdict(task.place), "converged": False, "stop_reason": reason}

@@ -1,0 +1,109 @@
+"""A task: one scene to be solved, told by what decides its solution, and small enough to send anywhere."""
+
+import json
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
+from hashlib import sha256
+from typing import Any
+
+from pyworm.batch.provenance import program_digest, provenance
+from pyworm.case.case import Case
+from pyworm.io.progress import Progress
+from pyworm.planning.plan import Plan, plan
+from pyworm.result.result import FORMAT_VERSION, Result
+from pyworm.scene.index import Place
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.solve import solve
+
+KEY_LENGTH = 24
+"""Hexadecimal digits of a key: 96 bits, so that no two of any number of scenes ever share one."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """One scene of a case and how accurately to solve it.
+
+    Sent to another process it takes along its plan, if it has been made, and makes its scene again there.
+
+    Attributes
+    ----------
+    case : Case
+        The case.
+    place : Place
+        Which of its contacts.
+    accuracy : float
+        Relative error wanted [-].
+    effects : str
+        Which effects to simulate, as `pyworm.plan` takes it.
+    quantities : tuple of str or None
+        What is asked for, likewise.
+    """
+
+    case: Case
+    place: Place
+    accuracy: float
+    effects: str = "auto"
+    quantities: tuple[str, ...] | None = None
+
+    @cached_property
+    def scene(self) -> Scene | LineScene:
+        """The contact; CaseError if there is none."""
+        return self.case.scene(**self.place.given)
+
+    @cached_property
+    def plan(self) -> Plan:
+        """How it is solved; ValueError if it cannot be planned so."""
+        return plan(self.scene, self.accuracy, self.effects, self.quantities)
+
+    @property
+    def identity(self) -> dict[str, Any]:
+        """Everything that decides the solution, down to the program; JSON-able."""
+        return {
+            "program": program_digest(),
+            "result_format": FORMAT_VERSION,
+            "case": self.case.physics,
+            "place": self.place.given,
+            "accuracy": self.accuracy,
+            "effects": self.effects,
+            "quantities": self.quantities,
+        }
+
+    @cached_property
+    def key(self) -> str:
+        """Name of the solution by what decides it."""
+        return key_of(self.identity)
+
+    def __reduce__(self) -> tuple:
+        given = self.case, self.place, self.accuracy, self.effects, self.quantities
+        return Task, given, {"plan": self.plan} if "plan" in vars(self) else None
+
+    def solved(self, progress: Progress | None = None) -> Result:
+        """Solve the scene.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            As of `pyworm.solve`.
+
+        Raises
+        ------
+        KernelError
+            The kernel gave it up.
+        """
+        solution = solve(self.scene, self.plan, progress=progress)
+        if self.case.drive is not None:
+            beside = self.case.drive.scene_data(self.scene)
+            solution = replace(solution, fields=solution.fields.merge(beside))
+        return Result(
+            self.case.name,
+            self.case.resolved,
+            (solution,),
+            None,
+            provenance({self.key: asdict(self.plan)}),
+        )
+
+
+def key_of(identity: dict[str, Any]) -> str:
+    """Name of a solution by everything that decides it, `Task.identity`."""
+    return sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]

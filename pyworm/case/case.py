@@ -1,0 +1,351 @@
+"""A case: what the user wrote, checked in full before any work starts."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from hashlib import sha256
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from pyworm.case.case_file import CaseTable, PublishedValue
+from pyworm.case.contact import GapCase, PointCase, contact_scene
+from pyworm.case.kinds import CASES, kind_model
+from pyworm.case.plausibility import doubts, require_possible
+from pyworm.case.ratings import RATING_TABLES
+from pyworm.case.unusual import unusual
+from pyworm.case.zi_worm import LOADS, ZiWormCase
+from pyworm.drives.drive import Drive
+from pyworm.io import units
+from pyworm.io.input_error import CaseError, sentence
+from pyworm.io.toml import read_toml
+from pyworm.scene.index import PLACE_NAMES, Place, crossed
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+NO_PHYSICS = {
+    **dict.fromkeys(
+        (
+            *("title", "source", "published", "assumed", "accuracy", "effects", "quantities"),
+            *RATING_TABLES,
+        ),
+        True,
+    ),
+    "operation": {"sections", "phases", "stations"},
+    "motion": {"slide_roll_ratios"},
+}
+"""Keys of case files that say nothing about a contact."""
+
+MESH_PLACES = {"section": "sections", "phase": "phases", "station": "stations"}
+"""Name of a place in a drive's mesh -> key of `[operation]` that lists those to be solved."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A checked case; makes the scenes that are to be solved.
+
+    Attributes
+    ----------
+    name : str
+        File name without its ending.
+    directory : Path
+        Where the case file lies; files that it names are relative to it.
+    tables : CaseTable
+        The file, in SI.
+    doubts : tuple of str
+        What is unusual in the file and in the contacts it makes, as `warnings` tells it.
+    """
+
+    name: str
+    directory: Path
+    tables: CaseTable
+    doubts: tuple[str, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """What the case is."""
+        return self.tables.title
+
+    @property
+    def source(self) -> str:
+        """Where its numbers come from."""
+        return self.tables.source
+
+    @property
+    def accuracy(self) -> float:
+        """Relative error wanted in films and maximum pressure [-]."""
+        return self.tables.accuracy
+
+    @property
+    def published(self) -> dict[str, PublishedValue]:
+        """Numbers that the source prints, by name."""
+        return self.tables.published
+
+    @property
+    def effects(self) -> str:
+        """Which effects are simulated if nothing else is asked for, as `pyworm.plan` takes it."""
+        return self.tables.effects
+
+    @property
+    def quantities(self) -> tuple[str, ...] | None:
+        """What is asked of its contacts, likewise."""
+        return self.tables.quantities
+
+    @property
+    def mesh_places(self) -> dict[str, tuple[Any, ...]]:
+        """Sections, phases and stations of its drive's mesh to solve, by name; empty without a drive."""
+        if self.drive is None:
+            return {}
+        operation = self.tables.operation
+        return {
+            name: getattr(operation, key) or ()
+            for name, key in MESH_PLACES.items()
+            if hasattr(operation, key)
+        }
+
+    @property
+    def slide_roll_ratios(self) -> tuple[float, ...]:
+        """Slide-roll ratios of a traction curve; empty where velocities are given, or a drive."""
+        tables = self.tables
+        if not isinstance(tables, PointCase | GapCase):
+            return ()
+        return tables.motion.slide_roll_ratios or ()
+
+    @property
+    def resolved(self) -> dict[str, Any]:
+        """The whole case as plain numbers in SI, defaults filled in: for provenance."""
+        return {"name": self.name, **self.tables.model_dump(mode="json")}
+
+    @property
+    def physics(self) -> dict[str, Any]:
+        """What decides the contacts: the case in SI without names, comparisons, accuracy and lists of places.
+
+        A file that the case names is there with a digest of what it holds.
+        """
+        tables = self.tables.model_dump(mode="json", exclude=NO_PHYSICS)
+        if isinstance(self.tables, GapCase):
+            content = (self.directory / self.tables.contact.file).read_bytes()
+            tables["contact"]["file"] = sha256(content).hexdigest()
+        return tables
+
+    @property
+    def left_open(self) -> dict[str, tuple[str, ...]]:
+        """What its solution is to find that it depends on itself: table -> keys in it.
+
+        The friction in the balance of torques, the lifts of the films in the sharing of the load, and the
+        loss between the teeth in the balance of heat.
+        """
+        if not isinstance(self.tables, ZiWormCase) or self.tables.operation.load is not None:
+            return {}
+        yields = self.tables.operation.sharing != "equal"
+        known = {"operation": ("friction",) + ("lifts",) * yields, "cooling": ("tooth_loss",)}
+        left = {
+            table: tuple(key for key in keys if getattr(getattr(self.tables, table), key) is None)
+            for table, keys in known.items()
+            if getattr(self.tables, table) is not None
+        }
+        return {table: keys for table, keys in left.items() if keys}
+
+    def with_found(self, found: dict[str, dict[str, Any]]) -> "Case":
+        """The case with values of its tables in place of its own: table -> key -> value."""
+        tables = {
+            name: getattr(self.tables, name).model_copy(update=values)
+            for name, values in found.items()
+        }
+        return replace(self, tables=self.tables.model_copy(update=tables))
+
+    def __reduce__(self) -> tuple:
+        # Files must be found from where the case goes; its drive, once made, goes along with what it knows.
+        given = self.name, self.directory.absolute(), self.tables, self.doubts
+        return Case, given, {"drive": self.drive} if "drive" in vars(self) else None
+
+    @cached_property
+    def drive(self) -> Drive | None:
+        """The machine that makes the contacts; None for a contact written directly.
+
+        Raises
+        ------
+        CaseError
+            The parts do not make a drive.
+        """
+        if not hasattr(self.tables, "drive"):
+            return None
+        from pyworm.case.kinds import case_drive
+
+        return case_drive(self.tables)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is unusual in it, a sentence each, beginning with the key that says it."""
+        of_drive = () if self.drive is None else self.drive.warnings
+        return *self.doubts, *(f"drive.{warning}" for warning in of_drive)
+
+    def scene(
+        self,
+        phase: float | None = None,
+        slide_roll_ratio: float | None = None,
+        section: str | None = None,
+        station: float | None = None,
+    ) -> Scene | LineScene:
+        """One contact at one instant.
+
+        Parameters
+        ----------
+        phase : float, optional
+            Place in the mesh cycle, 0 to 1; by default the first of the case's phases. Only for drives.
+        slide_roll_ratio : float, optional
+            Place on the traction curve; by default the first of the case's slide-roll ratios. Only for cases
+            that give a mean velocity.
+        section : str, optional
+            Section of the worm; by default the first of the case's. Only for drives that have some.
+        station : float, optional
+            Place along the contact line, 0 to 1; by default the first of the case's, if it lists some. Only
+            for drives with contact lines.
+
+        Raises
+        ------
+        CaseError
+            No contact at this place, or none that can be; a place given where there is no mesh cycle, or a
+            slide-roll ratio where no mean velocity is given.
+        """
+        if slide_roll_ratio is not None and not self.slide_roll_ratios:
+            raise CaseError(
+                f"slide-roll ratio {slide_roll_ratio:g}: {self.name} gives no motion.mean_velocity"
+            )
+        if slide_roll_ratio is not None and not isfinite(slide_roll_ratio):
+            raise CaseError(f"slide-roll ratio {slide_roll_ratio:g}: must be finite")
+        if self.drive is None:
+            for name, value in (("section", section), ("phase", phase), ("station", station)):
+                if value is not None:
+                    raise CaseError(
+                        f"{name} {value}: {self.name} has no mesh cycle, it is one contact"
+                    )
+            if slide_roll_ratio is None and self.slide_roll_ratios:
+                slide_roll_ratio = self.slide_roll_ratios[0]
+            scene = contact_scene(self.tables, self.name, self.directory, slide_roll_ratio)
+        else:
+            place = self._mesh_place({"section": section, "phase": phase, "station": station})
+            try:
+                scene = self.drive.scene(**place.given)
+            except ValueError as error:
+                raise CaseError(f"drive at {place}: {error}") from error
+        require_possible(scene, self._load_key)
+        return scene
+
+    @property
+    def _load_key(self) -> str:
+        """The key by which its contacts are loaded."""
+        if self.drive is None:
+            return "contact.load"
+        given = (key for key in LOADS if getattr(self.tables.operation, key, None) is not None)
+        return f"operation.{next(given)}"
+
+    def _mesh_place(self, wanted: dict[str, Any]) -> Place:
+        """A place of the drive's mesh, by default the first that the case lists."""
+        given = {}
+        for name, value in wanted.items():
+            listed = self.mesh_places.get(name)
+            if value is None:
+                given[name] = listed[0] if listed else None
+                continue
+            if listed is None:
+                raise CaseError(f"{name} {value}: the drive of {self.name} has no {name}s")
+            if name == "section" and value not in (*listed, *self.drive.sections):
+                raise CaseError(f"section {value}: choose one of {', '.join(self.drive.sections)}")
+            if name != "section" and not 0 <= value <= 1:
+                raise CaseError(f"{name} {value:g}: must lie between 0 and 1")
+            given[name] = value
+        return Place(**given)
+
+    def places(self, **wanted: Sequence[Any] | None) -> tuple[Place, ...]:
+        """Where its contacts are: by default at the places that the case lists.
+
+        Parameters
+        ----------
+        **wanted : sequence, optional
+            Others, by the names of `Place`.
+        """
+        own = self.mesh_places | {"slide_roll_ratio": self.slide_roll_ratios}
+        return crossed({name: wanted.get(name) or own.get(name, ()) for name in PLACE_NAMES})
+
+    def scenes(self, **wanted: Sequence[Any] | None) -> Iterator[Scene | LineScene]:
+        """The contacts at `places` of these arguments."""
+        return (self.scene(**place.given) for place in self.places(**wanted))
+
+
+def load(path: str | Path) -> Case:
+    """Read a case file and check it in full: what loads makes scenes.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; `cases/` has one for each kind.
+
+    Raises
+    ------
+    CaseError
+        Whatever is wrong first, in one sentence.
+    """
+    path = Path(path)
+    data = read_toml(path)
+    try:
+        return case_of(data, path.stem, path.parent)
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+
+
+def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
+    """The case that a case file's content makes, checked in full; CaseError as of `load`."""
+    case = Case(name, directory, _tables(data))
+    # All contacts are made: the drive must mesh and the gap file must hold a gap.
+    told = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
+    checked_case = replace(case, doubts=told)
+    vars(checked_case).update(drive=case.drive)
+    return checked_case
+
+
+def case_again(resolved: dict[str, Any]) -> Case:
+    """The case of a result, from what that keeps of it (`Case.resolved`).
+
+    Files that it names are no longer found.
+
+    Raises
+    ------
+    CaseError
+        It is none that this version knows.
+    """
+    tables = {key: value for key, value in resolved.items() if key != "name"}
+    return Case(resolved.get("name", ""), Path(), _tables(_said(tables), units.SI))
+
+
+def _said(table: dict[str, Any]) -> dict[str, Any]:
+    """A table of a case without the keys that nothing was said about."""
+    return {
+        key: _said(value) if isinstance(value, dict) else value
+        for key, value in table.items()
+        if value is not None
+    }
+
+
+def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
+    """A case file in SI, read as what it says it is; context as of `checked`."""
+    if not {"drive", "contact"} & data.keys() and set(RATING_TABLES) & data.keys():
+        raise CaseError("gives nothing to be solved, ratings only; pyworm rate shows them")
+    if ("drive" in data) == ("contact" in data):
+        raise CaseError("give either a [drive] or a [contact], one of the two")
+    about = "drive" if "drive" in data else "contact"
+    kind = getattr(checked(kind_model(about), data), about).kind
+    return checked(CASES[about][kind], data, context)
+
+
+def checked(model: type[BaseModel], data: dict[str, Any], context: str | None = None) -> Any:
+    """What a file holds, read as a model; CaseError with the sentence about what is wrong first.
+
+    With the context `units.SI` it holds numbers in SI instead of quantities with units.
+    """
+    try:
+        return model.model_validate(data, context=context)
+    except ValidationError as error:
+        raise CaseError(sentence(error, model, data)) from None

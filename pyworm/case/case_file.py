@@ -1,0 +1,99 @@
+"""What all case files say."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
+
+from pyworm.case.oil import OilTable
+from pyworm.case.table import Table, Text
+from pyworm.io import units
+
+Quantity = Literal["film", "friction", "temperature"]
+"""What a case asks of its contacts."""
+
+
+def _effects(text: str) -> str:
+    from pyworm.planning.effects.selection import words
+
+    words(text)
+    return text
+
+
+class PublishedValue(Table):
+    """A number that the source prints."""
+
+    text: str
+    value: float
+    unit: str
+
+
+def _published(value: Any, info: ValidationInfo) -> PublishedValue:
+    if info.context == units.SI:
+        return PublishedValue.model_validate(value)
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        return PublishedValue(text=f"{value:g}", value=value, unit="")
+    number, unit = units.parse_any(value)
+    return PublishedValue(text=value, value=number, unit=unit)
+
+
+Published = dict[str, Annotated[PublishedValue, BeforeValidator(_published)]]
+"""`[published]`: free names; those that a result has too are shown beside it."""
+
+
+def _flat(reasons: Any, at: str = "") -> Any:
+    """Reasons of tables within tables, each by its dotted key."""
+    if not isinstance(reasons, dict):
+        return reasons
+    flat = {}
+    for key, reason in reasons.items():
+        name = f"{at}.{key}" if at else key
+        flat |= _flat(reason, name) if isinstance(reason, dict) else {name: reason}
+    return flat
+
+
+class FileTable(Table):
+    """What all files say.
+
+    `[assumed]` has the keys of values that the source does not give, and why they are what they are.
+    """
+
+    title: Text
+    source: Text
+    published: Published = Field(default_factory=dict)
+    assumed: Annotated[dict[str, Text], BeforeValidator(_flat)] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _only_what_is_given_is_assumed(self):
+        for key in self.assumed:
+            if self.at(key) is None:
+                raise ValueError(f"assumed.{key} means nothing: the file does not give {key}")
+        return self
+
+    def at(self, key: str) -> Any:
+        """The value at a dotted key; None where nothing is said."""
+        value: Any = self
+        for part in key.split("."):
+            value = dict(value).get(part) if isinstance(value, Table | dict) else None
+        return value
+
+
+class CaseTable(FileTable):
+    """What all case files say; each kind has its own `bodies` besides."""
+
+    accuracy: units.Share = 0.01
+    effects: Annotated[str, AfterValidator(_effects)] = "auto"
+    quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
+    oil: OilTable
+
+    @model_validator(mode="after")
+    def _bodies_take_heat_with_the_oil(self):
+        named = "" if self.oil.temperature is None else f" of {self.oil.name}"
+        for name, body in self.bodies:
+            for key in ("density", "conductivity", "specific_heat"):
+                if self.oil.heat is not None and getattr(body, key) is None:
+                    raise ValueError(
+                        f"bodies.{name}.{key} is missing; [oil.heat]{named} asks for it"
+                    )
+            if self.oil.heat is None and body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing without [oil.heat]")
+        return self

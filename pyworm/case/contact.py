@@ -1,0 +1,212 @@
+"""`[contact]` and `[motion]`: a contact written directly."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.case_file import CaseTable
+from pyworm.case.table import Number, Table, Text
+from pyworm.io import units
+from pyworm.io.input_error import CaseError
+from pyworm.scene.gap_file import read_gap
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.point import Gap, Paraboloid, RigidMotion, Scene
+from pyworm.scene.sampled_gap import SampledGap
+
+
+class ContactBodies(Bodies):
+    """`[bodies]` of a contact written directly."""
+
+    body_1: BodyTable
+    body_2: BodyTable
+
+
+class PointContactTable(Table):
+    """`[contact]`, kind = "point-contact": a paraboloid on a plane."""
+
+    kind: Literal["point-contact"]
+    radii: tuple[units.Radius, units.Radius]
+    load: units.Force
+
+
+class LineContactTable(Table):
+    """`[contact]`, kind = "line-contact": a parabolic cylinder on a plane."""
+
+    kind: Literal["line-contact"]
+    radius: units.Radius
+    load: units.ForcePerLength
+
+
+class GapTable(Table):
+    """`[contact]`, kind = "gap": a sampled undeformed gap, its file named relative to the case file."""
+
+    kind: Literal["gap"]
+    file: Text
+    load: units.Force
+
+
+class MotionTable(Table):
+    """`[motion]`: both surfaces' velocity (along x and y) and spin at the contact point.
+
+    Instead of both velocities their mean may be given, with the slide-roll ratios at which the contact is to
+    be solved: a traction curve.
+    """
+
+    velocity_1: tuple[units.Velocity, units.Velocity] | None = None
+    velocity_2: tuple[units.Velocity, units.Velocity] | None = None
+    mean_velocity: tuple[units.Velocity, units.Velocity] | None = None
+    slide_roll_ratios: Annotated[tuple[Number, ...], Field(min_length=1)] | None = None
+    spin_1: units.Spin = 0.0
+    spin_2: units.Spin = 0.0
+
+    @field_validator("mean_velocity")
+    @classmethod
+    def _what_sliding_is_compared_with(cls, velocity: tuple[float, float]) -> tuple[float, float]:
+        if velocity == (0, 0):
+            raise ValueError("must not be zero; give velocity_1 and velocity_2 of opposite sliding")
+        return velocity
+
+    @field_validator("slide_roll_ratios")
+    @classmethod
+    def _each_once(cls, ratios: tuple[float, ...]) -> tuple[float, ...]:
+        if len(set(ratios)) < len(ratios):
+            raise ValueError("must not name a ratio twice")
+        return ratios
+
+    @model_validator(mode="after")
+    def _one_of_both_forms(self):
+        given = {
+            name
+            for name in ("velocity_1", "velocity_2", "mean_velocity", "slide_roll_ratios")
+            if getattr(self, name) is not None
+        }
+        if given not in ({"velocity_1", "velocity_2"}, {"mean_velocity", "slide_roll_ratios"}):
+            raise ValueError(
+                "give either velocity_1 and velocity_2, or mean_velocity and slide_roll_ratios"
+            )
+        return self
+
+    def motions(self, slide_roll_ratio: float | None = None) -> tuple[RigidMotion, RigidMotion]:
+        """Velocity fields of body 1 and body 2.
+
+        Parameters
+        ----------
+        slide_roll_ratio : float, optional
+            Velocity of body 1 less that of body 2, over their mean [-]; where the mean velocity is given.
+        """
+        if slide_roll_ratio is None:
+            velocities = self.velocity_1, self.velocity_2
+        else:
+            shares = 1 + slide_roll_ratio / 2, 1 - slide_roll_ratio / 2
+            velocities = tuple(tuple(share * of for of in self.mean_velocity) for share in shares)
+        spins = self.spin_1, self.spin_2
+        first, second = (
+            RigidMotion(*velocity, spin) for velocity, spin in zip(velocities, spins, strict=True)
+        )
+        return first, second
+
+
+class LineMotionTable(Table):
+    """`[motion]` of a line contact: both surfaces' velocity across the line at the contact point."""
+
+    velocity_1: units.Velocity
+    velocity_2: units.Velocity
+
+
+class _ContactCase(CaseTable):
+    bodies: ContactBodies
+
+
+class PointCase(_ContactCase):
+    """A case file about a point contact written directly."""
+
+    contact: PointContactTable
+    motion: MotionTable
+
+
+class GapCase(_ContactCase):
+    """A case file about a sampled gap."""
+
+    contact: GapTable
+    motion: MotionTable
+
+
+class LineCase(_ContactCase):
+    """A case file about a line contact written directly."""
+
+    contact: LineContactTable
+    motion: LineMotionTable
+
+
+ContactCase = PointCase | GapCase | LineCase
+
+
+def contact_scene(
+    tables: ContactCase, name: str, directory: Path, slide_roll_ratio: float | None = None
+) -> Scene | LineScene:
+    """The contact of a case file.
+
+    Parameters
+    ----------
+    tables : ContactCase
+        The file, in SI.
+    name : str
+        What to call the contact, if it is the only one.
+    directory : Path
+        What the files that it names are relative to.
+    slide_roll_ratio : float, optional
+        Which contact of a traction curve; for a file that gives the mean velocity of a point contact.
+
+    Raises
+    ------
+    CaseError
+        A file that it names holds no gap.
+    """
+    if isinstance(tables, LineCase):
+        return _line(tables, name)
+    gap, radii = _GAPS[type(tables)](tables, directory)
+    oil = tables.oil.oil()
+    return Scene(
+        name=name if slide_roll_ratio is None else f"slide-roll ratio {slide_roll_ratio:g}",
+        gap=gap,
+        radii=radii,
+        motions=tables.motion.motions(slide_roll_ratio),
+        load=tables.contact.load,
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
+        slide_roll_ratio=slide_roll_ratio,
+    )
+
+
+def _paraboloid(tables: PointCase, directory: Path) -> tuple[Gap, tuple[float, float]]:
+    radii = tables.contact.radii
+    return Paraboloid(*radii), radii
+
+
+def _sampled(tables: GapCase, directory: Path) -> tuple[Gap, tuple[float, float]]:
+    file = tables.contact.file
+    try:
+        gap: SampledGap = read_gap(directory / file)
+        return gap, gap.radii  # a gap that opens nowhere is refused here, with the file's name
+    except ValueError as error:
+        raise CaseError(f'contact.file = "{file}": {error}') from error
+
+
+_GAPS: dict[type, Callable] = {PointCase: _paraboloid, GapCase: _sampled}
+"""What makes the gap of each kind of point contact, and the radii of curvature at its contact point."""
+
+
+def _line(tables: LineCase, name: str) -> LineScene:
+    radius, oil = tables.contact.radius, tables.oil.oil()
+    return LineScene(
+        name=name,
+        gap=Parabola(radius),
+        radius=radius,
+        velocities=(tables.motion.velocity_1, tables.motion.velocity_2),
+        load=tables.contact.load,
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
+    )

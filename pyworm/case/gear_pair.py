@@ -1,0 +1,124 @@
+"""A case about a pair of involute gears on parallel axes."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.ratings import GearRatingTable, RatedCase
+from pyworm.case.table import Count, Number, NumberOrZero, Phase, PositiveNumber, Table
+from pyworm.drives.gear_pair.drive import GearPairDrive, TipRelief
+from pyworm.drives.gear_pair.film_formulas import Surfaces
+from pyworm.drives.gear_pair.involute import Gear, InvolutePair, ToothSystem
+from pyworm.io import units
+
+
+class GearBodies(Bodies):
+    """`[bodies]` of a pair of gears."""
+
+    pinion: BodyTable
+    gear: BodyTable
+
+
+class GearTable(Table):
+    """`[drive.pinion]` and `[drive.gear]`; coefficients in normal modules, as of the basic rack.
+
+    The tips are shortened by what the centre distance lacks of the sum of the profile shifts (ISO 21771).
+    """
+
+    teeth: Count
+    profile_shift: Number = 0.0
+    addendum: PositiveNumber = 1.0
+    dedendum: PositiveNumber = 1.25
+    fillet: NumberOrZero = 0.38
+    tip_relief: units.Relief = 0.0
+    tip_relief_length: units.LengthOrZero = 0.0
+
+
+class GearPairTable(Table):
+    """`[drive]`, kind = "gear-pair"."""
+
+    kind: Literal["gear-pair"]
+    centre_distance: units.Length
+    module: units.Length
+    pressure_angle: units.Angle
+    helix_angle: units.AngleOrZero = 0.0
+    face_width: units.FaceWidth
+    lead_crowning: units.Relief = 0.0
+    load_sharing: Literal["ramp", "uniform", "elastic"] = "ramp"
+    contact: Literal["line", "point"] = "line"
+    pinion: GearTable
+    gear: GearTable
+
+
+class GearOperationTable(Table):
+    """`[operation]`: how the gears run, and which contacts of their line of action are to be solved."""
+
+    driver: Literal["pinion", "gear"]
+    pinion_speed: units.Speed
+    power: units.Power
+    load_factor: PositiveNumber = 1.0
+    phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
+
+
+class SurfacesTable(Table):
+    """`[surfaces]`: what the closed forms of friction and scuffing need."""
+
+    friction_coefficient: PositiveNumber
+    scuffing_temperature: units.ScuffingTemperature | None = None
+
+
+class GearPairCase(RatedCase):
+    """A case file about a pair of gears."""
+
+    drive: GearPairTable
+    operation: GearOperationTable
+    bodies: GearBodies
+    surfaces: SurfacesTable | None = None
+    gear_rating: GearRatingTable = Field(default_factory=GearRatingTable)
+
+    @model_validator(mode="after")
+    def _scuffing_with_heat(self):
+        if self.oil.heat is None and self.surfaces and self.surfaces.scuffing_temperature:
+            raise ValueError("surfaces.scuffing_temperature means nothing without [oil.heat]")
+        return self
+
+
+def gear_pair_drive(tables: GearPairCase) -> GearPairDrive:
+    """The drive of a case file about a pair of gears."""
+    oil, table, operation = tables.oil.oil(), tables.drive, tables.operation
+    teeth = InvolutePair(
+        system=ToothSystem(table.module, table.pressure_angle, table.helix_angle),
+        pinion=_gear(table.pinion),
+        gear=_gear(table.gear),
+        centre_distance=table.centre_distance,
+        face_width=table.face_width,
+    )
+    surfaces = tables.surfaces
+    return GearPairDrive(
+        teeth=teeth,
+        driver=operation.driver,
+        pinion_speed=operation.pinion_speed,
+        power=operation.power,
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
+        load_factor=operation.load_factor,
+        load_sharing=table.load_sharing,
+        contact=table.contact,
+        tip_relief=tuple(
+            TipRelief(gear.tip_relief, gear.tip_relief_length)
+            for gear in (table.pinion, table.gear)
+        ),
+        lead_crowning=table.lead_crowning,
+        surfaces=surfaces and Surfaces(**dict(surfaces)),
+    )
+
+
+def _gear(table: GearTable) -> Gear:
+    return Gear(
+        teeth=table.teeth,
+        profile_shift=table.profile_shift,
+        addendum=table.addendum,
+        dedendum=table.dedendum,
+        fillet=table.fillet,
+    )

@@ -1,0 +1,125 @@
+"""`[oil]` with a name and a temperature: the tables that a named oil fills in.
+
+They are written as a case file has them, so that what the file gives beside goes in place of it, and all is
+checked alike.
+"""
+
+from dataclasses import asdict
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, ConfigDict, ValidationInfo, field_validator
+
+from pyworm.case.table import Table
+from pyworm.io import units
+from pyworm.materials.library import NamedOil, named_oil
+
+_UNITS = {
+    "eta0": "Pa s",
+    "alpha": "1/Pa",
+    "rho0": "kg/m^3",
+    "d1": "1/Pa",
+    "d2": "1/Pa",
+    "stress": "Pa",
+    "limit": "Pa",
+    "inlet_temperature": "K",
+    "beta": "1/K",
+    "conductivity": "W/(m K)",
+    "specific_heat": "J/(kg K)",
+    "expansivity": "1/K",
+    "expansivity_decay": "1/Pa",
+    "conductivity_c1": "1/Pa",
+    "conductivity_c2": "1/Pa",
+    "heat_capacity_b0": "1/K",
+    "heat_capacity_b1": "1/Pa",
+    "heat_capacity_b2": "1/Pa^2",
+    "heat_capacity_k1": "1/Pa",
+    "heat_capacity_k2": "1/Pa",
+}
+"""Key of a constant -> its SI unit; a key that is not here is a plain number."""
+
+_INSTEAD = {"z": "alpha", "s0": "beta"}
+"""Key that a file may give -> key of the named oil that says the same otherwise."""
+
+
+def _known(name: str) -> str:
+    try:
+        return named_oil(name).name
+    except ValueError as error:
+        raise ValueError(str(error).removeprefix(f'oil "{name}": ')) from None
+
+
+class _ByName(Table):
+    """What picks the oil; the rest of `[oil]` is not looked at."""
+
+    model_config = ConfigDict(extra="ignore")
+
+    name: Annotated[str, AfterValidator(_known)]
+    temperature: units.Temperature
+
+    @field_validator("temperature")
+    @classmethod
+    def _within_what_is_known(cls, kelvin: float, info: ValidationInfo) -> float:
+        if "name" in info.data:
+            try:
+                named_oil(info.data["name"]).oil(kelvin)
+            except ValueError as error:
+                raise ValueError(
+                    f'too far from what is known of {info.data["name"]}, give one such as "60 degC" ({error})'
+                ) from None
+        return kelvin
+
+
+def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
+    """`[oil]` of a name and a temperature with all its tables.
+
+    A table that gives its law stands as it is. Keys of others go in place of the named oil's.
+
+    Parameters
+    ----------
+    table : dict
+        As the file has it.
+
+    Raises
+    ------
+    ValidationError
+        No such oil, or none at this temperature.
+    ValueError
+        It says in two ways how warm the oil is.
+    """
+    asked = _ByName.model_validate(table)
+    heat = table.get("heat")
+    if isinstance(heat, dict) and "inlet_temperature" in heat:
+        raise ValueError(
+            "give either temperature or heat.inlet_temperature: a named oil enters at its temperature"
+        )
+    whole = dict(table) | {"name": asked.name}
+    for key, own in _tables(named_oil(asked.name), asked.temperature).items():
+        given = table.get(key, {})
+        if isinstance(given, dict) and "law" not in given:
+            replaced = {_INSTEAD[one] for one in given if one in _INSTEAD}
+            kept = {one: value for one, value in own.items() if one not in replaced}
+            whole[key] = kept | given
+    return whole
+
+
+def _tables(named: NamedOil, temperature: float) -> dict[str, dict[str, Any]]:
+    """A named oil at a temperature [K] as `[oil.viscosity]`, `density`, `shear` and `heat`."""
+    oil = named.oil(temperature)
+    viscosity = {"eta0": oil.viscosity.eta0, "alpha": float(named.alpha(temperature))}
+    flow = {key: getattr(oil.flow, key) for key in ("stress", "limit", "limit_pressure")}
+    heat = asdict(oil.heat) | {"beta": float(named.viscosity_slope(temperature))}
+    del heat["viscosity_exponent"]
+    return {
+        "viscosity": {"law": "roelands", **_written(viscosity)},
+        "density": {"law": "general", **_written(asdict(oil.density))},
+        "shear": {"law": oil.flow.law, **_written(flow)},
+        "heat": _written(heat),
+    }
+
+
+def _written(constants: dict[str, float]) -> dict[str, str | float]:
+    """Constants with their units, to the last digit."""
+    return {
+        key: f"{value!r} {_UNITS[key]}" if key in _UNITS else value
+        for key, value in constants.items()
+    }

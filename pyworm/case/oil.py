@@ -1,0 +1,238 @@
+"""`[oil]`: the lubricant of a case."""
+
+from math import exp
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from pyworm.case.named_oil import spelled_out
+from pyworm.case.table import NumberOrZero, PositiveNumber, Table, Text
+from pyworm.io import units
+from pyworm.materials.base_stock import HeatCourseTable
+from pyworm.materials.library import names
+from pyworm.materials.oil import (
+    ROELANDS_POLE_LOG,
+    ROELANDS_PRESSURE,
+    Barus,
+    Density,
+    FlowLaw,
+    Oil,
+    OilHeat,
+    Roelands,
+)
+
+POLE_VISCOSITY = exp(-ROELANDS_POLE_LOG)
+"""Viscosity of the pole of Roelands' law [Pa s]; oils have more."""
+
+
+class BarusTable(Table):
+    """`[oil.viscosity]`, law = "barus"."""
+
+    law: Literal["barus"]
+    eta0: units.Viscosity
+    alpha: units.PressureViscosityOrZero
+
+    def viscosity(self) -> Barus:
+        """The law."""
+        return Barus(self.eta0, self.alpha)
+
+
+class RoelandsTable(Table):
+    """`[oil.viscosity]`, law = "roelands".
+
+    The exponent is given as `z` or by the slope `alpha`; the pole as a pressure (1.96e8 Pa in its usual
+    rounding, which is what is taken if nothing is said) or as its reciprocal (5.1e-9 1/Pa).
+    """
+
+    law: Literal["roelands"]
+    eta0: units.Viscosity
+    z: PositiveNumber | None = None
+    alpha: units.PressureViscosity | None = None
+    pole_pressure: units.Pressure | None = None
+    pole_coefficient: units.PressureCoefficient | None = None
+
+    @field_validator("eta0")
+    @classmethod
+    def _above_the_pole(cls, viscosity: float) -> float:
+        if viscosity <= POLE_VISCOSITY:
+            raise ValueError(
+                f"must be above {POLE_VISCOSITY:.2g} Pa s, the pole of Roelands' law, such as "
+                '"0.04 Pa s"; law = "barus" has none'
+            )
+        return viscosity
+
+    @model_validator(mode="after")
+    def _one_of_each(self):
+        if (self.z is None) == (self.alpha is None):
+            raise ValueError("give either z or alpha, one of the two")
+        if self.pole_pressure is not None and self.pole_coefficient is not None:
+            raise ValueError("give either pole_pressure or pole_coefficient, one of the two")
+        return self
+
+    def viscosity(self) -> Roelands:
+        """The law."""
+        if self.pole_coefficient is not None:
+            pole = 1 / self.pole_coefficient
+        else:
+            pole = self.pole_pressure or ROELANDS_PRESSURE
+        if self.z is not None:
+            return Roelands(self.eta0, self.z, pole)
+        return Roelands.from_alpha(self.eta0, self.alpha, pole)
+
+
+class DensityTable(Table):
+    """`[oil.density]` with a published set of coefficients."""
+
+    law: Literal["dowson-higginson", "dowson-higginson-pole", "incompressible"]
+    rho0: units.OilDensity
+
+    def density(self) -> Density:
+        """The law."""
+        makers = {
+            "dowson-higginson": Density.dowson_higginson,
+            "dowson-higginson-pole": Density.dowson_higginson_pole,
+            "incompressible": Density.incompressible,
+        }
+        return makers[self.law](self.rho0)
+
+
+class GeneralDensityTable(Table):
+    """`[oil.density]`, law = "general": rho0 [1 + d1 p / (1 + d2 p)] with its own coefficients."""
+
+    law: Literal["general"]
+    rho0: units.OilDensity
+    d1: units.PressureCoefficientOrZero
+    d2: units.PressureCoefficientOrZero
+
+    def density(self) -> Density:
+        """The law."""
+        return Density(self.rho0, self.d1, self.d2)
+
+
+class NewtonianTable(Table):
+    """`[oil.shear]`, law = "newtonian": the stress grows with the shear rate without end."""
+
+    law: Literal["newtonian"]
+
+
+class _ThinningStress(Table):
+    """The stress at which an oil begins to thin, and how it follows pressure and temperature."""
+
+    stress: units.Stress
+    stress_pressure: units.PressureCoefficientAnySign = 0.0
+    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
+
+
+class _LimitingStress(Table):
+    """The stress that an oil cannot exceed: constant, proportional to pressure, or both."""
+
+    limit: units.StressOrZero = 0.0
+    limit_pressure: NumberOrZero = 0.0
+
+    @model_validator(mode="after")
+    def _some_limit(self):
+        if self.limit == self.limit_pressure == 0:
+            raise ValueError('give limit, such as "100 MPa", or limit_pressure, such as 0.05')
+        return self
+
+
+class EyringTable(_ThinningStress):
+    """`[oil.shear]`, law = "eyring"; stress is Eyring's."""
+
+    law: Literal["eyring"]
+
+
+class BairWinerTable(_LimitingStress):
+    """`[oil.shear]`, law = "bair-winer"."""
+
+    law: Literal["bair-winer"]
+
+
+class LimitedEyringTable(_ThinningStress, _LimitingStress):
+    """`[oil.shear]`, law = "eyring-limited"; stress is Eyring's, exponent the paper's lambda."""
+
+    law: Literal["eyring-limited"]
+    exponent: PositiveNumber = 1.0
+
+
+class CarreauTable(_ThinningStress):
+    """`[oil.shear]`, law = "carreau"; stress is Carreau's modulus G, exponent his n."""
+
+    law: Literal["carreau"]
+    exponent: Annotated[float, Field(strict=True, gt=0, le=1)]
+
+
+ShearTable = NewtonianTable | EyringTable | BairWinerTable | LimitedEyringTable | CarreauTable
+"""`[oil.shear]`: how the oil shears; the laws are those of `FlowLaw`."""
+
+
+class HeatTable(HeatCourseTable):
+    """`[oil.heat]`: how the oil takes heat; the laws are those of `OilHeat`.
+
+    How viscosity falls with temperature is given by the exponent `s0` of Roelands' law or by its slope `beta`
+    at the inlet; for Barus' law by `beta`. What is left out does not depend on pressure or temperature.
+    """
+
+    inlet_temperature: units.Temperature
+    s0: PositiveNumber | None = None
+    beta: units.TemperatureCoefficient | None = None
+    conductivity: units.OilConductivity
+    specific_heat: units.SpecificHeat
+    expansivity: units.TemperatureCoefficientOrZero = 0.0
+
+    def heat(self, viscosity: Barus | Roelands) -> OilHeat:
+        """The laws of an oil of this viscosity."""
+        constants = self.model_dump(exclude={"s0", "beta"})
+        if isinstance(viscosity, Barus):
+            exponent = self.beta
+        elif self.s0 is not None:
+            exponent = self.s0
+        else:
+            exponent = viscosity.s0(self.beta, self.inlet_temperature)
+        return OilHeat(viscosity_exponent=exponent, **constants)
+
+
+class OilTable(Table):
+    """`[oil]`: the oil at its inlet temperature, and how thick a layer of it arrives if it is not plenty.
+
+    With a temperature beside it the name is that of an oil in `pyworm/data/oils.toml`, whose numbers there
+    fill in the tables. A checked case holds these numbers, and has no need of the temperature any more.
+    """
+
+    name: Text
+    temperature: units.Temperature | None = Field(default=None, exclude=True)
+    viscosity: Annotated[BarusTable | RoelandsTable, Field(discriminator="law")]
+    density: Annotated[DensityTable | GeneralDensityTable, Field(discriminator="law")]
+    shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
+    heat: HeatTable | None = None
+    supply: units.Film | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _by_name(cls, table: Any) -> Any:
+        if not isinstance(table, dict):
+            return table
+        # A known name alone lacks its temperature rather than the tables.
+        bare = table.keys() == {"name"} and table["name"] in names()
+        return spelled_out(table) if "temperature" in table or bare else table
+
+    @model_validator(mode="after")
+    def _one_exponent_of_temperature(self):
+        if self.heat is None:
+            return self
+        if self.viscosity.law == "barus" and (self.heat.beta is None or self.heat.s0 is not None):
+            raise ValueError("heat needs beta, and no s0, where viscosity.law is barus")
+        if (self.heat.s0 is None) == (self.heat.beta is None):
+            raise ValueError("heat needs either s0 or beta, one of the two")
+        return self
+
+    def oil(self) -> Oil:
+        """The oil as the kernel sees it."""
+        viscosity = self.viscosity.viscosity()
+        return Oil(
+            viscosity=viscosity,
+            density=self.density.density(),
+            flow=None if self.shear is None else FlowLaw(**dict(self.shear)),
+            heat=None if self.heat is None else self.heat.heat(viscosity),
+            supply=self.supply,
+        )

@@ -1,0 +1,65 @@
+"""One oil in one file: the tables that name the oil of a drive's sump must not contradict each other."""
+
+from collections.abc import Mapping
+from math import exp, log
+
+from pyworm.case.oil import OilTable
+from pyworm.materials.library import named_oil
+
+ONE_GRADE = 1.5
+"""Ratio of viscosities from which two oils are not the same: that of neighbouring grades of ISO 3448."""
+
+
+def check_one_oil(oil: OilTable | None, others: Mapping[str, str]) -> None:
+    """Refuse a second oil.
+
+    Parameters
+    ----------
+    oil : OilTable or None
+        `[oil]`, if the file has it.
+    others : mapping
+        Key of another table -> the oil it names, a file's name if it ends in .toml.
+
+    Raises
+    ------
+    ValueError
+        Two tables name different oils, or one names an oil that is not as thick as `[oil]`.
+    """
+    known = {key: _canonical(name) for key, name in others.items()}
+    named = {key: name for key, name in known.items() if name is not None}
+    if oil is not None and oil.temperature is not None:
+        named = {"oil.name": oil.name, **named}
+    first, *rest = named or [None]
+    for key in rest:
+        if named[key] != named[first]:
+            raise ValueError(
+                f'{key} = "{named[key]}", but {first} = "{named[first]}": one sump holds one oil, name the '
+                "same in both"
+            )
+    if oil is not None and oil.temperature is None:
+        _check_thickness(oil, named)
+
+
+def _canonical(name: str) -> str | None:
+    """A name as the list of oils has it, that of a file as it stands; None of none, refused later."""
+    try:
+        return name if name.endswith(".toml") else named_oil(name).name
+    except ValueError:
+        return None
+
+
+def _check_thickness(oil: OilTable, named: Mapping[str, str]) -> None:
+    """An oil that `[oil]` spells out is told from a named one by its viscosity where it enters."""
+    if oil.heat is None:
+        return
+    kelvin = oil.heat.inlet_temperature
+    for key, name in named.items():
+        if name.endswith(".toml"):
+            continue  # an oil of the user's own, which is read where it is rated
+        expected = float(named_oil(name).viscosity(kelvin))
+        ratio = exp(abs(log(oil.viscosity.eta0 / expected)))
+        if ratio > ONE_GRADE:
+            raise ValueError(
+                f'{key} = "{name}" has {expected:.3g} Pa s at {kelvin - 273.15:.0f} degC, but '
+                f"oil.viscosity.eta0 is {oil.viscosity.eta0:.3g} Pa s: one sump holds one oil"
+            )

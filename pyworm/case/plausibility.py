@@ -1,0 +1,177 @@
+"""Whether a contact can be, and whether it is usual, judged before anything is solved.
+
+A contact that no bodies or no film could make is refused: the equations would be solved all the same, and
+their answer would be an answer to nothing.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pyworm.formulas.film import radii_at_angle
+from pyworm.io.input_error import CaseError
+from pyworm.scene.index import Place
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import line_scales, scales
+
+BEARABLE = (
+    (150e9, "hard steel", 4e9, 1 / 20),
+    (30e9, "bronze, cast iron and light metals", 1e9, 1 / 20),
+    (0.5e9, "polymers", 0.15e9, 1 / 10),
+    (0.0, "rubber", 5e6, 1 / 4),
+)
+"""Least modulus of a class of materials [Pa], its name, the Hertz pressure that it bears as a rule [Pa], and
+the share of its modulus that none bears.
+
+A point contact yields first at 1.6 times the yield stress, and the hardness is some 2.8 times that (Johnson,
+Contact Mechanics, 1985, sections 4.2 and 6.3): at 4 GPa of bearing steel, as in ISO 76, at 1 GPa of a bronze
+of 180 HB. At a twentieth of its modulus the mean pressure is the hardness of the hardest steel; rubber does
+not yield, but at a quarter the contact is as large as the radius."""
+
+THICK = 1 / 20
+"""Film over the radius along the entrainment from which a film is told as thick; thin-film theory takes it as
+small, and beyond 1 the surfaces do not make a contact."""
+
+MOLECULE = 1e-9
+"""Thickness of a few molecules of oil [m], below which a film is no fluid."""
+
+
+HOTTEST_FILM = 300.0
+"""Temperature [degC] from which the molecules of oils break within hours; flashes of microseconds may pass
+it, but no law of viscosity was measured there (from memory; makers say 250 to 350)."""
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """What speaks against a contact.
+
+    Attributes
+    ----------
+    of : str
+        The quantity in doubt.
+    excess : float
+        How far it is beyond what is usual [-]; above 1.
+    possible : bool
+        Whether it may be all the same.
+    sentence : str
+        What is said, without the key it follows from.
+    """
+
+    of: str
+    excess: float
+    possible: bool
+    sentence: str
+
+
+def require_possible(scene: Scene | LineScene, key: str) -> None:
+    """Refuse a contact that cannot be.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    key : str
+        The key of the case file that loads it.
+
+    Raises
+    ------
+    CaseError
+        Its Hertz pressure or its film is beyond all bodies.
+    """
+    for doubt in _judged(scene):
+        if not doubt.possible:
+            raise CaseError(f"{key}: {doubt.sentence}; check their units")
+
+
+def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
+    """A sentence for each quantity that is unusual in contacts, of the worst of them; arguments as above."""
+    worst: dict[str, Doubt] = {}
+    for scene in scenes:
+        for doubt in _judged(scene):
+            if doubt.of not in worst or doubt.excess > worst[doubt.of].excess:
+                worst[doubt.of] = doubt
+    return tuple(f"{key}: {doubt.sentence}" for doubt in worst.values())
+
+
+def overheated(summaries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
+    """A sentence on the hottest film, where it is beyond what oils stand.
+
+    Parameters
+    ----------
+    summaries : iterable of mapping
+        `Solution.summary()` of solved contacts.
+    """
+    hot = [of for of in summaries if "temperature_max_C" in of]
+    hottest = max(hot, key=lambda of: of["temperature_max_C"]["film"], default=None)
+    if hottest is None or not hottest["temperature_max_C"]["film"] > HOTTEST_FILM:
+        return ()
+    reached = hottest["temperature_max_C"]["film"]
+    return (
+        f"{hottest['name']}: the film reaches {reached:.0f} degC; oils break from {HOTTEST_FILM:.0f} degC "
+        "on, and their laws are extrapolated there",
+    )
+
+
+def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
+    """Doubts about a contact; none where it has no scales, which planning refuses with the reason."""
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            pressure, film, radius = _sizes(scene)
+    except (ValueError, ArithmeticError):
+        return
+    where = str(Place.of(scene))
+    where = f" at {where}" if where else ""
+    yield from _of_pressure(scene, pressure, where)
+    if film > THICK * radius:
+        possible = film <= radius
+        yield Doubt(
+            "film",
+            film / (THICK * radius),
+            possible,
+            f"a film of {film * 1e3:.3g} mm is expected{where} between surfaces of a radius of "
+            f"{radius * 1e3:.3g} mm; "
+            + ("films are thin against it as a rule" if possible else _DISPROPORTION),
+        )
+    if film < MOLECULE:
+        yield Doubt(
+            "molecules",
+            MOLECULE / film,
+            True,
+            f"a film of {film * 1e9:.2g} nm is expected{where}; below 1 nm, a few molecules, oil is no fluid",
+        )
+
+
+_DISPROPORTION = "they make no contact, load, speed and viscosity do not fit each other"
+
+
+def _sizes(scene: Scene | LineScene) -> tuple[float, float, float]:
+    """Hertz's largest pressure [Pa], the expected film and the radius along the entrainment [m]."""
+    if isinstance(scene, LineScene):
+        expected = line_scales(scene)
+        return expected.hertz.pressure_max, expected.film, scene.radius
+    expected = scales(scene)
+    along, _ = radii_at_angle(*scene.radii, expected.angle)
+    return expected.hertz.pressure_max, expected.film, float(along)
+
+
+def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Iterator[Doubt]:
+    softer = min(body.youngs_modulus for body in scene.bodies)
+    name, usual, share = next(row[1:] for row in BEARABLE if softer >= row[0])
+    if pressure <= usual:
+        return
+    possible = pressure <= share * softer
+    said = f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}"
+    if possible:
+        said += (
+            f"; {name} (the softer body has a modulus of {softer / 1e9:.3g} GPa) bear up to "
+            f"{usual / 1e9:g} GPa as a rule"
+        )
+    else:
+        said += (
+            f"; nothing with a modulus of {softer / 1e9:.3g} GPa, as the softer body has, bears more than "
+            f"{share * softer / 1e9:.3g} GPa"
+        )
+    yield Doubt("pressure", pressure / usual, possible, said)

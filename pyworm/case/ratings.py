@@ -1,0 +1,174 @@
+"""What a case file may ask to be rated, beside or without a drive: bearings, worm gear, gear pair, oil."""
+
+from typing import Annotated, Literal, get_args
+
+from pydantic import Field, model_validator
+
+from pyworm.case.case_file import CaseTable, FileTable, Published
+from pyworm.case.one_oil import check_one_oil
+from pyworm.case.table import Count, Number, PositiveNumber, Table, Text
+from pyworm.formulas.bearing_life import Direction, Elements
+from pyworm.formulas.worm_standard import OilKind
+from pyworm.io import units
+from pyworm.materials.base_stock import Base
+
+_UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
+
+
+class BearingTable(Table):
+    """`[bearings.NAME]`: a rolling bearing for ISO 281.
+
+    Its oil is given by the viscosity at the bearing or by name and temperature; dirt by the factor e_C, or by
+    lubrication and cleanliness, of which the standard makes e_C.
+    """
+
+    name: Text | None = None
+    elements: Elements
+    direction: Direction = "radial"
+    dynamic_rating: units.Force
+    static_rating: units.Force | None = None
+    fatigue_load_limit: units.Force | None = None
+    load: units.Force
+    speed: units.Speed
+    mean_diameter: units.Length
+    viscosity: units.KinematicViscosity | None = None
+    oil: Text | None = None
+    temperature: units.Temperature | None = None
+    contamination: _UpToOne | None = None
+    lubrication: Literal["inline filter", "oil bath", "grease"] | None = None
+    cleanliness: Text | None = None
+    additives: bool = False
+    reliability: units.Share = 0.9
+    published: Published = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _one_way_each(self):
+        if (self.fatigue_load_limit is None) == (self.static_rating is None):
+            raise ValueError("give either fatigue_load_limit or static_rating, one of the two")
+        if (self.viscosity is None) == (self.oil is None):
+            raise ValueError("give either viscosity or oil with temperature, one of the two")
+        if (self.oil is None) != (self.temperature is None):
+            raise ValueError("give oil and temperature together")
+        if (self.contamination is None) == (self.lubrication is None):
+            raise ValueError("give either contamination or lubrication with cleanliness")
+        if (self.lubrication is None) != (self.cleanliness is None):
+            raise ValueError("give lubrication and cleanliness together")
+        return self
+
+
+class OilChoiceTable(Table):
+    """`[oil_choice]`: what an oil is to do (`ratings.oil_grades.Duty`); drive and bodies say the rest."""
+
+    base: Base
+    specific_film: PositiveNumber
+    ambient_temperature: units.Temperature
+    sump_temperature: units.Temperature
+    sump_grade: Count
+    bulk_excess: units.TemperatureDifference
+    churning_share: units.Share
+    sump_limit: units.Temperature
+    coldest_start: units.Temperature | None = None
+
+
+class WormRatingTable(Table):
+    """`[worm_rating]`: what the standards of worm gears need beside the drive.
+
+    What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the
+    wheel's bulk temperature counts.
+    """
+
+    oil: Text
+    sump_temperature: units.Temperature
+    temperature_limit: units.Temperature | None = None
+    material_factor: PositiveNumber = 1.0
+    wheel_material: Literal["CuSn12Ni2", "CuSn12"] | None = None
+    life: units.Duration | None = None
+    structure_factor: PositiveNumber | None = None
+    pressure_factor: PositiveNumber = 1.0
+    immersion_factor: PositiveNumber = 1.0
+
+
+class GearRatingTable(Table):
+    """`[gear_rating]`: how a pair of gears is oiled; drive, bodies and `[surfaces]` say the rest."""
+
+    viscosity_40: units.KinematicViscosity | None = None
+    anti_scuff: bool = False
+    flow: Literal["copious", "adequate", "lean", "starved"] | None = None
+    feed_pressure: units.Pressure | None = None
+    jets: Count | None = None
+
+    @model_validator(mode="after")
+    def _jets_in_full(self):
+        given = [part is not None for part in (self.flow, self.feed_pressure, self.jets)]
+        if any(given) and not all(given):
+            raise ValueError("give flow, feed_pressure and jets together")
+        return self
+
+
+class WormGearTable(Table):
+    """`[worm_gear]`: a worm gear as the standards see it, where no drive is given; roughness as Rq."""
+
+    centre_distance: units.Length
+    starts: Count
+    teeth: Count
+    module: units.Length
+    diameter_factor: PositiveNumber
+    face_width: units.FaceWidth
+    profile_shift: Number = 0.0
+    worm_speed: units.Speed
+    wheel_torque: units.Torque
+    reduced_modulus: units.Modulus
+    worm_roughness: units.Roughness
+    wheel_roughness: units.Roughness
+
+
+def _oils_named(worm: WormRatingTable | None, bearings: dict[str, BearingTable]) -> dict[str, str]:
+    """Oils of a drive's sump that its ratings name, by their keys; a bearing in grease has its own."""
+    named = {} if worm is None else {"worm_rating.oil": worm.oil}
+    return named | {
+        f"bearings.{name}.oil": table.oil
+        for name, table in bearings.items()
+        if table.oil is not None and table.lubrication != "grease"
+    }
+
+
+class RatedCase(CaseTable):
+    """What case files about drives may ask to be rated."""
+
+    bearings: dict[str, BearingTable] = Field(default_factory=dict)
+    oil_choice: OilChoiceTable | None = None
+
+    @model_validator(mode="after")
+    def _one_oil(self):
+        worm = getattr(self, "worm_rating", None)
+        check_one_oil(self.oil, _oils_named(worm, self.bearings))
+        return self
+
+
+class RatingCase(FileTable):
+    """A case file that asks for ratings only, with nothing to be solved."""
+
+    bearings: dict[str, BearingTable] = Field(default_factory=dict)
+    worm_gear: WormGearTable | None = None
+    worm_rating: WormRatingTable | None = None
+    oil_choice: OilChoiceTable | None = None
+
+    @model_validator(mode="after")
+    def _worm_gear_where_needed(self):
+        for key in ("worm_rating", "oil_choice"):
+            if getattr(self, key) is not None and self.worm_gear is None:
+                raise ValueError(f"[{key}] needs a [worm_gear] or a [drive]")
+        return self
+
+    @model_validator(mode="after")
+    def _one_oil_of_a_worm_gear(self):
+        if self.worm_gear is not None:
+            check_one_oil(None, _oils_named(self.worm_rating, self.bearings))
+        return self
+
+
+RATING_TABLES = ("bearings", "worm_gear", "worm_rating", "gear_rating", "oil_choice")
+"""Tables of a case file that ask for ratings."""
+
+OIL_KINDS: tuple[OilKind, ...] = get_args(OilKind)
+"""Base stocks that the standards of worm gears know."""

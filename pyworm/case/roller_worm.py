@@ -1,0 +1,170 @@
+"""A case about a roller enveloping worm drive."""
+
+from math import inf
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.case_file import CaseTable
+from pyworm.case.table import Count, NumberOrZero, Phase, PositiveNumber, Table
+from pyworm.drives.roller_worm.design import Rollers, RollerWorm
+from pyworm.drives.roller_worm.drive import RollerWormDrive
+from pyworm.drives.roller_worm.motion import FREE_OF_FRICTION, Pin, Spinning
+from pyworm.drives.roller_worm.profile import Crown, RollerProfile, Shape
+from pyworm.drives.torque_sharing import Sharing
+from pyworm.io import units
+
+SectionName = Literal["right", "left"]
+
+
+class RollerBodies(Bodies):
+    """`[bodies]` of a roller enveloping worm drive."""
+
+    worm: BodyTable
+    rollers: BodyTable
+
+
+class CrownTable(Table):
+    """`[drive.rollers.crown]`: what is taken off the rollers, not off the tool that cuts the worm."""
+
+    radius: units.Radius
+    straight: units.LengthOrZero = 0.0
+
+
+class PinTable(Table):
+    """`[drive.rollers.pin]`: what a roller turns on."""
+
+    radius: units.Length
+    friction: NumberOrZero
+
+
+class RollersTable(Table):
+    """`[drive.rollers]`: where they stand on the wheel, and what they are."""
+
+    count: Count
+    shape: Shape = "cylinder"
+    radius: units.Length
+    length: units.Length
+    half_angle: units.Tilt = 0.0
+    tilt: units.Tilt = 0.0
+    height: units.Offset = 0.0
+    crown: CrownTable | None = None
+    pin: PinTable | None = None
+    stiffness: units.Stiffness | None = None
+
+    @model_validator(mode="after")
+    def _shape_has_what_it_needs(self):
+        if (self.shape == "cone") != (self.half_angle != 0):
+            raise ValueError("give a half_angle other than zero to a cone, and to a cone only")
+        if self.shape == "ball" and not self.length < 2 * self.radius:
+            raise ValueError("a ball's length must be less than twice its radius")
+        return self
+
+
+class RollerWormTable(Table):
+    """`[drive.worm]`: the thread that the rollers envelop, in two sections parted at the throat."""
+
+    threads: Count
+    hand: Literal["right", "left"] = "right"
+    throat_coefficient: PositiveNumber
+    throat_angle: units.Angle
+    outer_angle: units.Angle
+    addendum: units.Length
+    dedendum: units.Length
+
+
+class RollerDriveTable(Table):
+    """`[drive]`, kind = "roller-worm"."""
+
+    kind: Literal["roller-worm"]
+    centre_distance: units.Length
+    worm: RollerWormTable
+    rollers: RollersTable
+
+
+class RollerOperationTable(Table):
+    """`[operation]`: how the drive runs, and which of its contacts are to be solved.
+
+    `stations` are places along a contact line at which line contacts are solved; without them each contact
+    line is one point contact, its ends included.
+    """
+
+    worm_speed: units.Speed
+    power: units.Power | None = None
+    worm_torque: units.Torque | None = None
+    preload: units.Torque
+    sharing: Sharing = "elastic"
+    rolling: Spinning = "free"
+    sections: Annotated[tuple[SectionName, ...], Field(min_length=1)] = ("right", "left")
+    phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
+    stations: Annotated[tuple[Phase, ...], Field(min_length=1)] | None = None
+
+    @model_validator(mode="after")
+    def _one_power(self):
+        if (self.power is None) == (self.worm_torque is None):
+            raise ValueError("give either power or worm_torque, one of the two")
+        return self
+
+    @property
+    def torque(self) -> float:
+        """Torque of the worm [N m]."""
+        return self.worm_torque or self.power / self.worm_speed
+
+
+class RollerWormCase(CaseTable):
+    """A case file about a roller enveloping worm drive."""
+
+    drive: RollerDriveTable
+    operation: RollerOperationTable
+    bodies: RollerBodies
+
+    @model_validator(mode="after")
+    def _free_rollers_need_a_flow_law(self):
+        if self.operation.rolling == "free" and self.oil.shear is None:
+            raise ValueError(
+                "[oil.shear] is missing: free rollers are driven by the film's shear; give it, or "
+                'operation.rolling = "rolling" or "locked"'
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _crown_where_the_ends_are_solved(self):
+        if self.operation.stations is None and self.drive.rollers.crown is None:
+            raise ValueError(
+                "drive.rollers.crown is missing: sharp ends press without bound, no film with ends can "
+                "be solved; give a crown, or operation.stations for line contacts"
+            )
+        return self
+
+
+def roller_worm_drive(tables: RollerWormCase) -> RollerWormDrive:
+    """The drive of a case file about a roller enveloping worm."""
+    oil = tables.oil.oil()
+    worm, rollers, operation = tables.drive.worm, tables.drive.rollers, tables.operation
+    profile = RollerProfile(
+        shape=rollers.shape,
+        radius=rollers.radius,
+        length=rollers.length,
+        half_angle=rollers.half_angle,
+        crown=None if rollers.crown is None else Crown(**dict(rollers.crown)),
+    )
+    return RollerWormDrive(
+        worm=RollerWorm(**dict(worm) | {"hand": 1 if worm.hand == "left" else -1}),
+        rollers=Rollers(
+            count=rollers.count,
+            profile=profile,
+            tilt=rollers.tilt,
+            height=rollers.height,
+            pin=FREE_OF_FRICTION if rollers.pin is None else Pin(**dict(rollers.pin)),
+            stiffness=rollers.stiffness or inf,
+        ),
+        centre_distance=tables.drive.centre_distance,
+        speed=operation.worm_speed,
+        torque=operation.torque,
+        preload=operation.preload,
+        sharing=operation.sharing,
+        rolling=operation.rolling,
+        bodies=tables.bodies.pair(oil),
+        oil=oil,
+    )

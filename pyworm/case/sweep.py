@@ -1,0 +1,169 @@
+"""What a sweep file may say: a case, and the values of it that vary.
+
+Ranges and draws are made in the unit that they are written in and rounded to 12 digits, so that tables show
+round numbers and a value is the same on every machine.
+"""
+
+import math
+from collections.abc import Sequence
+from hashlib import sha256
+from typing import Annotated, Any, Literal, Self
+
+import numpy as np
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from pyworm.case.table import Count, Table, Text
+from pyworm.io import units
+
+Value = Any
+"""What a case file may have after a key."""
+
+
+class _Interval(Table):
+    """Two ends, both plain numbers or both quantities of one kind."""
+
+    count: Count
+
+    def _ends(self, low: Value, high: Value) -> tuple[float, float, str | None]:
+        """Both in the unit of the first; None for plain numbers."""
+        if all(isinstance(end, int | float) and not isinstance(end, bool) for end in (low, high)):
+            return low, high, None
+        first, unit = units.parse_in(low)
+        return first, units.parse_in(high, unit)[0], unit
+
+    def _check(self, low: Value, high: Value, names: str, logarithmic: bool) -> None:
+        try:
+            first, last, _ = self._ends(low, high)
+        except ValueError as error:
+            raise ValueError(f"{names} = {low}, {high}: {error}") from None
+        if not (math.isfinite(first) and math.isfinite(last)):
+            raise ValueError(f"{names} must be finite")
+        if logarithmic and min(first, last) <= 0:
+            raise ValueError(f"{names} must be greater than zero on a logarithmic scale")
+
+    def _written(self, numbers: Sequence[float], unit: str | None, whole: bool) -> list[Value]:
+        """Numbers as a case file has them."""
+        rounded = [float(f"{number:.12g}") for number in numbers]
+        if unit is not None:
+            return [f"{number:.12g} {unit}".rstrip() for number in rounded]
+        if whole and all(number.is_integer() for number in rounded):
+            return [int(number) for number in rounded]
+        return rounded
+
+
+class RangeTable(_Interval):
+    """Values from start to stop, both included, evenly spaced or, on a logarithmic scale, in even ratio."""
+
+    start: Value
+    stop: Value
+    scale: Literal["linear", "log"] = "linear"
+
+    @model_validator(mode="after")
+    def _has_ends(self) -> Self:
+        self._check(self.start, self.stop, "start, stop", self.scale == "log")
+        return self
+
+    def values(self, key: str, seed: int | None) -> list[Value]:
+        """The values, as a case file has them."""
+        start, stop, unit = self._ends(self.start, self.stop)
+        spaced = np.geomspace if self.scale == "log" else np.linspace
+        whole = isinstance(self.start, int) and isinstance(self.stop, int)
+        return self._written(spaced(start, stop, self.count), unit, whole)
+
+
+class DrawTable(_Interval):
+    """Random values between two ends, spread evenly or, "log-uniform", evenly in their logarithm.
+
+    Each key has a sequence of its own, which the sweep's seed decides: more draws go on from the same first
+    ones, and another key beside it changes none.
+    """
+
+    draw: Literal["uniform", "log-uniform"]
+    low: Value
+    high: Value
+
+    @model_validator(mode="after")
+    def _has_ends(self) -> Self:
+        self._check(self.low, self.high, "low, high", self.draw == "log-uniform")
+        return self
+
+    def values(self, key: str, seed: int | None) -> list[Value]:
+        """The values, as a case file has them."""
+        low, high, unit = self._ends(self.low, self.high)
+        sequence = int.from_bytes(sha256(key.encode()).digest()[:8])
+        share = np.random.Generator(np.random.PCG64([seed, sequence])).random(self.count)
+        if self.draw == "log-uniform":
+            drawn = low * (high / low) ** share
+        else:
+            drawn = low + (high - low) * share
+        return self._written(drawn, unit, whole=False)
+
+
+def _form(values: Any) -> str:
+    if isinstance(values, dict):
+        return "draw" if "draw" in values else "range"
+    return "list"
+
+
+Values = Annotated[
+    Annotated[list[Value], Field(min_length=1), Tag("list")]
+    | Annotated[RangeTable, Tag("range")]
+    | Annotated[DrawTable, Tag("draw")],
+    Discriminator(_form),
+]
+"""The values of one key: written out, a range, or drawn."""
+
+
+class SweepTable(Table):
+    """A sweep file.
+
+    Keys are those of the case, dotted, with places in lists in brackets: "motion.velocity_1[0]". The tables
+    of `vary` are crossed with each other; the keys of one of them go together.
+    """
+
+    title: Text
+    case: Text
+    effects: Text | None = None
+    seed: Annotated[int, Field(strict=True, ge=0)] | None = None
+    fixed: dict[str, Value] = Field(default_factory=dict)
+    vary: Annotated[list[Annotated[dict[str, Values], Field(min_length=1)]], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _draws_have_a_seed(self) -> Self:
+        for table in self.vary:
+            for key, values in table.items():
+                if isinstance(values, DrawTable) and self.seed is None:
+                    raise ValueError(f"seed is missing; {key} is drawn, give one such as seed = 1")
+        return self
+
+    @model_validator(mode="after")
+    def _each_key_once(self) -> Self:
+        keys = [*self.fixed, *(key for table in self.vary for key in table)]
+        for key in keys:
+            if keys.count(key) > 1:
+                raise ValueError(
+                    f"{key} is given twice, in vary and fixed or in two tables of vary"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _keys_of_a_table_go_together(self) -> Self:
+        for number, axis in enumerate(self.axes()):
+            counts = {key: len(values) for key, values in axis.items()}
+            if len(set(counts.values())) > 1:
+                told = ", ".join(f"{key} has {count} values" for key, count in counts.items())
+                raise ValueError(
+                    f"vary[{number}]: {told}; the keys of one table go together, "
+                    "give the same number or a [[vary]] of its own"
+                )
+        return self
+
+    def axes(self) -> list[dict[str, list[Value]]]:
+        """The values of each key, by table of `vary`."""
+        return [
+            {
+                key: values if isinstance(values, list) else values.values(key, self.seed)
+                for key, values in table.items()
+            }
+            for table in self.vary
+        ]

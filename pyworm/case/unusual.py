@@ -1,0 +1,52 @@
+"""What in a file is possible and yet unusual: told, never refused."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import BaseModel
+
+from pyworm.case.workshop_units import kind_of
+from pyworm.io import units
+from pyworm.io.input_error import toml
+
+
+def unusual(file: BaseModel, data: dict[str, Any]) -> tuple[str, ...]:
+    """A sentence for each unusual value that is written in a file, keys with the same one together.
+
+    Parameters
+    ----------
+    file : BaseModel
+        The file as it was read.
+    data : dict
+        The same as written; what it does not say, such as the numbers of a named oil, is not judged.
+    """
+    keys: dict[tuple[str, str], list[str]] = {}
+    for key, text, kind in _written(file, data):
+        doubt = units.doubt(text, kind)
+        if doubt is not None:
+            keys.setdefault((text, doubt), []).append(key)
+    return tuple(
+        f"{' and '.join(named)} = {toml(text)}: {doubt}" for (text, doubt), named in keys.items()
+    )
+
+
+def _written(table: BaseModel, data: dict[str, Any], above: str = "") -> Iterator[tuple]:
+    """Key, text and kind of every quantity that is written in a table."""
+    for name, field in type(table).model_fields.items():
+        if name in data:
+            yield from _quantities(
+                getattr(table, name), data[name], kind_of(field), f"{above}{name}"
+            )
+
+
+def _quantities(value: Any, said: Any, kind: units.Kind | None, key: str) -> Iterator[tuple]:
+    if isinstance(value, BaseModel) and isinstance(said, dict):
+        yield from _written(value, said, f"{key}.")
+    elif isinstance(value, dict) and isinstance(said, dict):
+        for name in value.keys() & said.keys():
+            yield from _quantities(value[name], said[name], kind, f"{key}.{name}")
+    elif isinstance(said, list):
+        for place, (one, entry) in enumerate(zip(value, said, strict=True)):
+            yield from _quantities(one, entry, kind, f"{key}[{place}]")
+    elif isinstance(said, str) and kind is not None:
+        yield key, said, kind

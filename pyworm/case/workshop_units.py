@@ -1,0 +1,53 @@
+"""Values of case files as people write them, in workshop units."""
+
+from typing import Any, get_args
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from pyworm.case.case_file import FileTable
+from pyworm.io import units
+
+
+def shown(value: Any, field: FieldInfo | None = None) -> str:
+    """A value, or a list of values, in the unit that its field is measured in."""
+    kind = None if field is None else kind_of(field)
+    if isinstance(value, tuple | list):
+        return ", ".join(_plain(one, kind) for one in value)
+    return _plain(value, kind)
+
+
+def assumptions(file: FileTable) -> dict[str, str]:
+    """What a file assumes: "drive.module = 5.08 mm" -> why; whole tables without a value."""
+    said = {}
+    for key, reason in file.assumed.items():
+        *tables, last = key.split(".")
+        value, table = file.at(key), file.at(".".join(tables)) if tables else file
+        field = type(table).model_fields[last] if isinstance(table, BaseModel) else None
+        whole = isinstance(value, BaseModel | dict)
+        said[key if whole else f"{key} = {shown(value, field)}"] = reason
+    return said
+
+
+def _plain(value: Any, kind: units.Kind | None) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float | int):
+        return f"{value:.6g}" if kind is None else units.shown(value, kind)
+    return str(value)
+
+
+def kind_of(field: FieldInfo) -> units.Kind | None:
+    """What a field measures; None of plain numbers and texts."""
+    return _kind([*field.metadata, field.annotation])
+
+
+def _kind(hints: list[Any]) -> units.Kind | None:
+    """What a field measures, wherever in its annotation that stands."""
+    for hint in hints:
+        if isinstance(hint, units.Kind):
+            return hint
+        found = _kind([*get_args(hint), *getattr(hint, "__metadata__", ())])
+        if found is not None:
+            return found
+    return None

@@ -1,0 +1,263 @@
+"""A case about a ZI worm drive."""
+
+from itertools import pairwise
+from math import inf, pi
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.ratings import RatedCase, WormRatingTable
+from pyworm.case.table import Count, Phase, PositiveNumber, Table
+from pyworm.drives.torque_sharing import Sharing
+from pyworm.drives.zi_worm import tooth
+from pyworm.drives.zi_worm.design import Assembly, Hob, Wheel, Worm
+from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
+from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
+from pyworm.io import units
+
+Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
+
+
+class WormBodies(Bodies):
+    """`[bodies]` of a worm drive."""
+
+    worm: BodyTable
+    wheel: BodyTable
+
+
+class _Relieved(Table):
+    """What worm and wheel share: a relief of the tips, beginning that far below them."""
+
+    tip_relief: units.Relief = 0.0
+    tip_relief_length: units.LengthOrZero = 0.0
+
+
+class _Helicoid(Table):
+    """What worm and hob share: the involute helicoid between its cylinders."""
+
+    tip_radius: units.Length
+    root_radius: units.Length
+    base_radius: units.Length
+    axial_pitch: units.Length
+    lead: units.Length
+    base_lead_angle: units.Angle
+
+
+class WormTable(_Helicoid, _Relieved):
+    """`[drive.worm]`."""
+
+    threads: Count
+
+
+class WheelTable(_Relieved):
+    """`[drive.wheel]`."""
+
+    teeth: Count
+    face_width: units.FaceWidth
+    tip_radius: units.Length
+    throat_radius: units.Length
+
+
+class HobTable(_Helicoid):
+    """`[drive.hob]`: the cutter and how it was set up when it cut the wheel."""
+
+    centre_distance: units.Length
+    swivel: units.Tilt
+    axial_shift: units.Offset
+
+
+class AssemblyTable(Table):
+    """`[drive.assembly]`: how the drive was put together, as differences from the design."""
+
+    centre_distance: units.Offset = 0.0
+    axial_shift: units.Offset = 0.0
+    shaft_angle: units.Tilt = 0.0
+
+
+class ZiWormTable(Table):
+    """`[drive]`, kind = "zi-worm"."""
+
+    kind: Literal["zi-worm"]
+    centre_distance: units.Length
+    stiffness: units.Stiffness | None = None
+    worm: WormTable
+    wheel: WheelTable
+    hob: HobTable
+    assembly: AssemblyTable = AssemblyTable()
+
+
+class OperationTable(Table):
+    """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved.
+
+    The load is the normal load of the tooth, or what the teeth in mesh share: a torque of either shaft, or
+    the power of the driving one. `friction` is that of the teeth in the balance of torques, `lifts` how far
+    films lift the teeth off each other, at phases; left out, they are found.
+    """
+
+    worm_speed: units.Speed | None = None
+    wheel_speed: units.Speed | None = None
+    driver: Shaft = "worm"
+    load: units.Force | None = None
+    worm_torque: units.Torque | None = None
+    wheel_torque: units.Torque | None = None
+    power: units.Power | None = None
+    sharing: Sharing | None = None
+    friction: Friction | None = None
+    lifts: Annotated[tuple[tuple[Phase, units.Film], ...], Field(min_length=1)] | None = None
+    phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _one_speed(self):
+        if (self.worm_speed is None) == (self.wheel_speed is None):
+            raise ValueError("give either worm_speed or wheel_speed, one of the two")
+        return self
+
+    @model_validator(mode="after")
+    def _one_load(self):
+        given = [name for name in LOADS if getattr(self, name) is not None]
+        if len(given) != 1:
+            but = f", not {' and '.join(given)}" if given else ""
+            raise ValueError(f"give one of {', '.join(LOADS)}{but}")
+        if self.load is not None:
+            for name in ("sharing", "friction", "lifts"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f"{name} means nothing with the load of one tooth, give a torque or a power instead "
+                        "of load"
+                    )
+        return self
+
+    @model_validator(mode="after")
+    def _lifts_of_elastic_teeth(self):
+        if self.lifts is None:
+            return self
+        if self.sharing == "equal":
+            raise ValueError("lifts means nothing with sharing = equal, by which no tooth yields")
+        phases = [phase for phase, _ in self.lifts]
+        if any(after <= before for before, after in pairwise(phases)):
+            told = ", ".join(f"{phase:g}" for phase in phases)
+            raise ValueError(f"lifts has the phases {told}; they must rise")
+        return self
+
+
+LOADS = ("load", "worm_torque", "wheel_torque", "power")
+"""Keys of `[operation]` of which one says what the teeth carry."""
+
+
+class CoolingTable(Table):
+    """`[cooling]`: what makes the temperatures of oil and bodies, which then are found and not given.
+
+    `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
+    them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
+    `worm_excess` says how much warmer the worm's bulk is than the wheel's. `tooth_loss` is the loss between
+    the teeth for which all this is struck; left out, it is found.
+    """
+
+    ambient_temperature: units.Temperature
+    conductance: units.ThermalConductance
+    other_loss: units.PowerOrZero = 0.0
+    immersion: PositiveNumber = 1.0
+    worm_excess: units.TemperatureDifference = 0.0
+    tooth_loss: units.Power | None = None
+
+
+class ZiWormCase(RatedCase):
+    """A case file about a ZI worm drive."""
+
+    drive: ZiWormTable
+    operation: OperationTable
+    bodies: WormBodies
+    worm_rating: WormRatingTable | None = None
+    cooling: CoolingTable | None = None
+
+    @model_validator(mode="after")
+    def _cooling_of_what_warms(self):
+        if self.cooling is None:
+            return self
+        if self.oil.heat is None or self.operation.load is not None:
+            raise ValueError(
+                "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load"
+            )
+        for name, body in self.bodies:
+            if body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing with [cooling]")
+        return self
+
+    @model_validator(mode="after")
+    def _stiffness_with_sharing(self):
+        if self.drive.stiffness is not None and self.operation.load is not None:
+            raise ValueError(
+                "drive.stiffness means nothing with operation.load, the load of one tooth; give a torque "
+                "or a power instead"
+            )
+        return self
+
+
+def zi_worm_drive(tables: ZiWormCase) -> ZiWormDrive:
+    """The drive of a case file about a ZI worm."""
+    oil, operation = tables.oil.oil(), tables.operation
+    bodies = tables.bodies.pair(oil)
+    ratio = tables.drive.worm.threads / tables.drive.wheel.teeth
+    speed = operation.worm_speed or operation.wheel_speed / ratio
+    if tables.cooling is not None:
+        loss = tables.cooling.tooth_loss
+        if loss is None:
+            loss = _first_loss(_transmission(tables, speed, ratio), speed, ratio)
+        cooling = Cooling(**tables.cooling.model_dump(exclude={"tooth_loss"}))
+        wheel = tables.drive.wheel
+        rim = wheel.face_width * (wheel.teeth * tables.drive.worm.axial_pitch / pi)
+        warm = drive_temperatures(cooling, rim, speed, loss)
+        oil, bodies = warm.oil(oil), warm.bodies(bodies)
+    return ZiWormDrive(
+        worm=Worm(**_relieved(tables.drive.worm)),
+        wheel=Wheel(**_relieved(tables.drive.wheel)),
+        hob=Hob(**dict(tables.drive.hob)),
+        centre_distance=tables.drive.centre_distance,
+        speed=speed,
+        load=operation.load or _transmission(tables, speed, ratio),
+        bodies=bodies,
+        oil=oil,
+        assembly=Assembly(**dict(tables.drive.assembly)),
+        driver=operation.driver,
+    )
+
+
+def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
+    """Entries of a design table, its tip relief as one."""
+    entries = dict(table)
+    relief = tooth.TipRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
+    return entries | {"tip_relief": relief}
+
+
+def _transmission(tables: ZiWormCase, worm_speed: float, ratio: float) -> Transmission:
+    """What the teeth of a ZI worm drive share; with a power, the torque of the shaft that drives."""
+    operation = tables.operation
+    if operation.power is not None:
+        shaft = operation.driver
+        torque = operation.power / (worm_speed if shaft == "worm" else worm_speed * ratio)
+    else:
+        shaft = "wheel" if operation.worm_torque is None else "worm"
+        torque = operation.worm_torque or operation.wheel_torque
+    return Transmission(
+        torque=torque,
+        shaft=shaft,
+        sharing=operation.sharing or "elastic",
+        friction=FIRST_FRICTION if operation.friction is None else operation.friction,
+        stiffness=tables.drive.stiffness or inf,
+        lifts=operation.lifts or (),
+    )
+
+
+def _first_loss(transmission: Transmission, worm_speed: float, ratio: float) -> float:
+    """Loss between the teeth before it is known [W]."""
+    speed = worm_speed if transmission.shaft == "worm" else worm_speed * ratio
+    return FIRST_LOSS * transmission.torque * speed
+
+
+FIRST_LOSS = 0.03
+"""Share of the power that is lost between worm teeth before it is known."""
+
+FIRST_FRICTION = 0.01
+"""Friction of worm teeth in the balance of torques before it is known."""

@@ -1,0 +1,55 @@
+"""pyworm check: validate a case and show its plan without solving it."""
+
+import argparse
+from dataclasses import asdict
+from typing import TYPE_CHECKING
+
+from pyworm.case.case import load
+from pyworm.io.json import print_json
+
+if TYPE_CHECKING:
+    pass
+from pyworm.cli.shared import CONVERGED, planned_tasks, warn_of_unusual
+
+
+def check_case(options: argparse.Namespace) -> int:
+    """Check a case and show its plan; returns the exit code."""
+    case = load(options.case)
+    tasks = planned_tasks(case, options)
+    warn_of_unusual(case)
+
+    from pyworm.io.console import Console
+    from pyworm.io.format import duration
+    from pyworm.report.console.scenes import effects_table, plan_table
+    from pyworm.scene.summary import scene_summary
+    from pyworm.solver import left_out
+    from pyworm.solver.cost.expected_time import expectation
+
+    expected = [expectation(task.scene, task.plan) for task in tasks]
+    without = [left_out.expected(task.scene, task.plan) for task in tasks]
+    if options.json:
+        scenes = [
+            scene_summary(task.scene)
+            | lacking.summary()
+            | {
+                "plan": asdict(task.plan),
+                "effects": [asdict(effect) for effect in task.plan.effects],
+                "expected_seconds": of.seconds,
+                "expected_convolutions": of.convolutions,
+            }
+            for task, lacking, of in zip(tasks, without, expected, strict=True)
+        ]
+        content = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
+        print_json(content | {"warnings": case.warnings})
+    else:
+        console = Console()
+        console.print(f"{case.title}\n{case.source}\n")
+        if sentence := left_out.worst(without).sentence:
+            console.print(f"{sentence} (Films by closed forms.)\n")
+        for task, of in zip(tasks, expected, strict=True):
+            console.print(plan_table(task.scene, task.plan, of))
+            console.print(effects_table(task.plan.effects, "Effects"))
+        if len(tasks) > 1:
+            seconds = sum(of.seconds for of in expected)
+            console.print(f"Expected time of all {len(tasks)}: {duration(seconds)}")
+    return CONVERGED

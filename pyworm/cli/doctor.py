@@ -1,0 +1,139 @@
+"""Is this installation sound? One line a check, each with what to do where it is not."""
+
+import ctypes
+import os
+import platform
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+import numpy as np
+
+from pyworm.io.terminal import put
+
+PACKAGES = (
+    "numpy",
+    "scipy",
+    "pydantic",
+    "pint",
+    "xarray",
+    "netCDF4",
+    "matplotlib",
+    "rich",
+)
+
+SELF_CHECK_ERROR = 0.01
+"""Largest deviation from Hertz that the check on its coarse grid may show."""
+
+
+class _UnsoundError(Exception):
+    """A check failed; the message says what was found and what to do."""
+
+
+def examine() -> int:
+    """Run all checks and print a line for each.
+
+    Returns
+    -------
+    int
+        0 if all is well, 1 otherwise.
+    """
+    checks: tuple[tuple[str, Callable[[], str]], ...] = (
+        ("Python", _python),
+        ("pyworm", _pyworm),
+        ("packages", _packages),
+        ("kernel", _kernel),
+        ("FFTW", _fftw),
+        ("self-check", _self_check),
+        ("threads", _threads),
+        ("write access", _write_access),
+    )
+    sound = True
+    for name, check in checks:
+        try:
+            word, message = "ok", check()
+        except _UnsoundError as problem:
+            word, message, sound = "NO", str(problem), False
+        put(f"{name:14}{word:4}{message}")
+    return 0 if sound else 1
+
+
+def _python() -> str:
+    return f"{platform.python_version()} at {sys.executable}"
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        raise _UnsoundError(f"{package} is not installed; run make install") from None
+
+
+def _pyworm() -> str:
+    return _version("pyworm")
+
+
+def _packages() -> str:
+    return ", ".join(f"{package} {_version(package)}" for package in PACKAGES)
+
+
+def _core_path() -> Path:
+    try:
+        from pyworm.kernel.core import EXTENSION
+    except ImportError as error:
+        raise _UnsoundError(f"not built ({error}); run make install") from None
+    return EXTENSION
+
+
+def _kernel() -> str:
+    return str(_core_path())
+
+
+def _fftw() -> str:
+    # FFTW keeps its version as a C string of its own; the kernel that is linked with it leads there.
+    try:
+        text = (ctypes.c_char * 64).in_dll(ctypes.CDLL(str(_core_path())), "fftw_version").value
+    except ValueError:
+        raise _UnsoundError("the kernel is linked without it; run make clean install") from None
+    return text.decode()
+
+
+def _self_check() -> str:
+    """Dry contact of a ball against Hertz, through the kernel's convolution."""
+    _core_path()
+    from pyworm.formulas.hertz import hertz
+    from pyworm.kernel.dry_contact import dry_contact
+
+    radius, load, modulus = 0.01, 10.0, 226e9
+    exact = hertz(radius, radius, load, modulus)
+    x = np.linspace(-1.5, 1.5, 65) * exact.semi_axis_x
+    gap = (x[:, None] ** 2 + x[None, :] ** 2) / (2 * radius)
+    covered = np.ones(gap.shape, dtype=bool)
+    start = time.perf_counter()
+    contact = dry_contact(
+        gap, covered, x[1] - x[0], x[1] - x[0], modulus, load, np.ones(gap.shape), 1e-6
+    )
+    seconds = time.perf_counter() - start
+    error = abs(contact.pressure.max() / exact.pressure_max - 1)
+    found = f"a ball's largest pressure is {error:.1e} off Hertz, {seconds * 1e3:.0f} ms"
+    if not error < SELF_CHECK_ERROR:
+        raise _UnsoundError(f"{found}; run make clean test and report what fails")
+    return found
+
+
+def _threads() -> str:
+    names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+    settings = ", ".join(f"{name} {os.environ.get(name, 'not set')}" for name in names)
+    return f"{os.cpu_count()} processors, {settings}"
+
+
+def _write_access() -> str:
+    here = Path.cwd()
+    try:
+        with tempfile.TemporaryFile(dir=here):
+            return f"{here}"
+    except OSError as error:
+        raise _UnsoundError(f"{error}; change to a directory of your own or give --out") from None

@@ -1,0 +1,193 @@
+"""What `pyworm rate` and `pyworm oil` show."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pyworm.io.json import print_json
+from pyworm.io.terminal import put
+
+if TYPE_CHECKING:
+    from pyworm.materials.library import NamedOil
+
+
+SHOWN_TEMPERATURES = (0, 20, 40, 60, 80, 100, 120)
+"""Temperatures [degC] at which an oil is shown."""
+
+CHARTED_GRADES = (100, 220, 460)
+"""Grades of every base stock that are drawn if no oils are named."""
+
+
+def add_oil(commands: argparse._SubParsersAction) -> None:
+    """The command `oil` and its own."""
+    oil = commands.add_parser("oil", help="oils: choose one for a case, show, chart, list all")
+    which = oil.add_subparsers(required=True, metavar="WHAT")
+
+    choose = which.add_parser("choose", help="the oil for the drive of a case, step by step")
+    choose.add_argument("case", type=Path, metavar="CASE.toml")
+    choose.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    choose.set_defaults(command=_choose)
+
+    show = which.add_parser("show", help="properties of oils over temperature")
+    show.add_argument(
+        "names", nargs="+", metavar="NAME", help='such as "PAG VG 460", or a TOML file'
+    )
+    show.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    show.set_defaults(command=_show)
+
+    chart = which.add_parser("chart", help="draw viscosity and alpha of oils over temperature")
+    chart.add_argument(
+        "names", nargs="*", metavar="NAME", help="as of show; by default some of every base stock"
+    )
+    chart.add_argument("--out", type=Path, default=Path(), metavar="DIR", help="default: here")
+    chart.set_defaults(command=_chart)
+
+    every = which.add_parser("list", help="oils known by name")
+    every.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    every.set_defaults(command=_list)
+
+
+def _choose(options: argparse.Namespace) -> int:
+    from dataclasses import asdict
+
+    from pyworm.ratings.oil_choice import page
+    from pyworm.ratings.oil_duty import oil_choice
+    from pyworm.ratings.rated_case import load_asked
+
+    asked = load_asked(options.case)
+    choice = oil_choice(asked)
+    if options.json:
+        print_json(
+            {
+                "case": asked.name,
+                "oil": choice.oil,
+                "grade": choice.grade,
+                "reached": choice.reached,
+                "viscosity_needed_40_m2_s": choice.viscosity_needed,
+                "grades": [asdict(row) for row in choice.rows],
+                "steps": [asdict(step) for step in choice.steps],
+            }
+        )
+    else:
+        put(page(choice).rstrip("\n"))
+    return 0
+
+
+def _show(options: argparse.Namespace) -> int:
+    from pyworm.materials.oil_file import oil_called
+
+    oils = [oil_called(name, Path()) for name in options.names]
+    if options.json:
+        print_json({"oils": [_properties(oil) for oil in oils]})
+        return 0
+    from pyworm.io.console import Console
+
+    console = Console()
+    for oil in oils:
+        _print_oil(console, oil)
+    return 0
+
+
+def _chart(options: argparse.Namespace) -> int:
+    from pyworm.io.atomic import check_writable, whole
+    from pyworm.materials.base_stock import BASES
+    from pyworm.materials.oil_file import oil_called
+    from pyworm.plots.layout import write
+    from pyworm.plots.oil import draw_pressure_viscosity, draw_viscosity
+
+    names = options.names or [f"{base} VG {grade}" for base in BASES for grade in CHARTED_GRADES]
+    oils = [oil_called(name, Path()) for name in names]
+    directory = options.out
+    check_writable(directory)
+    charts = {
+        "oil_viscosity.png": draw_viscosity,
+        "oil_pressure_viscosity.png": draw_pressure_viscosity,
+    }
+    with whole(directory) as aside:
+        for name, chart in charts.items():
+            write(chart(oils), aside / name)
+    for name in charts:
+        put(f"{directory / name}")
+    return 0
+
+
+def _properties(oil: "NamedOil") -> dict:
+    """An oil as one object, units in the keys."""
+    kelvin = [celsius + 273.15 for celsius in SHOWN_TEMPERATURES]
+    return {
+        "name": oil.name,
+        "base": oil.stock.name,
+        "source": oil.source,
+        "viscosity_index": oil.viscosity_index,
+        "temperature_C": list(SHOWN_TEMPERATURES),
+        "kinematic_viscosity_m2_s": [float(oil.kinematic_viscosity(at)) for at in kelvin],
+        "viscosity_Pa_s": [float(oil.viscosity(at)) for at in kelvin],
+        "density_kg_m3": [float(oil.density(at)) for at in kelvin],
+        "pressure_viscosity_1_Pa": [_alpha(oil, at) for at in kelvin],
+        "specific_heat_J_kgK": oil.stock.specific_heat,
+        "sources": oil.stock.sources,
+    }
+
+
+def _alpha(oil: "NamedOil", temperature: float) -> float | None:
+    """Pressure-viscosity coefficient [1/Pa]; None where the oil is too thick for its law."""
+    try:
+        return float(oil.alpha(temperature))
+    except ValueError:
+        return None
+
+
+def _print_oil(console, oil: "NamedOil") -> None:
+    from rich.table import Table
+
+    known = _properties(oil)
+    table = Table(title=f"{oil.name}, viscosity index {oil.viscosity_index:.0f}")
+    table.title_justify = "left"
+    for heading in ("°C", "mm²/s", "mPa s", "kg/m³", "alpha, 1/GPa"):
+        table.add_column(heading, justify="right")
+    for row in zip(
+        known["temperature_C"],
+        known["kinematic_viscosity_m2_s"],
+        known["viscosity_Pa_s"],
+        known["density_kg_m3"],
+        known["pressure_viscosity_1_Pa"],
+        strict=True,
+    ):
+        celsius, nu, eta, rho, alpha = row
+        table.add_row(
+            f"{celsius}",
+            f"{nu * 1e6:.4g}",
+            f"{eta * 1e3:.4g}",
+            f"{rho:.0f}",
+            "" if alpha is None else f"{alpha * 1e9:.1f}",
+        )
+    console.print(table)
+    console.print(f"Viscosity: {oil.source}")
+    for what, source in oil.stock.sources.items():
+        if what != "grades":
+            console.print(f"{what}: {source}")
+    console.print()
+
+
+def _list(options: argparse.Namespace) -> int:
+    from pyworm.materials.library import named_oil, names
+
+    oils = [named_oil(name) for name in names()]
+    if options.json:
+        print_json({"oils": [_properties(oil) for oil in oils]})
+        return 0
+    from rich.table import Table
+
+    from pyworm.io.console import Console
+
+    table = Table("Oil")
+    for heading in ("40 °C\nmm²/s", "100 °C\nmm²/s", "index"):
+        table.add_column(heading, justify="right")
+    table.add_column("source")
+    for oil in oils:
+        nu_40, nu_100 = (oil.kinematic_viscosity(at) * 1e6 for at in (313.15, 373.15))
+        table.add_row(
+            oil.name, f"{nu_40:.0f}", f"{nu_100:.1f}", f"{oil.viscosity_index:.0f}", oil.source
+        )
+    Console().print(table)
+    return 0

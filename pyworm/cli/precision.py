@@ -1,0 +1,67 @@
+"""pyworm precision: study what accuracy costs in time for one contact of a case."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pyworm.case.case import load
+from pyworm.io.atomic import check_writable, whole
+from pyworm.io.input_error import CaseError
+from pyworm.io.json import as_json, print_json
+from pyworm.io.terminal import say
+
+if TYPE_CHECKING:
+    pass
+from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, end_with, planned_tasks
+
+BUDGET = 300.0
+"""Time that a study of precision may take unless another is given [s]."""
+
+
+def study_precision(options: argparse.Namespace) -> int:
+    """Study what accuracy costs in time; returns the exit code."""
+    case = load(options.case)
+    directory = options.out or Path("results") / case.name / "precision"
+    check_writable(directory)
+    tasks = planned_tasks(case, options)
+    task = tasks[len(tasks) // 2]  # of a mesh cycle the middle
+
+    from pyworm.io.console import Console, progress_bar
+    from pyworm.io.format import duration
+    from pyworm.kernel.core import KernelError
+    from pyworm.plots.layout import write
+    from pyworm.plots.precision import draw_precision
+    from pyworm.precision.survey import BudgetError, NoReferenceError, expected_seconds, study
+    from pyworm.precision.tables import as_object, cheapest_table, write_csv
+
+    name = ", ".join(part for part in (case.name, str(task.place)) if part)
+    expected = expected_seconds(task.scene, task.quantities)
+    say(
+        f"{name}: some {duration(min(expected, options.budget))}, "
+        f"of {duration(expected)} without a budget"
+    )
+    try:
+        with progress_bar() as progress:
+            made = study(task.scene, task.quantities, options.budget, progress)
+    except BudgetError as error:
+        raise CaseError(f"--budget {options.budget:g}: {error}") from None
+    except KernelError as error:
+        return end_with(f"{name}: {error}", FAILED)
+    except NoReferenceError as error:
+        return end_with(f"{name}: {error}", NOT_CONVERGED)
+    content = {"case": case.name} | as_object(made)
+    with whole(directory, instead_of=("precision.*",)) as aside:
+        (aside / "precision.json").write_text(as_json(content))
+        write_csv(made, aside / "precision.csv")
+        figure = draw_precision(made, name)
+        for ending in ("png", "svg"):
+            write(figure, aside / f"precision.{ending}")
+    if options.json:
+        print_json(content)
+    else:
+        console = Console()
+        console.print(cheapest_table(made))
+        for line in made.left_out:
+            console.print(f"left out: {line}")
+        console.print(f"Results  {directory}/precision.*", soft_wrap=True)
+    return CONVERGED

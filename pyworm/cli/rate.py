@@ -1,0 +1,120 @@
+"""pyworm rate: rate a case by standards and closed forms, beside its simulated result."""
+
+import argparse
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pyworm.io.input_error import CaseError
+from pyworm.io.json import print_json
+from pyworm.io.terminal import say
+from pyworm.result.result_case import add_anyway, case_for
+
+if TYPE_CHECKING:
+    from pyworm.ratings.rating import Rating
+    from pyworm.result.result import Result
+
+
+def add_rate(commands: argparse._SubParsersAction) -> None:
+    """The command `rate`."""
+    rate = commands.add_parser(
+        "rate", help="ratings a case asks for, by standards and closed forms"
+    )
+    rate.add_argument("case", type=Path, metavar="CASE.toml")
+    rate.add_argument(
+        "--result", type=Path, metavar="RESULT", help="result of the same drive, shown beside"
+    )
+    add_anyway(rate)
+    rate.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    rate.set_defaults(command=_rate)
+
+
+def _rate(options: argparse.Namespace) -> int:
+    from pyworm.case.workshop_units import assumptions
+    from pyworm.ratings.rated_case import (
+        asked_of,
+        left_out,
+        load_asked,
+        not_rated,
+        ratings,
+        unconverged,
+    )
+    from pyworm.result.result import readable
+    from pyworm.solver.left_out import headline
+
+    asked, result, differ = load_asked(options.case), None, None
+    if options.result is not None and asked.drive is None:
+        raise CaseError(f"{options.case}: has no [drive] that a result could be of")
+    if options.result is not None:
+        result = _opened(options.result)
+        case, differ = case_for(options.case, result, options.anyway)
+        asked = asked_of(case)
+    with nullcontext() if result is None else readable(options.result):
+        made = ratings(asked, result)
+        lacking = left_out(asked, result)
+    if not made:
+        raise CaseError(
+            f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
+        )
+    for warning in (*([] if differ is None else [differ]), *asked.warnings):
+        say(f"warning: {warning}")
+    if options.json:
+        print_json(
+            {
+                "case": asked.name,
+                **lacking.summary(),
+                "ratings": [rating.summary() for rating in made],
+                "not_rated": not_rated(asked, made),
+                "warnings": asked.warnings,
+                "not_converged": unconverged(result),
+                "assumed": asked.tables.assumed,
+            }
+        )
+        return 0
+    from pyworm.io.console import Console
+
+    console = Console()
+    console.print(f"{asked.tables.title}\n{asked.tables.source}\n")
+    for line in filter(None, (lacking.sentence, headline(result.solutions if result else ()))):
+        console.print(f"{line}\n")
+    for sentence in unconverged(result):
+        console.print(sentence)
+    for rating in made:
+        _print(console, rating)
+    left = not_rated(asked, made)
+    if left:
+        console.print("Not rated:")
+    for sentence in left:
+        console.print(f"  {sentence}", soft_wrap=True)
+    if asked.tables.assumed:
+        console.print("Assumed, since the source does not give it:")
+    for what, why in assumptions(asked.tables).items():
+        console.print(f"  {what}: {why}", soft_wrap=True)
+    return 0
+
+
+def _opened(path: Path) -> "Result":
+    """A result file."""
+    from pyworm.result.result import open_result
+
+    try:
+        return open_result(path)
+    except (FileNotFoundError, ValueError) as error:
+        raise CaseError(str(error)) from error
+
+
+def _print(console, rating: "Rating") -> None:
+    from rich.table import Table
+
+    table = Table("Figure", title=rating.titled, title_justify="left", caption=rating.source)
+    table.caption_justify = "left"
+    for heading in rating.headings:
+        table.add_column(heading, justify="right")
+    for figure in rating.figures:
+        table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
+    console.print(table)
+    for reason in rating.failed:
+        console.print(f"FAILED: {reason}", style="bold")
+    for words in rating.words:
+        console.print(words)
+    console.print()

@@ -1,0 +1,125 @@
+"""pyworm run: solve a case, print its tables, write its results file and pictures."""
+
+import argparse
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pyworm.case.case import Case, load
+from pyworm.io.atomic import check_writable
+from pyworm.io.json import print_json
+from pyworm.io.terminal import put, say
+
+if TYPE_CHECKING:
+    from pyworm.result.result import Result
+from pyworm.cli.shared import (
+    CONVERGED,
+    FAILED,
+    NOT_CONVERGED,
+    PICTURES,
+    batch_executor,
+    drawn_pictures,
+    end_with,
+    planned_tasks,
+    warn_of_unusual,
+)
+
+
+def run_case(options: argparse.Namespace) -> int:
+    """Solve a case, write and print its result; returns the exit code."""
+    case = load(options.case)
+    directory = options.out or Path("results") / case.name
+    check_writable(directory)
+    tasks = planned_tasks(case, options)
+    warn_of_unusual(case)
+
+    from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
+    from pyworm.batch.drive_iteration import run_balanced
+    from pyworm.io.console import progress_bar
+    from pyworm.plots.draw import draw
+    from pyworm.ratings.heating import heating_of
+    from pyworm.ratings.standard_loss import standard_loss
+    from pyworm.result.mesh_cycle import drive_cycle
+
+    with batch_executor(options) as executor:
+        try:
+            with progress_bar() as progress:
+                result, tasks = run_balanced(case, tasks, directory, executor, progress, say)
+        except NothingSolvedError as error:
+            return end_with(f"{case.name}: {error}", FAILED)
+        for warning in result.provenance["warnings"][len(case.warnings) :]:
+            say(f"warning: {warning}")
+        if not options.json:
+            _show_run(case, tasks, result)
+            put(f"Results   {directory / RESULT_NAME}")
+        # After the figures, which no picture may cost; and by this machine, since others need not reach
+        # this place.
+        drawing = partial(draw, result, executor=None if options.scheduler else executor)
+        pictures, _ = drawn_pictures(directory, drawing, PICTURES)
+    if options.json:
+        cycle, standard = drive_cycle(result), standard_loss(case)
+        heating = heating_of(tasks[0].case, cycle, standard)
+        print_json(
+            {
+                "case": case.name,
+                "scenes": [solution.summary() for solution in result.solutions],
+                "failed": result.provenance["failed"],
+                "warnings": result.provenance["warnings"],
+                **({} if cycle is None else {"cycle": cycle.summary()}),
+                **({} if case.drive is None else {"standard_loss": standard.summary()}),
+                **({} if heating is None else {"heating_loss": heating.summary()}),
+                "results": str(directory / RESULT_NAME),
+                "pictures": [str(directory / name) for name in pictures],
+            }
+        )
+    else:
+        put(f"Pictures  {directory}/*.png ({len(pictures)})")
+    return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
+
+
+def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
+    """The tables of a run."""
+    from pyworm.io.console import Console
+    from pyworm.ratings.heating import heating_of
+    from pyworm.ratings.standard_loss import standard_loss
+    from pyworm.report.console.mesh_cycle import CYCLE_TABLES, cycle_table, loss_table
+    from pyworm.report.console.scenes import (
+        effects_table,
+        figures_table,
+        heat_table,
+        published_for,
+        scenes_table,
+    )
+    from pyworm.result.mesh_cycle import drive_cycle
+    from pyworm.solver.left_out import opening
+
+    summaries = [solution.summary() for solution in result.solutions]
+    failed = result.provenance["failed"]
+    cycle, standard = drive_cycle(result), standard_loss(case)
+    console = Console()
+    console.print(f"{case.title}\n{case.source}\n")
+    for line in opening(result.solutions, standard.words):
+        console.print(f"{line}\n")
+    scenes = [task.scene for task in tasks if task.scene.name not in failed]
+    for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
+        published = published_for(summary, case.published)
+        if published or len(scenes) == 1:
+            console.print(figures_table(scene, summary, published))
+            console.print(effects_table(solution.effects, "Effects, judged by the solution"))
+    if len(scenes) > 1:
+        console.print(scenes_table(scenes, summaries))
+        if all("friction_coefficient" in summary for summary in summaries):
+            console.print(heat_table(scenes, summaries))
+    if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
+        console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
+    if cycle is not None:
+        console.print(cycle_table(cycle))
+        if cycle.loss is not None:
+            heating = heating_of(tasks[0].case, cycle, standard)
+            console.print(loss_table(cycle, standard, heating))
+    for summary in summaries:
+        if not summary["converged"]:
+            console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
+    for name, reason in failed.items():
+        console.print(f"{name} could not be solved: {reason}")

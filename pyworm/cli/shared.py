@@ -1,0 +1,130 @@
+"""What commands share: exit codes, messages, planned tasks, processes and the progress bar."""
+
+import argparse
+import math
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pyworm.case.case import Case
+from pyworm.io.atomic import whole
+from pyworm.io.input_error import CaseError
+from pyworm.io.terminal import say
+from pyworm.io.units import SHARE, parse
+from pyworm.scene.index import PLACE_NAMES
+
+if TYPE_CHECKING:
+    pass
+
+
+CONVERGED = 0
+FAILED = 1
+BAD_INPUT = 2
+NOT_CONVERGED = 3
+
+SWEEP_NAME, TABLE_NAME, SWEEP_PICTURE = "sweep.nc", "sweep.csv", "sweep.png"
+
+
+PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
+
+
+def end_with(message: str, code: int) -> int:
+    """Print a message on standard error and return the exit code."""
+    say(message)
+    return code
+
+
+def drawn_pictures(
+    directory: Path, draw: Callable[[Path], list[Path]], instead_of: Sequence[str] = ()
+) -> tuple[list[str], bool]:
+    """Have pictures drawn into a directory; one that fails is told and costs nothing else.
+
+    Returns
+    -------
+    tuple of list of str and bool
+        Names of those drawn, and whether these are all.
+    """
+    from pyworm.plots.attempts import PicturesError
+
+    complete = True
+    try:
+        with whole(directory, instead_of) as aside:
+            try:
+                drawn = draw(aside)
+            except PicturesError as error:
+                say(f"{error}")
+                drawn, complete = error.drawn, False
+    except OSError as error:
+        say(f"no pictures: {error}")
+        return [], False
+    return [path.name for path in drawn], complete
+
+
+def warn_of_unusual(case: Case) -> None:
+    """Say what is unusual in a case."""
+    for warning in case.warnings:
+        say(f"warning: {warning}")
+
+
+def planned_tasks(case: Case, options: argparse.Namespace) -> list:
+    """What is to be solved of a case, all of it planned before the first is solved."""
+    accuracy = case.accuracy
+    if options.accuracy is not None:
+        try:
+            accuracy = parse(options.accuracy, SHARE)
+        except ValueError as error:
+            raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
+
+    from pyworm.batch.task import Task
+
+    effects = options.effects or case.effects
+    words = options.quantities
+    quantities = case.quantities if words is None else tuple(words.split(","))
+    places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+    tasks = [Task(case, place, accuracy, effects, quantities) for place in places]
+    try:
+        for task in tasks:
+            _ = task.plan
+    except ValueError as error:
+        raise CaseError(str(error)) from error
+    return tasks
+
+
+def batch_executor(options: argparse.Namespace) -> AbstractContextManager:
+    """What the batch is solved by, to be entered; None where this process does it all."""
+    if options.scheduler is not None:
+        from pyworm.batch.cluster import cluster
+
+        return cluster(options.scheduler, say)
+    if options.jobs == 1:
+        return nullcontext()
+    from pyworm.batch.workers import WorkerPool
+
+    return WorkerPool(options.jobs)
+
+
+def process_count(text: str) -> int:
+    """A number of processes."""
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
+    return int(text)
+
+
+def time_limit(text: str) -> float:
+    """A time."""
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not seconds > 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a number of seconds above 0")
+    return seconds
+
+
+def sweep_part(text: str) -> tuple[int, int]:
+    """Which of how many shares of a sweep."""
+    first, _, count = text.partition("/")
+    if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
+        raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")
+    return int(first), int(count)

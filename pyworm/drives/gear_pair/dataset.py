@@ -1,0 +1,85 @@
+"""What the pictures of a gear pair show beside solutions: its line of action with the closed forms there."""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from pyworm.io.variables import describe
+
+KIND = "gear-pair"
+
+_CONTACTS = (
+    "roll_angle",
+    "radius",
+    "pinion_velocity",
+    "gear_velocity",
+    "unit_load",
+    "load_share",
+    "pinion_specific_sliding",
+    "gear_specific_sliding",
+)
+
+_RATING = (
+    "hertz_pressure",
+    "film_central",
+    "film_min",
+    "specific_film",
+    "flash_temperature",
+    "contact_temperature",
+)
+
+
+def line_of_action_data(
+    contacts: Any,
+    rating: Any,
+    marks: Mapping[str, float],
+    driver: str,
+) -> xr.Dataset:
+    """The contacts along a line of action as one dataset over phase.
+
+    Parameters
+    ----------
+    contacts : ToothContacts
+        The contacts, arrays over phase.
+    rating : GearRating
+        Closed forms there; what it does not know is left out.
+    marks : mapping
+        Name of a point of the line of action -> its phase.
+    driver : str
+        "pinion" or "gear".
+    """
+    columns = {name: getattr(contacts, name) for name in _CONTACTS}
+    columns |= {f"closed_form_{name}": getattr(rating, name) for name in _RATING}
+    attributes = {"drive": KIND, "driver": driver, "marks": json.dumps(dict(marks))}
+    if rating.scuffing_temperature is not None:
+        attributes["scuffing_temperature_K"] = rating.scuffing_temperature
+    return describe(
+        xr.Dataset(
+            {
+                name: ("phase", np.asarray(values, float))
+                for name, values in columns.items()
+                if values is not None
+            },
+            coords={"phase": np.asarray(contacts.phase)},
+            attrs=attributes,
+        )
+    )
+
+
+def with_friction(data: xr.Dataset, friction: float, load_factor: np.ndarray) -> xr.Dataset:
+    """The same with the coefficient of friction of its closed forms.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        As `line_of_action_data` makes it.
+    friction : float
+        Coefficient of friction [-].
+    load_factor : ndarray
+        Normal load with that friction over the one without [-].
+    """
+    data = data.assign(friction_load_factor=("phase", load_factor))
+    return describe(data.assign_attrs(friction_coefficient=friction))

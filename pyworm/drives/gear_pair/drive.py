@@ -1,0 +1,397 @@
+"""A pair of involute gears on parallel axes: from the design table to tooth contacts and their scenes.
+
+Lengths in m, angles in rad. The pinion is body 1, the gear body 2, whichever drives. The mesh cycle is that
+of one pair of teeth in the middle of the face, counted along the pinion's tooth as its roll angle is: phase 0
+at the start of its active profile (SAP), low on the tooth, 1 at the end (EAP), its tip. Where the pinion
+drives, contact runs that way; where the gear drives (a speed increaser), it runs from 1 to 0.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import cos, isfinite, sin
+from typing import ClassVar, Literal, get_args
+
+import numpy as np
+import xarray as xr
+
+from pyworm.drives.gear_pair.dataset import line_of_action_data, with_friction
+from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
+from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
+from pyworm.drives.gear_pair.involute import InvolutePair
+from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
+from pyworm.drives.mesh_past import Passing
+from pyworm.materials.body import Body, reduced_modulus
+from pyworm.materials.oil import Oil
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import RigidMotion, Scene
+
+Array = np.ndarray
+Driver = Literal["pinion", "gear"]
+ContactKind = Literal["line", "point"]
+
+CYCLE_POINTS = 401
+"""Phases at which the closed forms are drawn; the ends of single contact are added, twice."""
+
+
+@dataclass(frozen=True)
+class TipRelief:
+    """How much of a flank is taken off at its tip.
+
+    Attributes
+    ----------
+    amount : float
+        Along the normal, at the tip [m]; it grows linearly from nothing.
+    length : float
+        Length of the relieved part on the line of action [m].
+    """
+
+    amount: float = 0.0
+    length: float = 0.0
+
+
+@dataclass(frozen=True)
+class ToothContacts:
+    """Contacts along the line of action; numbers or arrays of one shape.
+
+    Attributes
+    ----------
+    phase : float
+        Place on the path of contact, 0 at the SAP of the pinion, 1 at its EAP.
+    pinion_length, gear_length : float
+        Radii of curvature in the transverse section [m].
+    roll_angle : float
+        Roll angle of the pinion, radius of curvature over base radius [rad].
+    pinion_radius, gear_radius, radius : float
+        Radii of curvature across the contact line, and the relative one [m].
+    pinion_velocity, gear_velocity : float
+        Velocities of the surfaces across the contact line, relative to it [m/s].
+    unit_load : float
+        Normal load for each length of the contact line [N/m].
+    load_share : float
+        Share of the normal force that the contact line carries [-].
+    line_length : float
+        Length of the contact line [m].
+    approach : bool
+        Whether contact is yet to reach the pitch point, where friction turns round.
+    """
+
+    phase: Array
+    pinion_length: Array
+    gear_length: Array
+    roll_angle: Array
+    pinion_radius: Array
+    gear_radius: Array
+    radius: Array
+    pinion_velocity: Array
+    gear_velocity: Array
+    unit_load: Array
+    load_share: Array
+    line_length: Array
+    approach: Array
+
+    @property
+    def entrainment(self) -> Array:
+        """Mean surface velocity [m/s]."""
+        return (self.pinion_velocity + self.gear_velocity) / 2
+
+    @property
+    def sliding(self) -> Array:
+        """Velocity of the pinion's surface relative to the gear's [m/s]."""
+        return self.pinion_velocity - self.gear_velocity
+
+    @property
+    def slide_roll_ratio(self) -> Array:
+        """Sliding over entrainment [-]."""
+        return self.sliding / self.entrainment
+
+    @property
+    def pinion_specific_sliding(self) -> Array:
+        """Sliding over the velocity of the pinion's surface [-]."""
+        return self.sliding / self.pinion_velocity
+
+    @property
+    def gear_specific_sliding(self) -> Array:
+        """Sliding of the gear's surface over its velocity [-]."""
+        return -self.sliding / self.gear_velocity
+
+
+@dataclass(frozen=True)
+class GearPairDrive:
+    """A pair of gears at one operating point.
+
+    Attributes
+    ----------
+    teeth : InvolutePair
+        The gears.
+    driver : str
+        "pinion" (a speed reducer) or "gear" (a speed increaser).
+    pinion_speed : float
+        Speed of the pinion [rad/s].
+    power : float
+        Power that goes through the mesh [W].
+    bodies : tuple of Body
+        Pinion and gear.
+    oil : Oil
+        The oil.
+    load_factor : float
+        Load over what the power asks for, by shocks, dynamics and uneven spread over the face: the product
+        of the K factors of ISO 6336 or AGMA 2101 [-].
+    load_sharing : str
+        How contact lines share the load (`LoadSharing`).
+    contact : str
+        Which scenes are made: "line", or "point" of the whole crowned face.
+    tip_relief : tuple of TipRelief
+        Of pinion and gear; of the scenes' gaps, load sharing knows nothing of it.
+    lead_crowning : float
+        How much of both flanks together is taken off at the ends of the face [m].
+    surfaces : Surfaces or None
+        What the closed forms of friction and scuffing need beside; None if not known.
+    """
+
+    warnings: ClassVar[tuple[str, ...]] = ()
+
+    teeth: InvolutePair
+    driver: Driver
+    pinion_speed: float
+    power: float
+    bodies: tuple[Body, Body]
+    oil: Oil
+    load_factor: float = 1.0
+    load_sharing: SharingRule = "ramp"
+    contact: ContactKind = "line"
+    tip_relief: tuple[TipRelief, TipRelief] = (TipRelief(), TipRelief())
+    lead_crowning: float = 0.0
+    surfaces: Surfaces | None = None
+
+    def __post_init__(self) -> None:
+        _check_values(self)
+        self.sharing  # noqa: B018  a rule that does not hold for these gears is refused here
+
+    @cached_property
+    def sharing(self) -> LoadSharing:
+        """How the normal force is shared."""
+        return LoadSharing(self.teeth, self.load_sharing)
+
+    @property
+    def gear_speed(self) -> float:
+        """Speed of the gear [rad/s]."""
+        return self.pinion_speed / self.teeth.ratio
+
+    @property
+    def pinion_torque(self) -> float:
+        """Torque on the pinion [N m]."""
+        return self.power / self.pinion_speed
+
+    @property
+    def normal_force(self) -> float:
+        """Force along the normal of the flanks [N], without friction, times the load factor."""
+        arm = self.teeth.cylinders[0].base * cos(self.teeth.system.base_helix_angle)
+        return self.load_factor * self.pinion_torque / arm
+
+    @property
+    def pitch_line_velocity(self) -> float:
+        """Velocity of the pitch circles [m/s]."""
+        return self.pinion_speed * self.teeth.cylinders[0].pitch
+
+    @property
+    def reduced_modulus(self) -> float:
+        """Reduced modulus E' of the two gears [Pa]."""
+        return reduced_modulus(*self.bodies)
+
+    def phase_of(self, pinion_length: float) -> float:
+        """Phase at which the pinion's radius of curvature [m] is this: of `teeth.pitch_point`, say."""
+        return (pinion_length - self.teeth.start) / self.teeth.path_length
+
+    def contacts(self, phase: float | Array) -> ToothContacts:
+        """The tooth contacts at phases of the mesh cycle, 0 to 1.
+
+        Raises
+        ------
+        ValueError
+            Out of contact.
+        """
+        phase = np.asarray(phase, float)
+        if not np.all((phase >= 0) & (phase <= 1)):
+            worst = float(phase.flat[np.argmax(np.abs(phase - 0.5))])
+            raise ValueError(f"phase is {worst:.6g}; a tooth pair touches from phase 0 to phase 1")
+        teeth = self.teeth
+        tilt = cos(teeth.system.base_helix_angle)
+        pinion = teeth.start + phase * teeth.path_length
+        # At the very ends the sum may round to beyond them, where nothing is in contact.
+        pinion = np.clip(pinion, teeth.start, teeth.end)
+        gear = teeth.base_tangent - pinion
+        before = pinion < teeth.pitch_point
+        return ToothContacts(
+            phase=phase,
+            pinion_length=pinion,
+            gear_length=gear,
+            roll_angle=pinion / teeth.cylinders[0].base,
+            pinion_radius=pinion / tilt,
+            gear_radius=gear / tilt,
+            radius=pinion * gear / (teeth.base_tangent * tilt),
+            pinion_velocity=self.pinion_speed * pinion,
+            gear_velocity=self.gear_speed * gear,
+            unit_load=self.normal_force * self.sharing.per_length(pinion),
+            load_share=self.sharing.of_line(pinion),
+            line_length=self.sharing.line_length(pinion),
+            approach=before if self.driver == "pinion" else ~before,
+        )
+
+    def gap(self, phase: float) -> GearGap:
+        """Undeformed gap of the pair of teeth over the tangent plane."""
+        teeth = self.teeth
+        contact = self.contacts(phase)
+        flanks = (
+            Flank(
+                base=size.base,
+                length=float(length),
+                helix=teeth.system.base_helix_angle,
+                form_length=size.form_length,
+                tip_length=size.tip_length,
+                relief=relief.amount,
+                relief_length=relief.length,
+            )
+            for size, length, relief in zip(
+                teeth.cylinders,
+                (contact.pinion_length, contact.gear_length),
+                self.tip_relief,
+                strict=True,
+            )
+        )
+        return GearGap(*flanks, teeth.face_width, self.lead_crowning)
+
+    def scene(self, phase: float) -> LineScene | Scene:
+        """The lubricated contact at a phase; a line contact is that of the middle of the face.
+
+        Body 1 is the pinion, x runs to its tip, y along the contact line.
+        """
+        at = self._line if self.contact == "line" else self._point
+        base_speed = self.pinion_speed * self.teeth.cylinders[0].base
+        return Passing(at, phase, base_speed / self.teeth.path_length).scene()
+
+    def _line(self, phase: float) -> LineScene:
+        contact = self.contacts(phase)
+        return LineScene(
+            name=_name(phase),
+            gap=GearSection(self.gap(phase)),
+            radius=float(contact.radius),
+            velocities=(float(contact.pinion_velocity), float(contact.gear_velocity)),
+            load=float(contact.unit_load),
+            bodies=self.bodies,
+            oil=self.oil,
+            phase=phase,
+        )
+
+    def _point(self, phase: float) -> Scene:
+        """Surfaces turn about the common normal by the part of their speed along it.
+
+        What the height of the flank over the plane adds to their velocities is left out: its share is that
+        height over the radius of curvature.
+        """
+        contact = self.contacts(phase)
+        helix = self.teeth.system.base_helix_angle
+        along = self.teeth.face_width**2 / (8 * self.lead_crowning * cos(helix) ** 2)
+        return Scene(
+            name=_name(phase),
+            gap=self.gap(phase),
+            radii=(float(contact.radius), along),
+            motions=(
+                RigidMotion(float(contact.pinion_velocity), 0.0, -self.pinion_speed * sin(helix)),
+                RigidMotion(float(contact.gear_velocity), 0.0, self.gear_speed * sin(helix)),
+            ),
+            load=float(self.normal_force * contact.load_share),
+            bodies=self.bodies,
+            oil=self.oil,
+            phase=phase,
+        )
+
+    def cycle_phases(self) -> Array:
+        """Phases from 0 to 1 with both sides of the ends of single contact, where the load may jump."""
+        ends = (self.phase_of(self.teeth.lowest_single), self.phase_of(self.teeth.highest_single))
+        sides = [end + side for end in ends for side in (-1e-9, 1e-9) if 0 < end < 1]
+        return np.sort(np.concatenate([np.linspace(0, 1, CYCLE_POINTS), sides]))
+
+    @property
+    def loss_factor(self) -> float:
+        """H_V [-]: power loss of the mesh over power and a constant coefficient of friction.
+
+        The mean over the mesh cycle of load times sliding, the load on every slice of the face being what it
+        is in the middle: exact for spur gears. Ohlendorf's closed form is that of uniform sharing.
+        """
+        contacts = self.contacts(self.cycle_phases())
+        system = self.teeth.system
+        slice_of_line = self.teeth.face_width / cos(system.base_helix_angle)
+        rubbed = contacts.unit_load * np.abs(contacts.sliding) / (self.load_factor * self.power)
+        return float(
+            np.trapezoid(rubbed, contacts.pinion_length) * slice_of_line / system.base_pitch
+        )
+
+    def friction_load_factor(self, contacts: ToothContacts, friction: float) -> Array:
+        """Normal load with friction over that without, at the same torque of the driver [-].
+
+        1 / (1 -+ mu rho / (r_b cos beta_b)) of the driver. In approach its root is dragged along by the
+        faster tip of the driven one (-), and the teeth press harder; in recess its tip is held back (+).
+        """
+        base = self.teeth.cylinders[0 if self.driver == "pinion" else 1].base
+        length = contacts.pinion_length if self.driver == "pinion" else contacts.gear_length
+        arm = length / (base * cos(self.teeth.system.base_helix_angle))
+        return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
+
+    def rating(self, contacts: ToothContacts) -> GearRating:
+        """Film, specific film and contact temperature by closed forms at these contacts."""
+        return rate(contacts, self.bodies, self.oil, self.surfaces)
+
+    def cycle_data(self) -> xr.Dataset:
+        """The line of action with its closed forms, for the result."""
+        contacts = self.contacts(self.cycle_phases())
+        teeth = self.teeth
+        marks = {
+            "SAP": 0.0,
+            "LPSTC": self.phase_of(teeth.lowest_single),
+            "P": self.phase_of(teeth.pitch_point),
+            "HPSTC": self.phase_of(teeth.highest_single),
+            "EAP": 1.0,
+        }
+        data = line_of_action_data(contacts, self.rating(contacts), marks, self.driver)
+        data = data.assign_attrs(loss_factor=self.loss_factor)
+        if self.surfaces is None:
+            return data
+        friction = self.surfaces.friction_coefficient
+        return with_friction(data, friction, self.friction_load_factor(contacts, friction))
+
+    def scene_data(self, scene: LineScene | Scene) -> xr.Dataset:
+        """Nothing: the fields of a gear contact need no more."""
+        return xr.Dataset()
+
+
+def _name(phase: float) -> str:
+    return f"phase {phase:.3g}"
+
+
+def _check_values(drive: GearPairDrive) -> None:
+    """Sizes are finite and positive, choices are known, reliefs lie on their flanks."""
+    for key in ("pinion_speed", "power", "load_factor"):
+        value = getattr(drive, key)
+        if not (isfinite(value) and value > 0):
+            raise ValueError(f"{key} is {value:g}; it must be positive and finite")
+    for key, choices in (("driver", get_args(Driver)), ("contact", get_args(ContactKind))):
+        if getattr(drive, key) not in choices:
+            raise ValueError(
+                f'{key} is "{getattr(drive, key)}"; it must be one of {", ".join(choices)}'
+            )
+    if not (isfinite(drive.lead_crowning) and drive.lead_crowning >= 0):
+        raise ValueError(f"lead_crowning is {drive.lead_crowning:g} m; it must be zero or more")
+    if drive.contact == "point" and drive.lead_crowning == 0:
+        raise ValueError(
+            'lead_crowning is missing; contact = "point" needs some, such as "10 um", for the pressure at '
+            "the ends of straight teeth has no bound"
+        )
+    longest = drive.teeth.path_length
+    for name, relief in zip(("pinion", "gear"), drive.tip_relief, strict=True):
+        if not (isfinite(relief.amount) and relief.amount >= 0):
+            raise ValueError(f"{name}.tip_relief is {relief.amount:g} m; it must be zero or more")
+        if relief.amount > 0 and not 0 < relief.length <= longest:
+            raise ValueError(
+                f"{name}.tip_relief_length is {relief.length * 1e3:.4g} mm; it must lie between 0 and the "
+                f"length of the path of contact, {longest * 1e3:.4g} mm"
+            )

@@ -1,0 +1,119 @@
+"""Closed forms of lubrication and scuffing along a line of action: film, specific film, contact temperature.
+
+Each contact is taken as a steady line contact of its curvature, velocities and load; the oil is that of the
+scenes.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pyworm.formulas.film import dowson_higginson, dowson_toyoda, line_groups
+from pyworm.formulas.scuffing import effusivity, flash_temperature
+from pyworm.formulas.wear_distress import specific_film
+from pyworm.materials.body import Body, composite_roughness, reduced_modulus
+from pyworm.materials.oil import Oil
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """What is known of the flanks beside their geometry.
+
+    Attributes
+    ----------
+    friction_coefficient : float
+        Mean coefficient of friction of Blok's flash temperature [-].
+    scuffing_temperature : float or None
+        Mean scuffing temperature of the oil [K]; None if not known.
+    """
+
+    friction_coefficient: float
+    scuffing_temperature: float | None = None
+
+
+@dataclass(frozen=True)
+class GearRating:
+    """Closed forms at contacts along the line of action; numbers or arrays of their shape.
+
+    Attributes
+    ----------
+    hertz_pressure, hertz_half_width : float
+        Largest pressure [Pa] and half width [m] of the dry contact.
+    film_central : float
+        Film in the middle by Dowson and Toyoda, which AGMA 925-A03 takes [m].
+    film_min : float
+        Least film by Dowson and Higginson [m].
+    specific_film : float or None
+        Least film over composite roughness [-]; None if that is not known.
+    flash_temperature : float or None
+        Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat.
+    contact_temperature : float or None
+        Mean bulk temperature of both gears and that rise [K].
+    scuffing_temperature : float or None
+        Mean scuffing temperature of the oil [K].
+    """
+
+    hertz_pressure: Array
+    hertz_half_width: Array
+    film_central: Array
+    film_min: Array
+    specific_film: Array | None = None
+    flash_temperature: Array | None = None
+    contact_temperature: Array | None = None
+    scuffing_temperature: float | None = None
+
+
+def rate(
+    contacts: Any, bodies: tuple[Body, Body], oil: Oil, surfaces: Surfaces | None
+) -> GearRating:
+    """Closed forms at contacts.
+
+    Parameters
+    ----------
+    contacts : ToothContacts
+        Curvature, velocities and load.
+    bodies : tuple of Body
+        Pinion and gear.
+    oil : Oil
+        The oil as it enters the contacts.
+    surfaces : Surfaces or None
+        Friction.
+    """
+    modulus = reduced_modulus(*bodies)
+    half_width = np.sqrt(8 * contacts.unit_load * contacts.radius / (np.pi * modulus))
+    groups = line_groups(
+        contacts.radius,
+        contacts.unit_load,
+        modulus,
+        contacts.entrainment,
+        oil.viscosity.eta0,
+        oil.viscosity.alpha,
+    )
+    least = dowson_higginson(groups).minimum
+    rating = {
+        "hertz_pressure": 2 * contacts.unit_load / (np.pi * half_width),
+        "hertz_half_width": half_width,
+        "film_central": dowson_toyoda(groups).central,
+        "film_min": least,
+    }
+    roughness = composite_roughness(*bodies)
+    if roughness is not None:
+        rating["specific_film"] = specific_film(least, roughness)
+    if surfaces is None:
+        return GearRating(**rating)
+    rating["scuffing_temperature"] = surfaces.scuffing_temperature
+    if oil.heat is not None:
+        flash = flash_temperature(
+            surfaces.friction_coefficient,
+            contacts.unit_load,
+            contacts.pinion_velocity,
+            contacts.gear_velocity,
+            *(effusivity(body.conductivity, body.density, body.specific_heat) for body in bodies),
+            half_width,
+        )
+        bulk = sum(body.bulk_temperature for body in bodies) / 2
+        rating |= {"flash_temperature": flash, "contact_temperature": bulk + flash}
+    return GearRating(**rating)

@@ -1,0 +1,64 @@
+"""Design data of a roller enveloping worm drive: the worm's sections and the rollers."""
+
+from dataclasses import dataclass
+
+from pyworm.drives.roller_worm.motion import (
+    FREE_OF_FRICTION,
+    Pin,
+)
+from pyworm.drives.roller_worm.profile import RollerProfile
+
+
+@dataclass(frozen=True)
+class RollerWorm:
+    """The worm's design table.
+
+    Attributes
+    ----------
+    threads : int
+        Number of threads.
+    hand : int
+        +1 for a left-hand, -1 for a right-hand thread.
+    throat_coefficient : float
+        k, throat diameter over centre distance; the rollers' middles pass the throat there [-].
+    throat_angle, outer_angle : float
+        Wheel angles from the throat at which either section begins and ends [rad].
+    addendum, dedendum : float
+        How far the thread bears from the rollers' middle towards their inner and their outer ends [m].
+    """
+
+    threads: int
+    hand: int
+    throat_coefficient: float
+    throat_angle: float
+    outer_angle: float
+    addendum: float
+    dedendum: float
+
+
+@dataclass(frozen=True)
+class Rollers:
+    """The rollers on their wheel.
+
+    Attributes
+    ----------
+    count : int
+        Number round the wheel.
+    profile : RollerProfile
+        What they are.
+    tilt : float
+        Of their axes out of the wheel's radius towards its axis [rad]: 0 radial, pi/2 axial (end face).
+    height : float
+        Of their middles above the worm's axis, along the wheel's [m].
+    pin : Pin
+        What they turn on.
+    stiffness : float
+        Of pin and thread together [N/m]; inf where they are rigid.
+    """
+
+    count: int
+    profile: RollerProfile
+    tilt: float
+    height: float
+    pin: Pin = FREE_OF_FRICTION
+    stiffness: float = float("inf")

@@ -1,0 +1,355 @@
+"""The roller enveloping worm drive: from the design table to contact lines and their scenes.
+
+Rollers stand round a wheel and turn freely on their own axes; the worm is an hourglass in two sections
+parted at the throat, its thread the envelope of the rollers. Rollers travel through the right section from
+its outer end to the throat, touched from the front by its flank, which idles and takes up the backlash; then
+through the left section from the throat to its outer end, pushed from behind: that one drives.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from math import degrees, pi
+from typing import ClassVar
+
+import numpy as np
+import xarray as xr
+
+from pyworm.drives.mesh_past import Passing
+from pyworm.drives.roller_worm.dataset import roller_cycle_data
+from pyworm.drives.roller_worm.design import Rollers, RollerWorm
+from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelope
+from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
+from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
+from pyworm.drives.roller_worm.load_sharing import Compliance, SharedLoad, share, slices
+from pyworm.drives.roller_worm.motion import (
+    FilmTraction,
+    LineMotion,
+    Spinning,
+    line_motion,
+    roller_speed,
+)
+from pyworm.drives.roller_worm.section import WormSection
+from pyworm.drives.torque_sharing import Sharing
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Oil
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.point import Scene
+
+FARTHEST = 80.0
+"""Largest wheel angle at which a section may end [deg]."""
+
+
+@dataclass(frozen=True)
+class LineState:
+    """One roller at one instant: contacts along its line, with load, motion and closed-form films.
+
+    Attributes
+    ----------
+    section : WormSection
+        The worm's section.
+    shared : SharedLoad
+        The load of all rollers at that instant.
+    force : float
+        The roller's normal load [N].
+    length : float
+        Of its contact line [m].
+    contact : LineContact
+        Contacts at the stations asked for, (stations,).
+    load : ndarray
+        For each length [N/m].
+    motion : LineMotion
+        Velocities.
+    films : ClosedFilms
+        Films by formulas.
+    """
+
+    section: WormSection
+    shared: SharedLoad
+    force: float
+    length: float
+    contact: LineContact
+    load: Array
+    motion: LineMotion
+    films: ClosedFilms
+
+
+@dataclass(frozen=True)
+class RollerWormDrive:
+    """A roller enveloping worm drive at one operating point.
+
+    Attributes
+    ----------
+    worm : RollerWorm
+        Design table of the worm.
+    rollers : Rollers
+        Design table of the rollers.
+    centre_distance : float
+        Distance of worm and wheel axes [m].
+    speed : float
+        Speed of the worm [rad/s].
+    torque : float
+        Torque of the worm [N m].
+    preload : float
+        Torque about the wheel's axis by which the sections are braced against each other, which is all that
+        the idling one carries [N m].
+    sharing : str
+        "elastic" or "equal" (`pyworm.drives.roller_worm.load_sharing`).
+    rolling : str
+        "free", "locked" or "rolling" (`pyworm.drives.roller_worm.motion`).
+    bodies : tuple of Body
+        Worm and rollers.
+    oil : Oil
+        The oil.
+    """
+
+    warnings: ClassVar[tuple[str, ...]] = ()
+
+    worm: RollerWorm
+    rollers: Rollers
+    centre_distance: float
+    speed: float
+    torque: float
+    preload: float
+    sharing: Sharing
+    rolling: Spinning
+    bodies: tuple[Body, Body]
+    oil: Oil
+
+    def __post_init__(self) -> None:
+        _check(self)
+        for section in self.sections.values():
+            section.check()
+
+    @property
+    def ratio(self) -> float:
+        """i, rollers over threads [-]."""
+        return self.rollers.count / self.worm.threads
+
+    @property
+    def wheel_speed(self) -> float:
+        """Speed of the wheel [rad/s]."""
+        return self.speed / self.ratio
+
+    @property
+    def throat_radius(self) -> float:
+        """Radius of the worm at its throat where the rollers' middles pass [m]."""
+        return self.worm.throat_coefficient * self.centre_distance / 2
+
+    @cached_property
+    def sections(self) -> dict[str, WormSection]:
+        """The worm's sections by name, in the order of the rollers' travel."""
+        worm, rollers = self.worm, self.rollers
+        middles = self.centre_distance - self.throat_radius
+
+        def section(name: str, flank: str, first: float, last: float) -> WormSection:
+            envelope = RollerEnvelope(
+                profile=rollers.profile,
+                ratio=self.ratio,
+                centre_distance=self.centre_distance,
+                pitch_radius=middles,
+                tilt=rollers.tilt,
+                height=rollers.height,
+                flank=flank,
+                hand=worm.hand,
+            )
+            bearing = -worm.addendum, worm.dedendum
+            return WormSection(name, envelope, first, last, *bearing, rollers.count)
+
+        return {
+            "right": section("right", "idle", -worm.outer_angle, -worm.throat_angle),
+            "left": section("left", "driving", worm.throat_angle, worm.outer_angle),
+        }
+
+    @property
+    def compliance(self) -> Compliance:
+        """What yields under load."""
+        return Compliance(self.bodies, self.rollers.stiffness)
+
+    def wheel_torque(self, section: str) -> float:
+        """Torque between a section and the wheel [N m], about the wheel's axis.
+
+        The idling section carries the preload; the driving one that and, without friction, the worm's torque
+        times the ratio.
+        """
+        return self.preload + (self.ratio * self.torque if section == "left" else 0.0)
+
+    def varied(self, name: str, value: float) -> "RollerWormDrive":
+        """The drive with another "roller_radius" [m], "throat_coefficient" [-] or "tilt" [rad].
+
+        Raises
+        ------
+        ValueError
+            There is no such drive: its flank is undercut, or the rollers leave no thread between them.
+        """
+        if name == "throat_coefficient":
+            return replace(self, worm=replace(self.worm, throat_coefficient=value))
+        if name == "tilt":
+            return replace(self, rollers=replace(self.rollers, tilt=value))
+        profile = replace(self.rollers.profile, radius=value)
+        return replace(self, rollers=replace(self.rollers, profile=profile))
+
+    def shared(self, section: str, wheel_angle: float) -> SharedLoad:
+        """How a section's rollers share its torque while one of them is at a wheel angle [rad]."""
+        part = self.sections[section]
+        torque = self.wheel_torque(section)
+        return share(part, self.compliance, wheel_angle, torque, self.sharing)
+
+    def state(self, section: str, phase: float, stations: Sequence[float]) -> LineState:
+        """A roller at a phase of its way through a section, at shares of its contact line from 0 to 1."""
+        part = self.sections[section]
+        angle = float(part.wheel_angle(phase))
+        shared = self.shared(section, angle)
+        roller = shared.roller(angle)
+        line, lengths = slices(part, np.array(angle))
+        turning = roller_speed(
+            part.envelope,
+            line,
+            lengths,
+            shared.load(line, roller),
+            self.wheel_speed,
+            self.rolling,
+            FilmTraction(self.oil, self.bodies),
+            self.rollers.pin,
+        )
+        contact = part.line(np.array(angle), np.asarray(stations, float))
+        load = shared.load(contact, roller)
+        motion = line_motion(part.envelope, contact, self.wheel_speed, turning)
+        return LineState(
+            section=part,
+            shared=shared,
+            force=float(shared.forces[roller]),
+            length=float(lengths.sum()),
+            contact=contact,
+            load=load,
+            motion=motion,
+            films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
+        )
+
+    def scene(self, section: str, phase: float, station: float | None = None) -> LineScene | Scene:
+        """The lubricated contact of a roller: body 1 is the worm, body 2 the roller.
+
+        Parameters
+        ----------
+        section : str
+            "right" or "left".
+        phase : float
+            The roller's place on its way through the section, 0 to 1.
+        station : float, optional
+            A share of the contact line, for the line contact there; without it the whole line with its ends.
+
+        Raises
+        ------
+        ValueError
+            The roller carries no load there.
+        """
+        part = self.sections[section]
+        at = (
+            partial(self._whole, section)
+            if station is None
+            else partial(self._station, section, station=station)
+        )
+        return Passing(at, phase, self.wheel_speed / (part.last - part.first)).scene()
+
+    def _station(self, section: str, phase: float, station: float) -> LineScene:
+        """The line contact at a share of a contact line."""
+        state = self.state(section, phase, [station])
+        load = float(state.load[0])
+        if not load > 0:
+            raise ValueError(f"station {station:g} of the contact line carries no load")
+        radius = 1 / float(state.contact.curvature[0])
+        return LineScene(
+            name=f"{section}, phase {phase:.3g}, station {station:.3g}",
+            gap=Parabola(radius),
+            radius=radius,
+            velocities=(float(state.motion.worm[0, 0]), float(state.motion.roller[0, 0])),
+            load=load,
+            bodies=self.bodies,
+            oil=self.oil,
+            phase=phase,
+            section=section,
+            station=station,
+        )
+
+    def _whole(self, section: str, phase: float) -> Scene:
+        """A contact line with its ends, about the point of it where the crown took off least."""
+        crown = self.rollers.profile.crown
+        if crown is None:
+            raise ValueError("a contact line with its ends needs rollers with a crown")
+        part = self.sections[section]
+        low, high = part.span(np.array(part.wheel_angle(phase)))
+        station = float(np.clip(-low / (high - low), 0.0, 1.0))
+        state = self.state(section, phase, [station])
+        contact, motion = _only(state.contact), state.motion
+        frame = ContactFrame(part, contact, motion.x_axis[:, 0], motion.y_axis[:, 0])
+        wheel = np.array([0.0, 0.0, -self.wheel_speed])
+        _, _, axis, _ = part.envelope.axes(contact.wheel_angle)
+        turns = (
+            part.envelope.worm_turn * self.wheel_speed,
+            wheel + float(motion.roller_speed[0]) * axis,
+        )
+        motions = tuple(
+            RollerMotion(frame, u * frame.x_axis + v * frame.y_axis, turn)
+            for (u, v), turn in zip((motion.worm[:, 0], motion.roller[:, 0]), turns, strict=True)
+        )
+        # along the line: the parabola that falls as far as the crown at the ends of the bearing length
+        end = max(part.highest, -part.lowest)
+        along = end**2 / (2 * float(crown(np.array(end))))
+        return Scene(
+            name=f"{section}, phase {phase:.3g}",
+            gap=RollerGap(frame),
+            radii=(1 / float(contact.curvature), along),
+            motions=motions,
+            load=state.force,
+            bodies=self.bodies,
+            oil=self.oil,
+            phase=phase,
+            section=section,
+        )
+
+    def cycle_data(self) -> xr.Dataset:
+        """The mesh cycle of both sections for the result."""
+        return roller_cycle_data(self)
+
+    def scene_data(self, scene: LineScene | Scene) -> xr.Dataset:
+        """Nothing beside the solution's own fields."""
+        return xr.Dataset()
+
+
+def _only(contact: LineContact) -> LineContact:
+    """The one contact of an array of one."""
+    return LineContact(**{name: part[..., 0] for name, part in vars(contact).items()})
+
+
+def _check(drive: RollerWormDrive) -> None:
+    """Sizes that must fit each other."""
+    worm, rollers, profile = drive.worm, drive.rollers, drive.rollers.profile
+    if not 0 < worm.throat_coefficient < 2:
+        raise ValueError(
+            f"worm.throat_coefficient is {worm.throat_coefficient:g}; the throat must lie between the axes, "
+            "from 0 to 2"
+        )
+    if not worm.throat_angle < worm.outer_angle <= np.radians(FARTHEST):
+        raise ValueError(
+            f"worm.outer_angle is {degrees(worm.outer_angle):.4g} deg; it must lie from worm.throat_angle, "
+            f"{degrees(worm.throat_angle):.4g} deg, to {FARTHEST:g} deg"
+        )
+    for name in ("addendum", "dedendum"):
+        if getattr(worm, name) > profile.length / 2:
+            raise ValueError(
+                f"worm.{name} is {getattr(worm, name) * 1e3:.4g} mm; it must not be above half the rollers' "
+                f"length, {profile.length * 5e2:.4g} mm"
+            )
+    if np.cos(rollers.tilt) * worm.dedendum >= drive.throat_radius:
+        raise ValueError(
+            f"worm.dedendum is {worm.dedendum * 1e3:.4g} mm; it must stay below the throat's radius, "
+            f"{drive.throat_radius * 1e3:.4g} mm"
+        )
+    thick = 2 * float(np.max(profile(np.array([-worm.addendum, 0.0]))[0]))
+    inner = drive.centre_distance - drive.throat_radius - np.cos(rollers.tilt) * worm.addendum
+    apart = 2 * inner * np.sin(pi / rollers.count)
+    if not thick < apart:
+        raise ValueError(
+            f"rollers.radius is {profile.radius * 1e3:.4g} mm; {rollers.count} rollers stand only "
+            f"{apart * 1e3:.4g} mm apart at the thread's tip, which leaves no thread between them"
+        )

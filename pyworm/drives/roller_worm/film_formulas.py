@@ -1,0 +1,142 @@
+"""Films at a roller's contact line by closed forms: regimes, the source's own formulas, heat, roughness."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.drives.roller_worm.envelope import Array
+from pyworm.drives.roller_worm.motion import LineMotion
+from pyworm.formulas.film import dowson_higginson, line_groups, moes_line
+from pyworm.formulas.regimes import (
+    ISOVISCOUS_ELASTIC,
+    ISOVISCOUS_RIGID,
+    PIEZOVISCOUS_ELASTIC,
+    PIEZOVISCOUS_RIGID,
+    line_regime,
+)
+from pyworm.formulas.roller_enveloping import printed_films, printed_minimum, printed_parameters
+from pyworm.formulas.thermal_reduction import thermal_loading, wilson_sheu
+from pyworm.formulas.wear_distress import specific_film
+from pyworm.materials.body import Body, composite_roughness, reduced_modulus
+from pyworm.materials.oil import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE, Oil, Roelands
+
+REGIMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
+"""Regimes in the order of their numbers in data."""
+
+
+@dataclass(frozen=True)
+class ClosedFilms:
+    """Films of points of contact lines, by formulas.
+
+    Attributes
+    ----------
+    g_v, g_e : ndarray
+        Johnson's viscosity and elasticity parameters [-].
+    printed_g_v, printed_g_e : ndarray
+        The same as the source prints them, without square roots.
+    regime : ndarray
+        Number of the regime in `REGIMES`.
+    by_regime : ndarray
+        Minimum films of the four, (4, ...) [m].
+    minimum, central : ndarray
+        Dowson and Higginson's minimum and Moes' central film [m].
+    printed_minimum : ndarray
+        The source's minimum film [m].
+    printed : ndarray
+        The source's four films as printed, (4, ...), in the order of `REGIMES`.
+    heated_share : ndarray
+        Wilson and Sheu's film over the isothermal one; NaN where nothing is known of the oil's heat.
+    specific_film : ndarray
+        Dowson and Higginson's minimum film, heated if known, over the composite roughness [-]; NaN where that
+        is not known.
+    """
+
+    g_v: Array
+    g_e: Array
+    printed_g_v: Array
+    printed_g_e: Array
+    regime: Array
+    by_regime: Array
+    minimum: Array
+    central: Array
+    printed_minimum: Array
+    printed: Array
+    heated_share: Array
+    specific_film: Array
+
+
+def closed_films(
+    curvature: Array,
+    load: Array,
+    motion: LineMotion,
+    bodies: tuple[Body, Body],
+    oil: Oil,
+) -> ClosedFilms:
+    """Films at contacts with an induced curvature [1/m] under a load for each length [N/m].
+
+    Where there is no load there is no film: NaN.
+    """
+    modulus, viscosity = reduced_modulus(*bodies), oil.viscosity
+    load = np.where(load > 0, load, np.nan)
+    contact = 1 / curvature, load, modulus, np.abs(motion.entrainment), viscosity.eta0
+    groups = line_groups(*contact, viscosity.alpha)
+    judged = [
+        line_regime(line_groups(*(float(part) for part in parts), viscosity.alpha))
+        for parts in zip(
+            *(np.broadcast_to(part, load.shape).ravel() for part in contact), strict=True
+        )
+    ]
+
+    def shaped(values) -> Array:
+        return np.array(values, dtype=float).reshape(load.shape)
+
+    minimum = dowson_higginson(groups).minimum
+    printed = printed_films(*contact, viscosity.alpha)
+    printed_g_v, printed_g_e = printed_parameters(*contact, viscosity.alpha)
+    heated = _heated_share(oil, motion)
+    warm = np.where(np.isfinite(heated), heated, 1.0)
+    return ClosedFilms(
+        g_v=shaped([one.parameters["viscosity"] for one in judged]),
+        g_e=shaped([one.parameters["elasticity"] for one in judged]),
+        printed_g_v=printed_g_v,
+        printed_g_e=printed_g_e,
+        regime=shaped([REGIMES.index(one.name) for one in judged]),
+        by_regime=np.stack(
+            [shaped([one.film_by_regime[name] for one in judged]) for name in REGIMES]
+        ),
+        minimum=minimum,
+        central=moes_line(groups).central,
+        printed_minimum=printed_minimum(*contact, viscosity.alpha),
+        printed=np.stack(
+            [
+                printed.rigid_isoviscous,
+                printed.rigid_piezoviscous,
+                printed.elastic_isoviscous,
+                printed.elastic_piezoviscous,
+            ]
+        ),
+        heated_share=heated,
+        specific_film=_specific_film(minimum * warm, bodies),
+    )
+
+
+def _specific_film(film: Array, bodies: tuple[Body, Body]) -> Array:
+    """Films over the composite roughness."""
+    roughness = composite_roughness(*bodies)
+    return np.full(film.shape, np.nan) if roughness is None else specific_film(film, roughness)
+
+
+def _heated_share(oil: Oil, motion: LineMotion) -> Array:
+    """Wilson and Sheu's reduction of the film; that of simple sliding where the surfaces part ways."""
+    first, second = motion.worm[0], motion.roller[0]
+    if oil.heat is None:
+        return np.full(first.shape, np.nan)
+    beta = oil.heat.viscosity_exponent
+    if isinstance(oil.viscosity, Roelands):
+        log_rise = np.log(oil.viscosity.eta0) + ROELANDS_POLE_LOG
+        beta *= log_rise / (oil.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE)
+    speed = np.abs(first + second) / 2
+    loading = thermal_loading(oil.viscosity.eta0, beta, speed, oil.heat.conductivity)
+    sliding = np.abs(first - second)
+    ratio = np.divide(sliding, speed, out=np.full_like(speed, 2.0), where=sliding < 2 * speed)
+    return wilson_sheu(loading, ratio)

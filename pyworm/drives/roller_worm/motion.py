@@ -1,0 +1,268 @@
+"""Surface velocities at a roller's contact line, and how fast the roller turns on its own axis.
+
+Velocities are relative to the moving contact line. With t across the line in the tangent plane (t x along =
+-n, so that z of a contact frame points from the worm to the roller) the oil is entrained by the components
+along t.
+
+A free roller turns at the speed at which the moments about its axis balance: what the film's shear drags
+round it, and its pin's friction. The shear stress of a slice is the oil's flow law at Hertz's mean pressure
+and at the rate that sliding in both directions gives across Moes' central film; it acts over Hertz's width.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from scipy.optimize import brentq
+
+from pyworm.drives.roller_worm.envelope import (
+    Array,
+    LineContact,
+    RollerEnvelope,
+    about_z,
+    cross,
+    dot,
+)
+from pyworm.formulas.film import line_groups, moes_line
+from pyworm.materials.body import Body, reduced_modulus
+from pyworm.materials.oil import FlowLaw, Oil
+
+Spinning = Literal["free", "locked", "rolling"]
+"""Whether rollers turn as the moments on them say, not at all, or without sliding in the mean."""
+
+BISECTIONS = 60
+"""Halvings of a stress, to rounding."""
+
+
+@dataclass(frozen=True)
+class LineMotion:
+    """Motion of both surfaces at contacts, relative to the contact line.
+
+    Attributes
+    ----------
+    x_axis, y_axis : ndarray
+        Unit vectors across and along the contact line, (3, ...): x where the worm sweeps to, y such that x,
+        y and the direction from worm to roller are right-handed.
+    worm, roller : ndarray
+        Velocities along x and y, (2, ...) [m/s].
+    spin : ndarray
+        Angular velocity of worm and roller about the direction from worm to roller, (2, ...) [rad/s].
+    round_worm, round_roller : ndarray
+        What of them goes round the roller's axis, towards growing theta [m/s].
+    roller_speed : ndarray
+        The roller's rotation about its own axis [rad/s].
+    """
+
+    x_axis: Array
+    y_axis: Array
+    worm: Array
+    roller: Array
+    spin: Array
+    round_worm: Array
+    round_roller: Array
+    roller_speed: Array
+
+    @property
+    def entrainment(self) -> Array:
+        """Mean velocity across the contact line [m/s]."""
+        return (self.worm[0] + self.roller[0]) / 2
+
+    @property
+    def sliding(self) -> Array:
+        """Velocity of the worm relative to the roller across and along the line, (2, ...) [m/s]."""
+        return self.worm - self.roller
+
+
+def line_motion(
+    envelope: RollerEnvelope, contact: LineContact, wheel_speed: float, roller_speed: Array
+) -> LineMotion:
+    """Motion at contacts.
+
+    Parameters
+    ----------
+    envelope : RollerEnvelope
+        Worm and roller.
+    contact : LineContact
+        The contacts.
+    wheel_speed : float
+        Speed of the wheel [rad/s].
+    roller_speed : ndarray
+        Of the rollers about their own axes [rad/s], broadcast against the contacts.
+    """
+    wide = (3,) + (1,) * contact.place.ndim
+    arm = contact.point - envelope.worm_centre.reshape(wide)
+    turn = envelope.worm_turn.reshape(wide) * wheel_speed * np.ones(contact.point.shape)
+    worm = cross(turn, arm) - wheel_speed * contact.advance
+    roller_speed = np.broadcast_to(roller_speed, contact.place.shape)
+    rounding = roller_speed * contact.radius
+    roller = (
+        -wheel_speed * about_z(contact.point)
+        - wheel_speed * contact.advance
+        + rounding * contact.around
+    )
+    side = np.where(dot(worm, contact.across) < 0, -1.0, 1.0)
+    # x, y and -n, from the worm to the roller, are right-handed whichever way x points
+    x_axis, y_axis = side * contact.across, side * contact.along
+    _, _, axis, _ = envelope.axes(contact.wheel_angle)
+    wheel_turn = np.zeros(contact.point.shape)
+    wheel_turn[2] = -wheel_speed
+    return LineMotion(
+        x_axis=x_axis,
+        y_axis=y_axis,
+        worm=np.stack([dot(worm, x_axis), dot(worm, y_axis)]),
+        roller=np.stack([dot(roller, x_axis), dot(roller, y_axis)]),
+        spin=np.stack(
+            [
+                -dot(turn, contact.normal),
+                -dot(wheel_turn + roller_speed * axis, contact.normal),
+            ]
+        ),
+        round_worm=dot(worm, contact.around),
+        round_roller=dot(roller, contact.around),
+        roller_speed=roller_speed,
+    )
+
+
+@dataclass(frozen=True)
+class FilmTraction:
+    """Shear of a line contact's film in closed form.
+
+    Attributes
+    ----------
+    oil : Oil
+        The oil.
+    bodies : tuple of Body
+        Worm and rollers.
+    """
+
+    oil: Oil
+    bodies: tuple[Body, Body]
+
+    def film(self, load: Array, curvature: Array, entrainment: Array) -> Array:
+        """Moes' central film [m] of slices."""
+        viscosity = self.oil.viscosity
+        groups = line_groups(
+            1 / curvature,
+            load,
+            reduced_modulus(*self.bodies),
+            np.abs(entrainment),
+            viscosity.eta0,
+            viscosity.alpha,
+        )
+        return moes_line(groups).central
+
+    def slices(self, load: Array, curvature: Array) -> tuple[Array, Array, Array]:
+        """Hertz's width [m] of slices, their mean pressure [Pa] and the viscosity at that [Pa s]."""
+        width = 2 * np.sqrt(8 * load / (np.pi * reduced_modulus(*self.bodies) * curvature))
+        viscosity = np.vectorize(self.oil.viscosity, otypes=[float])(load / width)
+        return width, load / width, viscosity
+
+
+def flow_stress(flow: FlowLaw, viscosity: Array, pressure: Array, rate: Array) -> Array:
+    """The stress [Pa] at which oil of a viscosity [Pa s] shears at a rate [1/s]; see `FlowLaw`."""
+    stress = flow.stress * np.exp(flow.stress_pressure * pressure)
+    limit = np.maximum(flow.limit + flow.limit_pressure * pressure, 1e5)
+    newtonian = viscosity * rate
+    if flow.law == "newtonian":
+        return newtonian
+    if flow.law == "eyring":
+        return stress * np.arcsinh(newtonian / stress)
+    if flow.law == "bair-winer":
+        return limit * -np.expm1(-newtonian / limit)
+    if flow.law == "carreau":
+        return newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
+    low, high = np.zeros_like(newtonian), np.minimum(limit, newtonian)
+    power = 2 * flow.exponent
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        for _ in range(BISECTIONS):
+            half = (low + high) / 2
+            flown = stress * np.sinh(half / stress) / (1 - (half / limit) ** power)
+            fast = flown > newtonian
+            low, high = np.where(fast, low, half), np.where(fast, half, high)
+    return (low + high) / 2
+
+
+@dataclass(frozen=True)
+class Pin:
+    """The pin that a roller turns on.
+
+    Attributes
+    ----------
+    radius : float
+        Its radius [m].
+    friction : float
+        Friction coefficient between pin and roller [-].
+    """
+
+    radius: float
+    friction: float
+
+    def moment(self, force: Array) -> Array:
+        """Most friction moment [N m] under a load [N]."""
+        return self.friction * self.radius * force
+
+
+FREE_OF_FRICTION = Pin(0.0, 0.0)
+"""A pin that does not brake its roller."""
+
+
+def roller_speed(
+    envelope: RollerEnvelope,
+    contact: LineContact,
+    lengths: Array,
+    loads: Array,
+    wheel_speed: float,
+    spinning: Spinning,
+    traction: FilmTraction,
+    pin: Pin = FREE_OF_FRICTION,
+) -> float:
+    """Speed of a roller about its own axis [rad/s], towards growing theta.
+
+    Parameters
+    ----------
+    envelope : RollerEnvelope
+        Worm and roller.
+    contact : LineContact
+        Slices of the roller's contact line, (slices,).
+    lengths, loads : ndarray
+        Of the slices: length [m] and load for each length [N/m].
+    wheel_speed : float
+        Speed of the wheel [rad/s].
+    spinning : str
+        "free", "locked" or "rolling".
+    traction : FilmTraction
+        The film's shear; read of a free roller only.
+    pin : Pin
+        What brakes it.
+    """
+    if spinning == "locked":
+        return 0.0
+    at_rest = line_motion(envelope, contact, wheel_speed, 0.0)
+    rolling = (at_rest.round_worm - at_rest.round_roller) / contact.radius
+    arms = loads * lengths * contact.radius
+    if spinning == "rolling":
+        return float(np.sum(arms * rolling) / np.sum(arms))
+
+    pressed = loads > 0
+    contact = LineContact(**{name: part[..., pressed] for name, part in vars(contact).items()})
+    lengths, loads, rolling = lengths[pressed], loads[pressed], rolling[pressed]
+    width, pressure, viscosity = traction.slices(loads, contact.curvature)
+    resisting = pin.moment(np.sum(loads * lengths))
+
+    def moment(speed: float) -> float:
+        """Moment of the film on the roller [N m]."""
+        motion = line_motion(envelope, contact, wheel_speed, speed)
+        slide, total = motion.round_worm - motion.round_roller, np.hypot(*motion.sliding)
+        film = traction.film(loads, contact.curvature, motion.entrainment)
+        stress = flow_stress(traction.oil.flow, viscosity, pressure, total / film)
+        along = np.divide(slide, total, out=np.zeros_like(slide), where=total > 0)
+        return float(np.sum(stress * along * width * contact.radius * lengths))
+
+    push = moment(0.0)
+    if abs(push) <= resisting:
+        return 0.0
+    way = np.sign(push)
+    # beyond the fastest slice's rolling the film brakes all along
+    fastest = float(np.max(way * rolling))
+    speed = brentq(lambda u: way * moment(way * u) - resisting, 0.0, fastest, rtol=1e-10)
+    return float(way * speed)

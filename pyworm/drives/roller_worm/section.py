@@ -1,0 +1,160 @@
+"""One section of the worm: which part of the enveloped flank it has, and which rollers touch it when.
+
+A section is cut off square to the worm's axis at both ends. A roller is at phase 0 where the middle of its
+bearing length comes to the section's first face and at phase 1 where it comes to the last; a little before
+and after that part of its length still touches.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import ceil, degrees, floor, pi
+
+import numpy as np
+
+from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelope
+
+SECANTS = 7
+"""Secants that find where a face cuts a contact line, to rounding."""
+
+_QUARTERS = ((floor, pi / 2), (ceil, -pi / 2))
+"""How to count the rollers on the worm's side of the wheel."""
+
+CHECKED = (61, 17)
+"""Wheel angles and places along the roller at which the flank is checked for undercut."""
+
+
+@dataclass(frozen=True)
+class WormSection:
+    """A section of the worm.
+
+    Attributes
+    ----------
+    name : str
+        "left" or "right".
+    envelope : RollerEnvelope
+        The flank.
+    first, last : float
+        Wheel angles at which a roller's middle comes to the section's faces [rad]; first < last.
+    lowest, highest : float
+        Ends of the bearing length along the roller, from its middle [m].
+    rollers : int
+        Rollers round the whole wheel.
+    """
+
+    name: str
+    envelope: RollerEnvelope
+    first: float
+    last: float
+    lowest: float
+    highest: float
+    rollers: int
+
+    @property
+    def pitch(self) -> float:
+        """Angle between neighbouring rollers [rad]."""
+        return 2 * pi / self.rollers
+
+    @property
+    def middle(self) -> float:
+        """Middle of the bearing length along the roller [m]."""
+        return (self.lowest + self.highest) / 2
+
+    @cached_property
+    def faces(self) -> tuple[float, float]:
+        """Where the section begins and ends along the worm's axis [m]."""
+        first, last = (self._along(self.middle, angle) for angle in (self.first, self.last))
+        return float(first), float(last)
+
+    def wheel_angle(self, phase: Array) -> Array:
+        """Wheel angle of a roller at a phase of its way through the section [rad]."""
+        return self.first + phase * (self.last - self.first)
+
+    def phase(self, wheel_angle: Array) -> Array:
+        """Phase of a roller at a wheel angle [rad]."""
+        return (wheel_angle - self.first) / (self.last - self.first)
+
+    def span(self, wheel_angle: Array) -> tuple[Array, Array]:
+        """Ends of the contact line along rollers at wheel angles [m]; equal where a roller does not touch."""
+        phi = np.asarray(wheel_angle, float)
+        low, high = (np.full(phi.shape, end) for end in (self.lowest, self.highest))
+        before, after = self.faces
+        for face, wanted in ((before, 1), (after, -1)):
+            outside = [wanted * (self._along(end, phi) - face) < 0 for end in (low, high)]
+            if not (outside[0] ^ outside[1]).any() and not (outside[0] & outside[1]).any():
+                continue
+            cut = self._cut(face, phi, low, high)
+            low, high = (
+                np.where(outside[0], cut, low),
+                np.where(outside[1], cut, high),
+            )
+            nowhere = outside[0] & outside[1]
+            low, high = np.where(nowhere, self.middle, low), np.where(nowhere, self.middle, high)
+        return low, high
+
+    def in_mesh(self, wheel_angle: float) -> Array:
+        """Wheel angles of all rollers that touch, one of them being at this angle [rad], in order."""
+        ahead, behind = (round_((side - wheel_angle) / self.pitch) for round_, side in _QUARTERS)
+        angles = wheel_angle + self.pitch * np.arange(behind, ahead + 1)
+        low, high = self.span(angles)
+        return angles[high - low > 1e-9 * (self.highest - self.lowest)]
+
+    def line(self, wheel_angle: Array, share: Array) -> LineContact:
+        """Contacts at shares of the contact lines, 0 to 1 from the end nearer the wheel's axis.
+
+        Parameters
+        ----------
+        wheel_angle : ndarray
+            Angles of rollers [rad].
+        share : ndarray
+            Shares; broadcast against the angles.
+        """
+        low, high = self.span(wheel_angle)
+        return self.envelope.contact(low + share * (high - low), wheel_angle)
+
+    def check(self) -> None:
+        """Refuse a section whose flank does not exist all over.
+
+        Raises
+        ------
+        ValueError
+            The flank is undercut, or the rollers do not touch it, or it is shorter than a contact line.
+        """
+        angles = np.linspace(self.first, self.last, CHECKED[0])
+        places = np.linspace(self.lowest, self.highest, CHECKED[1])[:, None]
+        contact = self.envelope.contact(places, angles)
+        missing, gone = ~np.isfinite(contact.theta), ~(contact.limit > 0)
+        for bad, what in ((missing, "is not touched"), (gone, "is undercut")):
+            if bad.any():
+                where = np.abs(contact.wheel_angle[bad])
+                place = contact.place[bad][np.argmin(where)]
+                share = np.mean(bad)
+                raise ValueError(
+                    f"worm: the {self.name} section's flank {what} by {share:.0%} of the bearing "
+                    f"length, from {degrees(where.min()):.1f} to {degrees(where.max()):.1f} deg of wheel "
+                    f"angle, first at {place * 1e3:.2f} mm from the rollers' middle; give the rollers other "
+                    "tilt, height, radius or length, or the worm a larger throat or other angles"
+                )
+        before, after = self.faces
+        ends = self._along(np.array([self.lowest, self.highest]), self.last)
+        if not after - before > abs(ends[1] - ends[0]):
+            raise ValueError(
+                f"worm.outer_angle is {degrees(max(abs(self.first), abs(self.last))):.4g} deg; the section "
+                "is then shorter than the rollers, a larger angle is needed"
+            )
+
+    def _along(self, place: Array, wheel_angle: Array) -> Array:
+        """Place along the worm's axis of contacts [m]."""
+        return self.envelope.point(place, wheel_angle)[0]
+
+    def _cut(self, face: float, wheel_angle: Array, low: Array, high: Array) -> Array:
+        """Where a face cuts contact lines, which are nearly straight: by secants from both ends."""
+        one, other = low, high
+        off_one, off_other = (self._along(end, wheel_angle) - face for end in (low, high))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for _ in range(SECANTS):
+                new = other - off_other * (other - one) / (off_other - off_one)
+                settled = ~np.isfinite(new)
+                one, off_one = other, off_other
+                other = np.clip(np.where(settled, other, new), low, high)
+                off_other = self._along(other, wheel_angle) - face
+        return other

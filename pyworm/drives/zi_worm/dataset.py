@@ -1,0 +1,144 @@
+"""What the pictures of a ZI worm drive show beside solutions: its mesh cycle, and the tooth of a contact."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from pyworm.drives.zi_worm.load_sharing import SharedLoad
+from pyworm.drives.zi_worm.tooth import wheel_radius
+from pyworm.io.variables import describe
+from pyworm.scene.point import Gap
+
+KIND = "zi-worm"
+
+TOOTH_SAMPLES = 129
+"""Points along each direction at which the gap is sampled over the whole tooth."""
+
+
+def mesh_cycle_data(contacts: Iterable[Any]) -> xr.Dataset:
+    """The contacts of a mesh cycle as one dataset over phase.
+
+    Parameters
+    ----------
+    contacts : iterable
+        Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
+        [m] and normal as three components in the axes of the drive, and radii [m] along x and y of
+        the tangent plane.
+    """
+    contacts = tuple(contacts)
+
+    def column(name: str) -> np.ndarray:
+        return np.array([getattr(contact, name) for contact in contacts], dtype=float)
+
+    radii = column("radii")
+    return describe(
+        xr.Dataset(
+            {
+                "worm_angle": ("phase", column("worm_angle")),
+                "wheel_angle": ("phase", column("wheel_angle")),
+                "transmission_error": ("phase", column("transmission_error")),
+                "point": (("phase", "axis"), column("point")),
+                "normal": (("phase", "axis"), column("normal")),
+                "radius_x": ("phase", radii[:, 0]),
+                "radius_y": ("phase", radii[:, 1]),
+            },
+            coords={"phase": column("phase"), "axis": ["x", "y", "z"]},
+            attrs={"drive": KIND},
+        )
+    )
+
+
+LOADED_PHASES = 101
+"""Phases at which the loads of the tooth pairs are kept, for curves and integrals over the cycle."""
+
+
+def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
+    """Loads, levers and speeds of a tooth pair over its cycle under load.
+
+    Parameters
+    ----------
+    drive : ZiWormDrive
+        The drive.
+    beyond : float
+        Phases before and after the mesh cycle in which a pair may carry load.
+    """
+    phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
+    arms = drive.arms(phases)
+    shared = [drive.shared(float(phase)) for phase in phases]
+    dry = {}
+    if drive.unlifted is not None:
+        unlifted = [drive.unlifted.shared(float(phase)) for phase in phases]
+        dry = {"dry_tooth_load": ("load_phase", _loads(unlifted, phases))}
+    rim = drive.wheel_flank.cut_point(*drive.rim)
+    warm = {}
+    if drive.oil.heat is not None:
+        worm, wheel = (body.bulk_temperature for body in drive.bodies)
+        warm = {
+            "sump_temperature": drive.oil.heat.inlet_temperature,
+            "worm_temperature": worm,
+            "wheel_temperature": wheel,
+        }
+    return describe(
+        xr.Dataset(
+            {
+                "tooth_load": ("load_phase", _loads(shared, phases)),
+                **dry,
+                "wheel_turn": ("load_phase", np.array([one.turn for one in shared])),
+                "sliding_speed": ("load_phase", np.linalg.norm(drive.sliding(phases), axis=0)),
+                "lever": ("load_phase", arms.wheel_normal),
+                "sliding_lever": ("load_phase", arms.wheel_sliding),
+                "rim_face": ("rim", rim[1]),
+                "rim_radius": ("rim", wheel_radius(rim)),
+            },
+            coords={"load_phase": phases},
+            attrs={
+                "pitch": drive.pitch,
+                "worm_speed": drive.speed,
+                "wheel_speed": drive.speed * drive.cycle.speed_ratio,
+                "driver": drive.driver,
+                "friction_assumed": drive.friction,
+                **warm,
+            },
+        )
+    )
+
+
+def _loads(shared: Sequence[SharedLoad], phases: np.ndarray) -> np.ndarray:
+    """Normal load [N] of the pair at each phase."""
+    return np.array([of.force(float(phase)) for of, phase in zip(shared, phases, strict=True)])
+
+
+def tooth_data(
+    outline: Any, gap: Gap, place: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+) -> xr.Dataset:
+    """The tooth, its whole gap and its path of contact over a contact's tangent plane.
+
+    Parameters
+    ----------
+    outline : ToothOutline
+        Outline and path.
+    gap : Gap
+        The gap of the contact.
+    place : callable
+        (x, y) [m] -> place on the wheel's flank: along the face from its middle, and distance from the
+        wheel's axis [m].
+    """
+    x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
+    y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
+    opening, covered = gap(*np.meshgrid(x, y))
+    face, radius = place(*np.meshgrid(x, y))
+    tooth = xr.Dataset(
+        {
+            "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, opening, np.nan)),
+            "tooth_face": (("tooth_y", "tooth_x"), face),
+            "tooth_radius": (("tooth_y", "tooth_x"), radius),
+            "tooth_outline_x": ("outline", outline.x),
+            "tooth_outline_y": ("outline", outline.y),
+            "contact_path_x": ("path", outline.path_x),
+            "contact_path_y": ("path", outline.path_y),
+        },
+        coords={"tooth_x": x, "tooth_y": y},
+    )
+    return describe(tooth)

@@ -1,0 +1,94 @@
+"""What errors of assembly and set-up do to the tooth contact of a ZI worm drive in mid-mesh."""
+
+from math import nan
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from pyworm.drives.zi_worm.tooth_compliance import placed_gap
+from pyworm.io.variables import describe
+from pyworm.materials.body import reduced_modulus
+from pyworm.scene.scales import scales
+
+ERRORS = {
+    "assembly.centre_distance": 0.1e-3,
+    "assembly.axial_shift": 0.1e-3,
+    "assembly.shaft_angle": np.radians(0.05),
+    "hob.swivel": np.radians(0.05),
+}
+"""Entry -> error to both sides of the drive's own value [m] or [rad]."""
+
+SIDES = (-1, 0, 1)
+
+CONTACT = (
+    "contact_face",
+    "contact_radius_on_wheel",
+    "radius_long",
+    "radius_short",
+    "dry_pressure_max",
+    "formula_film",
+    "contact_ratio",
+)
+"""What is told of each contact."""
+
+
+def sensitivity_data(drive: Any) -> xr.Dataset:
+    """The contact in mid-mesh under its load with each error apart; NaN where there is none.
+
+    Parameters
+    ----------
+    drive : ZiWormDrive
+        The drive; the middle of each row is the drive itself.
+    """
+    load = drive.shared(0.5).force(0.5)
+    own = _contact(drive, load)
+    rows = []
+    for name, error in ERRORS.items():
+        row = []
+        for side in SIDES:
+            if side == 0:
+                row.append(own)
+                continue
+            try:
+                row.append(_contact(drive.varied(name, side * error), load))
+            except ValueError:  # no contact on the teeth, or teeth that jam
+                row.append(dict.fromkeys(CONTACT, nan))
+        rows.append(row)
+    errors = np.array(list(ERRORS.values()))
+    return describe(
+        xr.Dataset(
+            {
+                f"varied_{name}": (
+                    ("error", "side"),
+                    np.array([[float(contact[name]) for contact in row] for row in rows]),
+                )
+                for name in CONTACT
+            }
+            | {"error_size": ("error", errors)},
+            coords={"error": list(ERRORS), "side": list(SIDES)},
+            attrs={"varied_load": load},
+        )
+    )
+
+
+def _contact(drive: Any, load: float) -> dict[str, float]:
+    """The contact in mid-mesh: its middle is that of the dry pressure; the film is by formula."""
+    contact = drive.contact(0.5)
+    modulus = reduced_modulus(*drive.bodies)
+    placed = placed_gap(drive.gap(contact), contact.radii, load, modulus, drive.wheel.face_width)
+    dry = placed.pressed(load, modulus, placed.covered.astype(float))
+    weights = dry.pressure / dry.pressure.sum()
+    x, y = (
+        float((weights * axis).sum()) for axis in np.meshgrid(placed.x, placed.y, indexing="ij")
+    )
+    face, radius = drive.flank_place(contact, np.array([x]), np.array([y]))
+    return {
+        "contact_face": float(face[0]),
+        "contact_radius_on_wheel": float(radius[0]),
+        "radius_long": contact.radii[0],
+        "radius_short": contact.radii[1],
+        "dry_pressure_max": float(dry.pressure.max()),
+        "formula_film": scales(drive.scene_under(load, 0.5)).film,
+        "contact_ratio": 1 / drive.pitch,
+    }

@@ -1,0 +1,146 @@
+"""Where the teeth end: tip and root cylinders, face width, throat and hobbed root of the wheel."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.drives.zi_worm.helicoid import Array, Helicoid
+
+
+def wheel_radius(point: Array) -> Array:
+    """Distance of points (3, ...) from the wheel's axis [m]."""
+    return np.sqrt(point[0] ** 2 + point[2] ** 2)
+
+
+@dataclass(frozen=True)
+class TipRelief:
+    """What is taken off a flank towards its tip, as a parabola that begins without a kink.
+
+    Attributes
+    ----------
+    amount : float
+        At the tip [m].
+    length : float
+        Radial distance from the tip at which it begins [m].
+    """
+
+    amount: float = 0.0
+    length: float = 0.0
+
+    def __call__(self, below_tip: Array) -> Array:
+        """What is taken off [m] at a distance below the tip [m]; beyond the tip it goes on."""
+        if self.amount == 0:
+            return np.zeros(np.shape(below_tip))
+        return self.amount * np.maximum(1 - below_tip / self.length, 0.0) ** 2
+
+
+NO_RELIEF = TipRelief()
+
+
+@dataclass(frozen=True)
+class WormTooth:
+    """The thread between its root and tip cylinders; its length is not limited.
+
+    Attributes
+    ----------
+    worm : Helicoid
+        The worm flank and its axis.
+    root_radius, tip_radius : float
+        Radii of the cylinders [m].
+    tip_relief : TipRelief
+        What is taken off towards the tip.
+    """
+
+    worm: Helicoid
+    root_radius: float
+    tip_radius: float
+    tip_relief: TipRelief = NO_RELIEF
+
+    def margins(self, point: Array) -> dict[str, Array]:
+        """Distance inside each boundary [m] at points (3, ...), negative beyond it.
+
+        The involute starts at the base cylinder, wherever the root lies.
+        """
+        radius = self.worm.radius(point)
+        start = max(self.root_radius, self.worm.base_radius)
+        return {"worm tip": self.tip_radius - radius, "worm root": radius - start}
+
+    def taken_off(self, point: Array) -> Array:
+        """What is taken off the helicoid at its points (3, ...) [m]."""
+        return self.tip_relief(self.tip_radius - self.worm.radius(point))
+
+
+@dataclass(frozen=True)
+class WheelTooth:
+    """The wheel tooth between face ends, tip, throat and root.
+
+    The throat is read as a torus about the wheel's axis, concentric with the hob in the mid-plane of the
+    wheel, whose inner radius is the throat radius; so the tip's profile is the hob's root cylinder
+    (hob centre distance - throat radius = hob root radius in the table of Sharif et al. 2001), cut off
+    by the tip cylinder.  The root is the torus that the hob's tip sweeps; the hob's swivel, a fraction
+    of a degree, is left out of both (its influence is its square).
+
+    Attributes
+    ----------
+    hob : Helicoid
+        The seated hob.
+    face_width, tip_radius, throat_radius : float
+        Width along the axis, radius of the tip cylinder and smallest tip radius [m].
+    hob_tip_radius : float
+        Radius of the hob's tip cylinder [m].
+    tip_relief : TipRelief
+        What is taken off towards tip and throat.
+    """
+
+    hob: Helicoid
+    face_width: float
+    tip_radius: float
+    throat_radius: float
+    hob_tip_radius: float
+    tip_relief: TipRelief = NO_RELIEF
+
+    def taken_off(self, point: Array) -> Array:
+        """What is taken off the hobbed flank at its points (3, ...) [m]."""
+        margins = self.margins(point)
+        return self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
+
+    def margins(self, point: Array) -> dict[str, Array]:
+        """Distance inside each boundary [m] at points (3, ...), negative beyond it."""
+        radius = wheel_radius(point)
+        below = self.hob.centre_distance - radius
+        shifted = point[1] - self.hob.axial_shift
+        return {
+            "wheel face": self.face_width / 2 - np.abs(point[1]),
+            "wheel tip": self.tip_radius - radius,
+            "wheel throat": np.sqrt(below**2 + point[1] ** 2) - self._throat,
+            "wheel root": self.hob_tip_radius - np.sqrt(below**2 + shifted**2),
+        }
+
+    @property
+    def _throat(self) -> float:
+        """Radius of the throat's profile [m]."""
+        return self.hob.centre_distance - self.throat_radius
+
+    def tip(self, along: Array) -> Array:
+        """Outer radius of the tooth [m] at distances along the wheel's axis [m]."""
+        profile = np.sqrt(np.maximum(self._throat**2 - along**2, 0.0))
+        return np.minimum(self.tip_radius, self.hob.centre_distance - profile)
+
+    def root(self, along: Array) -> Array:
+        """Radius [m] where the flank meets the hobbed root at distances along the wheel's axis [m]."""
+        shifted = along - self.hob.axial_shift
+        profile = np.sqrt(np.maximum(self.hob_tip_radius**2 - shifted**2, 0.0))
+        return np.minimum(self.hob.centre_distance - profile, self.tip(along))
+
+    def rim(self, count: int) -> tuple[Array, Array]:
+        """Closed outline of the tooth: radius and place along the axis [m], 4 count + 1 points."""
+        half = self.face_width / 2
+        along = np.linspace(-half, half, count + 1)
+        part = np.linspace(0.0, 1.0, count + 1)
+
+        def end(at: float) -> Array:
+            return self.root(at) + part * (self.tip(at) - self.root(at))
+
+        radius = [self.tip(along)[:-1], end(half)[:0:-1], self.root(along)[:0:-1], end(-half)]
+        place = [along[:-1], np.full(count, half), along[:0:-1], np.full(count + 1, -half)]
+        return np.concatenate(radius), np.concatenate(place)

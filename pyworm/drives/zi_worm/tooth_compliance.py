@@ -1,0 +1,193 @@
+"""Compliance of tooth contacts: force against approach, and the separation of teeth that do not touch."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+from pyworm import kernel
+from pyworm.formulas.hertz import hertz
+from pyworm.scene.point import Array, Gap
+
+BEYOND = 0.24
+"""Phases before and after the mesh cycle in which a loaded pair may still touch at an edge of a tooth."""
+
+_END = np.array([-BEYOND, -0.18, -0.12, -0.08, *np.arange(-0.06, 0.09, 0.02)])
+
+SPRING_PHASES = np.array([*_END, *np.arange(0.1, 0.95, 0.1), *(1 - _END[::-1])])
+"""Phases at which dry contacts are solved: dense where an edge comes into the contact."""
+
+LOAD_SHARES = np.array([2e-3, 0.02, 0.1, 0.3, 0.6, 1.0])
+"""Loads at which they are, as shares of the whole."""
+
+CELLS = 96, 48
+"""Cells of their grid along and across the contact: leaves 0.5 % in a load, less in shares of it."""
+
+SEARCH_CELLS = 48, 24
+"""The same of the first look for the least gap, on which their window is centred."""
+
+LONGEST_RATIO = 1e3
+"""Ratio of the radii beyond which a contact counts as that long: a line contact ends with the teeth."""
+
+HALF_SIDES = 1.7, 2.2
+"""Half sides of their window in Hertz's semi-axes under the whole load."""
+
+DRY_TOLERANCE = 1e-4
+
+
+@dataclass(frozen=True)
+class ToothSprings:
+    """Approach of one tooth pair over phase and load.
+
+    Attributes
+    ----------
+    phases : ndarray
+        Where the pair touches under load at all, (phases,).
+    loads : ndarray
+        Normal loads [N], (loads,).
+    separations : ndarray
+        Least gap between the teeth without load when the flanks beyond their ends would touch [m], (phases,).
+    approaches : ndarray
+        Approach [m] from that instant, (phases, loads).
+    """
+
+    phases: Array
+    loads: Array
+    separations: Array
+    approaches: Array
+
+    @cached_property
+    def _separation(self) -> PchipInterpolator:
+        return PchipInterpolator(self.phases, self.separations, extrapolate=False)
+
+    @cached_property
+    def _pressed(self) -> PchipInterpolator:
+        """Logarithm of the approach beyond the first touch."""
+        pressed = self.approaches - self.separations[:, None]
+        return PchipInterpolator(self.phases, np.log(pressed), extrapolate=False)
+
+    def at(self, phase: float) -> "ToothSpring":
+        """The pair at a phase; beyond the last ones it never touches."""
+        if not self.phases[0] <= phase <= self.phases[-1]:
+            return ToothSpring(inf, None)
+        # splines go through the loads solved, and on along the power that holds there
+        pressed, loads = self._pressed(phase), np.log(self.loads)
+        step = np.array([-20.0, 20.0])
+        powers = np.diff(loads)[[0, -1]] / np.diff(pressed)[[0, -1]]
+        far = loads[[0, -1]] + powers * step
+        pressed = np.concatenate(([pressed[0] - 20], pressed, [pressed[-1] + 20]))
+        curve = PchipInterpolator(pressed, np.concatenate((far[:1], loads, far[1:])))
+        return ToothSpring(float(self._separation(phase)), curve)
+
+
+@dataclass(frozen=True)
+class ToothSpring:
+    """Normal load of one tooth pair at one phase over its approach.
+
+    Attributes
+    ----------
+    separation : float
+        Approach at which it touches [m]; inf where it never does.
+    curve : callable or None
+        Logarithm of the approach from there [ln m] -> logarithm of the load [ln N].
+    """
+
+    separation: float
+    curve: PchipInterpolator | None
+
+    def load(self, approach: float) -> float:
+        """Normal load [N] at an approach [m]."""
+        pressed = approach - self.separation
+        return float(np.exp(self.curve(np.log(pressed)))) if pressed > 0 else 0.0
+
+
+def tooth_springs(
+    gap_at: Callable[[float], Gap],
+    radii_at: Callable[[float], tuple[float, float]],
+    reduced_modulus: float,
+    whole_load: float,
+    stiffness: float,
+    longest: float,
+) -> ToothSprings:
+    """Dry contacts of one tooth pair over its mesh cycle and a little beyond.
+
+    Parameters
+    ----------
+    gap_at, radii_at : callable
+        Phase -> undeformed gap over the tangent plane, and relative radii of curvature [m].
+    reduced_modulus, whole_load, stiffness : float
+        E' [Pa], load of all pairs together [N], stiffness beyond the contact [N/m].
+    longest : float
+        Half side of the window that no contact exceeds [m].
+    """
+    loads = LOAD_SHARES * whole_load
+    phases, separations, approaches = [], [], []
+    for phase in SPRING_PHASES:
+        radii = radii_at(float(np.clip(phase, 0, 1)))
+        placed = placed_gap(gap_at(float(phase)), radii, whole_load, reduced_modulus, longest)
+        if placed is None:
+            continue
+        phases.append(phase)
+        separations.append(max(float(placed.gap[placed.covered].min()), 0.0))
+        pressure = placed.covered.astype(float)
+        row = []
+        for load in loads[::-1]:
+            dry = placed.pressed(load, reduced_modulus, pressure)
+            pressure = dry.pressure
+            row.append(dry.approach + load / stiffness)
+        approaches.append(row[::-1])
+    return ToothSprings(np.array(phases), loads, np.array(separations), np.array(approaches))
+
+
+@dataclass(frozen=True)
+class PlacedGap:
+    """A tooth pair's gap on a grid about the place where it is least.
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Nodes along the axes of the tangent plane [m].
+    gap, covered : ndarray
+        Undeformed gap [m] and where both teeth exist, (x, y).
+    """
+
+    x: Array
+    y: Array
+    gap: Array
+    covered: Array
+
+    def pressed(self, load: float, reduced_modulus: float, guess: Array) -> kernel.DryContact:
+        """The dry contact under a load [N], from a first guess of the pressure."""
+        steps = self.x[1] - self.x[0], self.y[1] - self.y[0]
+        return kernel.dry_contact(
+            self.gap, self.covered, *steps, reduced_modulus, load, guess, DRY_TOLERANCE
+        )
+
+
+def placed_gap(
+    gap: Gap, radii: tuple[float, float], load: float, reduced_modulus: float, longest: float
+) -> PlacedGap | None:
+    """A gap where a load [N] presses it, arguments as of `tooth_springs`; None where no teeth are."""
+    size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
+    sides = [
+        min(share * axis, longest)
+        for share, axis in zip(HALF_SIDES, (size.semi_axis_x, size.semi_axis_y), strict=True)
+    ]
+    x, y = _window((0.0, 0.0), sides, SEARCH_CELLS)
+    height, covered = gap(*np.meshgrid(x, y, indexing="ij"))
+    if not covered.any():
+        return None
+    i, j = np.unravel_index(np.argmin(np.where(covered, height, inf)), height.shape)
+    x, y = _window((x[i], y[j]), sides, CELLS)
+    return PlacedGap(x, y, *gap(*np.meshgrid(x, y, indexing="ij")))
+
+
+def _window(middle: tuple[float, float], sides: list[float], cells: tuple[int, int]) -> list[Array]:
+    """Nodes along x and y."""
+    return [
+        at + np.linspace(-side, side, count + 1)
+        for at, side, count in zip(middle, sides, cells, strict=True)
+    ]

@@ -1,0 +1,151 @@
+"""Results appear whole or not at all.
+
+What is being written lies in the directory where it is to appear under a name of its own, `.NAME.TOKEN.part`,
+and its writer holds a lock on it. Such a thing that nobody holds was left by a process that was killed.
+"""
+
+import os
+import re
+import shutil
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from fcntl import LOCK_EX, LOCK_NB, flock
+from pathlib import Path
+from secrets import token_hex
+
+from pyworm.io.input_error import CaseError
+
+
+def check_writable(directory: Path) -> None:
+    """Refuse a directory that results could not be written to, before any time is spent on them.
+
+    Raises
+    ------
+    CaseError
+        It is a file, or it or its nearest existing parent cannot be written to.
+    """
+    existing = next(path for path in (directory, *directory.absolute().parents) if path.exists())
+    if not existing.is_dir():
+        raise CaseError(f"{existing}: is a file, results need a directory")
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise CaseError(f"{existing}: no permission to write there")
+
+
+_PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.part")
+"""Name of what is being written."""
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """Write a file aside and move it into its place, whole or not at all, even if power fails.
+
+    Yields
+    ------
+    Path
+        What to write, an empty file in the same directory, which is made if need be.
+    """
+    partial, handle = _held(path.parent, path.name, _new_file)
+    try:
+        yield partial
+        os.fsync(handle)
+        os.replace(partial, path)
+    finally:
+        partial.unlink(missing_ok=True)
+        os.close(handle)
+
+
+@contextmanager
+def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
+    """Collect files aside and move them into a directory once all are written.
+
+    Files of the same name from an earlier run are replaced, what killed processes left half written goes;
+    others are left alone.
+
+    Parameters
+    ----------
+    directory : Path
+        Where the files are to appear; made if need be.
+    instead_of : sequence of str
+        Patterns of files from an earlier run that go when these appear.
+
+    Yields
+    ------
+    Path
+        An empty directory to write into: in the other one, whose own parent may be closed to writing.
+    """
+    directory = directory.absolute()
+    existed = directory.exists()
+    remove_abandoned(directory)
+    aside, handle = _held(directory, "files", _new_directory)
+    try:
+        yield aside
+        written = list(aside.iterdir())
+        for file in written:
+            _to_disk(file)
+        for pattern in instead_of:
+            for old in directory.glob(pattern):
+                old.unlink(missing_ok=True)  # another run may be at the same
+        for file in written:
+            os.replace(file, directory / file.name)
+    finally:
+        shutil.rmtree(aside, ignore_errors=True)
+        os.close(handle)
+        if not existed:
+            with suppress(OSError):  # files have appeared
+                directory.rmdir()
+
+
+def remove_abandoned(directory: Path) -> None:
+    """Remove what killed processes left half written in a directory, if there is one.
+
+    File systems without locks do not tell what is abandoned; there it stays.
+    """
+    for path in directory.glob(".*.part"):
+        if _PARTIAL.fullmatch(path.name):
+            with suppress(OSError):
+                _remove_unless_held(path)
+
+
+def _remove_unless_held(path: Path) -> None:
+    handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW)
+    try:
+        flock(handle, LOCK_EX | LOCK_NB)
+        if path.is_dir():
+            shutil.rmtree(path)
+        else:
+            path.unlink()
+    finally:
+        os.close(handle)
+
+
+def _held(directory: Path, name: str, make: Callable[[Path], int]) -> tuple[Path, int]:
+    """Something new in a directory, and the handle by which it is locked until that is closed."""
+    while True:
+        partial = directory / f".{name}.{token_hex(4)}.part"
+        directory.mkdir(parents=True, exist_ok=True)
+        try:
+            handle = make(partial)
+        except FileNotFoundError:  # another run has just removed it, or the empty directory
+            continue
+        with suppress(OSError):  # a file system without locks
+            flock(handle, LOCK_EX)
+        if partial.exists():
+            return partial, handle
+        os.close(handle)  # taken for abandoned before it was locked
+
+
+def _new_file(path: Path) -> int:
+    return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+
+
+def _new_directory(path: Path) -> int:
+    path.mkdir()
+    return os.open(path, os.O_RDONLY)
+
+
+def _to_disk(file: Path) -> None:
+    handle = os.open(file, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

@@ -1,0 +1,63 @@
+"""Tables and progress on a terminal, by rich, which is asked for them and for nothing else."""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import rich.console
+from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+from rich.text import Text
+
+from pyworm.io.terminal import encoding_of, plain, silence
+
+
+class Console(rich.console.Console):
+    """A console that shows text as it is: no markup, no emoji, no colours of its own for numbers."""
+
+    def __init__(self, stderr: bool = False):
+        super().__init__(stderr=stderr, markup=False, emoji=False, highlight=False)
+
+    @property
+    def encoding(self) -> str:
+        """The encoding of what is written; of ASCII, lines of tables are made of - and |."""
+        return encoding_of(self.file).lower()
+
+    def render_str(self, text: str, **how: Any) -> Text:
+        """A text, a title or a cell, as the stream can show it."""
+        return super().render_str(plain(text, self.file), **how)
+
+    def on_broken_pipe(self) -> None:
+        """Go on without a reader: what he did not want to see is no error."""
+        silence(self.file)
+
+
+@contextmanager
+def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
+    """Show a progress bar on standard error if that is a terminal; nothing otherwise.
+
+    Yields
+    ------
+    callable or None
+        Told what is being done and which share of all is done, 0 to 1.
+    """
+    if not sys.stderr.isatty():
+        yield None
+        return
+    columns = (
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TaskProgressColumn(markup=False),
+        TimeRemainingColumn(),
+    )
+    # Scenes may take minutes: the time that remains is told from the last ten.
+    how = {"console": Console(stderr=True), "transient": True, "speed_estimate_period": 600}
+    with Progress(*columns, **how) as bar:
+        task = bar.add_task("", total=1.0)
+
+        def show(message: str, share: float) -> None:
+            if share == 0:  # another kind of work, at a pace of its own
+                bar.reset(task)
+            bar.update(task, description=plain(message, sys.stderr), completed=share)
+
+        yield show

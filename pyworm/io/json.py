@@ -1,0 +1,33 @@
+"""What programs read: JSON."""
+
+import json
+import math
+from typing import Any
+
+from pyworm.io.terminal import put
+
+
+def print_json(content: dict[str, Any]) -> None:
+    """Print an object as JSON on standard output."""
+    put(as_json(content))
+
+
+def as_json(content: dict[str, Any]) -> str:
+    """An object as JSON; NaN and infinity become null."""
+    return json.dumps(_finite(content), indent=2, default=_plain)
+
+
+def _finite(content: Any) -> Any:
+    """Replace NaN and infinity, which JSON has no words for, by null."""
+    if isinstance(content, dict):
+        return {key: _finite(value) for key, value in content.items()}
+    if isinstance(content, list | tuple):
+        return [_finite(value) for value in content]
+    if isinstance(content, float) and not math.isfinite(content):
+        return None
+    return content
+
+
+def _plain(value: Any) -> Any:
+    """Turn numpy scalars into numbers."""
+    return value.item()

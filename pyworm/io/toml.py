@@ -1,0 +1,70 @@
+"""Reading TOML files, whoever wrote them."""
+
+import codecs
+import re
+import stat
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from pyworm.io.input_error import CaseError
+
+LARGEST = 2**20
+"""Bytes of the largest file that is read: what people write has a hundredth of it."""
+
+
+DEEPEST = 100
+"""Dots of the longest key that is read; the time that Python's reader takes grows with their square."""
+
+_KEYS_END = re.compile(r"[=,{}\[\]\n]")
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """What stands in a TOML file, with or without a byte-order mark; CaseError if none can be read."""
+    text = _text(path)
+    if max(part.count(".") for part in _KEYS_END.split(text)) > DEEPEST:
+        raise CaseError(f"{path}: not a TOML file: too many tables within each other")
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise CaseError(f"{path}: not a TOML file: {error}") from None
+    except RecursionError:
+        raise CaseError(f"{path}: not a TOML file: too many brackets within each other") from None
+    except ValueError:  # the one thing more that Python's reader refuses
+        raise CaseError(f"{path}: not a TOML file: a number of too many digits") from None
+
+
+def _text(path: Path) -> str:
+    content = _content(path).removeprefix(codecs.BOM_UTF8)
+    try:
+        return content.decode()
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise CaseError(
+            f"{path}: is not in UTF-8 (line {line} has the byte {content[error.start]:#x}, as in Latin-1 or "
+            "UTF-16); save it as UTF-8"
+        ) from None
+
+
+def _content(path: Path) -> bytes:
+    """The bytes of a file; anything that is no file, or too large to be a case, is not opened."""
+    try:
+        about = path.stat()
+        if stat.S_ISREG(about.st_mode) and about.st_size <= LARGEST:
+            return path.read_bytes()
+    except FileNotFoundError:
+        raise CaseError(f"{path}: no such file") from None
+    except (OSError, ValueError) as error:
+        raise CaseError(f"{path}: cannot be read ({error})") from None
+    if not stat.S_ISREG(about.st_mode):
+        raise CaseError(f"{path}: is no file but a {_kind(about.st_mode)}")
+    raise CaseError(
+        f"{path}: has {about.st_size / 1e6:.1f} MB, a case file has {LARGEST / 1e6:.1f} MB at most"
+    )
+
+
+def _kind(mode: int) -> str:
+    """What stands in place of a file."""
+    if stat.S_ISDIR(mode):
+        return "directory"
+    return "pipe" if stat.S_ISFIFO(mode) else "device or socket"

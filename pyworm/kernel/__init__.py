@@ -1,0 +1,33 @@
+"""The compiled kernel as Python has it: dry contacts, films on a grid, interpolation between grids."""
+
+from pyworm.kernel.core import (
+    NO_DESCENT,
+    NO_MEMORY,
+    NO_SENSE,
+    NOT_CONVERGED,
+    NOT_FINITE,
+    KernelError,
+    compiled_with,
+)
+from pyworm.kernel.dry_contact import DryContact, dry_contact, elastic_deflection
+from pyworm.kernel.interpolation import level_positions, prolong, prolong_levels
+from pyworm.kernel.line_film import LineFilm
+from pyworm.kernel.point_film import PointFilm
+
+__all__ = [
+    "NOT_CONVERGED",
+    "NOT_FINITE",
+    "NO_DESCENT",
+    "NO_MEMORY",
+    "NO_SENSE",
+    "DryContact",
+    "KernelError",
+    "LineFilm",
+    "PointFilm",
+    "compiled_with",
+    "dry_contact",
+    "elastic_deflection",
+    "level_positions",
+    "prolong",
+    "prolong_levels",
+]

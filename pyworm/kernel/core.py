@@ -1,0 +1,79 @@
+"""The one importer of the compiled extension: status numbers become exceptions, arrays Fortran order."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+
+# One thread a process unless asked otherwise, since batch work runs a process a core. This stands before the
+# kernel is loaded, which counts its threads then.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+from pyworm import _core
+
+bindings = _core.bindings
+"""The kernel's procedures (`fortran/bindings.f90`)."""
+
+EXTENSION = Path(_core.__file__)
+"""The compiled file."""
+
+_MESSAGES = {
+    1: "a size, a spacing, a load or a first guess makes no sense",
+    2: "a field holds a value that is not finite",
+    3: "the FFT library made no plan",
+    4: "the iteration ended before its tolerance was met",
+    5: "no step along the Newton direction lowers the residual",
+    6: "there is not enough memory",
+    7: "it was interrupted",
+}
+
+NO_SENSE = 1
+NOT_FINITE = 2
+NOT_CONVERGED = 4
+NO_DESCENT = 5
+NO_MEMORY = 6
+
+
+class KernelError(RuntimeError):
+    """The kernel could not do what it was asked.
+
+    Attributes
+    ----------
+    status : int
+        The kernel's status number (`fortran/base/status.f90`).
+    """
+
+    def __init__(self, status: int):
+        super().__init__(_MESSAGES[status])
+        self.status = status
+
+
+def check_status(status: int) -> None:
+    """Raises a KernelError unless a status number says that all went well."""
+    if status:
+        raise KernelError(status)
+
+
+def fortran_array(values) -> np.ndarray:
+    """Values in double precision and Fortran order; a copy where they are not."""
+    return np.asfortranarray(values, dtype=np.float64)
+
+
+def compiled_with() -> tuple[str, str]:
+    """The compiler of the kernel and its options: those that were given, without places of files.
+
+    A compiler tells its target as one option for each feature; -march says the same.
+    """
+    compiler, options = (said.decode().strip() for said in bindings.compiled_with())
+    kept = [
+        one
+        for one in options.split()
+        if one.startswith("-") and "/" not in one and not one.startswith(_NOT_GIVEN)
+        if not one.startswith("-m") or one.startswith(("-march", "-mtune"))
+    ]
+    return compiler, " ".join(dict.fromkeys(kept))
+
+
+_NOT_GIVEN = ("-I", "-J", "-o", "-c", "--param", "-fdiagnostics")
+"""Beginnings of options that say nothing of the code that was made."""

@@ -1,0 +1,82 @@
+"""Dry contact and elastic deflection of point contacts by the kernel."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.kernel import core
+from pyworm.kernel.core import NOT_CONVERGED, check_status, fortran_array
+
+
+def elastic_deflection(pressure, dx: float, dy: float, reduced_modulus: float) -> np.ndarray:
+    """Deflection [m] of both half-spaces together under nodal pressure [Pa], shape (nx, ny)."""
+    deflection, status = core.bindings.elastic_deflection(
+        fortran_array(pressure), dx, dy, reduced_modulus
+    )
+    check_status(status)
+    return deflection
+
+
+@dataclass(frozen=True)
+class DryContact:
+    """Frictionless contact of a gap under a load.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        Pressure [Pa], shape (nx, ny).
+    approach : float
+        Rigid approach of the bodies [m].
+    iterations : int
+        Conjugate-gradient iterations.
+    converged : bool
+        Whether they met the tolerance.
+    """
+
+    pressure: np.ndarray
+    approach: float
+    iterations: int
+    converged: bool
+
+
+def dry_contact(
+    gap, covered, dx: float, dy: float, reduced_modulus: float, load: float, guess, tolerance: float
+) -> DryContact:
+    """Dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
+
+    Parameters
+    ----------
+    gap, covered : array_like
+        Undeformed gap [m] and where both bodies exist.
+    dx, dy : float
+        Grid spacing [m].
+    reduced_modulus, load : float
+        E' [Pa] and normal load [N].
+    guess : array_like
+        First pressure; its size does not matter, where it is positive does.
+    tolerance : float
+        Film left in the contact over the approach.
+
+    Raises
+    ------
+    KernelError
+        If the contact makes no sense to the kernel.
+    """
+    pressure = fortran_array(guess).copy(order="F")
+    approach, iterations, status = core.bindings.dry_contact_solve(
+        fortran_array(gap),
+        np.asfortranarray(covered, dtype=np.int32),
+        dx,
+        dy,
+        reduced_modulus,
+        load,
+        tolerance,
+        _MOST_DRY_ITERATIONS,
+        pressure,
+    )
+    if status != NOT_CONVERGED:
+        check_status(status)
+    return DryContact(pressure, approach, iterations, status != NOT_CONVERGED)
+
+
+_MOST_DRY_ITERATIONS = 2000

@@ -1,0 +1,282 @@
+"""The one door to the compiled kernel: arrays in Fortran order go in, status numbers become exceptions."""
+
+import weakref
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pyworm.kernel import core
+from pyworm.kernel.core import check_status, fortran_array
+from pyworm.materials.oil import Barus, FlowLaw, Oil, OilHeat
+
+
+@dataclass(frozen=True)
+class Balance:
+    """How far a film is from its equations.
+
+    Attributes
+    ----------
+    residual : float
+        Summed Reynolds residual over the summed wedge flow.
+    load_error : float
+        Missing load over the load.
+    warming : float
+        Last change of the film's temperature over its largest rise; zero where heat is not simulated,
+        infinite before the first.
+    """
+
+    residual: float
+    load_error: float
+    warming: float = 0.0
+
+    @property
+    def worst(self) -> float:
+        """The largest of them; without bound if one is no number."""
+        parts = (self.residual, abs(self.load_error), self.warming)
+        return max(parts) if all(np.isfinite(part) for part in parts) else np.inf
+
+    def within(self, tolerance: float, warming: float | None = None) -> bool:
+        """Whether all of them are within a tolerance, or warming within its own."""
+        if warming is None:
+            return self.worst <= tolerance
+        return self.warming <= warming and replace(self, warming=0.0).worst <= tolerance
+
+
+@dataclass(frozen=True)
+class Step:
+    """One Newton step.
+
+    Attributes
+    ----------
+    balance : Balance
+        Where the step led.
+    krylov : int
+        GMRES iterations.
+    share : float
+        Share of the full Newton step that was taken.
+    """
+
+    balance: Balance
+    krylov: int
+    share: float
+
+
+LEAST_RISE = 10.0
+"""Temperature [K] against which changes are measured where less heat than that is made."""
+
+_FLOW_LAWS = {"newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3, "carreau": 4}
+"""Numbers of the laws in `fortran/oil/flow_laws.f90`."""
+
+
+def oil_numbers(oil: Oil) -> tuple:
+    """The oil as the kernel takes it: law, eta0, exponent, pole pressure, d1, d2 (`viscosity_density`)."""
+    law, density = oil.viscosity, oil.density
+    if isinstance(law, Barus):
+        return 1, law.eta0, law.alpha, 1.0, density.d1, density.d2
+    return 2, law.eta0, law.z, law.p0, density.d1, density.d2
+
+
+class Film:
+    """A film on one grid and its present state, held by the kernel.
+
+    Parameters
+    ----------
+    made : tuple
+        The kernel's handle of the film and its status.
+    shape : tuple of int
+        Nodes along each direction.
+
+    Raises
+    ------
+    KernelError
+        If the kernel made none.
+    """
+
+    def __init__(self, made: tuple[int, int], shape: tuple[int, ...]):
+        self._handle, status = made
+        check_status(status)
+        self._shape = shape
+        self._nodes = (*shape, 1)[:2]
+        self.levels = 0
+        self.heated = False
+        self._warming = 0.0
+        weakref.finalize(self, core.bindings.film_free, self._handle)
+
+    def _on_nodes(self, field) -> np.ndarray:
+        """A field as the kernel takes it, the second direction of a line contact one node long; no copy."""
+        field = fortran_array(field)
+        return field[:, np.newaxis] if len(self._shape) == 1 else field
+
+    def _on_grid(self, field: np.ndarray) -> np.ndarray:
+        """A field that the kernel gave, in the shape of the grid; no copy."""
+        return field[:, 0] if len(self._shape) == 1 else field
+
+    def start(self, pressure, rigid_film: float) -> Balance:
+        """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
+        self.pressure = fortran_array(pressure).copy(order="F")
+        self.rigid_film = rigid_film
+        residual, load_error = core.bindings.film_evaluate(
+            self._handle, self._on_nodes(self.pressure), rigid_film
+        )
+        self.balance = Balance(residual, load_error, self._warming)
+        return self.balance
+
+    def restart(self) -> Balance:
+        """Starts from the present pressure and rigid film, in which something else has changed."""
+        return self.start(self.pressure, self.rigid_film)
+
+    def store(self, renewal: float, squeeze) -> None:
+        """Lets the oil that the film stores change; it is to be started before it steps.
+
+        Parameters
+        ----------
+        renewal : float
+            Change by what the film holds, for each rho h [1/s].
+        squeeze : array_like
+            Change by what else is known of it, at the nodes [m/s].
+
+        Raises
+        ------
+        KernelError
+            If they are not finite, or of another grid.
+        """
+        check_status(core.bindings.film_store(self._handle, renewal, self._on_nodes(squeeze)))
+
+    def step(self, forcing: float) -> Step:
+        """One Newton step, and where heat is simulated one sweep of it at the new pressure.
+
+        The linear system is solved to `forcing` times the right-hand side.
+
+        Raises
+        ------
+        KernelError
+            If the step cannot be made; pressure and film are as they were. If the temperature left all sense
+            the film counts as far from its equations.
+        """
+        rigid_film, residual, load_error, krylov, share, change, rise, status = (
+            core.bindings.film_step(
+                self._handle,
+                forcing,
+                self._on_nodes(self.pressure),
+                self.rigid_film,
+                self.balance.residual,
+                self.balance.load_error,
+            )
+        )
+        self.rigid_film = rigid_film
+        if self.heated:
+            self._warming = change / max(LEAST_RISE, rise)
+        self.balance = Balance(residual, load_error, self._warming)
+        check_status(status)
+        return Step(self.balance, krylov, share)
+
+    def fields(self) -> tuple[np.ndarray, ...]:
+        """Film [m], relative density and net outflow of each cell over its size [m/s]."""
+        return tuple(
+            self._on_grid(field) for field in core.bindings.film_fields(self._handle, *self._nodes)
+        )
+
+    def thickness(self) -> np.ndarray:
+        """Film [m]."""
+        return self._on_grid(core.bindings.film_thickness(self._handle, *self._nodes))
+
+    def work(self) -> dict[str, float]:
+        """What was done since this was last asked, by name of a history's variable (`io.variables`)."""
+        return {}
+
+    def unsolved(self) -> int:
+        """Faces and columns whose shear stress was not found when they were last met."""
+        return int(core.bindings.film_unsolved(self._handle))
+
+    def convolve(self) -> np.ndarray:
+        """Deflection [m] under the present pressure: one convolution, the unit of cost."""
+        return self._on_grid(
+            core.bindings.film_convolve(self._handle, self._on_nodes(self.pressure))
+        )
+
+    def warm(self) -> None:
+        """One sweep of heat at the present pressure; the film is to be started before it steps."""
+        _, status = core.bindings.film_warm(self._handle)
+        check_status(status)
+
+    def rise(self) -> np.ndarray:
+        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
+        return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
+
+    def _shear(self, law: FlowLaw, levels: int, sliding_x, sliding_y) -> None:
+        """Lets the oil flow by a law, body 1 moving over body 2 with the nodal sliding (x, y) [m/s]."""
+        check_status(
+            core.bindings.film_shear(
+                self._handle,
+                -self._on_nodes(sliding_x),
+                -self._on_nodes(sliding_y),
+                _FLOW_LAWS[law.law],
+                law.stress or 1.0,
+                law.stress_pressure,
+                law.stress_temperature,
+                law.limit,
+                law.limit_pressure,
+                law.exponent,
+                levels,
+            )
+        )
+        self.levels = levels
+
+    def _warm_from(self, rise) -> None:
+        """Begins with a rise above the inlet's temperature at the levels [K], or with none."""
+        if rise is not None:
+            core.bindings.film_set_rise(self._handle, self._on_nodes(rise))
+        self.heated = True
+        self._warming = np.inf
+
+    def _nodal_shear(self, factors: bool) -> list[np.ndarray]:
+        """Stresses along x and y, friction, shear rate, flow factors D and C, and slip at the nodes."""
+        *fields, status = core.bindings.film_shear_fields(self._handle, factors, *self._nodes)
+        check_status(status)
+        return [self._on_grid(field) for field in fields]
+
+    def _heat_flux(self) -> list[np.ndarray]:
+        """Heat flux into the bodies [W/m2], and what oil carries away less what compression gives it."""
+        fields = core.bindings.film_heat_fields(self._handle, *self._nodes)
+        return [self._on_grid(field) for field in fields]
+
+    def _velocities(self, i: int, j: int, u1: float, v1: float) -> tuple[np.ndarray, np.ndarray]:
+        """Velocity (u, v) [m/s] at the levels above a node, counted from 0."""
+        u, v, status = core.bindings.film_profile(self._handle, i + 1, j + 1, u1, v1, self.levels)
+        check_status(status)
+        return u, v
+
+
+def heat_numbers(oil: Oil) -> np.ndarray:
+    """How an oil takes heat, as the kernel takes it (`bindings.f90`, point_film_heat)."""
+    heat = oil.heat
+    return np.array(
+        [
+            heat.inlet_temperature,
+            heat.viscosity_exponent,
+            heat.expansivity,
+            heat.expansivity_decay,
+            heat.conductivity,
+            heat.conductivity_c1,
+            heat.conductivity_c2,
+            oil.density.rho0 * heat.specific_heat,
+            heat.heat_capacity_k1,
+            heat.heat_capacity_k2,
+            heat.heat_capacity_b0,
+            heat.heat_capacity_b1,
+            heat.heat_capacity_b2,
+        ]
+    )
+
+
+def bodies_numbers(bodies, heat: OilHeat) -> np.ndarray:
+    """How both bodies conduct and store heat, a column each, as the kernel takes it."""
+    columns = [
+        (
+            body.conductivity,
+            body.density * body.specific_heat,
+            body.bulk_temperature - heat.inlet_temperature,
+        )
+        for body in bodies
+    ]
+    return np.array(columns).T

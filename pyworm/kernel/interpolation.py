@@ -1,0 +1,21 @@
+"""Interpolation of fields to grids of half the spacing, and positions of the levels across the film."""
+
+import numpy as np
+
+from pyworm.kernel import core
+from pyworm.kernel.core import fortran_array
+
+
+def level_positions(levels: int) -> np.ndarray:
+    """Where the levels across a film are, from -1/2 at body 1 to 1/2 at body 2."""
+    return core.bindings.level_positions(levels)
+
+
+def prolong(field) -> np.ndarray:
+    """A field on the grid of half the spacing, by cubic interpolation."""
+    return core.bindings.prolong_cubic(fortran_array(field))
+
+
+def prolong_levels(fields) -> np.ndarray:
+    """The same for fields at levels across the film, the last index."""
+    return np.stack([prolong(level) for level in np.moveaxis(fields, 2, 0)], axis=2)

@@ -1,0 +1,192 @@
+"""Base stocks of the oil library: their typical properties and how these vary with temperature."""
+
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from pyworm.formulas import oil_properties
+from pyworm.formulas.gear_oil import ISO_GRADES
+from pyworm.io import units
+from pyworm.io.input_error import CaseError
+from pyworm.io.toml import read_toml
+
+Base = Literal["mineral", "PAO", "ester", "PAG"]
+
+BASES: tuple[Base, ...] = get_args(Base)
+"""Base stocks in the table."""
+
+GRADE_TOLERANCE = 0.11
+"""Largest deviation of a table's oil from its grade; ISO 3448 has 0.1, which one measured oil misses."""
+
+DEGREES_40, DEGREES_100 = 313.15, 373.15
+"""Temperatures [K] at which oils are told by two viscosities."""
+
+MILLIMETRE_SQUARED = 1e-6
+"""1 mm2/s [m2/s]."""
+
+
+_TABLE = Path(__file__).with_name("oils.toml")
+
+
+@dataclass(frozen=True)
+class BaseStock:
+    """What oils of one base stock have in common.
+
+    Attributes
+    ----------
+    name : str
+        Base stock.
+    density_15, density_coefficient : float
+        Density at 15 degC [kg/m3] and its relative fall with temperature [1/K].
+    specific_heat : float
+        [J/(kg K)].
+    gold_s, gold_t : float
+        Constants of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`).
+    density_d1, density_d2 : float
+        Rise of the density with pressure [1/Pa] (`pyworm.materials.oil.Density`).
+    conductivity : float or None
+        Thermal conductivity [W/(m K)]; None where Cragoe's formula gives it.
+    agma_k, agma_s : float or None
+        Constants of AGMA's law, k in mm2/N (`oil_laws.agma_alpha`); None where it has none.
+    limiting_coefficient : float or None
+        Limiting stress over pressure [-], which also gives the Eyring stress; None where stresses are given.
+    eyring_stress, limiting_stress : float or None
+        Constant stresses [Pa]; None where the coefficient gives them.
+    heat : dict of str to float
+        Further constants of `pyworm.materials.oil.OilHeat`.
+    grades : dict of int to tuple of float
+        ISO viscosity grade -> Walther's m and n.
+    sources : dict of str to str
+        Where the numbers come from.
+    """
+
+    name: Base
+    density_15: float
+    density_coefficient: float
+    specific_heat: float
+    gold_s: float
+    gold_t: float
+    density_d1: float = 0.6e-9
+    density_d2: float = 1.7e-9
+    conductivity: float | None = None
+    agma_k: float | None = None
+    agma_s: float | None = None
+    limiting_coefficient: float | None = None
+    eyring_stress: float | None = None
+    limiting_stress: float | None = None
+    heat: dict[str, float] = field(default_factory=dict)
+    grades: dict[int, tuple[float, float]] = field(default_factory=dict)
+    sources: dict[str, str] = field(default_factory=dict)
+
+
+def base_stock(name: str) -> BaseStock:
+    """The base stock of a name in `BASES`, in any case of letters.
+
+    Raises
+    ------
+    ValueError
+        No such base stock.
+    """
+    for base, stock in _stocks().items():
+        if base.lower() == name.lower():
+            return stock
+    raise ValueError(f'base "{name}": must be one of {", ".join(BASES)}')
+
+
+# -------------------------------------------------------------------------------------------- files
+
+_AgmaFactor = units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")
+_Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
+Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class HeatCourseTable(_Table):
+    """Keys of `OilHeat` that say how heat constants follow pressure and temperature."""
+
+    expansivity_decay: units.PressureCoefficientOrZero = 0.0
+    conductivity_c1: units.PressureCoefficientOrZero = 0.0
+    conductivity_c2: units.PressureCoefficientOrZero = 0.0
+    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
+    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
+    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
+    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
+    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
+
+
+class StockTable(_Table):
+    """What of a base stock an oil may have of its own."""
+
+    density_15: units.OilDensity | None = None
+    density_coefficient: units.TemperatureCoefficient | None = None
+    density_d1: units.PressureCoefficientOrZero = 0.6e-9
+    density_d2: units.PressureCoefficientOrZero = 1.7e-9
+    specific_heat: units.SpecificHeat | None = None
+    conductivity: units.OilConductivity | None = None
+    gold_s: Positive | None = None
+    gold_t: _Fraction | None = None
+    agma_k: _AgmaFactor | None = None
+    agma_s: _Fraction | None = None
+    limiting_coefficient: _Fraction | None = None
+    eyring_stress: units.Stress | None = None
+    limiting_stress: units.Stress | None = None
+    heat: HeatCourseTable = HeatCourseTable()
+
+    @model_validator(mode="after")
+    def _stresses_in_pairs(self):
+        if (self.eyring_stress is None) != (self.limiting_stress is None):
+            raise ValueError("give eyring_stress and limiting_stress together")
+        if self.eyring_stress is not None and self.limiting_coefficient is not None:
+            raise ValueError("give either limiting_coefficient or the two stresses")
+        return self
+
+    def own(self) -> dict[str, Any]:
+        """What the file says, as `BaseStock` has it."""
+        own = self.model_dump(exclude_unset=True, include=set(StockTable.model_fields))
+        if "agma_k" in own:
+            own["agma_k"] *= 1e6  # AGMA's law is written in mm2/N
+        if "eyring_stress" in own:
+            own["limiting_coefficient"] = None
+        elif "limiting_coefficient" in own:
+            own["eyring_stress"] = own["limiting_stress"] = None
+        return own
+
+
+class _BaseStockTable(StockTable):
+    """One base stock of the table: everything said, each with its source."""
+
+    density_15: units.OilDensity
+    density_coefficient: units.TemperatureCoefficient
+    specific_heat: units.SpecificHeat
+    gold_s: Positive
+    gold_t: _Fraction
+    grades: dict[int, tuple[Positive, Positive]]
+    sources: dict[str, str]
+
+    @model_validator(mode="after")
+    def _one_way_to_flow(self):
+        if self.limiting_coefficient is None and self.eyring_stress is None:
+            raise ValueError("give limiting_coefficient or the two stresses")
+        return self
+
+
+@cache
+def _stocks() -> dict[Base, BaseStock]:
+    """The table, checked: every oil of it has the viscosity that its grade says."""
+    data = read_toml(_TABLE)
+    stocks = {}
+    for base in BASES:
+        table = _BaseStockTable.model_validate(data[base])
+        stock = BaseStock(base, **table.own(), grades=table.grades, sources=table.sources)
+        for grade, (m, n) in stock.grades.items():
+            nu = oil_properties.walther_viscosity(m, n, DEGREES_40) / MILLIMETRE_SQUARED
+            if grade not in ISO_GRADES or abs(nu / grade - 1) > GRADE_TOLERANCE:
+                raise CaseError(f"{_TABLE}: {base} VG {grade}: has {nu:.1f} mm2/s at 40 degC")
+        stocks[base] = stock
+    return stocks

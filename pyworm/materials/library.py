@@ -1,0 +1,222 @@
+"""Oils by name: "PAG VG 460" and a temperature become the oil that a contact sees.
+
+The numbers are those of `pyworm/data/oils.toml`, where each has its source. An oil of one's own is made
+from two viscosities, from a viscosity index, or from a file.
+"""
+
+import re
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from math import log
+
+from pyworm.formulas import oil_properties
+from pyworm.formulas.gear_oil import ISO_GRADES
+from pyworm.formulas.ranges import Values
+from pyworm.materials.base_stock import (
+    BASES,
+    DEGREES_40,
+    DEGREES_100,
+    MILLIMETRE_SQUARED,
+    BaseStock,
+    base_stock,
+)
+from pyworm.materials.oil import Density, FlowLaw, Oil, OilHeat, Roelands
+
+_NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class NamedOil:
+    """An oil known over temperature.
+
+    Attributes
+    ----------
+    name : str
+        What it is called.
+    stock : BaseStock
+        What it shares with its base stock.
+    walther_m, walther_n : float
+        Constants of its viscosity (`oil_laws.walther_viscosity`).
+    source : str
+        Where its viscosity comes from.
+    """
+
+    name: str
+    stock: BaseStock
+    walther_m: float
+    walther_n: float
+    source: str
+
+    @property
+    def viscosity_index(self) -> float:
+        """Viscosity index [-] (ASTM D2270)."""
+        return oil_properties.viscosity_index(
+            self.kinematic_viscosity(DEGREES_40), self.kinematic_viscosity(DEGREES_100)
+        )
+
+    def kinematic_viscosity(self, temperature: Values) -> Values:
+        """Kinematic viscosity [m2/s] at a temperature [K]."""
+        return oil_properties.walther_viscosity(self.walther_m, self.walther_n, temperature)
+
+    def density(self, temperature: Values) -> Values:
+        """Density [kg/m3] at a temperature [K] and ambient pressure."""
+        return oil_properties.density(
+            self.stock.density_15, self.stock.density_coefficient, temperature
+        )
+
+    def viscosity(self, temperature: Values) -> Values:
+        """Dynamic viscosity [Pa s] at a temperature [K] and ambient pressure."""
+        return oil_properties.dynamic_viscosity(
+            self.kinematic_viscosity(temperature), self.density(temperature)
+        )
+
+    def alpha(self, temperature: Values) -> Values:
+        """Pressure-viscosity coefficient [1/Pa] at a temperature [K], by Gold's law."""
+        nu = self.kinematic_viscosity(temperature)
+        return oil_properties.gold_alpha(nu, self.stock.gold_s, self.stock.gold_t)
+
+    def agma_alpha(self, temperature: Values) -> Values:
+        """The same by AGMA's law.
+
+        Raises
+        ------
+        ValueError
+            AGMA has no constants for the base stock.
+        """
+        if self.stock.agma_k is None or self.stock.agma_s is None:
+            raise ValueError(
+                f"{self.name}: AGMA 925 has no pressure-viscosity law of {self.stock.name} oils"
+            )
+        return oil_properties.agma_alpha(
+            self.viscosity(temperature), self.stock.agma_k, self.stock.agma_s
+        )
+
+    def expansivity(self, temperature: Values) -> Values:
+        """-d ln rho / dT [1/K] at a temperature [K]."""
+        coefficient = self.stock.density_coefficient
+        return coefficient * self.stock.density_15 / self.density(temperature)
+
+    def viscosity_slope(self, temperature: Values) -> Values:
+        """-d ln eta / dT [1/K] of the dynamic viscosity at a temperature [K]."""
+        nu = self.kinematic_viscosity(temperature)
+        slope = oil_properties.walther_slope(self.walther_n, nu, temperature)
+        return slope + self.expansivity(temperature)
+
+    def conductivity(self, temperature: Values) -> Values:
+        """Thermal conductivity [W/(m K)] at a temperature [K]."""
+        if self.stock.conductivity is not None:
+            return self.stock.conductivity
+        return oil_properties.conductivity(self.stock.density_15, temperature)
+
+    def flow(self, temperature: float) -> FlowLaw:
+        """How the oil shears: Eyring's law up to a limiting stress.
+
+        Both stresses are constants of the base stock, or follow from its limiting traction coefficient and
+        alpha at the temperature [K]. The limit then grows with pressure from the Eyring stress: from zero it
+        would let the oil slip in the inlet, where it does not even thin.
+        """
+        stock = self.stock
+        share = stock.limiting_coefficient
+        if share is None:
+            return FlowLaw(
+                "eyring-limited", stress=stock.eyring_stress, limit=stock.limiting_stress
+            )
+        stress = float(oil_properties.eyring_stress(self.alpha(temperature), share))
+        return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=share)
+
+    def oil(self, temperature: float) -> Oil:
+        """The oil of a contact whose inlet has a temperature [K].
+
+        Roelands' exponents are those by which viscosity, alpha and the slope of viscosity with
+        temperature at the inlet are the oil's own; away from the inlet temperature Roelands' law and
+        Walther's part slowly.
+
+        Raises
+        ------
+        ValueError
+            A temperature at which the laws of the oil do not hold.
+        """
+        viscosity = Roelands.from_alpha(
+            float(self.viscosity(temperature)), float(self.alpha(temperature))
+        )
+        slope = float(self.viscosity_slope(temperature))
+        stock = self.stock
+        return Oil(
+            viscosity=viscosity,
+            density=Density(float(self.density(temperature)), stock.density_d1, stock.density_d2),
+            flow=self.flow(temperature),
+            heat=OilHeat(
+                inlet_temperature=temperature,
+                viscosity_exponent=viscosity.s0(slope, temperature),
+                conductivity=float(self.conductivity(temperature)),
+                specific_heat=stock.specific_heat,
+                expansivity=float(self.expansivity(temperature)),
+                **stock.heat,
+            ),
+        )
+
+
+def names() -> list[str]:
+    """Names of all oils that `named_oil` knows."""
+    return [f"{base} VG {grade}" for base in BASES for grade in ISO_GRADES]
+
+
+def named_oil(name: str) -> NamedOil:
+    """An oil of the table, such as "PAG VG 460".
+
+    A grade that the table lacks has the viscosity index of the table's nearest grade of the same base stock,
+    nearest by ratio.
+
+    Raises
+    ------
+    ValueError
+        No such base stock or grade.
+    """
+    match = _NAME.fullmatch(name.strip())
+    if match is None or int(match[2]) not in ISO_GRADES:
+        near = get_close_matches(name, names(), n=3)
+        listed = " or ".join(f'"{one}"' for one in near)
+        meant = f"; did you mean {listed}?" if near else ""
+        raise ValueError(
+            f'oil "{name}": must be a base stock ({", ".join(BASES)}) and a grade '
+            f'(VG {", ".join(map(str, ISO_GRADES))}), such as "PAG VG 460"{meant}'
+        )
+    stock, grade = base_stock(match[1]), int(match[2])
+    called = f"{stock.name} VG {grade}"
+    if grade in stock.grades:
+        return NamedOil(called, stock, *stock.grades[grade], stock.sources["grades"])
+    nearest = min(stock.grades, key=lambda other: abs(log(other / grade)))
+    like = NamedOil("", stock, *stock.grades[nearest], "")
+    made = oil_from_index(called, stock.name, grade * MILLIMETRE_SQUARED, like.viscosity_index)
+    return replace(
+        made,
+        source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}",
+    )
+
+
+def oil_from_viscosities(
+    name: str, base: str, viscosity_40: float, viscosity_100: float, source: str = "two viscosities"
+) -> NamedOil:
+    """An oil from its kinematic viscosities [m2/s] at 40 and 100 degC; the rest is its base stock's.
+
+    Raises
+    ------
+    ValueError
+        Not viscosities of one oil, or no such base stock.
+    """
+    m, n = oil_properties.walther_constants(viscosity_40, DEGREES_40, viscosity_100, DEGREES_100)
+    return NamedOil(name, base_stock(base), m, n, source)
+
+
+def oil_from_index(name: str, base: str, viscosity_40: float, index: float) -> NamedOil:
+    """An oil from its kinematic viscosity [m2/s] at 40 degC and its viscosity index.
+
+    Raises
+    ------
+    ValueError
+        No such oil, or no such base stock.
+    """
+    viscosity_100 = oil_properties.viscosity_100_of_index(viscosity_40, index)
+    return oil_from_viscosities(
+        name, base, viscosity_40, viscosity_100, f"viscosity index {index:.0f}"
+    )

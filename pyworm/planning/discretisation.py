@@ -1,0 +1,169 @@
+"""Grids, tolerance and expected work of a solve, by kind of contact."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, hypot, pi, sin, sqrt
+
+from pyworm.planning.expected_work import LENT_CHANGE, Work, expected_work, first_change, stiffness
+from pyworm.planning.grid import Box, Grid, nest
+from pyworm.planning.line_grid import LineGrid, first_grids
+from pyworm.planning.model import Model
+from pyworm.planning.window import FAR, grown, near_reach, windows
+from pyworm.scene.entrainment_continuation import lent
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import Scales, line_scales, scales
+
+COARSE_CELLS = 16
+"""Cells of the first grid of the figures along the short one of the contact's lengths: Hertz's semi-axis and,
+where the film is thick, the distance over which the undeformed gap rises by a film, together."""
+
+LARGEST_STRETCH = 3.0
+"""Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
+slender contact scale with its short axis."""
+
+LARGEST_GRID = 4_000_000
+"""Nodes beyond which grids are not refined further."""
+
+LARGEST_LINE = 33_000
+"""The same for a line contact. A step costs some milliseconds at 2000 and grows nearly as their number."""
+
+LINE_TOLERANCE = 1e-6
+"""Residual allowed in a line contact that does not warm: Newton's last step falls far below it at no cost."""
+
+HEATED_LINE_SHARE = 0.01
+"""Residual allowed in one that warms, as a share of the accuracy asked for. Film and temperature take turns
+there; ten times as much left temperatures beyond their error bars in half of 40 random scenes."""
+
+RESIDUAL_SHARE = 0.1
+"""Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
+
+
+@dataclass(frozen=True)
+class _Numerics:
+    """The part of a plan that depends on how a kind of contact is solved."""
+
+    grids: tuple[Grid | LineGrid, ...]
+    wider_grids: tuple[Grid | LineGrid, ...]
+    largest_grid: int
+    tolerance: float
+    work: Work
+    refusal: str | None
+
+
+def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
+    drawn = lent(scene) if model.heated else scene
+    size = scales(drawn)
+    # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
+    nested = slice(None) if drawn is scene else slice(-1, None)
+    near = near_reach(size)
+    inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
+    if (
+        wider == inner
+    ):  # beside a thin film the gap rises beyond both within one step of the windows' growth
+        wider = grown(inner)
+    grids = _grids(scene, size, inner, outer)[nested]
+    wider_grids = _grids(scene, size, wider, *far)[nested]
+    half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    change = LENT_CHANGE
+    if drawn is scene:
+        change = first_change(
+            grids[-1].spacing,
+            half_widths,
+            scene.radii,
+            size.film,
+            size.groups.moes_l,
+            _slenderness(size),
+        )
+    work = expected_work(
+        "point",
+        _nodes(grids, wider_grids),
+        change,
+        accuracy,
+        LARGEST_GRID,
+        full=model.levels > 0,
+        stiffness=stiffness(model.heated, size.groups.moes_l),
+        lent=drawn is not scene,
+        moving=scene.past is not None,
+    )
+    return _Numerics(
+        grids=grids,
+        wider_grids=wider_grids,
+        largest_grid=LARGEST_GRID,
+        tolerance=RESIDUAL_SHARE * accuracy,
+        work=work,
+        refusal=_refusal(work, size.film, LARGEST_GRID),
+    )
+
+
+def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
+    size = line_scales(scene)
+    if model.heated and 0 in scene.velocities:
+        at_rest = scene.velocities.index(0) + 1
+        raise ValueError(
+            f"{scene.name}: body {at_rest} is at rest (0 m/s), and a body at rest under a line contact "
+            "warms without end; give it a velocity, or leave heat out (effects = isothermal)"
+        )
+    grid, wider = first_grids(scene, size, accuracy, model.heated)
+    change = first_change(
+        grid.spacing, (size.hertz.half_width,), (scene.radius,), size.film, size.groups.moes_l
+    )
+    work = expected_work(
+        "line",
+        _nodes((grid,), (wider,)),
+        change,
+        accuracy,
+        LARGEST_LINE,
+        full=model.levels > 0,
+        stiffness=stiffness(model.heated, size.groups.moes_l),
+        moving=scene.past is not None,
+    )
+    return _Numerics(
+        grids=(grid,),
+        wider_grids=(wider,),
+        largest_grid=LARGEST_LINE,
+        tolerance=HEATED_LINE_SHARE * accuracy if model.heated else LINE_TOLERANCE,
+        work=work,
+        refusal=_refusal(work, size.film, LARGEST_LINE),
+    )
+
+
+def _refusal(work: Work, film: float, largest: int) -> str | None:
+    """Why a film [m] is not sought on finer grids; None if it is."""
+    if not work.in_vain:
+        return None
+    return (
+        f"the film of {film * 1e9:.2g} nm that is expected needs some {work.needed / 1e6:.3g} million nodes, "
+        f"{largest / 1e6:.3g} million are the largest grid allowed"
+    )
+
+
+def _slenderness(size: Scales) -> float:
+    """Length of Hertz's contact along the entrainment over that across it."""
+    along, across = (
+        hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
+        for angle in (size.angle, size.angle + pi / 2)
+    )
+    return across / along
+
+
+def _nodes(*nests: Sequence[Grid | LineGrid]) -> list[list[int]]:
+    """Nodes of the grids of each window."""
+    return [[grid.nodes for grid in nest] for nest in nests]
+
+
+PLANS = {Scene: _plan_point, LineScene: _plan_line}
+"""What plans each kind of contact, by its scene."""
+
+
+def _grids(scene: Scene, size: Scales, inner: Box, outer: Box) -> tuple[Grid, ...]:
+    """Grids from the outer window down to the first one of the figures, in the inner."""
+    lengths = [
+        sqrt(semi_axis**2 + 2 * radius * size.film)
+        for semi_axis, radius in zip(
+            (size.hertz.semi_axis_x, size.hertz.semi_axis_y), scene.radii, strict=True
+        )
+    ]
+    short = min(lengths)
+    dx, dy = (min(length, LARGEST_STRETCH * short) / COARSE_CELLS for length in lengths)
+    return nest(inner, outer, dx, dy)

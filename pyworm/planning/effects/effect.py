@@ -1,0 +1,85 @@
+"""What an effect is to a plan: how it is judged, and what a scene is without it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf
+
+from pyworm.planning.prediction import Sketch
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+FILM, FRICTION, TEMPERATURE = "film", "friction", "temperature"
+
+QUANTITIES = (FILM, FRICTION, TEMPERATURE)
+"""What may be asked of a contact: minimum and central film, friction and power loss, largest temperatures."""
+
+Contact = Scene | LineScene
+
+
+@dataclass(frozen=True)
+class Influence:
+    """How much leaving an effect out changes what is asked of a contact.
+
+    Attributes
+    ----------
+    film, friction : float
+        Relative change of the films and of the friction [-].
+    temperature : float
+        Change of the largest temperatures, over their rise or, where that is smaller, over the temperature
+        difference by which the inlet's viscosity falls e-fold [-].
+    """
+
+    film: float = 0.0
+    friction: float = 0.0
+    temperature: float = 0.0
+
+    def on(self, quantities: tuple[str, ...]) -> float:
+        """The largest on some quantities."""
+        return max((getattr(self, quantity) for quantity in quantities), default=0.0)
+
+
+EVERYTHING = Influence(inf, inf, inf)
+"""The influence of what a contact cannot do without."""
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One entry of the catalogue.
+
+    Attributes
+    ----------
+    name : str
+        What `--effects` and tables call it.
+    symbol : str
+        The indicator as a formula.
+    source : str
+        Where the indicator, or the law of influence, comes from.
+    indicator : callable
+        The number that it is judged by, from a sketch [-].
+    influence : callable
+        The influence of leaving it out, from a sketch.
+    without : callable or None
+        A scene without the effect; itself where it lies in the solver's hands; None if it is not simulated.
+    lacking : callable
+        Why a contact has none of it, or why it cannot be told; None where it has.
+    together : tuple of str
+        Effects without which it is not simulated.
+    eased_by : tuple of str
+        Effects that are kept beside it: they cost nothing more there and make it easier to solve.
+    part_of : str or None
+        An effect earlier in the catalogue without which there is nothing of it.
+    only_named : bool
+        Whether it is simulated only where it is asked for by its name: its cost is out of proportion.
+    """
+
+    name: str
+    symbol: str
+    source: str
+    indicator: Callable[[Sketch], float]
+    influence: Callable[[Sketch], Influence]
+    without: Callable[[Contact], Contact] | None
+    lacking: Callable[[Contact], str | None] = lambda scene: None
+    together: tuple[str, ...] = ()
+    eased_by: tuple[str, ...] = ()
+    part_of: str | None = None
+    only_named: bool = False

@@ -1,0 +1,262 @@
+"""Effects of shape and motion: bending, ends, the real gap, velocities that vary over the contact."""
+
+from dataclasses import replace
+from math import hypot, inf, pi, sqrt
+
+import numpy as np
+
+from pyworm.formulas.hertz import hertz
+from pyworm.planning.effects.effect import EVERYTHING, Contact, Effect, Influence
+from pyworm.planning.prediction import Sketch
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+
+ALIGNED = 0.02
+"""Sine of the angle to an axis of the contact up to which entrainment and sliding are along it."""
+
+RIM = tuple(k * pi / 4 for k in range(8))
+"""Directions in which a contact is looked at from its middle [rad]."""
+
+SPEED_POWER = 0.7
+"""Power of the speed that a film follows (Dowson and Higginson's; of all formulas 0.66 to 0.71)."""
+
+
+def _same_all_along(scene: Contact) -> str | None:
+    return "a line contact is the same all along" if isinstance(scene, LineScene) else None
+
+
+def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
+    """Places on the outline of Hertz's contact."""
+    if isinstance(scene, LineScene):
+        raise TypeError("a line contact has no outline")
+    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
+    angles = np.array(RIM)
+    return contact.semi_axis_x * np.cos(angles), contact.semi_axis_y * np.sin(angles)
+
+
+# ------------------------------------------------------------------------------- elastic deflection
+
+
+def _deflection(sketch: Sketch) -> float:
+    """Deflection over the film, by the mean pressure over all the film that carries load."""
+    spread = hypot(sketch.half_width, sqrt(2 * sketch.groups.radius * sketch.film_central))
+    pressure = sketch.pressure_mean * sketch.half_width / spread
+    return 2 * spread * pressure / sketch.scene.reduced_modulus / sketch.film_min
+
+
+def _by_deflection(sketch: Sketch) -> Influence:
+    if sketch.carried_by_heat:
+        return EVERYTHING
+    change = DEFLECTION_SHARE * _deflection(sketch)
+    return Influence(change, change, change)
+
+
+DEFLECTION_SHARE = 2.0
+"""Change of what is asked over the deflection by the film."""
+
+ELASTIC_DEFLECTION = Effect(
+    name="elastic-deflection",
+    symbol="2 b p / E' h",
+    source="deflection of a half-space under the mean pressure (Johnson 1985, 3.4)",
+    indicator=_deflection,
+    influence=_by_deflection,
+    without=lambda scene: replace(scene, rigid=True),
+)
+
+
+# --------------------------------------------------------------------------------- second dimension
+
+
+def _axis(scene: Scene) -> int | None:
+    """The axis of the contact that entrainment and sliding keep to; None if there is none."""
+    origin = np.zeros(())
+    for axis in (0, 1):
+        velocities = [of(origin, origin) for of in (scene.entrainment, scene.sliding)]
+        if all(
+            abs(float(v[1 - axis])) <= ALIGNED * hypot(float(v[0]), float(v[1])) for v in velocities
+        ):
+            return axis
+    return None
+
+
+def _slenderness(sketch: Sketch) -> float:
+    return sketch.half_width / sketch.half_length
+
+
+def _side_flow(sketch: Sketch) -> Influence:
+    """What a line contact of the same largest pressure is off by.
+
+    Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction
+    5 to 11 % higher, since most slices of an ellipse bear less pressure than the middle one
+    (`benchmarks/line_for_point.py`).
+    """
+    if isinstance(sketch.scene, LineScene):
+        return Influence()
+    at_rest = sketch.oil.heat is not None and 0 in sketch.velocities
+    crossed = not sketch.carried_by_heat and sketch.half_width < sketch.half_length
+    if _axis(sketch.scene) is None or at_rest or not crossed:
+        return EVERYTHING
+    share = _slenderness(sketch)
+    return Influence(
+        film=0.5 * share**2 + 6 * share**4, friction=0.12, temperature=0.01 + 0.13 * share
+    )
+
+
+def as_line(scene: Contact) -> Contact:
+    """The line contact of a long one's middle: the same largest dry pressure and curvature.
+
+    Raises
+    ------
+    ValueError
+        The contact has no such middle.
+    """
+    if isinstance(scene, LineScene):
+        return scene
+    axis = _axis(scene)
+    if axis is None:
+        raise ValueError(
+            f"{scene.name}: entrainment and sliding do not lie along one axis of the contact; "
+            "second-dimension cannot be left out"
+        )
+    radius = scene.radii[axis]
+    pressure = hertz(*scene.radii, scene.load, scene.reduced_modulus).pressure_max
+    origin = np.zeros(())
+    return LineScene(
+        name=scene.name,
+        gap=Parabola(radius),
+        radius=radius,
+        velocities=tuple(float(motion(origin, origin)[axis]) for motion in scene.motions),
+        load=2 * pi * radius * pressure**2 / scene.reduced_modulus,  # Johnson (1985), 4.45
+        bodies=scene.bodies,
+        oil=scene.oil,
+        phase=scene.phase,
+        slide_roll_ratio=scene.slide_roll_ratio,
+        past=scene.past,
+    )
+
+
+SECOND_DIMENSION = Effect(
+    name="second-dimension",
+    symbol="b / a",
+    source="ellipses against line contacts (`benchmarks/line_for_point.py`)",
+    indicator=_slenderness,
+    influence=_side_flow,
+    without=as_line,
+    lacking=_same_all_along,
+)
+
+
+# ----------------------------------------------------------------------------------------- real gap
+
+
+def _own_curves(scene: Contact) -> str | None:
+    kind = Parabola if isinstance(scene, LineScene) else Paraboloid
+    return "the gap is given by its radii alone" if isinstance(scene.gap, kind) else None
+
+
+RINGS = (1.0, 2.0, 4.0)
+"""Outlines about a contact, in its own size, at which the gap is looked at: what lies farther out weighs
+less, by the gap there."""
+
+
+def departure(sketch: Sketch) -> float:
+    """How far the gap is off the paraboloid's, over that, on outlines about the contact."""
+    scene = sketch.scene
+    if isinstance(scene, LineScene):
+        outline = (np.array([-1.0, 1.0]) * sketch.half_width,)
+        plain = Parabola(scene.radius)
+    else:
+        outline, plain = _on_the_rim(scene), Paraboloid(*scene.radii)
+    worst = 0.0
+    for ring in RINGS:
+        places = [ring * place for place in outline]
+        gap, covered = scene.gap(*places)
+        if not (np.isfinite(gap).all() and (ring > 1 or covered.all())):
+            return inf
+        opening = plain(*places)[0]
+        worst = max(worst, float(np.max(np.abs(gap - opening) / opening)) / ring**2)
+    return worst
+
+
+def _by_departure(sketch: Sketch) -> Influence:
+    if _spins_only(sketch.scene):
+        return EVERYTHING  # the load of its film comes from all around, far out too
+    change = departure(sketch)
+    return Influence(change, change, change)
+
+
+def _spins_only(scene: Contact) -> bool:
+    if isinstance(scene, LineScene):
+        return False
+    origin = np.zeros(())
+    return all(float(part) == 0 for part in scene.entrainment(origin, origin))
+
+
+def _plain_gap(scene: Contact) -> Contact:
+    if isinstance(scene, LineScene):
+        return replace(scene, gap=Parabola(scene.radius))
+    return replace(scene, gap=Paraboloid(*scene.radii))
+
+
+REAL_GAP = Effect(
+    name="real-gap",
+    symbol="|gap - paraboloid| / gap, at the rim",
+    source="the gap at eight places of the outline of Hertz's contact",
+    indicator=departure,
+    influence=_by_departure,
+    without=_plain_gap,
+    lacking=_own_curves,
+    together=("second-dimension",),
+)
+
+
+# --------------------------------------------------------------------------------- varying velocity
+
+
+def _uniform(scene: Contact) -> str | None:
+    if isinstance(scene, LineScene):
+        return _same_all_along(scene)
+    rigid = all(isinstance(motion, RigidMotion) for motion in scene.motions)
+    if rigid and all(motion.spin == 0 for motion in scene.motions):
+        return "both surfaces only translate"
+    return None
+
+
+def _variation(scene: Scene, of: str) -> float:
+    """Largest change of a velocity field on the rim over its size in the middle."""
+    field = getattr(scene, of)
+    u, v = field(*_on_the_rim(scene))
+    middle = [float(part) for part in field(np.zeros(()), np.zeros(()))]
+    change = float(np.max(np.hypot(u - middle[0], v - middle[1])))
+    size = hypot(*middle)
+    if change == 0:
+        return 0.0
+    return change / size if size > 0 else inf
+
+
+def _by_variation(sketch: Sketch) -> Influence:
+    film = SPEED_POWER * _variation(sketch.scene, "entrainment")
+    sliding = _variation(sketch.scene, "sliding")
+    return Influence(film, max(film, sliding), sliding)
+
+
+def _translating(scene: Contact) -> Contact:
+    if isinstance(scene, LineScene):
+        return scene
+    origin = np.zeros(())
+    first, second = (
+        RigidMotion(*(float(part) for part in motion(origin, origin))) for motion in scene.motions
+    )
+    return replace(scene, motions=(first, second))
+
+
+VARYING_VELOCITY = Effect(
+    name="varying-velocity",
+    symbol="|u - u0| / |u0|, at the rim",
+    source="velocities at eight places of the outline of Hertz's contact; h ~ u^0.7",
+    indicator=lambda sketch: max(_variation(sketch.scene, of) for of in ("entrainment", "sliding")),
+    influence=_by_variation,
+    without=_translating,
+    lacking=_uniform,
+    together=("second-dimension",),
+)

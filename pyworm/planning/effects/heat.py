@@ -1,0 +1,182 @@
+"""Effects of heat: warm surfaces, warm oil, and oil that is not equally warm across the film."""
+
+from dataclasses import replace
+from math import asinh, exp, expm1, sqrt
+
+from scipy.special import lambertw
+
+from pyworm.formulas.thermal_reduction import wilson_sheu
+from pyworm.planning.effects.effect import EVERYTHING, Contact, Effect, Influence
+from pyworm.planning.effects.rheology import unlike, unthinned
+from pyworm.planning.prediction import Sketch
+
+
+def _unknown(scene: Contact) -> str | None:
+    return "how the oil takes heat is not given" if scene.oil.heat is None else None
+
+
+def _cold(scene: Contact) -> Contact:
+    return replace(scene, oil=replace(scene.oil, heat=None))
+
+
+def _temperature(sketch: Sketch, rise: float) -> float:
+    """A rise in the measure of influences."""
+    if rise == 0:
+        return 0.0
+    return rise / max(sketch.warmest, 1 / sketch.inlet_beta if sketch.inlet_beta > 0 else 0.0)
+
+
+def _friction(sketch: Sketch, surfaces: bool, film: bool) -> float:
+    """Change of the friction if surfaces or film stay cold."""
+    hot = sketch.hot_stress()
+    return abs(sketch.hot_stress(surfaces, film) / hot - 1) if hot > 0 else 0.0
+
+
+# ---------------------------------------------------------------------------------- surface heating
+
+LOBE_WARMTH = 0.5
+"""Change of the minimum film over that of the viscosity where it forms, inside the warm contact."""
+
+
+def _surface_rise(sketch: Sketch) -> float:
+    rise = sketch.rise_bodies
+    if rise is None:
+        rise = sketch.surface_rise(sketch.heat) + sketch.bulk
+    return max(rise, sketch.bulk)
+
+
+def _surface_warmth(sketch: Sketch) -> float:
+    return sketch.inlet_beta * _surface_rise(sketch)
+
+
+def _surfaces(sketch: Sketch) -> Influence:
+    rise = _surface_rise(sketch)
+    # bodies of another temperature than the inlet's warm or cool the oil that they bring
+    film = max(LOBE_WARMTH * _surface_warmth(sketch), sketch.inlet_beta * sketch.bulk)
+    friction = _friction(sketch, surfaces=False, film=True)
+    return Influence(film, max(friction, film), _temperature(sketch, rise))
+
+
+# ------------------------------------------------------------------------------------- film heating
+
+
+def _inlet_loading(sketch: Sketch) -> float:
+    """Thermal loading parameter of the inlet, eta0 beta u^2 / k [-]."""
+    oil = sketch.oil
+    return oil.viscosity.eta0 * sketch.inlet_beta * sketch.speed**2 / oil.heat.conductivity
+
+
+def _inlet_reduction(sketch: Sketch) -> float:
+    """What shear in the inlet takes of the film (Wilson and Sheu 1983)."""
+    slide_roll_ratio = min(sketch.sliding / sketch.speed, 2.0)  # beyond it nothing is known
+    return 1 - float(wilson_sheu(_inlet_loading(sketch), slide_roll_ratio))
+
+
+def _film_warmth(sketch: Sketch) -> float:
+    return sketch.beta * sketch.film_rise(sketch.heat)
+
+
+def _film(sketch: Sketch) -> Influence:
+    film = _inlet_reduction(sketch)
+    friction = _friction(sketch, surfaces=True, film=False)
+    rise = sketch.film_rise(sketch.heat) + sketch.rolling_rise
+    return Influence(film, max(friction, film), _temperature(sketch, rise))
+
+
+def _by_heat(sketch: Sketch) -> Influence:
+    """Surfaces and film warm together or not at all."""
+    if sketch.carried_by_heat:
+        return EVERYTHING
+    surfaces, film = _surfaces(sketch), _film(sketch)
+    return Influence(
+        surfaces.film + film.film,
+        surfaces.friction + film.friction,
+        surfaces.temperature + film.temperature,
+    )
+
+
+SURFACE_HEATING = Effect(
+    name="surface-heating",
+    symbol="beta dT of the surfaces",
+    source="moving strip of heat (Jaeger 1942), the heat parting so that both are equally warm",
+    indicator=_surface_warmth,
+    influence=_by_heat,
+    without=_cold,
+    lacking=_unknown,
+    together=("film-heating",),
+    part_of="film-heating",
+)
+
+FILM_HEATING = Effect(
+    name="film-heating",
+    symbol="eta0 beta u^2 / k",
+    source="film: Wilson and Sheu (1983); friction and temperature: q h / 8k",
+    indicator=_inlet_loading,
+    influence=_by_heat,
+    without=_cold,
+    lacking=_unknown,
+    together=("surface-heating",),
+    eased_by=("shear-thinning", "limiting-stress"),  # which bound the shear that hot oil takes
+)
+
+
+# -------------------------------------------------------------------------- viscosity across the film
+
+
+MOST_WARMTH = 50.0
+"""Warmth beyond which the error is as good as one."""
+
+
+def _parabola_error(warmth: float) -> float:
+    """Relative error of the friction of sheared oil by one viscosity, that of its mean temperature.
+
+    Exact for a film between walls of one temperature, of viscosity eta1 exp(-beta dT): with x^2 = e^w - 1,
+    w = beta times the rise in the middle, friction is asinh(x)/(x sqrt(1 + x^2)) of the cold one's (Couette
+    flow with heat); with one viscosity it is e^-m, where m e^m = 2 x^2/3.
+    """
+    if warmth == 0:
+        return 0.0
+    x = sqrt(expm1(min(warmth, MOST_WARMTH)))
+    exact = asinh(x) / (x * sqrt(1 + x**2))
+    return abs(exp(-float(lambertw(2 * x**2 / 3).real)) / exact - 1)
+
+
+PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03
+"""Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and
+over the warmth that rolling makes (`benchmarks/plans.py`)."""
+
+SHIFT_SHARE = 4.0
+"""Change of the minimum film over that of the mean velocity inside the contact, likewise."""
+
+
+def _across(sketch: Sketch) -> Influence:
+    if sketch.carried_by_heat:
+        return EVERYTHING
+    warmth = _film_warmth(sketch)
+    friction = _parabola_error(warmth)
+    slip = sketch.sliding / sketch.speed
+    # unequal viscosities at the walls shift the mean velocity of the oil by (u1 - u2)/12 a unit of ln eta; at
+    # the contact's sides the film feels more of it
+    shift = SHIFT_SHARE * slip * sketch.wall_warmth / 12
+    flow = sketch.oil.flow
+    thinned = unlike(sketch, unthinned(flow)).film if flow is not None and flow.stress > 0 else 0.0
+    film = (
+        PARABOLA_FILM
+        + PARABOLA_THINNED * thinned
+        + PARABOLA_ROLLING * sketch.rolling_warmth
+        + shift
+    )
+    return Influence(film, max(friction, film), 2 * max(friction, film) * sketch.warmth)
+
+
+VISCOSITY_ACROSS = Effect(
+    name="viscosity-across",
+    symbol="beta q h / 8k",
+    source="Couette flow with heat, exact, against one viscosity across the film",
+    indicator=_film_warmth,
+    influence=_across,
+    without=lambda scene: scene,
+    lacking=_unknown,
+    together=("film-heating", "surface-heating"),
+    part_of="film-heating",
+)

@@ -1,0 +1,128 @@
+"""Which effects a contact calls for: every entry of the catalogue judged against the accuracy."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+
+from pyworm.planning.effects.catalogue import EFFECTS
+from pyworm.planning.effects.effect import Contact, Effect
+from pyworm.planning.prediction import Sketch
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """One effect in a plan.
+
+    Attributes
+    ----------
+    name : str
+        The effect's.
+    on : bool
+        Whether it is simulated.
+    indicator : float or None
+        The number it was judged by [-]; None where the contact has none of it, or nothing is known of it.
+    influence : dict
+        What leaving it out changes of each quantity asked for (`Influence`); empty likewise.
+    reason : str
+        Why it is on, or off.
+    """
+
+    name: str
+    on: bool
+    indicator: float | None
+    influence: dict[str, float]
+    reason: str
+
+
+def judge(
+    scene: Contact,
+    accuracy: float,
+    quantities: Sequence[str],
+    sketch: Sketch,
+    asked: frozenset[str] | None = None,
+    kept: frozenset[str] = frozenset(),
+) -> tuple[Judgement, ...]:
+    """Every effect and whether to simulate it.
+
+    Effects are left out, those that cost most first, as long as all that is left out changes what is asked
+    for by no more than the accuracy.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    accuracy : float
+        Relative change allowed [-].
+    quantities : sequence of str
+        What is asked for.
+    sketch : Sketch
+        The contact in numbers.
+    asked : frozenset of str, optional
+        The effects to simulate, whatever the numbers say.
+    kept : frozenset of str
+        Effects to simulate even if the numbers no longer call for them.
+    """
+    judgements = {}
+    allowed = accuracy
+    for effect in EFFECTS:
+        lacking = effect.lacking(scene)
+        if lacking is not None:
+            judgements[effect.name] = Judgement(effect.name, False, None, {}, lacking)
+            continue
+        influence = effect.influence(sketch)
+        worst = influence.on(quantities)
+        if effect.without is None:
+            on, reason = False, "not simulated"
+        elif asked is not None:
+            on = effect.name in asked
+            reason = "asked for" if on else "not asked for"
+        elif effect.only_named:
+            on = effect.name in kept
+            reason = "asked for" if on else f"only if named: auto,{effect.name}"
+        elif effect.part_of is not None and not judgements[effect.part_of].on:
+            on, reason = False, f"none without {effect.part_of}"
+        elif effect.name in kept:
+            on, reason = True, _needed(allowed) if worst > allowed else "proved needless"
+        else:
+            on = not worst <= allowed
+            reason = _needed(allowed) if on else f"within {_percent(allowed)}"
+            allowed -= 0.0 if on else worst
+        judgements[effect.name] = Judgement(
+            effect.name,
+            on,
+            effect.indicator(sketch),
+            {quantity: asdict(influence)[quantity] for quantity in quantities},
+            reason,
+        )
+    if asked is None:
+        for effect in EFFECTS:
+            _bring(effect, judgements)
+    return tuple(judgements.values())
+
+
+def simplified(scene: Contact, on: frozenset[str]) -> Contact:
+    """The contact, and what it was, without the effects that are not on."""
+    for effect in EFFECTS:
+        if effect.without is not None and effect.name not in on:
+            scene = effect.without(scene)
+    if scene.past is None:
+        return scene
+    return replace(scene, past=scene.past.map(lambda then: simplified(then, on)))
+
+
+def _needed(allowed: float) -> str:
+    return f"more than {_percent(allowed)}"
+
+
+def _percent(share: float) -> str:
+    return f"{share * 100:.2g} %"
+
+
+def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:
+    """Switch on what an effect that is on cannot do without, and what eases it."""
+    if not judgements[effect.name].on:
+        return
+    for verb, names in (("goes with", effect.together), ("eases", effect.eased_by)):
+        for name in names:
+            other = judgements[name]
+            if not other.on and other.indicator is not None:
+                judgements[name] = replace(other, on=True, reason=f"{verb} {effect.name}")

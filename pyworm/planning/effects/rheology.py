@@ -1,0 +1,178 @@
+"""Effects of the oil at one temperature: thickening and compression under pressure, flow under stress."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from pyworm.materials.oil import NEWTONIAN, Barus, Density, FlowLaw
+from pyworm.planning.effects.effect import Contact, Effect, Influence
+from pyworm.planning.prediction import Sketch
+
+# -------------------------------------------------------------------------------- pressure-viscosity
+
+
+def _thickening(sketch: Sketch) -> float:
+    return sketch.oil.viscosity.alpha * sketch.pressure_max
+
+
+def _by_thickening(sketch: Sketch) -> Influence:
+    change = sketch.oil.eta(sketch.pressure_max) / sketch.oil.eta(0.0) - 1
+    return Influence(change, change, change)
+
+
+def _isoviscous(scene: Contact) -> Contact:
+    viscosity = Barus(scene.oil.viscosity.eta0, 0.0)
+    heat = scene.oil.heat
+    if heat is not None and not isinstance(scene.oil.viscosity, Barus):
+        beta = (scene.oil.eta(0.0) - scene.oil.eta(0.0, 1.0)) / scene.oil.eta(0.0)
+        heat = replace(heat, viscosity_exponent=beta)
+    return replace(scene, oil=replace(scene.oil, viscosity=viscosity, heat=heat))
+
+
+PRESSURE_VISCOSITY = Effect(
+    name="pressure-viscosity",
+    symbol="alpha p",
+    source="Barus (1893)",
+    indicator=_thickening,
+    influence=_by_thickening,
+    without=_isoviscous,
+    lacking=lambda scene: "the oil has alpha = 0" if scene.oil.viscosity.alpha == 0 else None,
+)
+
+
+# ---------------------------------------------------------------------------------- compressibility
+
+
+def _compression(sketch: Sketch) -> float:
+    density = sketch.oil.density
+    return density(sketch.pressure_max) / density.rho0 - 1
+
+
+def _by_compression(sketch: Sketch) -> Influence:
+    # what flows through the middle has the mass that came in: h ~ 1/rho (Venner and Bos 1994)
+    change = _compression(sketch)
+    return Influence(change, change, change)
+
+
+COMPRESSIBILITY = Effect(
+    name="compressibility",
+    symbol="rho/rho0 - 1",
+    source="Dowson and Higginson (1966); central film as 1/rho",
+    indicator=_compression,
+    influence=_by_compression,
+    without=lambda scene: replace(
+        scene,
+        oil=replace(scene.oil, density=Density.incompressible(scene.oil.density.rho0)),
+    ),
+    lacking=lambda scene: "the oil is incompressible" if scene.oil.density.d1 == 0 else None,
+)
+
+
+# ------------------------------------------------------------------------------- flow under stress
+
+INLET_THICKENING = 4.5
+"""Stress in the inlet over eta0 (u + us)/h: the film forms where the oil is some times thicker than outside
+and the gap somewhat wider than the film."""
+
+
+def _inlet_stress(sketch: Sketch) -> float:
+    """Newtonian shear stress where the film is formed [Pa]."""
+    speed = sketch.speed + sketch.sliding
+    return INLET_THICKENING * sketch.oil.viscosity.eta0 * speed / sketch.film_central
+
+
+def _inlet_pressure(sketch: Sketch) -> float:
+    """Pressure at which oil of the inlet is several times thicker than outside [Pa]."""
+    alpha = sketch.oil.viscosity.alpha
+    return min(2 / alpha, sketch.pressure_mean) if alpha > 0 else 0.0
+
+
+LOBE_PRESSURE = 1 / 3
+"""Pressure over the mean one where the minimum film forms, at the contact's sides and exit: oil leaves there
+by the pressure's gradient, the more easily the more sliding has thinned it."""
+
+HOT_FRICTION = 2.0
+"""Change of the largest temperatures over that of the mean stress: they are where the stress is largest."""
+
+
+def unlike(sketch: Sketch, other: FlowLaw) -> Influence:
+    """Change of what is asked by another flow law than the oil's."""
+    own = sketch.oil.flow
+
+    def change(newtonian: float, pressure: float) -> float:
+        if newtonian == 0:
+            return 0.0
+        stresses = [law.stress_at(newtonian, pressure) for law in (own, other)]
+        return 1 - min(stresses) / max(stresses)
+
+    lobe = LOBE_PRESSURE * sketch.pressure_mean
+    outflow = change(sketch.oil.eta(lobe) * sketch.sliding / sketch.film_min, lobe)
+    film = max(change(_inlet_stress(sketch), _inlet_pressure(sketch)), outflow)
+    stress = sketch.hot_stress()
+    friction = abs(sketch.hot_stress(flow=other) / stress - 1) if stress > 0 else 0.0
+    return Influence(film, max(friction, film), HOT_FRICTION * friction * sketch.warmth)
+
+
+UNREACHED = 1e12
+"""Eyring stress of an oil that thins no more [Pa]."""
+
+
+def unthinned(flow: FlowLaw) -> FlowLaw:
+    """What is left of a flow law without thinning."""
+    return replace(flow, stress=UNREACHED) if flow.law == "eyring-limited" else NEWTONIAN
+
+
+def _unlimited(flow: FlowLaw) -> FlowLaw:
+    if flow.law == "bair-winer" or flow.stress == UNREACHED:
+        return NEWTONIAN
+    return replace(flow, law="eyring", limit=0.0, limit_pressure=0.0)
+
+
+def _flowing(by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]):
+    """A contact whose oil flows by what another law leaves of its own, if it has what that takes away."""
+
+    def without(scene: Contact) -> Contact:
+        flow = scene.oil.flow
+        if flow is None or not has(flow):
+            return scene
+        return replace(scene, oil=replace(scene.oil, flow=by(flow)))
+
+    return without
+
+
+def _lacking(has: Callable[[FlowLaw], bool], what: str):
+    def lacking(scene: Contact) -> str | None:
+        if scene.oil.flow is None:
+            return "no flow law is given"
+        return None if has(scene.oil.flow) else f"the oil's flow law has no {what}"
+
+    return lacking
+
+
+def _thins(flow: FlowLaw) -> bool:
+    return flow.stress > 0
+
+
+def _limits(flow: FlowLaw) -> bool:
+    return flow.limited
+
+
+SHEAR_THINNING = Effect(
+    name="shear-thinning",
+    symbol="4.5 eta0 (u + us) / h tau0",
+    source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
+    indicator=lambda sketch: _inlet_stress(sketch) / sketch.oil.flow.stress,
+    influence=lambda sketch: unlike(sketch, unthinned(sketch.oil.flow)),
+    without=_flowing(unthinned, _thins),
+    lacking=_lacking(_thins, "thinning"),
+)
+
+LIMITING_STRESS = Effect(
+    name="limiting-stress",
+    symbol="tau / tauL",
+    source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
+    indicator=lambda sketch: sketch.stress() / sketch.oil.flow.limit_at(sketch.pressure_mean),
+    influence=lambda sketch: unlike(sketch, _unlimited(sketch.oil.flow)),
+    without=_flowing(_unlimited, _limits),
+    lacking=_lacking(_limits, "limiting stress"),
+    eased_by=("shear-thinning",),  # which rounds the corner of the limit
+)

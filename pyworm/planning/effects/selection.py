@@ -1,0 +1,110 @@
+"""The effects that a user asks for in words."""
+
+from pyworm.planning.effects.catalogue import EFFECTS
+from pyworm.planning.effects.effect import Contact
+
+OF_HEAT_AND_FLOW = frozenset(
+    {
+        "shear-thinning",
+        "limiting-stress",
+        "surface-heating",
+        "film-heating",
+        "viscosity-across",
+    }
+)
+"""What a Newtonian film of one temperature has none of."""
+
+
+SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
+
+ONLY_NAMED = frozenset(name for name, effect in SIMULATED.items() if effect.only_named)
+"""Effects that no word for several of them means."""
+
+GROUPS = ("all", "isothermal")
+"""Words for several effects."""
+
+
+def words(text: str) -> tuple[str, ...]:
+    """The words of a choice; after "auto", effects that are simulated only where they are named.
+
+    Raises
+    ------
+    ValueError
+        For one that means nothing.
+    """
+    said = tuple(part.strip() for part in text.split(","))
+    if said[0] == "auto":
+        for word in said[1:]:
+            if word not in ONLY_NAMED:
+                raise ValueError(
+                    f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} "
+                    "beside it and chooses all else by the accuracy"
+                )
+        return said
+    if "auto" in said:
+        raise ValueError("auto comes first, as in auto,squeeze, and goes with no other choice")
+    for word in said:
+        if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
+            raise ValueError(
+                f"{word or 'nothing'} is none of auto, {', '.join(GROUPS)}, {', '.join(SIMULATED)}"
+            )
+    return said
+
+
+def beside_auto(text: str) -> frozenset[str] | None:
+    """Names of the effects that are asked for beside "auto"; None of a choice without it.
+
+    Raises
+    ------
+    ValueError
+        For a word that means nothing.
+    """
+    first, *names = _understood(text)
+    return frozenset(names) if first == "auto" else None
+
+
+def _understood(text: str) -> tuple[str, ...]:
+    try:
+        return words(text)
+    except ValueError as error:
+        raise ValueError(f"effects = {text}: {error}") from None
+
+
+def chosen(scene: Contact, text: str) -> frozenset[str]:
+    """Names of the effects that words choose.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    text : str
+        With commas between: "all" (all that are simulated and the contact has, but for `ONLY_NAMED`),
+        "isothermal" (these for a Newtonian film of one temperature), names of effects, and names after a
+        minus, which are taken away.
+
+    Raises
+    ------
+    ValueError
+        For a word that means nothing, and for an effect that is not simulated or, but for `ONLY_NAMED`, the
+        contact has none of.
+    """
+    whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
+    most = whole - ONLY_NAMED
+    groups = {"all": most, "isothermal": most - OF_HEAT_AND_FLOW}
+    on: set[str] = set()
+    for word in _understood(text):
+        name = word.removeprefix("-")
+        if word.startswith("-"):
+            on -= groups.get(name) or _with_dependents(name)
+        elif name in groups:
+            on |= groups[name]
+        elif name in whole:
+            on |= {name, *SIMULATED[name].together}
+        elif name not in ONLY_NAMED:  # a drive lacks these where its cycle begins
+            raise ValueError(f"effects = {text}: {name}: {SIMULATED[name].lacking(scene)}")
+    return frozenset(on & whole)
+
+
+def _with_dependents(name: str) -> set[str]:
+    """An effect and those that go only with it."""
+    return {name, *(effect.name for effect in EFFECTS if name in effect.together)}

@@ -1,0 +1,55 @@
+"""The effect of time: films of contacts that change while oil passes through them."""
+
+from dataclasses import replace
+from math import cos, inf, isfinite, log, sin
+
+from pyworm.planning.effects.effect import Contact, Effect, Influence
+from pyworm.planning.effects.geometry import SPEED_POWER, departure
+from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import sketch as sketch_of
+from pyworm.scene.entrainment_continuation import lent
+from pyworm.scene.line import LineScene
+from pyworm.scene.scales import scales
+
+
+def lag(sketch: Sketch) -> float:
+    """Change of the expected film while oil passes through the contact [-]."""
+    then = sketch.before
+    real = abs(departure(sketch) - departure(then))
+    shift = abs(log(sketch.film_central / then.film_central))
+    return shift + real if isfinite(real) else inf
+
+
+def spread(sketch: Sketch) -> float:
+    """What a contact that grows or shrinks gains or loses in area, over what oil sweeps: u + da/dt for u."""
+    then = sketch.before
+    passed = sketch.speed * sketch.age
+    if isinstance(sketch.scene, LineScene):
+        return abs(sketch.half_width - then.half_width) / passed
+    size, was = scales(lent(sketch.scene)), scales(lent(then.scene))
+    a_x, a_y = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    gained = abs(a_x - was.hertz.semi_axis_x) * a_y + abs(a_y - was.hertz.semi_axis_y) * a_x
+    return gained / (passed * (abs(cos(size.angle)) * a_y + abs(sin(size.angle)) * a_x))
+
+
+def _by_squeeze(sketch: Sketch) -> Influence:
+    change = lag(sketch) + SPEED_POWER * spread(sketch)
+    return Influence(change, change, change)
+
+
+def _lasting(scene: Contact) -> str | None:
+    if scene.past is None:
+        return "steady"
+    return "nothing before" if sketch_of(scene).before is None else None
+
+
+SQUEEZE = Effect(
+    name="squeeze",
+    symbol="d ln h + da/2b, in 2b/u",
+    source="a film is as old as the oil in it; the contact's edge runs to the oil or from it, h ~ u^0.7",
+    indicator=lambda sketch: lag(sketch) + spread(sketch),
+    influence=_by_squeeze,
+    without=lambda scene: replace(scene, past=None),
+    lacking=_lasting,
+    only_named=True,
+)

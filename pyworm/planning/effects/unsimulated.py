@@ -1,0 +1,58 @@
+"""Effects that the kernel does not simulate; their influence is told all the same, as far as it is known."""
+
+from math import exp
+
+from pyworm.planning.effects.effect import Effect, Influence
+from pyworm.planning.prediction import Sketch
+
+# ---------------------------------------------------------------------------------------- starvation
+
+STARVATION_POWER = 2.0
+"""Exponent g of the law, below the 3 to 5 that were measured: it tells more than there is."""
+
+
+def _supply(sketch: Sketch) -> float:
+    """Oil that arrives, over the film that would leave it."""
+    return sketch.oil.supply / sketch.film_central
+
+
+def _by_starvation(sketch: Sketch) -> Influence:
+    share = _supply(sketch)
+    change = 1 - share / (1 + share**STARVATION_POWER) ** (1 / STARVATION_POWER)
+    return Influence(change, change, change)
+
+
+STARVATION = Effect(
+    name="starvation",
+    symbol="h_oil / h",
+    source="h/h_flooded = r/(1 + r^g)^(1/g), Chevalier, Lubrecht, Cann, Colin and Dalmaz (1998)",
+    indicator=_supply,
+    influence=_by_starvation,
+    without=None,
+    lacking=lambda scene: "flooded" if scene.oil.supply is None else None,
+)
+
+
+# ----------------------------------------------------------------------------------------- roughness
+
+
+def _thickness(sketch: Sketch) -> float:
+    """Specific film: minimum film over the composite roughness."""
+    return sketch.film_min / sketch.scene.composite_roughness
+
+
+def _by_roughness(sketch: Sketch) -> Influence:
+    # Patir and Cheng (1978), isotropic: the pressure flow factor's 1 - 0.9 exp(-0.56 h/sigma)
+    change = 0.9 * exp(-0.56 * _thickness(sketch))
+    return Influence(change, change, change)
+
+
+ROUGHNESS = Effect(
+    name="roughness",
+    symbol="h / sigma",
+    source="Patir and Cheng (1978), pressure flow factor of isotropic surfaces",
+    indicator=_thickness,
+    influence=_by_roughness,
+    without=None,
+    lacking=lambda scene: "roughness not given" if scene.composite_roughness is None else None,
+)

@@ -1,0 +1,242 @@
+"""How much work a solve is expected to be: Newton steps and the nodes of their grids, counted, not timed.
+
+What a step takes on a machine is measured (`solver.cost.calibration`). Counts and laws are medians and fits
+over the shipped cases and the scenes of `benchmarks/asked_accuracy.py`; `docs/accuracy.md` shows what they
+predict, and `benchmarks/precision.py expected` tries them again.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import log
+from typing import Literal
+
+import numpy as np
+
+Kind = Literal["point", "line"]
+
+CHANGE, SHARPNESS_POWER, LUBRICANT_POWER, LOBES_POWER = 2.6, 2.7, 0.6, 0.16
+"""The films' change from the first grid of the figures to the next is 2.6 (s/d)^2.7 (L/10)^0.6 k^0.16.
+
+Here s is the spacing, d = b (h R/b^2)^(2/3) the length over which the gap beside a contact of half-width b
+rises by a film h, whichever direction gives more, and k the length of a contact along the entrainment over
+its width, or 1 if that is less: slender contacts entrained along have thin side lobes. A fit to 56 contacts,
+M 4 to 1000 and L 1 to 20, from which they scatter by 1.7."""
+
+LEAST_CHANGE, LENT_CHANGE = 5e-3, 0.1
+"""The least, and that of a film that heat alone carries, which no formula knows."""
+
+LOG_CHANGE = tuple(log(share) for share in (0.15, 0.65, 7.7, 31.0, 123.0, 1970.0))
+HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
+"""That change over the accuracy, and halvings between which a solve is as likely to stop as to go on.
+
+There is one at least; beyond the last each halving leaves a quarter, as it does before.
+
+The error bar on the second grid is 1.25 times the change, on the third a tenth of it, and a quarter of the
+one before on each further (`solver.error_estimate.grid_errors`); some of it is left to window and algebra."""
+
+
+WORTHLESS = 0.1
+"""Relative error of the films beyond which figures are worth no grid, whatever accuracy was asked for."""
+
+IN_VAIN = 0.8
+"""Halvings beyond the largest grid from which no such figures come: twice the scatter of the expected change,
+1.7, in halvings."""
+
+
+@dataclass(frozen=True)
+class Steps:
+    """Newton steps of a solve.
+
+    Attributes
+    ----------
+    outer : float
+        On each grid but the last of a nest.
+    cold : float
+        On the last one with a Newtonian oil of one temperature.
+    full : float
+        There with all that is simulated besides, if there is more.
+    finer : float
+        On each finer grid.
+    """
+
+    outer: float
+    cold: float
+    full: float
+    finer: float
+
+
+STEPS: dict[Kind, Steps] = {
+    "point": Steps(outer=6.0, cold=4.0, full=8.0, finer=2.8),
+    "line": Steps(outer=0.0, cold=12.0, full=12.0, finer=5.0),
+}
+
+THICKENING, THICKENING_POWER = 10.0, 0.7
+"""Moes' L from which the linear systems of steps take more iterations, and the power of L with which."""
+
+STIFF, STIFF_POWER = 15.0, 2.5
+"""The same for the steps of a film that warms."""
+
+INSTANTS = (10, 24, 58)
+"""Steps of time in the first march of a film in motion, and in those on finer grids (`solver.transient`)."""
+
+MARCHED_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
+"""Newton steps at each of them."""
+
+FINEST_MARCH = 0.06
+"""Accuracy from which on the last of these marches is likely."""
+
+LENT_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
+"""Those of a film that heat alone carries."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """Steps on one grid.
+
+    Attributes
+    ----------
+    nodes : float
+        Its nodes.
+    cold : float
+        Steps with a Newtonian oil of one temperature.
+    full : float
+        Steps with all that is simulated besides; none where nothing is.
+    """
+
+    nodes: float
+    cold: float
+    full: float
+
+
+@dataclass(frozen=True)
+class Work:
+    """What a solve is expected to do.
+
+    Attributes
+    ----------
+    kind : str
+        "point" or "line".
+    stages : tuple of Stage
+        Its grids, finer ones last; these say on the average of what is likely.
+    needed : float
+        Nodes that figures of any worth are likely to need.
+    in_vain : bool
+        Whether these are so many more than allowed that no grid is refined.
+    """
+
+    kind: Kind
+    stages: tuple[Stage, ...]
+    needed: float = 0.0
+    in_vain: bool = False
+
+    @property
+    def finest(self) -> float:
+        """Nodes of the last grid."""
+        return self.stages[-1].nodes
+
+    @property
+    def steps(self) -> float:
+        """All steps."""
+        return sum(stage.cold + stage.full for stage in self.stages)
+
+
+def first_change(
+    spacing: Sequence[float],
+    half_widths: Sequence[float],
+    radii: Sequence[float],
+    film: float,
+    moes_l: float,
+    slenderness: float = 1.0,
+) -> float:
+    """Expected relative change of the films from the first grid of the figures to the next.
+
+    Parameters
+    ----------
+    spacing, half_widths, radii : sequence of float
+        Of the grid, of Hertz's contact and of the undeformed gap, along each direction [m].
+    film : float
+        Central film [m].
+    moes_l : float
+        Moes' lubricant parameter.
+    slenderness : float
+        Length of the contact along the entrainment over its width.
+    """
+    sharpness = max(
+        step / (half * (film * radius / half**2) ** (2 / 3))
+        for step, half, radius in zip(spacing, half_widths, radii, strict=True)
+    )
+    lubricant = max(moes_l, 1.0) / 10
+    lobes = max(slenderness, 1.0) ** LOBES_POWER
+    change = CHANGE * sharpness**SHARPNESS_POWER * lubricant**LUBRICANT_POWER * lobes
+    return max(LEAST_CHANGE, change)
+
+
+def stiffness(heated: bool, moes_l: float) -> float:
+    """How many times as much work as usual the steps of a film are."""
+    least, power = (STIFF, STIFF_POWER) if heated else (THICKENING, THICKENING_POWER)
+    return max(1.0, moes_l / least) ** power
+
+
+def expected_work(
+    kind: Kind,
+    nests: Sequence[Sequence[float]],
+    change: float,
+    accuracy: float,
+    largest: float,
+    full: bool,
+    stiffness: float = 1.0,
+    lent: bool = False,
+    moving: bool = False,
+) -> Work:
+    """What a solve is expected to do.
+
+    Parameters
+    ----------
+    kind : str
+        "point" or "line".
+    nests : sequence of sequence of float
+        Nodes of the grids of each window, the first window's being refined.
+    change : float
+        Relative change of the films from the first grid of the figures to the next.
+    accuracy : float
+        Relative error wanted [-].
+    largest : float
+        Nodes beyond which grids are not refined.
+    full : bool
+        Whether more than a Newtonian oil of one temperature is simulated.
+    stiffness : float
+        How many times as much work as usual the steps are (`stiffness`).
+    lent : bool
+        Whether heat alone carries the film.
+    moving : bool
+        Whether it is marched through its past.
+    """
+    steps = LENT_STEPS if lent else STEPS[kind]
+    cold = 1.0 if full else stiffness
+    stages = []
+    for nest in nests:
+        stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
+        stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
+    growth = 4.0 if kind == "point" else 2.0
+    marches = INSTANTS[: len(INSTANTS) - (accuracy > FINEST_MARCH)] if moving else ()
+    for level, instants in enumerate(marches):
+        count = stiffness * MARCHED_STEPS[kind] * instants
+        nodes = nests[0][-1] * growth ** (level - (kind == "point"))
+        stages.append(Stage(nodes, count * (not full), count * full))
+    most = max(1.0, log(largest / nests[0][-1]) / log(growth))
+    least = _halvings(change / max(accuracy, WORTHLESS))
+    needed = nests[0][-1] * growth**least
+    if least > most + IN_VAIN:
+        return Work(kind, tuple(stages), needed, in_vain=True)
+    halvings = min(most, _halvings(change / accuracy))
+    for number in range(int(halvings)):
+        # the last grid is as fine as likely
+        nodes = nests[0][-1] * growth ** (halvings - int(halvings) + number + 1)
+        stages.append(Stage(nodes, cold * steps.finer * (not full), stiffness * steps.finer * full))
+    return Work(kind, tuple(stages), needed)
+
+
+def _halvings(change: float) -> float:
+    """Halvings that a change of the films, over the accuracy, is likely to need."""
+    beyond = max(0.0, (log(change) - LOG_CHANGE[-1]) / log(4.0))
+    return float(np.interp(log(change), LOG_CHANGE, HALVINGS)) + beyond

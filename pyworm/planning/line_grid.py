@@ -1,0 +1,109 @@
+"""Uniform grids along x, and the first one of a line contact."""
+
+from dataclasses import dataclass
+from math import ceil, hypot, log, sqrt
+
+import numpy as np
+
+from pyworm.scene.line import LineScene
+from pyworm.scene.scales import LineScales
+
+INLET_FILMS = 12.0
+"""Films that Hertz's gap has risen at the inlet end of the grid; beyond it is `solver.line.far_field`."""
+
+INLET_ACCURACY = 1e-3
+"""Accuracy for which that is enough. The error falls with the square of the films (`LineLadder`)."""
+
+HEATED_INLET_FILMS = 48.0
+"""The same of a film that warms: oil and bodies are heated far before the contact."""
+
+HEATED_INLET_ACCURACY = 1e-2
+"""Accuracy for which that is enough. The error falls with the films (`LineLadder`)."""
+
+EXIT_FILMS = 1.0
+"""The same at the exit end. A rigid film ruptures where the gap has risen by a quarter of the film."""
+
+FIRST_CELLS = 64
+"""Cells of the first grid, at least."""
+
+CELLS_OF_RISE = 3
+"""Cells of the first grid, at least, from the edge of the dry contact to where Hertz's gap is a film high.
+
+On coarser grids a heavily loaded film is a guess: at M > 800 on 64 cells Newton's iteration went astray, and
+what the window changes was not to be seen."""
+
+
+@dataclass(frozen=True)
+class LineGrid:
+    """A uniform grid of nodes, one of them at the contact point.
+
+    Attributes
+    ----------
+    dx : float
+        Spacing [m].
+    first : int
+        Number of the first node, counted from the contact point.
+    nodes : int
+        Number of nodes.
+    """
+
+    dx: float
+    first: int
+    nodes: int
+
+    @property
+    def x(self) -> np.ndarray:
+        """Positions of the nodes [m]."""
+        return self.dx * np.arange(self.first, self.first + self.nodes)
+
+    @property
+    def shape(self) -> tuple[int]:
+        """Number of nodes along x."""
+        return (self.nodes,)
+
+    @property
+    def spacing(self) -> tuple[float]:
+        """Spacing along x [m]."""
+        return (self.dx,)
+
+    def finer(self) -> "LineGrid":
+        """The grid of half the spacing over the same interval."""
+        return LineGrid(self.dx / 2, 2 * self.first, 2 * self.nodes - 1)
+
+
+def first_grids(
+    scene: LineScene, size: LineScales, accuracy: float, heated: bool
+) -> tuple[LineGrid, LineGrid]:
+    """The coarsest grid for an accuracy, and the one of the same spacing whose inlet reaches twice as far."""
+    if heated:
+        films = HEATED_INLET_FILMS * max(1.0, HEATED_INLET_ACCURACY / accuracy)
+    else:
+        films = INLET_FILMS * max(1.0, sqrt(INLET_ACCURACY / accuracy))
+    inlet, wider, exit_ = (
+        _distance(scene, size, reach) for reach in (films, 2 * films, EXIT_FILMS)
+    )
+    rise = _distance(scene, size, 1.0) - size.hertz.half_width
+    dx = min((inlet + exit_) / FIRST_CELLS, rise / CELLS_OF_RISE)
+    return tuple(_grid(scene, dx, before, exit_) for before in (inlet, wider))
+
+
+def _grid(scene: LineScene, dx: float, inlet: float, exit_: float) -> LineGrid:
+    before, behind = ceil(inlet / dx), ceil(exit_ / dx)
+    return LineGrid(dx, -before if scene.entrainment > 0 else -behind, before + behind + 1)
+
+
+def _distance(scene: LineScene, size: LineScales, films: float) -> float:
+    """Distance [m] from the contact point at which Hertz's gap is that many films high.
+
+    Outside the contact the gap is b^2/2R {X (X^2 - 1)^(1/2) - ln[X + (X^2 - 1)^(1/2)]}, X = x/b (Johnson,
+    Contact Mechanics, section 4.2).
+    """
+    height, b = films * size.film, size.hertz.half_width
+    near, far = b, 2 * hypot(b, sqrt(2 * scene.radius * height))
+    for _ in range(60):
+        middle = (near + far) / 2
+        ratio = middle / b
+        root = sqrt(ratio**2 - 1)
+        gap = b**2 / (2 * scene.radius) * (ratio * root - log(ratio + root))
+        near, far = (middle, far) if gap < height else (near, middle)
+    return far

@@ -1,0 +1,206 @@
+"""The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pyworm.formulas.regimes import Regime, line_regime, point_regime
+from pyworm.materials.oil import NEWTONIAN
+from pyworm.planning.discretisation import PLANS
+from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
+from pyworm.planning.effects.judgement import Judgement, judge, simplified
+from pyworm.planning.effects.selection import beside_auto, chosen
+from pyworm.planning.expected_work import Work
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.model import Model, model_for
+from pyworm.planning.prediction import Sketch, sketch
+from pyworm.planning.target import FILMS, HEAT_FIGURES, Aim
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a solve will do.
+
+    Attributes
+    ----------
+    accuracy : float
+        Relative error wanted in the quantities asked for [-].
+    quantities : tuple of str
+        What is asked for, of `pyworm.planning.effects.effect.QUANTITIES`.
+    asked : str or None
+        The effects asked for in words; None where the accuracy chose them.
+    effects : tuple of Judgement
+        Every effect judged.
+    regime : Regime
+        The regime of lubrication by the chart.
+    aim : Aim
+        The figures whose error bars the accuracy is asked of.
+    model : Model
+        What the kernel simulates.
+    grids : tuple of Grid or LineGrid
+        From the outermost to the first one of the figures; finer ones follow as the accuracy needs.
+    wider_grids : tuple of Grid or LineGrid
+        The same to a window of twice the reach and the same spacing, for the error by the window; none if
+        that is not to be estimated.
+    largest_grid : int
+        Nodes beyond which grids are not refined further.
+    tolerance : float
+        Residual and load error, at most, at which a grid of the figures is solved.
+    work : Work
+        The Newton steps that are expected; what they take is told by `pyworm.solver.cost.expected_time`.
+    refusal : str or None
+        Why no grid is refined: the film needs far more nodes than allowed. None of any other contact.
+    """
+
+    accuracy: float
+    quantities: tuple[str, ...]
+    asked: str | None
+    effects: tuple[Judgement, ...]
+    regime: Regime
+    aim: Aim
+    model: Model
+    grids: tuple[Grid | LineGrid, ...]
+    wider_grids: tuple[Grid | LineGrid, ...]
+    largest_grid: int
+    tolerance: float
+    work: Work
+    refusal: str | None = None
+
+    @property
+    def on(self) -> frozenset[str]:
+        """Names of the effects that are simulated."""
+        return frozenset(judgement.name for judgement in self.effects if judgement.on)
+
+    def simplified(self, scene: Scene | LineScene) -> Scene | LineScene:
+        """The scene without the effects that are left out.
+
+        Where the oil's flow law is left out whatever that changes, none is left: the friction of a Newtonian
+        oil would mean nothing.
+        """
+        simple = simplified(scene, self.on)
+        if self.asked is not None and simple.oil.flow == NEWTONIAN != scene.oil.flow:
+            return replace(simple, oil=replace(simple.oil, flow=None))
+        return simple
+
+
+def plan(
+    scene: Scene | LineScene,
+    accuracy: float = 0.01,
+    effects: str = "auto",
+    quantities: Sequence[str] | None = None,
+) -> Plan:
+    """Plan of a solve.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    accuracy : float
+        Relative error wanted [-], between 1e-5 and 0.5.
+    effects : str
+        "auto": what the accuracy calls for, and effects named after a comma; otherwise what
+        `planning.effects.selection.chosen` reads: "all", "isothermal", or names of effects with commas.
+    quantities : sequence of str, optional
+        What is asked for: "film", "friction", "temperature"; by default all that the oil is known for.
+
+    Raises
+    ------
+    ValueError
+        For a name or an accuracy that there is none of, an effect that too little is known of the scene for,
+        or a scene without load or size.
+    """
+    if not 1e-5 <= accuracy <= 0.5:
+        raise ValueError(
+            f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"
+        )
+    known = _known(scene)
+    for quantity in quantities or ():
+        if quantity not in QUANTITIES:
+            raise ValueError(f"quantities: {quantity} is none of {', '.join(QUANTITIES)}")
+        if quantity not in known:
+            raise ValueError(
+                f"quantities: {quantity} cannot be told, give [oil.shear] or [oil.heat]"
+            )
+    wanted = known if quantities is None else tuple(quantities)
+    named = beside_auto(effects)
+    asked = effects if named is None else None
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            return planned(scene, accuracy, wanted, sketch(scene), asked, named or frozenset())
+    except ArithmeticError as error:
+        raise ValueError(
+            f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "
+            "check their units"
+        ) from error
+
+
+def planned(
+    scene: Scene | LineScene,
+    accuracy: float,
+    quantities: tuple[str, ...],
+    seen: Sketch,
+    asked: str | None = None,
+    kept: frozenset[str] = frozenset(),
+) -> Plan:
+    """The plan by a sketch of the contact; effects that are `kept` stay on whatever it says."""
+    judgements = _judged(scene, accuracy, quantities, seen, asked, kept)
+    on = frozenset(judgement.name for judgement in judgements if judgement.on)
+    simple = simplified(scene, on)
+    model = model_for(simple, accuracy, on)
+    numerics = PLANS[type(simple)](simple, accuracy, model)
+    # without sliding friction has no size, and without its flow law it means nothing
+    law = model.levels > 0 or asked is None or simple.oil.flow == scene.oil.flow
+    aim = _aim(quantities, model, rubs=law and seen.sliding > 0, beta=seen.inlet_beta)
+    regime = (line_regime if isinstance(scene, LineScene) else point_regime)(seen.groups)
+    return Plan(accuracy, quantities, asked, judgements, regime, aim, model, **vars(numerics))
+
+
+def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGrid, ...]:
+    """The grids that a plan would have if it were one of this scene."""
+    return PLANS[type(scene)](scene, plan.accuracy, plan.model).grids
+
+
+def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
+    """The figures that tell what is asked for, as far as the model has them."""
+    figures = {
+        FILM: FILMS,
+        FRICTION: ("friction_coefficient",) * rubs,
+        TEMPERATURE: HEAT_FIGURES * model.heated,
+    }
+    names = tuple(name for quantity in quantities for name in figures[quantity])
+    return Aim(names, 1 / beta if beta > 0 else 0.0)
+
+
+def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
+    """The plan judged again by solved figures, by name; effects that are on stay on.
+
+    Only where effects come in is anything else of it planned anew.
+    """
+    seen = sketch(scene).seen(figures)
+    how = scene, plan.accuracy, plan.quantities, seen, plan.asked, plan.on
+    again = replace(plan, effects=_judged(*how))
+    return again if again.on == plan.on else planned(*how)
+
+
+def _judged(
+    scene: Scene | LineScene,
+    accuracy: float,
+    quantities: tuple[str, ...],
+    seen: Sketch,
+    asked: str | None,
+    kept: frozenset[str],
+) -> tuple[Judgement, ...]:
+    """The effects, judged as of `planned`."""
+    names = None if asked is None else chosen(scene, asked)
+    return judge(scene, accuracy, quantities, seen, names, kept)
+
+
+def _known(scene: Scene | LineScene) -> tuple[str, ...]:
+    """What can be asked of a scene by what is known of its oil."""
+    oil = scene.oil
+    known = {FILM: True, FRICTION: oil.flow or oil.heat, TEMPERATURE: oil.heat}
+    return tuple(quantity for quantity in QUANTITIES if known[quantity])

@@ -1,0 +1,312 @@
+"""What closed forms say of a contact before it is solved, and what its solution says afterwards.
+
+Effects are judged by these numbers and by nothing else, so that they can be judged again from a solution.
+Friction and temperatures are estimated together: oil that shears warms, and warm oil shears more easily.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import cos, hypot, inf, log, pi, sin, sqrt
+
+import numpy as np
+from scipy.optimize import brentq
+
+from pyworm.formulas.film import LineGroups, PointGroups
+from pyworm.materials.body import Body
+from pyworm.materials.oil import NEWTONIAN, FlowLaw, Oil
+from pyworm.scene.entrainment_continuation import lent
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import line_scales, scales
+
+POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
+"""Mean over largest pressure of Hertz's ellipse and strip."""
+
+LEAST_TO_CENTRAL = 0.6
+"""Minimum over central film, as a rule, where no formula gives it."""
+
+SOLID = 100.0
+"""alpha p beyond which no oil flows, and exp(alpha p) is no number to judge by."""
+
+INLET_HEAT = 100.0
+"""Heat of Poiseuille flow in the inlet, times h^2, over eta0 u^2."""
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """A contact in a few numbers.
+
+    Attributes
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    half_width, half_length : float
+        Half-width of the contact along the entrainment and across it [m]; the latter infinite for a line.
+    mean_share : float
+        Mean over largest pressure [-].
+    pressure_max : float
+        Largest pressure [Pa]; before it is known Hertz's, too high where a thick film spreads the load,
+        but none at which the oil is solid.
+    film_central, film_min : float
+        Films [m].
+    speed, sliding : float
+        Entrainment and sliding at the contact point [m/s]; of pure spin a mean of the entrainment about it.
+    velocities : tuple of float
+        Speeds of the surfaces at the contact point [m/s].
+    groups : PointGroups or LineGroups
+        Dimensionless groups along the entrainment.
+    carried_by_heat : bool
+        Whether no film forms without heat.
+    work : float or None
+        Heat of shearing for each area, as the solution tells [W/m2]; None before it is known.
+    rise_film, rise_bodies : float or None
+        Largest temperature above the inlet's of the film and of the warmer surface [K]; None likewise.
+    """
+
+    scene: Scene | LineScene
+    half_width: float
+    half_length: float
+    mean_share: float
+    pressure_max: float
+    film_central: float
+    film_min: float
+    speed: float
+    sliding: float
+    velocities: tuple[float, float]
+    groups: PointGroups | LineGroups
+    carried_by_heat: bool = False
+    work: float | None = None
+    rise_film: float | None = None
+    rise_bodies: float | None = None
+
+    @property
+    def transit(self) -> float:
+        """Time that oil takes to pass through the middle of the contact [s]."""
+        return 2 * self.half_width / self.speed
+
+    @property
+    def age(self) -> float:
+        """Time since that oil came in, or the contact's mesh cycle began [s]."""
+        return min(self.transit, self.scene.past.seconds)
+
+    @cached_property
+    def before(self) -> "Sketch | None":
+        """The contact as it was then; None where there was nothing."""
+        then = self.scene.past.back([self.age]) if self.age > 0 else []
+        return sketch(then[0].contact) if then else None
+
+    @property
+    def oil(self) -> Oil:
+        """The oil."""
+        return self.scene.oil
+
+    @property
+    def pressure_mean(self) -> float:
+        """Mean pressure [Pa]."""
+        return self.mean_share * self.pressure_max
+
+    @property
+    def beta(self) -> float:
+        """-d ln eta/dT at the mean pressure and the inlet's temperature [1/K]; 0 where it is not known."""
+        return -log(self.oil.eta(self.pressure_mean, 1.0) / self.oil.eta(self.pressure_mean))
+
+    @property
+    def inlet_beta(self) -> float:
+        """The same at ambient pressure [1/K]."""
+        return -log(self.oil.eta(0.0, 1.0) / self.oil.eta(0.0))
+
+    def stress(self, flow: FlowLaw | None = None, rise: float = 0.0) -> float:
+        """Shear stress by the sliding at the mean pressure [Pa].
+
+        Parameters
+        ----------
+        flow : FlowLaw, optional
+            In place of the oil's.
+        rise : float
+            Temperature of the oil above the inlet's [K].
+        """
+        law = flow or self.oil.flow or NEWTONIAN
+        newtonian = self.oil.eta(self.pressure_mean, rise) * self.sliding / self.film_central
+        return law.stress_at(newtonian, self.pressure_mean)
+
+    def surface_rise(self, heat: float) -> float:
+        """Largest rise of the surfaces that a heat for each area [W/m2] gives [K].
+
+        A strip of half-width b that moves at Peclet numbers above a few warms by 2 q sqrt(2 b/(pi k rho c U))
+        (Jaeger 1942; Carslaw and Jaeger 1959, section 10.7), a slower one by no more than 3 q b/(2 k); the
+        heat parts so that both surfaces are equally warm.
+        """
+        return heat / sum(1 / resistance for resistance in self._resistances)
+
+    @property
+    def _resistances(self) -> list[float]:
+        return [
+            _resistance(body, speed, self.half_width)
+            for body, speed in zip(self.scene.bodies, self.velocities, strict=True)
+        ]
+
+    @property
+    def wall_warmth(self) -> float:
+        """Difference of ln eta between the surfaces if half of the heat went into each [-]."""
+        first, second = self._resistances
+        return self.beta * self.heat / 2 * abs(first - second)
+
+    def film_rise(self, heat: float) -> float:
+        """Largest rise of the film over its walls that a heat for each area [W/m2] gives [K]: q h/8k."""
+        return heat * self.film_central / (8 * self._conductivity)
+
+    @property
+    def _conductivity(self) -> float:
+        heat, p = self.oil.heat, self.pressure_mean
+        return heat.conductivity * (1 + heat.conductivity_c1 * p / (1 + heat.conductivity_c2 * p))
+
+    def hot_stress(
+        self, surfaces: bool = True, film: bool = True, flow: FlowLaw | None = None
+    ) -> float:
+        """Shear stress [Pa] of oil that surfaces, film or both have warmed, at peace with their heat."""
+        cold = self.stress(flow)
+        if self.oil.heat is None or cold == 0:
+            return cold
+
+        def excess(stress: float) -> float:
+            heat = stress * self.sliding
+            rise = surfaces * self.surface_rise(heat) + film * self.film_rise(heat) * 2 / 3
+            return stress - self.stress(flow, rise)
+
+        return brentq(excess, 0.0, cold, xtol=1e-6 * cold) if excess(cold) > 0 else cold
+
+    @property
+    def heat(self) -> float:
+        """Heat of shearing for each area [W/m2], as known or as estimated."""
+        return self.hot_stress() * self.sliding if self.work is None else self.work
+
+    @property
+    def rolling_rise(self) -> float:
+        """Rise of the film by its flow into the contact and by compression, without any sliding [K].
+
+        Both are heat made across the film, q h/8k: that of Poiseuille flow in the inlet, where the oil is
+        some times thicker than outside, and eps T u p/b of compression.
+        """
+        heat = self.oil.heat
+        flow = INLET_HEAT * self.oil.viscosity.eta0 * self.speed**2
+        compression = (
+            heat.expansivity
+            * heat.inlet_temperature
+            * self.speed
+            * self.pressure_max
+            / self.half_width
+            * self.film_central**2
+        )
+        return (flow + compression) / (8 * heat.conductivity)
+
+    @property
+    def rolling_warmth(self) -> float:
+        """Fall of ln eta by that [-]."""
+        return self.beta * self.rolling_rise
+
+    @property
+    def bulk(self) -> float:
+        """Largest difference between a body's bulk temperature and the inlet's [K]."""
+        inlet = self.oil.heat.inlet_temperature
+        return max(abs(body.bulk_temperature - inlet) for body in self.scene.bodies)
+
+    @property
+    def warmest(self) -> float:
+        """Largest temperature above the inlet's [K], as known or as estimated."""
+        if self.rise_film is not None:
+            return self.rise_film
+        sheared = self.surface_rise(self.heat) + self.film_rise(self.heat)
+        return self.bulk + self.rolling_rise + sheared
+
+    @property
+    def warmth(self) -> float:
+        """The same in units of what influences on temperature are told in (`Influence`) [-]."""
+        if self.oil.heat is None:
+            return 0.0
+        return min(1.0, self.warmest * self.inlet_beta)
+
+    def seen(self, figures: Mapping[str, float]) -> "Sketch":
+        """The same with solved figures (`solver.error_estimate`), by name, in place of closed forms."""
+        changes = {name: figures[name] for name in ("pressure_max", "film_central", "film_min")}
+        if "friction_coefficient" in figures:
+            friction = abs(figures["friction_coefficient"])
+            changes["work"] = friction * self.pressure_mean * self.sliding
+        if "temperature_max_film" in figures:
+            inlet = self.scene.oil.heat.inlet_temperature
+            changes["rise_film"] = figures["temperature_max_film"] - inlet
+            bodies = (figures[f"temperature_max_body_{number}"] for number in (1, 2))
+            changes["rise_bodies"] = max(bodies) - inlet
+        return replace(self, **changes)
+
+
+def sketch(scene: Scene | LineScene) -> Sketch:
+    """What closed forms say of a contact.
+
+    Raises
+    ------
+    ValueError
+        For a scene that `pyworm.scene.scales` refuses.
+    """
+    return _line(scene) if isinstance(scene, LineScene) else _point(scene)
+
+
+def _flowing(pressure: float, oil: Oil) -> float:
+    """A pressure [Pa], or the largest at which the oil still flows."""
+    alpha = oil.viscosity.alpha
+    return min(pressure, SOLID / alpha) if alpha > 0 else pressure
+
+
+def _resistance(body: Body, speed: float, half_width: float) -> float:
+    """Rise of a surface by a flux of 1 W/m2 [m2 K/W]."""
+    still = 1.5 * half_width / body.conductivity
+    if speed == 0:
+        return still
+    effusivity = body.conductivity * body.density * body.specific_heat
+    return min(still, 2 * sqrt(2 * half_width / (pi * effusivity * speed)))
+
+
+def _point(scene: Scene) -> Sketch:
+    fed = lent(scene)
+    size = scales(fed)
+    origin = np.zeros(())
+    ax, ay = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    along, across = (
+        1 / hypot(cos(angle) / ax, sin(angle) / ay) for angle in (size.angle, size.angle + pi / 2)
+    )
+    return Sketch(
+        scene=scene,
+        half_width=along,
+        half_length=across,
+        mean_share=POINT_MEAN,
+        pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
+        film_central=size.film,
+        film_min=LEAST_TO_CENTRAL * size.film,
+        speed=size.groups.speed
+        * scene.reduced_modulus
+        * size.groups.radius
+        / scene.oil.viscosity.eta0,
+        sliding=hypot(*(float(part) for part in scene.sliding(origin, origin))),
+        velocities=tuple(
+            hypot(*(float(part) for part in motion(origin, origin))) for motion in scene.motions
+        ),
+        groups=size.groups,
+        carried_by_heat=fed is not scene,
+    )
+
+
+def _line(scene: LineScene) -> Sketch:
+    size = line_scales(scene)
+    return Sketch(
+        scene=scene,
+        half_width=size.hertz.half_width,
+        half_length=inf,
+        mean_share=LINE_MEAN,
+        pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
+        film_central=size.film,
+        film_min=0.8 * size.film,
+        speed=abs(scene.entrainment),
+        sliding=abs(scene.sliding),
+        velocities=tuple(abs(velocity) for velocity in scene.velocities),
+        groups=size.groups,
+    )

@@ -1,0 +1,40 @@
+"""The figures whose error bars the accuracy is asked of."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+FILMS = ("film_min", "film_central")
+
+FIGURES = (*FILMS, "pressure_max")
+
+SHEAR_FIGURES = ("friction_coefficient", "power_loss", "shear_rate_max")
+
+HEAT_FIGURES = ("temperature_max_body_1", "temperature_max_body_2", "temperature_max_film")
+
+
+@dataclass(frozen=True)
+class Aim:
+    """The figures whose error bars an accuracy is asked of.
+
+    The largest pressure is never among them: under light loads it is the tip of a spike at the exit, which no
+    practicable grid resolves.
+
+    Attributes
+    ----------
+    figures : tuple of str
+        Their names.
+    warmth : float
+        Temperature difference to which errors of temperatures are relative where the rise is smaller [K].
+    """
+
+    figures: tuple[str, ...]
+    warmth: float = 0.0
+
+    def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:
+        """The largest of relative errors of figures, temperatures among these as rises [K]."""
+        return max(errors[name] * self._weight(name, figures[name]) for name in self.figures)
+
+    def _weight(self, name: str, value: float) -> float:
+        if name not in HEAT_FIGURES or value >= self.warmth:
+            return 1.0
+        return max(value, 0.0) / self.warmth

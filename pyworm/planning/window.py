@@ -1,0 +1,132 @@
+"""How much of the tangent plane a scene needs: far enough out that the oil supply is not felt to end."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.formulas.film import point_asymptotes
+from pyworm.planning.grid import Box
+from pyworm.scene.point import Array, Scene
+from pyworm.scene.scales import Scales
+
+SAMPLES = 65
+"""Points along each side at which the gap is looked at."""
+
+GROWTH = 1.4
+"""How much a side moves out at a time."""
+
+MOST_GROWTHS = 40
+"""Moves after which a gap that has not risen never will."""
+
+OUTFLOW_SHARE = 0.5
+"""A side is an exit where at least this share of the entrainment leaves through it."""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How high above the film the undeformed gap must have risen at a window's sides.
+
+    Attributes
+    ----------
+    inlet : float
+        In films, where oil comes in or passes by.
+    exit : float
+        In films, where it leaves; no more than `inlet`.
+    """
+
+    inlet: float
+    exit: float
+
+    @classmethod
+    def around(cls, inlet: float) -> "Reach":
+        """Exit a fifth as far out, in gap, as the inlet.
+
+        Far from a circular contact the pressure c(phi) / r^3 ends not abeam of it, as the exact solution
+        without rupture does, but where c'' = 9 c + cos phi ends with c = c' = 0: 18 degrees behind.
+        """
+        return cls(inlet, inlet / 5)
+
+    def doubled(self) -> "Reach":
+        """Twice as high a gap: the next larger window, for its influence."""
+        return Reach(2 * self.inlet, 2 * self.exit)
+
+
+FAR = Reach.around(600.0)
+"""The outermost window; pressure beyond it is that of a rigid film (`pyworm.solver.point.far_field`)."""
+
+NEAR_ELASTIC = 12.0
+"""Reach of the window of the figures in the elastic limit [films]."""
+
+NEAR_RIGID = 100.0
+"""What a rigid film adds to that reach, for then pressure on the coarser grids around carries much load."""
+
+
+def near_reach(size: Scales) -> Reach:
+    """Reach of the window of the figures; pressure beyond it comes from coarser grids.
+
+    The share of the load that a rigid film of the expected thickness would carry, which goes with its square
+    root (Nijenbanning, Venner and Moes' rigid-isoviscous asymptote), leads from the one limit to the other.
+    """
+    groups = size.groups
+    rigid = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio).rigid_isoviscous
+    share_squared = min(1.0, rigid * groups.moes_film / size.film)
+    return Reach.around(NEAR_ELASTIC + NEAR_RIGID * share_squared)
+
+
+def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
+    """Smallest rectangles around the contact on whose sides the gap is as high as each of some reaches asks.
+
+    The gap counts from the surface that a dry contact would flatten to: Hertz's approach above the least
+    gap around the contact point, where relieved tips leave some tens of micrometres. Where the teeth end a
+    window ends one sample beyond them.
+    """
+    half_x, half_y = 1.5 * size.hertz.semi_axis_x, 1.5 * size.hertz.semi_axis_y
+    # the windows grow together: few large calls of the gap cost less than many small ones
+    boxes = np.tile([-half_x, half_x, -half_y, half_y], (len(reaches), 1))
+    inlet, exit_ = (
+        np.array([[getattr(reach, at)] for reach in reaches]) for at in ("inlet", "exit")
+    )
+    flat = _least(scene, boxes[0]) + size.hertz.approach
+    for _ in range(MOST_GROWTHS):
+        rise = (_lowest(scene, boxes) - flat) / size.film
+        open_ = rise < inlet
+        enough = open_ & (rise >= exit_)  # if the side is an exit
+        if enough.any():
+            open_[enough] = ~_leaves(scene, np.nonzero(enough)[1], boxes[enough])
+        if not open_.any():
+            return tuple(tuple(box) for box in boxes.tolist())
+        boxes = np.where(open_, GROWTH * boxes, boxes)
+    last = int(open_.any(axis=1).argmax())
+    raise ValueError(
+        f"{scene.name}: the gap does not rise above {reaches[last].inlet:g} films within "
+        f"{abs(boxes[last, 0]):.1g} m of the contact point; give it curvature, or ends, in every direction"
+    )
+
+
+def grown(box: Box) -> Box:
+    """The rectangle a step of growth larger."""
+    west, east, south, north = (GROWTH * side for side in box)
+    return west, east, south, north
+
+
+def _least(scene: Scene, box: Array) -> float:
+    """Least gap in a rectangle [m]; 0 where no surfaces are."""
+    x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
+    gap, covered = scene.gap(*np.meshgrid(x, y, indexing="ij"))
+    return float(gap[covered].min()) if covered.any() else 0.0
+
+
+def _lowest(scene: Scene, boxes: Array) -> Array:
+    """Least gap along the sides of rectangles, (boxes, sides) [m]; infinite where no surfaces are."""
+    west, east, south, north = (np.tile(place, (SAMPLES, 1)) for place in boxes.T)
+    x, y = np.linspace(west[0], east[0], SAMPLES), np.linspace(south[0], north[0], SAMPLES)
+    gap, covered = scene.gap(np.array([west, east, x, x]).T, np.array([y, y, south, north]).T)
+    return np.where(covered, gap, np.inf).min(axis=1)
+
+
+def _leaves(scene: Scene, side: Array, place: Array) -> Array:
+    """Whether sides are exits, by where they cross the axes [m], (sides,)."""
+    on_x = side < 2
+    u, v = scene.entrainment(np.where(on_x, place, 0.0), np.where(on_x, 0.0, place))
+    outward = np.where(on_x, u, v) * np.where(side % 2, 1, -1)
+    return outward > OUTFLOW_SHARE * np.hypot(u, v)

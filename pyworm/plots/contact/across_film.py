@@ -1,0 +1,62 @@
+"""Temperature and velocity across the film at its hottest point."""
+
+from matplotlib.figure import Figure
+
+from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
+from pyworm.solver.solution import ZERO_CELSIUS, Solution
+
+VELOCITY_COLOURS = {"x": "tab:blue", "y": "tab:orange"}
+
+
+def draw_across_film(case_name: str, solution: Solution) -> Figure:
+    """Temperature, and the velocity along each direction, from body 1 below to body 2 above."""
+    profile = solution.profile
+    axes_here = [axis for axis in "xy" if f"profile_{axis}" in profile]
+    place = {axis: float(profile[f"profile_{axis}"]) for axis in axes_here}
+    film = float(solution.fields["film"].interp(place, assume_sorted=True))
+    height = (profile["level_position"].values + 0.5) * film * MICRO
+    at = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
+    spaced = {"ncols": 2, "sharey": True, "gridspec_kw": {"wspace": 0.04}}
+    room = (0.75, 0.7, 0.55, 0.3)
+    figure, panels = placed_panels((9, 4.6), heading(case_name, solution), room, **spaced)
+    warm_axes, fast_axes = panels
+    warm_axes.plot(
+        profile["profile_temperature"] - ZERO_CELSIUS,
+        height,
+        "o-",
+        color="tab:red",
+        markersize=4,
+        clip_on=False,
+    )
+    warm_axes.set_title(
+        f"across the film where it is hottest, {at}", fontsize="medium", loc="left", y=1
+    )
+    warm_axes.set_xlabel("temperature / °C")
+    warm_axes.set_ylabel("height above body 1 / µm")
+    for axis in axes_here:
+        fast_axes.plot(
+            profile[f"profile_velocity_{axis}"],
+            height,
+            "o-",
+            color=VELOCITY_COLOURS[axis],
+            markersize=4,
+            clip_on=False,
+            label=f"along {axis}",
+        )
+    fast_axes.set_xlabel("velocity / (m/s)")
+    if len(axes_here) > 1:
+        fast_axes.legend(frameon=False)
+    for axes in (warm_axes, fast_axes):
+        axes.set_ylim(0, film * MICRO if film > 0 else 1)
+        axes.grid(True, color="0.9")
+    for wall, name in ((0, "body 1"), (1, "body 2")):
+        fast_axes.annotate(
+            name,
+            (1, wall),
+            (6, 0),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            verticalalignment="center",
+            color="0.3",
+        )
+    return figure

@@ -1,0 +1,111 @@
+"""Film maps: contours clipped near three central films, and what an interferometer would show."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from scipy.interpolate import RectBivariateSpline
+
+from pyworm.plots.layout import (
+    MICRO,
+    MILLI,
+    Window,
+    colour_bar,
+    contact_window,
+    heading,
+    in_window,
+    panels,
+)
+from pyworm.plots.overlays import draw_dry_outline, draw_tooth
+from pyworm.solver.solution import Solution
+
+CLIP = 3.0
+"""Thickest film shown, in central films: a linear map of the whole gap would hide the contact."""
+
+WAVELENGTHS = np.array([0.650e-6, 0.532e-6, 0.460e-6])
+"""Red, green and blue light of the interferogram [m]."""
+
+REFRACTIVE_INDEX = 1.47
+"""Refractive index of a mineral oil."""
+
+PIXELS_PER_INCH = 150
+"""Pixels of the interferogram."""
+
+
+def draw_film(case_name: str, solution: Solution) -> Figure:
+    """Film contours with the place of the minimum, and a synthetic interferogram."""
+    window = contact_window(solution.fields)
+    fields = in_window(solution.fields, window)
+    figures = solution.figures
+    titles = [
+        f"film: central {_micrometres(figures.film_central.value)}, "
+        f"least {_micrometres(figures.film_min.value)} (circle)"
+        if solution.converged
+        else "film, not converged",
+        "interferogram in red, green and blue light",
+    ]
+    figure, (film_axes, light_axes) = panels(window, titles, heading(case_name, solution))
+
+    film = fields["film"].transpose("y", "x").values * MICRO
+    top = thickest_shown(solution) * MICRO
+    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+    levels = np.linspace(0, top, 41)
+    bands = film_axes.contourf(x, y, film, levels=levels, cmap="viridis", extend="max")
+    lines = MaxNLocator(12).tick_values(0, top)
+    lines = lines[lines <= top]
+    film_axes.contour(x, y, film, levels=lines, colors="white", linewidths=0.5, alpha=0.8)
+    draw_tooth(film_axes, fields)
+    draw_dry_outline(film_axes, fields, "black")
+    if solution.converged:
+        film_axes.plot(
+            figures.film_min_at[0] * MILLI,
+            figures.film_min_at[1] * MILLI,
+            "o",
+            markerfacecolor="none",
+            markeredgecolor="tab:red",
+            markeredgewidth=1.5,
+        )
+    colour_bar(film_axes, bands, "film / µm", lines)
+
+    light_axes.imshow(
+        interferogram(fields, window),
+        extent=(window.left, window.right, window.bottom, window.top),
+        origin="lower",
+        aspect=window.stretch,
+        interpolation="nearest",
+    )
+    draw_tooth(light_axes, fields)
+    return figure
+
+
+def interferogram(fields: xr.Dataset, window: Window) -> np.ndarray:
+    """Light (row, column, colour), 0 to 1, that a camera over the window would see.
+
+    The reflections of two surfaces a film h apart differ in phase by 4 pi n h / wavelength, with
+    half a turn at one of them, so no film is dark. A pixel averages the fringes within it, which
+    therefore fade where the gap opens.
+    """
+    columns, rows = (round(PIXELS_PER_INCH * side) for side in window.panel_size)
+    x = np.linspace(window.left, window.right, columns) / MILLI
+    y = np.linspace(window.bottom, window.top, rows) / MILLI
+    film = fields["film"].transpose("y", "x").values
+    film = RectBivariateSpline(fields["y"].values, fields["x"].values, film, kx=1, ky=1)(y, x)
+    phase = 4 * np.pi * REFRACTIVE_INDEX * film[..., None] / WAVELENGTHS
+    along_y, along_x = np.gradient(phase, axis=(0, 1))
+    contrast = _pixel_average(along_x) * _pixel_average(along_y)
+    return (1 - contrast * np.cos(phase)) / 2
+
+
+def _pixel_average(phase_step: np.ndarray) -> np.ndarray:
+    """Contrast left of fringes that turn by a phase across a pixel; none from a full turn on."""
+    return np.sinc(np.minimum(np.abs(phase_step) / (2 * np.pi), 1))
+
+
+def thickest_shown(solution: Solution) -> float:
+    """Upper end of film scales [m]; the thickest film of all if the central one is not positive."""
+    central = solution.figures.film_central.value
+    return CLIP * central if central > 0 else float(solution.fields["film"].max())
+
+
+def _micrometres(film: float) -> str:
+    return f"{film * MICRO:.3g} µm"

@@ -1,0 +1,94 @@
+"""The undeformed gap with the tooth around it."""
+
+import numpy as np
+import xarray as xr
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+
+from pyworm.plots.layout import MICRO, MILLI, heading, panels, whole_window
+from pyworm.plots.overlays import draw_contact_point, draw_dry_outline, draw_tooth
+from pyworm.solver.solution import Solution
+
+LEVELS = np.array([1, 2, 5])
+"""Gap contours in each decade."""
+
+LABELLED = 15
+"""Contours of less than the largest gap over this are too small for a label."""
+
+
+def draw_gap(case_name: str, solution: Solution) -> Figure:
+    """Tooth outline, path of contact, dry contact and contours of the undeformed gap."""
+    fields = solution.fields
+    figure, (axes,) = panels(whole_window(fields), [""], heading(case_name, solution))
+    gap, x, y = _widest_gap(fields)
+    legend = []
+    if np.nanmax(gap) > 0:  # else there is nothing to draw contours of
+        legend.append(_draw_contours(axes, gap, x, y))
+    draw_tooth(axes, fields)
+    draw_dry_outline(axes, fields, "tab:red")
+    legend.append(Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"))
+    if "tooth_outline_x" in fields:
+        solved = Rectangle(
+            (fields["x"][0] * MILLI, fields["y"][0] * MILLI),
+            np.ptp(fields["x"].values) * MILLI,
+            np.ptp(fields["y"].values) * MILLI,
+            fill=False,
+            edgecolor="0.5",
+            linestyle=":",
+            label="grid",
+        )
+        axes.add_patch(solved)
+        legend.append(solved)
+    if "contact_path_x" in fields:
+        (path,) = axes.plot(
+            fields["contact_path_x"] * MILLI,
+            fields["contact_path_y"] * MILLI,
+            color="tab:blue",
+            linewidth=1.5,
+            label="path of contact",
+        )
+        legend.append(path)
+    draw_contact_point(axes)
+    axes.legend(
+        handles=legend,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+        ncols=len(legend),
+        frameon=False,
+    )
+    return figure
+
+
+def _draw_contours(axes: Axes, gap: np.ndarray, x: np.ndarray, y: np.ndarray) -> Line2D:
+    """Contours of a gap [um] over x and y [mm]; what the legend says of them."""
+    highest = float(np.nanmax(gap))
+    levels = _levels(highest)
+    colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
+    contours = axes.contour(x, y, gap, levels=levels, colors=colours, linewidths=1.0)
+    axes.clabel(
+        contours,
+        levels[levels >= highest / LABELLED],
+        fmt=lambda value: f"{value:g}",
+        fontsize="small",
+    )
+    colour = colours[levels.size // 2]
+    return Line2D([], [], color=colour, linewidth=1.0, label="undeformed gap / µm")
+
+
+def _widest_gap(fields: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Gap [um] over the whole tooth where it is known there, else over the grid, with x and y [mm]."""
+    known = "tooth_gap" in fields and bool(np.isfinite(fields["tooth_gap"]).any())
+    prefix = "tooth_" if known else ""
+    names = f"{prefix}y", f"{prefix}x"
+    gap = fields[f"{prefix}gap"].transpose(*names).values * MICRO
+    return gap, fields[names[1]].values * MILLI, fields[names[0]].values * MILLI
+
+
+def _levels(highest: float) -> np.ndarray:
+    """1, 2, 5, 10, ... over the three decades below the largest gap [um]."""
+    last = np.ceil(np.log10(highest))
+    levels = np.outer(10.0 ** np.arange(last - 4, last), LEVELS).ravel()
+    return levels[(levels >= highest / 1000) & (levels < highest)]

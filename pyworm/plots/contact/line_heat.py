@@ -1,0 +1,51 @@
+"""Temperature, shear stress and friction power of a line contact across the line."""
+
+from matplotlib.figure import Figure
+
+from pyworm.plots.contact.line_profiles import shown
+from pyworm.plots.layout import MEGA, MILLI, heading, new_figure
+from pyworm.solver.solution import ZERO_CELSIUS, Solution
+
+STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
+
+
+def draw_line_temperature(case_name: str, solution: Solution) -> Figure:
+    """Temperature of both surfaces and of the middle of the film."""
+    fields = solution.fields
+    figure = new_figure(9, 4.8, heading(case_name, solution))
+    axes = figure.subplots()
+    for name, label, colour in (
+        ("temperature_body_1", "surface of body 1", "tab:blue"),
+        ("temperature_body_2", "surface of body 2", "tab:orange"),
+        ("temperature_middle", "middle of the film", "tab:red"),
+    ):
+        axes.plot(fields["x"] * MILLI, fields[name] - ZERO_CELSIUS, color=colour, label=label)
+    axes.axhline(
+        solution.inlet_temperature - ZERO_CELSIUS, color="0.4", linestyle="--", label="inlet"
+    )
+    axes.set_ylabel("temperature / °C")
+    axes.set_xlabel("x / mm")
+    axes.set_xlim(*shown(fields))
+    axes.grid(True, color="0.9")
+    figure.legend(loc="outside lower center", ncols=4, frameon=False)
+    return figure
+
+
+def draw_line_friction(case_name: str, solution: Solution) -> Figure:
+    """Shear stress in the middle of the film, and friction power."""
+    fields = solution.fields
+    figure = new_figure(9, 4.8, heading(case_name, solution))
+    axes = figure.subplots()
+    place = fields["x"] * MILLI
+    axes.plot(place, fields["shear_stress_x"] * MEGA, color=STRESS_COLOUR)
+    axes.axhline(0, color="0.7", linewidth=0.8)
+    axes.set_ylabel("shear stress in the middle / MPa", color=STRESS_COLOUR)
+    axes.set_xlabel("x / mm")
+    axes.set_xlim(*shown(fields))
+    said = solution.left_out.headed("friction coefficient")
+    axes.set_title(f"{said}: {solution.figures.friction_coefficient.value:.3g}", fontsize="medium")
+    power_axes = axes.twinx()
+    power_axes.plot(place, fields["friction_power"] * MEGA, color=POWER_COLOUR)
+    power_axes.set_ylim(bottom=0)
+    power_axes.set_ylabel("friction power / (W/mm²)", color=POWER_COLOUR)
+    return figure

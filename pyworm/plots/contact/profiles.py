@@ -1,0 +1,103 @@
+"""Pressure and film on the two lines through the contact point."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.formulas.hertz import HertzContact, hertz
+from pyworm.plots.contact.film import thickest_shown
+from pyworm.plots.layout import MEGA, MICRO, MILLI, contact_window, heading, placed_panels
+from pyworm.solver.solution import Solution
+
+PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
+
+
+def draw_profiles(case_name: str, solution: Solution) -> Figure:
+    """Film pressure, dry pressure, Hertz pressure (dashed) and film along x and along y."""
+    room = (0.7, 0.72, 0.85, 0.1)
+    spaced = {"nrows": 2, "gridspec_kw": {"hspace": 0.18}}
+    figure, panels = placed_panels((9, 7.5), heading(case_name, solution), room, **spaced)
+    window = contact_window(solution.fields)
+    contact = _hertz_of(solution.fields)
+    fields = solution.fields[["pressure", "dry_pressure", "film", "covered"]]
+    ideal = {"x": lambda x: contact.pressure(x, 0.0), "y": lambda y: contact.pressure(0.0, y)}
+    top = thickest_shown(solution) * MICRO
+    sides = {"x": (window.left, window.right), "y": (window.bottom, window.top)}
+    for axes, (along, across) in zip(panels, (("x", "y"), ("y", "x")), strict=True):
+        line = fields.interp({across: 0.0}, assume_sorted=True)
+        handles = draw_profile(axes, line, along, ideal[along], top)
+        axes.set_xlim(*sides[along])
+        axes.set_xlabel(f"{along} / mm   (at {across} = 0)")
+    figure.legend(handles=handles, loc="lower center", ncols=4, frameon=False)
+    return figure
+
+
+def draw_profile(
+    axes: Axes, line: xr.Dataset, along: str, hertz_pressure: Callable, top: float
+) -> list:
+    """Pressure and film on one line through the contact; returns what its legend names.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where to draw.
+    line : xarray.Dataset
+        Fields on the line; the dry pressure is drawn if it is among them.
+    along : str
+        Coordinate along the line.
+    hertz_pressure : callable
+        Hertz pressure [Pa] at places along the line [m].
+    top : float
+        Upper end of the film's scale [um].
+    """
+    place = line[along].values
+    fine = np.linspace(place[0], place[-1], 2001)
+    pressure = axes.plot(
+        place * MILLI, line["pressure"] * MEGA, color=PRESSURE_COLOUR, label="film pressure"
+    )
+    dry = []
+    if "dry_pressure" in line:
+        dry = axes.plot(
+            place * MILLI,
+            line["dry_pressure"] * MEGA,
+            color="0.4",
+            linewidth=1.0,
+            label="dry pressure",
+        )
+    dashed = axes.plot(
+        fine * MILLI,
+        hertz_pressure(fine) * MEGA,
+        "--",
+        color="black",
+        linewidth=1.0,
+        label="Hertz pressure",
+    )
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("pressure / MPa", color=PRESSURE_COLOUR)
+    if line["covered"].min() < 0.5:
+        axes.fill_between(
+            place * MILLI,
+            0,
+            1,
+            where=line["covered"].values < 0.5,
+            transform=axes.get_xaxis_transform(),
+            color="0.85",
+            hatch="////",
+            edgecolor="0.6",
+        )
+    film_axes = axes.twinx()
+    film = film_axes.plot(place * MILLI, line["film"] * MICRO, color=FILM_COLOUR, label="film")
+    film_axes.set_ylim(0, top)
+    film_axes.set_ylabel("film / µm", color=FILM_COLOUR)
+    return [*pressure, *dry, *dashed, *film]
+
+
+def _hertz_of(fields: xr.Dataset) -> HertzContact:
+    """The Hertz contact of the scene that the fields belong to."""
+    scene = fields.attrs
+    return hertz(
+        scene["radius_x_m"], scene["radius_y_m"], scene["load_N"], scene["reduced_modulus_Pa"]
+    )

@@ -1,0 +1,154 @@
+"""Pictures of a result; they read results and nothing else."""
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import Executor
+from functools import partial
+from pathlib import Path
+
+from pyworm.batch.workers import WorkerDiedError
+from pyworm.io.reason import reason_of
+from pyworm.plots.attempts import Attempts
+from pyworm.plots.contact.across_film import draw_across_film
+from pyworm.plots.contact.convergence import draw_history
+from pyworm.plots.contact.entrainment import draw_entrainment
+from pyworm.plots.contact.film import draw_film
+from pyworm.plots.contact.friction import draw_friction
+from pyworm.plots.contact.gap import draw_gap
+from pyworm.plots.contact.line_heat import draw_line_friction, draw_line_temperature
+from pyworm.plots.contact.line_profiles import draw_line_profiles
+from pyworm.plots.contact.pressure import draw_pressure
+from pyworm.plots.contact.profiles import draw_profiles
+from pyworm.plots.contact.temperature import draw_temperature
+from pyworm.plots.drives.gear_pair import draw_film_and_temperature, draw_line_of_action
+from pyworm.plots.drives.roller_worm import draw_roller_cycle, draw_roller_sensitivity
+from pyworm.plots.drives.roller_worm_drive import draw_roller_drive
+from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
+from pyworm.plots.drives.zi_worm import draw_cycle
+from pyworm.plots.drives.zi_worm_flank import draw_flank
+from pyworm.plots.regimes import draw_regimes
+from pyworm.plots.traction import draw_traction, traction_curve
+from pyworm.result.result import Result, open_result
+from pyworm.solver.solution import Solution
+
+SCENE_PICTURES = {
+    "point": {
+        "gap": draw_gap,
+        "pressure": draw_pressure,
+        "film": draw_film,
+        "entrainment": draw_entrainment,
+        "profiles": draw_profiles,
+        "history": draw_history,
+        "friction": draw_friction,
+        "temperature": draw_temperature,
+        "across_film": draw_across_film,
+    },
+    "line": {
+        "profiles": draw_line_profiles,
+        "history": draw_history,
+        "friction": draw_line_friction,
+        "temperature": draw_line_temperature,
+        "across_film": draw_across_film,
+    },
+}
+"""Kind of contact -> name in the file name -> function of the case's name and a solution."""
+
+CYCLE_PICTURES = {
+    "zi-worm": {
+        "mesh_cycle": draw_cycle,
+        "mesh_cycle_flank": draw_flank,
+    },
+    "roller-worm": {
+        "mesh_cycle_drive": draw_roller_drive,
+        "mesh_cycle_regimes": draw_roller_regimes,
+        "mesh_cycle": draw_roller_cycle,
+        "mesh_cycle_sensitivity": draw_roller_sensitivity,
+    },
+    "gear-pair": {
+        "film_and_temperature": draw_film_and_temperature,
+        "line_of_action": draw_line_of_action,
+    },
+}
+"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result, which returns
+None where too few phases are solved for it."""
+
+SHOWS = {
+    "friction": lambda solution: solution.figures.friction_coefficient,
+    "temperature": lambda solution: solution.figures.temperature_max_film,
+    "across_film": lambda solution: solution.profile,
+}
+"""Name of a picture that not every solution has -> what it shows, None where it was not simulated."""
+
+
+def draw(
+    result: Result | str | os.PathLike,
+    directory: str | os.PathLike,
+    executor: Executor | None = None,
+) -> list[Path]:
+    """Draw every picture of a result as PNG.
+
+    Parameters
+    ----------
+    result : Result or path
+        The result or the file that holds it.
+    directory : path
+        Where the pictures go; made if missing.
+    executor : Executor, optional
+        Whose processes draw those of the scenes; by default this one does.
+
+    Returns
+    -------
+    list of Path
+        The files, scene by scene, those of the whole result last.
+
+    Raises
+    ------
+    PicturesError
+        Some could not be drawn; all others are.
+    """
+    if not isinstance(result, Result):
+        result = open_result(result)
+    directory = Path(directory)
+    directory.mkdir(parents=True, exist_ok=True)
+    made = Attempts()
+    for scene in _scene_pictures(result, directory, executor):
+        made.add(scene)
+    if result.mesh_cycle is not None:
+        for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
+            made.draw(directory / f"{name}.png", partial(cycle, result))
+    if result.solutions:
+        made.draw(directory / "regimes.png", partial(draw_regimes, result))
+    if traction_curve(result):
+        made.draw(directory / "traction.png", partial(draw_traction, result))
+    return made.result()
+
+
+def _scene_pictures(
+    result: Result, directory: Path, executor: Executor | None
+) -> Iterator[Attempts]:
+    """What came of the pictures of each scene; a process that ends meanwhile costs those of its scene."""
+    picture = partial(_draw_scene, result.case_name, directory)
+    if executor is None:
+        yield from map(picture, range(len(result.solutions)), result.solutions)
+        return
+    futures = [executor.submit(picture, *scene) for scene in enumerate(result.solutions)]
+    for number, future in enumerate(futures):
+        try:
+            yield future.result()
+        except WorkerDiedError as error:
+            yield Attempts(failed={f"{_stem(number)}_*.png": reason_of(error)})
+
+
+def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution) -> Attempts:
+    """The pictures of one scene."""
+    made = Attempts()
+    for name, picture in SCENE_PICTURES[solution.kind].items():
+        if name not in SHOWS or SHOWS[name](solution) is not None:
+            file = directory / f"{_stem(number)}_{name}.png"
+            made.draw(file, partial(picture, case_name, solution))
+    return made
+
+
+def _stem(number: int) -> str:
+    """What names of a scene's pictures begin with."""
+    return f"scene_{number:03d}"

@@ -1,0 +1,204 @@
+"""The line of action of a pair of gears, over the roll angle of the pinion."""
+
+import json
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.result.result import Result
+from pyworm.solver.left_out import of_all
+from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
+
+ROOM = 0.22
+"""Room above the curves for a legend, as a share of their height."""
+
+DIRECTIONS = {
+    "pinion": "pinion drives, contact runs to the right",
+    "gear": "gear drives, contact runs to the left",
+}
+"""Driving member -> how the line of action is run through."""
+
+NEAR = 0.05
+"""Distance of two marks, as a share of the axis, below which the second one's name stands higher."""
+
+STEEP_SLIDING = 5.0
+"""Specific sliding beyond which a curve leaves the picture: near its base circle it has no bound."""
+
+
+def draw_film_and_temperature(result: Result) -> Figure:
+    """Film and contact temperature by closed forms, with what was simulated, along the line of action."""
+    cycle = result.mesh_cycle
+    solved = _solved(result)
+    hot = "closed_form_contact_temperature" in cycle or any(map(_heated, solved))
+    figure = new_figure(8, 3.7 * (1 + hot) + 1.0, _heading(result))
+    panels = np.atleast_1d(figure.subplots(1 + hot, sharex=True))
+    _draw_film(panels[0], cycle, solved)
+    if hot:
+        _draw_temperature(panels[1], cycle, solved)
+    return _finished(figure, panels, cycle)
+
+
+def draw_line_of_action(result: Result) -> Figure:
+    """Load, pressure, velocities and specific sliding along the line of action."""
+    cycle = result.mesh_cycle
+    roll = _roll(cycle)
+    figure = new_figure(8, 10.0, _heading(result))
+    panels = figure.subplots(4, sharex=True)
+    unit_load = cycle["unit_load"] / MILLI
+    panels[0].plot(roll, unit_load, color="black", label="without friction")
+    if "friction_load_factor" in cycle:
+        friction = (
+            f"with friction {cycle.attrs['friction_coefficient']:g}, same torque of the driver"
+        )
+        rubbed = unit_load * cycle["friction_load_factor"]
+        panels[0].plot(roll, rubbed, color="tab:purple", linestyle="--", label=friction)
+    panels[0].set_ylabel("load for each length\n/ (N/mm)")
+    panels[0].set_ylim(bottom=0)
+    _legend(panels[0], 2)
+    panels[1].plot(roll, cycle["closed_form_hertz_pressure"] * MEGA, color="tab:red")
+    panels[1].set_ylabel("Hertz pressure\n/ MPa")
+    panels[1].set_ylim(bottom=0)
+    for name, colour in (("pinion", "tab:blue"), ("gear", "tab:orange")):
+        panels[2].plot(roll, cycle[f"{name}_velocity"], color=colour, label=name)
+        sliding = cycle[f"{name}_specific_sliding"]
+        panels[3].plot(roll, sliding, color=colour, label=name)
+    panels[2].set_ylabel("surface velocity\n/ (m/s)")
+    panels[2].set_ylim(bottom=0)
+    panels[3].set_ylabel("specific sliding")
+    panels[3].axhline(0, color="0.4", linewidth=0.8)
+    low, high = panels[3].get_ylim()
+    panels[3].set_ylim(max(low, -STEEP_SLIDING), high)
+    for panel in panels[2:]:
+        _legend(panel, 2)
+    return _finished(figure, panels, cycle)
+
+
+def _draw_film(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> None:
+    """Films in micrometres; where roughness is known the specific film on the right."""
+    for name, label, colour in (
+        ("film_central", "central", "tab:blue"),
+        ("film_min", "least", "tab:green"),
+    ):
+        formula = "Dowson-Toyoda" if name == "film_central" else "Dowson-Higginson"
+        curve = cycle[f"closed_form_{name}"] * MICRO
+        axes.plot(_roll(cycle), curve, color=colour, label=f"{label}, {formula}")
+        if solved:
+            _draw_simulated(axes, cycle, solved, name, colour, f"{label}, simulated")
+    axes.set_ylabel("film / µm")
+    axes.set_ylim(bottom=0)
+    _legend(axes, 2)
+    if "closed_form_specific_film" in cycle:
+        # a copy of the left axis: film over composite roughness
+        film, specific = (cycle[f"closed_form_{name}"] for name in ("film_min", "specific_film"))
+        roughness = float((film / specific)[0]) * MICRO
+        right = axes.secondary_yaxis(
+            "right", functions=(lambda film: film / roughness, lambda share: share * roughness)
+        )
+        right.set_ylabel("specific film (film / roughness)")
+
+
+def _draw_simulated(
+    axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution], name: str, colour: str, label: str
+) -> None:
+    estimates: list[Estimate] = [getattr(solution.figures, name) for solution in solved]
+    film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
+    error = np.abs(film) * [estimate.error for estimate in estimates]
+    axes.errorbar(_rolls(cycle, solved), film, error, fmt="o", color=colour, capsize=3, label=label)
+    if name == "film_min":
+        mark_gaps(axes, _rolls(cycle, solved), solved)
+
+
+def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> None:
+    """Blok's contact temperature and the largest of the simulated surfaces.
+
+    Blok's rise goes with the coefficient of friction, so that it is drawn with the simulated one too.
+    """
+    heated = [solution for solution in solved if solution.converged and _heated(solution)]
+    rolls = _rolls(cycle, heated)
+    if "closed_form_contact_temperature" in cycle:
+        friction = cycle.attrs["friction_coefficient"]
+        contact = cycle["closed_form_contact_temperature"] - ZERO_CELSIUS
+        axes.plot(_roll(cycle), contact, color="tab:red", label=f"Blok, friction {friction:g}")
+        if heated:
+            flash = cycle["closed_form_flash_temperature"]
+            bulk = float((cycle["closed_form_contact_temperature"] - flash)[0]) - ZERO_CELSIUS
+            shares = np.array([one.figures.friction_coefficient.value for one in heated]) / friction
+            rise = np.interp([one.phase for one in heated], cycle["phase"], flash)
+            axes.plot(
+                rolls, bulk + shares * rise, "s", color="tab:red", fillstyle="none", markersize=9,
+                label=of_all(heated).headed("Blok, simulated friction"),
+            )  # fmt: skip
+    if heated:
+        hottest = [
+            max(one.figures.temperature_max_body_1.value, one.figures.temperature_max_body_2.value)
+            for one in heated
+        ]
+        axes.plot(
+            rolls, np.array(hottest) - ZERO_CELSIUS, "o", color="black", label="simulated surface"
+        )
+    if "scuffing_temperature_K" in cycle.attrs:
+        scuffing = cycle.attrs["scuffing_temperature_K"] - ZERO_CELSIUS
+        axes.axhline(
+            scuffing, color="tab:purple", linestyle="--", label="mean scuffing temperature"
+        )
+    axes.set_ylabel("contact temperature / °C")
+    _legend(axes, 2)
+
+
+def _legend(axes: Axes, columns: int) -> None:
+    """A legend in room of its own above the curves."""
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + ROOM * (high - low))
+    axes.legend(frameon=False, ncols=columns, loc="upper left")
+
+
+def _finished(figure: Figure, panels: Sequence[Axes], cycle: xr.Dataset) -> Figure:
+    """Marks of the line of action on every panel, named above the first one."""
+    marks = json.loads(cycle.attrs["marks"])
+    places = {name: _at(cycle, phase) for name, phase in marks.items()}
+    for panel in panels:
+        panel.grid(True, color="0.92")
+        for place in places.values():
+            panel.axvline(place, color="0.6", linewidth=0.9, linestyle=":")
+        panel.set_xlim(places["SAP"], places["EAP"])
+    names, before = [], -np.inf
+    for name, place in sorted(places.items(), key=lambda mark: mark[1]):
+        near = place - before < NEAR * (places["EAP"] - places["SAP"])
+        names.append(f"{name}\n" if near and not names[-1].endswith("\n") else name)
+        before = place
+    top = panels[0].secondary_xaxis("top")
+    top.set_xticks(sorted(places.values()), names)
+    top.tick_params(length=0, labelsize="small")
+    panels[-1].set_xlabel("roll angle of the pinion / degrees")
+    return figure
+
+
+def _heading(result: Result) -> str:
+    return result_heading(result, DIRECTIONS[result.mesh_cycle.attrs["driver"]])
+
+
+def _solved(result: Result) -> list[Solution]:
+    return sorted(result.solutions, key=lambda solution: solution.phase)
+
+
+def _heated(solution: Solution) -> bool:
+    return solution.figures.temperature_max_film is not None
+
+
+def _roll(cycle: xr.Dataset) -> np.ndarray:
+    """Roll angles of the cycle [degrees]."""
+    return np.degrees(cycle["roll_angle"].values)
+
+
+def _at(cycle: xr.Dataset, phase: float | Sequence[float]) -> np.ndarray:
+    """Roll angle [degrees] at phases: it is linear in them."""
+    first, last = _roll(cycle)[[0, -1]]
+    return first + np.asarray(phase, float) * (last - first)
+
+
+def _rolls(cycle: xr.Dataset, solved: Sequence[Solution]) -> np.ndarray:
+    return _at(cycle, [solution.phase for solution in solved])

@@ -1,0 +1,176 @@
+"""A roller's way through both sections: film, load, motion; and what its film is sensitive to."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
+from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
+from pyworm.plots.layout import MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.result.result import Result
+from pyworm.solver.solution import Solution
+
+RPM = 30 / np.pi
+
+
+def draw_roller_cycle(result: Result) -> Figure:
+    """Film, load, velocities and specific film over the wheel angle of a roller."""
+    cycle = result.mesh_cycle
+    figure = new_figure(9, 11, result_heading(result, "a roller's way through both sections"))
+    axes = figure.subplots(4, sharex=True)
+    _draw_film(axes[0], cycle, result.solutions)
+    _draw_load(axes[1], cycle)
+    _draw_motion(axes[2], cycle)
+    _draw_lambda(axes[3], cycle)
+    for panel in axes:
+        panel.grid(True, color="0.9")
+        panel.axvspan(*throat(cycle), color="0.93", zorder=0)
+    axes[-1].set_xlabel("wheel angle of the roller / deg; it travels from left to right")
+    return figure
+
+
+def throat(cycle: xr.Dataset) -> tuple[float, float]:
+    """Wheel angles between the sections [deg]."""
+    angle = np.degrees(cycle["wheel_angle"])
+    return float(angle.sel(section="right")[-1]), float(angle.sel(section="left")[0])
+
+
+def _draw_film(axes: Axes, cycle: xr.Dataset, solutions: tuple[Solution, ...]) -> None:
+    """Closed forms as lines, solved films with their error bars, and every roller of one instant."""
+    for section, colour in SECTION_COLOURS.items():
+        way = cycle.sel(section=section)
+        angle = np.degrees(way["wheel_angle"])
+        least = way["formula_film_min"].min("station") * MICRO
+        most = way["formula_film_min"].max("station") * MICRO
+        axes.fill_between(angle, least, most, color=colour, alpha=0.25, lw=0)
+        middle = way.isel(station=way.sizes["station"] // 2)
+        axes.plot(angle, middle["formula_film_min"] * MICRO, color=colour, lw=1.5)
+        axes.plot(angle, middle["printed_film_min"] * MICRO, color=colour, lw=1.2, ls=":")
+        solved = [one for one in solutions if one.section == section]
+        if solved:
+            at = [float(np.interp(one.phase, way["phase"], angle)) for one in solved]
+            film = with_gaps(solved, [one.figures.film_min.value for one in solved]) * MICRO
+            error = film * [one.figures.film_min.error for one in solved]
+            axes.errorbar(at, film, error, fmt="k.", ms=5, capsize=2, lw=0.8)
+            mark_gaps(axes, at, solved)
+        pitch = np.degrees(cycle.attrs["roller_pitch"])
+        mesh = np.arange(np.ceil(angle[0] / pitch), np.floor(angle[-1] / pitch) + 1) * pitch
+        film = np.interp(mesh, angle, middle["formula_film_min"] * MICRO)
+        axes.plot(mesh, film, "o", mfc="none", mec=colour, ms=9)
+    for style, label in (
+        ({"color": "0.3", "lw": 1.5}, "Dowson and Higginson, middle of the line"),
+        ({"color": "0.3", "lw": 6, "alpha": 0.25}, "all along the line"),
+        ({"color": "0.3", "lw": 1.2, "ls": ":"}, "the source's formula"),
+        ({"color": "black", "marker": ".", "ls": ""}, "solved"),
+        ({"mec": "0.3", "marker": "o", "mfc": "none", "ms": 9, "ls": ""}, "rollers of one instant"),
+    ):
+        axes.plot([], [], label=label, **style)
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("minimum film / µm")
+    axes.legend(frameon=False, ncols=2, fontsize=8, loc="upper center")
+    for section, place in (("right", 0.02), ("left", 0.98)):
+        axes.text(
+            place,
+            0.06,
+            f"{section} section, " + ("idling" if section == "right" else "driving"),
+            color=SECTION_COLOURS[section],
+            transform=axes.transAxes,
+            ha="left" if section == "right" else "right",
+        )
+
+
+def _draw_load(axes: Axes, cycle: xr.Dataset) -> None:
+    """Load of the roller, and for each length in the middle of its line."""
+    other = axes.twinx()
+    for section, colour in SECTION_COLOURS.items():
+        way = cycle.sel(section=section)
+        angle = np.degrees(way["wheel_angle"])
+        axes.plot(angle, way["roller_force"], color=colour)
+        middle = way["load_per_length"].isel(station=way.sizes["station"] // 2)
+        other.plot(angle, middle / 1e3, color=colour, ls="--")
+    axes.set_ylim(bottom=0)
+    other.set_ylim(bottom=0)
+    axes.set_ylabel("load of a roller / N")
+    other.set_ylabel("load per length / kN/m (dashed)")
+
+
+def _draw_motion(axes: Axes, cycle: xr.Dataset) -> None:
+    """Velocities across the line at its ends and in its middle, and the roller's own speed."""
+    other = axes.twinx()
+    for section, colour in SECTION_COLOURS.items():
+        way = cycle.sel(section=section)
+        angle = np.degrees(way["wheel_angle"])
+        worm, roller = way["worm_velocity"], way["roller_velocity"]
+        axes.fill_between(
+            angle, worm.min("station"), worm.max("station"), color=colour, alpha=0.3, lw=0
+        )
+        axes.plot(angle, roller.mean("station"), color=colour)
+        other.plot(angle, abs(way["roller_speed"]) * RPM / 1e3, color=colour, ls="--")
+    axes.fill_between([], [], [], color="0.3", alpha=0.3, lw=0, label="worm, all along the line")
+    axes.plot([], [], color="0.3", label="roller")
+    axes.set_ylim(bottom=0)
+    other.set_ylim(bottom=0)
+    axes.set_ylabel("velocity across\nthe line / m/s")
+    other.set_ylabel("roller about its axis\n/ 1000 rpm (dashed)")
+    axes.legend(frameon=False, fontsize=8, loc="upper center")
+
+
+def _draw_lambda(axes: Axes, cycle: xr.Dataset) -> None:
+    """Specific film of the closed form along the whole line, and what heat takes from the film."""
+    other = axes.twinx()
+    for section, colour in SECTION_COLOURS.items():
+        way = cycle.sel(section=section)
+        angle = np.degrees(way["wheel_angle"])
+        ratio = way["specific_film"]
+        axes.fill_between(
+            angle, ratio.min("station"), ratio.max("station"), color=colour, alpha=0.4, lw=0
+        )
+        other.plot(angle, way["heated_share"].mean("station"), color=colour, ls="--")
+    if np.isnan(cycle["specific_film"]).all():
+        axes.set_yticks([])
+        axes.text(0.01, 0.05, "roughness not given", color="0.4", transform=axes.transAxes)
+    else:
+        for limit, name in ((FULL_FILM, "full film above"), (BOUNDARY, "boundary below")):
+            axes.axhline(limit, color="0.4", lw=0.8)
+            axes.text(
+                0.01,
+                limit,
+                name,
+                size=8,
+                color="0.4",
+                va="bottom",
+                transform=axes.get_yaxis_transform(),
+            )
+    axes.set_ylim(bottom=0)
+    other.set_ylim(0, 1.05)
+    axes.set_ylabel("specific film lambda")
+    other.set_ylabel("film left by heat\n(Wilson and Sheu, dashed)")
+
+
+PARAMETERS = (
+    ("roller radius R / mm", MILLI),
+    ("throat coefficient k", 1.0),
+    ("tilt of the rollers' axes / deg", 180 / np.pi),
+)
+"""What is varied, in the order of the data: label and factor from SI."""
+
+
+def draw_roller_sensitivity(result: Result) -> Figure:
+    """Least film at entry and exit of both sections over roller radius, throat and tilt."""
+    cycle = result.mesh_cycle
+    figure = new_figure(11, 4.2, f"{result.case_name}  ·  what the film is sensitive to")
+    for number, axes in enumerate(figure.subplots(1, 3, sharey=True)):
+        label, factor = PARAMETERS[number]
+        value = cycle["varied_value"].isel(parameter=number) * factor
+        for section, colour in SECTION_COLOURS.items():
+            for end, style in (("entry", "o-"), ("exit", "s--")):
+                film = cycle["varied_film"].isel(parameter=number).sel(section=section, end=end)
+                axes.plot(value, film * MICRO, style, color=colour, label=f"{section}, {end}")
+        axes.set_xlabel(label)
+        axes.set_ylim(bottom=0)
+        axes.grid(True, color="0.9")
+        if number == 0:
+            axes.set_ylabel("least film along the line / µm\n(Dowson and Higginson)")
+            axes.legend(frameon=False, fontsize=8)
+    return figure

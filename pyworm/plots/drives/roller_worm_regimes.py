@@ -1,0 +1,65 @@
+"""The way of a roller over Hooke's chart of regimes, from entry to exit of either section."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.formulas.regimes import line_films
+from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
+from pyworm.plots.layout import MICRO, new_figure
+from pyworm.plots.regimes import SHORT, draw_chart
+from pyworm.result.result import Result
+
+
+def draw_roller_regimes(result: Result) -> Figure:
+    """The chart with the way of the middle of the contact line; beside it the four formulas' films."""
+    cycle = result.mesh_cycle
+    figure = new_figure(11, 5.2, f"{result.case_name}  ·  regimes of lubrication")
+    chart, films = figure.subplots(1, 2)
+    middle = cycle.isel(station=cycle.sizes["station"] // 2)
+    _draw_chart(chart, middle)
+    _draw_films(films, middle)
+    return figure
+
+
+def _draw_chart(axes: Axes, middle) -> None:
+    elastic, viscous = (
+        middle[name].values for name in ("elasticity_parameter", "viscosity_parameter")
+    )
+    draw_chart(axes, line_films, elastic, viscous)
+    for section, colour in SECTION_COLOURS.items():
+        way = middle.sel(section=section)
+        x, y = way["elasticity_parameter"], way["viscosity_parameter"]
+        axes.plot(x, y, color=colour, lw=2, label=f"{section} section")
+        axes.plot(x[0], y[0], "o", color=colour, mec="black", ms=7)
+        axes.plot(x[-1], y[-1], "s", color=colour, mec="black", ms=7)
+    axes.plot([], [], "o", color="white", mec="black", label="entry")
+    axes.plot([], [], "s", color="white", mec="black", label="exit")
+    axes.legend(frameon=False, loc="lower right")
+
+
+def _draw_films(axes: Axes, middle) -> None:
+    """What each regime's formula gives, and which of them holds."""
+    for section in SECTION_COLOURS:
+        way = middle.sel(section=section)
+        angle = np.degrees(way["wheel_angle"])
+        for number, (name, style) in enumerate(zip(SHORT, (":", "-.", "--", "-"), strict=True)):
+            film = way["film_by_regime"].sel(regime=name) * MICRO
+            label = SHORT[name] if section == "left" else None
+            axes.plot(angle, film, style, color="0.25", lw=1.2, label=label)
+            holds = way["regime_number"] == number
+            axes.plot(angle.where(holds), film.where(holds), lw=4, alpha=0.6, color="tab:green")
+    axes.plot([], [], lw=4, alpha=0.6, color="tab:green", label="the regime that holds")
+    axes.axvspan(
+        *(np.degrees(middle["wheel_angle"].sel(section=s).values[i]) for s, i in _THROAT),
+        color="0.93",
+    )
+    axes.set_yscale("log")
+    axes.set_xlabel("wheel angle of the roller / deg")
+    axes.set_ylabel("minimum film by formula / µm")
+    axes.grid(True, color="0.9")
+    axes.legend(frameon=False, ncols=2, fontsize=8)
+
+
+_THROAT = (("right", -1), ("left", 0))
+"""What ends at the throat."""

@@ -1,0 +1,160 @@
+"""The mesh cycle of a drive over phase."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
+
+from pyworm.plots.layout import (
+    KILO,
+    MEGA,
+    MICRO,
+    MILLI,
+    mark_gaps,
+    new_figure,
+    result_heading,
+    scale_from_zero,
+    with_gaps,
+)
+from pyworm.plots.overlays import draw_largest_temperatures
+from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
+from pyworm.result.result import Result
+from pyworm.solver.left_out import AS_IF_SMOOTH, of_all
+from pyworm.solver.solution import Solution
+
+
+def draw_cycle(result: Result) -> Figure:
+    """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
+    cycle = result.mesh_cycle
+    solved = sorted(
+        (solution for solution in result.solutions if solution.phase is not None),
+        key=lambda solution: solution.phase,
+    )
+    sheared = [one for one in solved if one.figures.friction_coefficient is not None]
+    heated = [one for one in solved if one.figures.temperature_max_film is not None]
+    drawn = [
+        (_draw_transmission_error, cycle, True),
+        (_draw_radii, cycle, True),
+        (_draw_contact_point, cycle, True),
+        (_draw_tooth_load, cycle, "tooth_load" in cycle),
+        (_draw_solutions, solved, bool(solved)),
+        (_draw_friction, (sheared, _beside(result, sheared)), bool(sheared)),
+        (_draw_temperatures, heated, bool(heated)),
+    ]
+    drawn = [(draw, what) for draw, what, known in drawn if known]
+    figure = new_figure(8, 2.3 * len(drawn) + 0.6, result_heading(result, "mesh cycle"))
+    axes = figure.subplots(len(drawn), sharex=True)
+    for panel, (draw, what) in zip(axes, drawn, strict=True):
+        draw(panel, what)
+    for panel in axes:
+        panel.grid(True, color="0.9")
+    axes[-1].set_xlabel("phase of the mesh cycle")
+    return figure
+
+
+def _draw_transmission_error(axes: Axes, cycle: xr.Dataset) -> None:
+    axes.plot(cycle["phase"], cycle["transmission_error"] * MICRO, color="black")
+    axes.set_ylabel("transmission\nerror / µrad")
+
+
+def _draw_radii(axes: Axes, cycle: xr.Dataset) -> None:
+    """Both radii, whose ratio is large, on a logarithmic scale."""
+    for name, colour in (("radius_x", "tab:blue"), ("radius_y", "tab:orange")):
+        label = f"along {name[-1]}"
+        axes.semilogy(cycle["phase"], cycle[name] * MILLI, color=colour, label=label)
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.set_ylabel("relative radius\nof curvature / mm")
+    axes.legend(frameon=False, ncols=2)
+
+
+def _draw_contact_point(axes: Axes, cycle: xr.Dataset) -> None:
+    """The contact point less its mean, so that its three components share a scale."""
+    mean = cycle["point"].mean("phase")
+    for axis in cycle["axis"].values:
+        here = mean.sel(axis=axis).item() * MILLI
+        axes.plot(
+            cycle["phase"],
+            cycle["point"].sel(axis=axis) * MILLI - here,
+            label=f"{axis} {'-' if here >= 0 else '+'} {abs(here):.1f} mm",
+        )
+    axes.set_ylabel("contact point\n/ mm")
+    axes.legend(frameon=False, ncols=3)
+
+
+def _draw_tooth_load(axes: Axes, cycle: xr.Dataset) -> None:
+    """Normal load of a tooth pair, which may go on beyond the unloaded cycle, and how it turns the wheel."""
+    phase, load = cycle["load_phase"], cycle["tooth_load"]
+    carrying = phase.values[load.values > 0]
+    axes.plot(phase, load * KILO, color="tab:brown")
+    axes.set_xlim(min(carrying[0], 0) - 0.02, max(carrying[-1], 1) + 0.02)
+    axes.set_ylim(0, 1.15 * float(load.max()) * KILO)
+    axes.set_ylabel("load of a\ntooth pair / kN", color="tab:brown")
+    if float(cycle["wheel_turn"].max()) > 0:
+        turn_axes = axes.twinx()
+        turn_axes.plot(phase, cycle["wheel_turn"] * MICRO, "--", color="0.3")
+        turn_axes.set_ylabel("wheel behind its ideal\nangle / µrad (dashed)")
+
+
+def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
+    draw_largest_temperatures(axes, [one.phase for one in heated], heated)
+
+
+def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
+    """Films with their error bars, and the largest pressure on its own scale."""
+    phase = np.array([solution.phase for solution in solved])
+    for name, label, colour in (
+        ("film_central", "central film", "tab:blue"),
+        ("film_min", "least film", "tab:green"),
+    ):
+        estimates = [getattr(solution.figures, name) for solution in solved]
+        film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
+        error = abs(film) * [estimate.error for estimate in estimates]
+        axes.errorbar(phase, film, error, fmt="o-", color=colour, capsize=3, label=label)
+    mark_gaps(axes, phase, solved)
+    axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
+    axes.set_ylabel("film / µm")
+    pressure_axes = axes.twinx()
+    pressure = with_gaps(solved, [one.figures.pressure_max.value * MEGA for one in solved])
+    pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
+    scale_from_zero(pressure_axes, pressure, 1.3)
+    pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
+    axes.legend(frameon=False, ncols=2, loc="upper center")
+
+
+def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
+    """The standard's friction, to be drawn beside that of teeth as if smooth; None where there is none."""
+    standard = standard_of_result(result) if sheared and of_all(sheared).rough else None
+    return standard if isinstance(standard, StandardLoss) else None
+
+
+def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]) -> None:
+    """Friction coefficient with its error bars, and power loss on its own scale; a standard's friction."""
+    sheared, standard = shown
+    phase = np.array([solution.phase for solution in sheared])
+    estimates = [solution.figures.friction_coefficient for solution in sheared]
+    friction = with_gaps(sheared, [estimate.value for estimate in estimates])
+    error = abs(friction) * [estimate.error for estimate in estimates]
+    axes.errorbar(phase, friction, error, fmt="o-", color="tab:purple", capsize=3)
+    mark_gaps(axes, phase, sheared)
+    scaled = friction
+    if standard is not None:
+        label = f"rough teeth by the standard: {standard.friction:.3g}"
+        axes.axhline(standard.friction, color="tab:purple", linestyle=":", label=label)
+        axes.legend(frameon=False, loc="upper center")
+        scaled = np.append(friction, standard.friction)
+    scale_from_zero(axes, scaled, 1.3)
+    rough = of_all(sheared).rough
+    axes.set_ylabel(
+        f"friction coefficient\n{AS_IF_SMOOTH}" if rough else "friction\ncoefficient",
+        color="tab:purple",
+    )
+    power_axes = axes.twinx()
+    power = with_gaps(sheared, [solution.figures.power_loss.value for solution in sheared])
+    power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
+    scale_from_zero(power_axes, power, 1.3)
+    power_axes.set_ylabel(
+        f"power loss / W\n{AS_IF_SMOOTH}" if rough else "power loss\n/ W", color="tab:red"
+    )

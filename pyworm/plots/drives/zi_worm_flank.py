@@ -1,0 +1,82 @@
+"""The wheel's flank after a mesh cycle: what the engineer holds against a worn tooth."""
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
+
+from pyworm.plots.layout import MEGA, MICRO, MILLI, new_figure, result_heading
+from pyworm.result.flank_map import FAILURE, flank_map
+from pyworm.result.result import Result
+from pyworm.solver.solution import ZERO_CELSIUS
+
+_PANELS = (
+    ("film", "least film / µm", MICRO, 0.0, "viridis"),
+    ("pressure", "largest pressure / MPa", MEGA, 0.0, "inferno"),
+    ("temperature_body_2", "largest temperature of the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
+    ("supply", f"least supply of oil (white: below {FAILURE:g})", 1.0, 0.0, "viridis"),
+)
+"""Field, its words, scale and offset to what is shown, colours."""
+
+MARKS = (0.0, 0.25, 0.5, 0.75, 1.0)
+"""Phases marked on the path of contact."""
+
+
+def draw_flank(result: Result) -> Figure | None:
+    """Film, pressure, temperature and supply on the wheel's flank; None without enough phases."""
+    field = flank_map(result)
+    if field is None:
+        return None
+    cycle = result.mesh_cycle
+    shown = [panel for panel in _PANELS if panel[0] in field]
+    rows = (len(shown) + 1) // 2
+    gaps = ", ".join(f"{one.phase:g}" for one in result.unsound)
+    what = f"wheel flank, phase {gaps} not converged and left out" if gaps else "wheel flank"
+    figure = new_figure(13, 2.75 * rows + 0.5, result_heading(result, what))
+    axes = figure.subplots(rows, 2, squeeze=False).ravel()
+    places = field["face"] * MILLI, field["radius"] * MILLI
+    for panel, (name, label, scale, offset, colours) in zip(axes, shown, strict=False):
+        values = (field[name] - offset) * scale
+        thick = name in THICK
+        mesh = panel.pcolormesh(
+            *places,
+            values,
+            cmap=colours,
+            shading="nearest",
+            norm=LogNorm(float(values.min()), THICK[name] * float(values.min())) if thick else None,
+        )
+        bar = figure.colorbar(
+            mesh, ax=panel, label=label, shrink=0.9, extend="max" if thick else "neither"
+        )
+        if thick:
+            bar.ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            bar.ax.yaxis.set_major_formatter("{x:g}")
+            bar.ax.yaxis.set_minor_locator(NullLocator())
+        if name == "supply":
+            panel.contour(*places, field[name], levels=[FAILURE], colors="white", linewidths=1.2)
+        _draw_tooth(panel, cycle)
+    for panel in axes[len(shown) :]:
+        panel.remove()
+    return figure
+
+
+THICK = {"film": 10.0}
+"""Field that grows without bound off the contact -> how far above its least value colours end, as a ratio."""
+
+
+def _draw_tooth(axes: Axes, cycle: xr.Dataset) -> None:
+    """Outline of the flank and path of contact with its phases."""
+    axes.plot(cycle["rim_face"] * MILLI, cycle["rim_radius"] * MILLI, color="0.25", lw=1.5)
+    point = cycle["point"]
+    face = point.sel(axis="y").values * MILLI
+    radius = np.hypot(point.sel(axis="x"), point.sel(axis="z")).values * MILLI
+    axes.plot(face, radius, color="0.5", lw=1.0)
+    for mark in MARKS:
+        at = [float(np.interp(mark, cycle["phase"], values)) for values in (face, radius)]
+        axes.plot(*at, "o", color="white", mec="black", ms=4)
+        axes.annotate(f"{mark:g}", at, xytext=(5, 4), textcoords="offset points", fontsize=7)
+    axes.set_aspect("equal")
+    axes.set_xlabel("along the face / mm")
+    axes.set_ylabel("distance from the wheel's axis / mm")

@@ -1,0 +1,296 @@
+"""What all pictures share: the window they show, their panels, headings and overlays."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil
+from pathlib import Path
+from textwrap import fill
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.figure import Figure
+
+from pyworm.result.result import Result
+from pyworm.scene.index import Place
+from pyworm.solver.left_out import of_all
+from pyworm.solver.solution import Solution
+
+MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6
+"""From SI to what the axes show: mm, um, kN and MPa."""
+
+WIDEST = 4.5
+"""Panels longer than this many times their height are stretched across."""
+
+LONG_SIDE = 7.0
+"""Length of the longer side of a panel [inch]."""
+
+SHORTEST_SIDE = 1.7
+"""Least length of the shorter side of a panel [inch], for its labels' sake."""
+
+
+LEFT, RIGHT, BOTTOM, TOP = 0.9, 1.1, 0.6, 0.4
+"""Room around a panel for its labels, its colour bar and its title [inch]."""
+
+LINE = 0.22
+"""Height of a line of the heading [inch]."""
+
+LETTERS_PER_INCH = 10
+"""Letters of a heading that fit into an inch."""
+
+TITLE_LINE, TITLE_LETTERS_PER_INCH = 0.17, 13
+"""The same of the title of a panel."""
+
+
+DOTS_PER_INCH = 150
+
+LOAD_UNITS = {"point": "N", "line": "N/m"}
+"""Unit of the load of each kind of contact."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """A rectangle of the tangent plane [mm].
+
+    Attributes
+    ----------
+    left, right, bottom, top : float
+        Its sides.
+    """
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+
+    @property
+    def width(self) -> float:
+        """Extent along x [mm]."""
+        return self.right - self.left
+
+    @property
+    def height(self) -> float:
+        """Extent along y [mm]."""
+        return self.top - self.bottom
+
+    @property
+    def stretch(self) -> float:
+        """Scale of y over scale of x: 1, or a whole number or its inverse for slender windows."""
+        ratio = self.width / self.height
+        if ratio >= 1:
+            return float(ceil(ratio / WIDEST))
+        return 1 / ceil(1 / ratio / WIDEST)
+
+    @property
+    def panel_size(self) -> tuple[float, float]:
+        """Width and height of a panel that shows the window [inch]."""
+        ratio = self.width / (self.height * self.stretch)
+        size = LONG_SIDE if ratio >= 1.3 else 0.75 * LONG_SIDE
+        return (size, size / ratio) if ratio >= 1 else (max(size * ratio, SHORTEST_SIDE), size)
+
+
+def whole_window(fields: xr.Dataset) -> Window:
+    """The grid and, where given, the outline of the tooth, with a narrow margin."""
+    x, y = fields["x"].values, fields["y"].values
+    if "tooth_outline_x" in fields:
+        x = np.append(x, fields["tooth_outline_x"])
+        y = np.append(y, fields["tooth_outline_y"])
+    window = _window(x, y)
+    margin_x, margin_y = 0.02 * window.width, 0.02 * window.height
+    return Window(
+        window.left - margin_x,
+        window.right + margin_x,
+        window.bottom - margin_y,
+        window.top + margin_y,
+    )
+
+
+def contact_window(fields: xr.Dataset) -> Window:
+    """The dry contact with margins that show its inlet and outlet, within the grid."""
+    x, y = fields["x"].values, fields["y"].values
+    loaded = fields["dry_pressure"].transpose("y", "x").values > 0
+    columns, rows = loaded.any(axis=0), loaded.any(axis=1)
+    if min(columns.sum(), rows.sum()) < 2:
+        return _window(x, y)
+    contact = _window(x[columns], y[rows])
+    short = min(contact.width, contact.height)
+    margin_x = max(0.08 * contact.width, 0.4 * short)
+    margin_y = max(0.08 * contact.height, 0.4 * short)
+    grid = _window(x, y)
+    return Window(
+        max(grid.left, contact.left - margin_x),
+        min(grid.right, contact.right + margin_x),
+        max(grid.bottom, contact.bottom - margin_y),
+        min(grid.top, contact.top + margin_y),
+    )
+
+
+def _window(x: np.ndarray, y: np.ndarray) -> Window:
+    return Window(
+        float(np.nanmin(x)) * MILLI,
+        float(np.nanmax(x)) * MILLI,
+        float(np.nanmin(y)) * MILLI,
+        float(np.nanmax(y)) * MILLI,
+    )
+
+
+def in_window(fields: xr.Dataset, window: Window) -> xr.Dataset:
+    """The part of the fields inside the window, with one more grid line on each side."""
+    return fields.isel(
+        x=_slice(fields["x"].values * MILLI, window.left, window.right),
+        y=_slice(fields["y"].values * MILLI, window.bottom, window.top),
+    )
+
+
+def _slice(coordinate: np.ndarray, low: float, high: float) -> slice:
+    first = int(np.searchsorted(coordinate, low, side="right")) - 1
+    last = int(np.searchsorted(coordinate, high, side="left"))
+    return slice(max(first, 0), last + 1)
+
+
+def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, list[Axes]]:
+    """Panels of one window, side by side or, if it is wide, stacked; more than two are smaller.
+
+    Placed by hand: automatic layouts lose labels where the aspect of a panel is fixed.
+    """
+    width, height = window.panel_size
+    columns = 1 if width >= 1.3 * height else len(titles)
+    shrunk = min(1, 1.5 * LONG_SIDE / (columns * width)) if columns > 1 else 1
+    width, height = width * shrunk, height * shrunk
+    cell_width = LEFT + width + RIGHT
+    titles = [fill(title, int(TITLE_LETTERS_PER_INCH * cell_width)) for title in titles]
+    top = TOP + TITLE_LINE * max(title.count("\n") for title in titles)
+    cell_height = BOTTOM + height + top
+    rows = len(titles) // columns
+    heading = fill(heading, int(LETTERS_PER_INCH * columns * cell_width))
+    head = LINE * (heading.count("\n") + 1) + 0.1
+    total_width, total_height = columns * cell_width, rows * cell_height + head
+    figure = Figure(figsize=(total_width, total_height))
+    figure.suptitle(heading, y=1 - 0.1 / total_height, verticalalignment="top")
+    panels = []
+    for number, title in enumerate(titles):
+        row, column = divmod(number, columns)
+        left = column * cell_width + LEFT
+        bottom = (rows - 1 - row) * cell_height + BOTTOM
+        panel = figure.add_axes(
+            (
+                left / total_width,
+                bottom / total_height,
+                width / total_width,
+                height / total_height,
+            )
+        )
+        panel.set_title(title, fontsize="medium", y=1)  # said, or it is sought among the ticks
+        panel.set_xlim(window.left, window.right)
+        panel.set_ylim(window.bottom, window.top)
+        panel.set_aspect(window.stretch)
+        panel.set_xlabel(f"x / mm{_stretch_note(1 / window.stretch)}")
+        panel.set_ylabel(f"y / mm{_stretch_note(window.stretch)}")
+        panels.append(panel)
+    return figure, panels
+
+
+def colour_bar(
+    axes: Axes, mappable: ScalarMappable, label: str, ticks: np.ndarray | None = None
+) -> None:
+    """A colour bar beside a panel, as tall as it."""
+    figure = axes.get_figure()
+    width, _ = panel_size(axes)
+    bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
+    figure.colorbar(mappable, cax=bar_axes, label=label, ticks=ticks)
+
+
+def panel_size(axes: Axes) -> tuple[float, float]:
+    """Width and height of a panel [inch]."""
+    figure, place = axes.get_figure(), axes.get_position()
+    return place.width * figure.get_figwidth(), place.height * figure.get_figheight()
+
+
+def new_figure(width: float, height: float, heading: str) -> Figure:
+    """An empty figure [inch] with its heading, in as many lines as it takes."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    figure.suptitle(fill(heading, int(LETTERS_PER_INCH * width)))
+    return figure
+
+
+def placed_panels(
+    size: tuple[float, float], heading: str, room: tuple[float, float, float, float], **kind: Any
+) -> tuple[Figure, Any]:
+    """A figure and its panels by hand, as to find their places takes as long as drawing them.
+
+    Parameters
+    ----------
+    size : (float, float)
+        Width and height of the figure [inch].
+    heading : str
+        Its heading.
+    room : (float, float, float, float)
+        Left of the panels, right of them, below and between them and the heading [inch].
+    kind
+        What `Figure.subplots` takes, its spaces in shares of a panel.
+    """
+    (width, height), (left, right, below, above) = size, room
+    heading = fill(heading, int(LETTERS_PER_INCH * width))
+    above += LINE * (heading.count("\n") + 1)
+    figure = Figure(figsize=size)
+    figure.suptitle(heading, y=1 - 0.03 / height, verticalalignment="top")
+    figure.subplots_adjust(left / width, below / height, 1 - right / width, 1 - above / height)
+    return figure, figure.subplots(**kind)
+
+
+def _stretch_note(stretch: float) -> str:
+    return f"  (stretched {stretch:.0f} times)" if stretch > 1 else ""
+
+
+def heading(case_name: str, solution: Solution) -> str:
+    """Case, phase or else scene, load; a warning where it did not converge, and what was left out."""
+    parts = [case_name]
+    if solution.phase is not None:
+        parts.append(str(Place.of(solution)))
+    elif solution.name != case_name:
+        parts.append(solution.name)
+    load, unit = solution.load, LOAD_UNITS[solution.kind]
+    parts.append(f"{load / 1e3:.4g} k{unit}" if load >= 1e3 else f"{load:.4g} {unit}")
+    if not solution.converged:
+        parts.append(f"NOT CONVERGED ({solution.stop_reason.partition(';')[0]})")
+    return joined(*parts, solution.left_out.words)
+
+
+def result_heading(result: Result, what: str) -> str:
+    """Case, what is drawn of all its contacts, and what that does not hold."""
+    return joined(result.case_name, what, of_all(result.solutions).note)
+
+
+def joined(*parts: str) -> str:
+    """The parts of a heading; no line of it begins with a unit of per cent."""
+    return "  ·  ".join(filter(None, parts)).replace(" %", "\N{NO-BREAK SPACE}%")
+
+
+def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndarray:
+    """Values of a curve over solutions: NaN, and so a gap, where one did not converge."""
+    return np.where([one.converged for one in solutions], values, np.nan)
+
+
+def mark_gaps(axes: Axes, places: Sequence[float], solutions: Sequence[Solution]) -> None:
+    """Dotted lines where solutions did not converge, named in the legend."""
+    gaps = [place for place, one in zip(places, solutions, strict=True) if not one.converged]
+    label = f"not converged: {', '.join(f'{place:g}' for place in gaps)}"
+    for place in gaps:
+        axes.axvline(place, color="black", ls=":", lw=1.2, label=label)
+        label = None
+
+
+def scale_from_zero(axes: Axes, values: np.ndarray, room: float) -> None:
+    """The vertical scale from zero to the largest value times some room; as it is without a value."""
+    if np.isfinite(values).any():
+        axes.set_ylim(0, room * float(np.nanmax(values)))
+
+
+def write(figure: Figure, path: Path) -> Path:
+    """Write a picture to a file; returns that."""
+    # little compressed, a PNG takes less time and some more room
+    options = {"pil_kwargs": {"compress_level": 1}} if path.suffix == ".png" else {}
+    figure.savefig(path, dpi=DOTS_PER_INCH, **options)
+    return path

@@ -1,0 +1,125 @@
+"""What pictures of a contact lay over a field: dry outline, tooth edges, arrows, marked points."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+
+from pyworm.plots.contact.outline import signed_square
+from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
+from pyworm.solver.solution import ZERO_CELSIUS, Solution
+
+
+def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:
+    """The boundary of the dry contact."""
+    pressure = fields["dry_pressure"].transpose("y", "x").values
+    if pressure.max() > 0:
+        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+        axes.contour(x, y, signed_square(pressure), levels=[0], colors=colour, linewidths=1.2)
+
+
+def draw_tooth(axes: Axes, fields: xr.Dataset) -> None:
+    """Where a surface is missing, hatched, and the outline and contact path where given."""
+    covered = fields["covered"].transpose("y", "x").values
+    if covered.min() < 0.5:
+        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+        axes.contourf(
+            x, y, covered, levels=[-0.5, 0.5], colors="0.85", hatches=["////"], alpha=0.75
+        )
+        if "tooth_outline_x" not in fields:
+            axes.contour(x, y, covered, levels=[0.5], colors="0.25", linewidths=1.0)
+    if "tooth_outline_x" in fields:
+        axes.plot(
+            fields["tooth_outline_x"] * MILLI,
+            fields["tooth_outline_y"] * MILLI,
+            color="0.25",
+            linewidth=1.5,
+        )
+
+
+ARROWS = 24
+"""Arrows on a panel, about."""
+
+STANDSTILL = 1e-3
+"""Share of the largest value below which a vector has no arrow."""
+
+
+def draw_arrows(axes: Axes, u: xr.DataArray, v: xr.DataArray) -> None:
+    """Arrows of one length in the direction of a vector field, none where it is nearly zero.
+
+    Parameters
+    ----------
+    axes : Axes
+        A panel made by `panels`.
+    u, v : xarray.DataArray
+        Components along x and y; no arrow where they are NaN.
+    """
+    width, height = panel_size(axes)
+    step = np.sqrt(width * height / ARROWS)
+    sides = ((axes.get_xlim(), width), (axes.get_ylim(), height))
+    x, y = (
+        low + (high - low) * (np.arange(count) + 0.5) / count
+        for (low, high), count in ((limits, max(1, round(side / step))) for limits, side in sides)
+    )
+    u, v = (
+        part.interp(x=x / MILLI, y=y / MILLI, assume_sorted=True).transpose("y", "x").values.ravel()
+        for part in (u, v)
+    )
+    size = np.hypot(u, v)
+    moving = size > STANDSTILL * np.nanmax(size, initial=0)
+    # As long as this looks where the panel is stretched along y.
+    stretched = np.stack([u, v * axes.get_aspect()])[:, moving]
+    at = [part.ravel()[moving] for part in np.meshgrid(x, y)]
+    axes.quiver(
+        *at,
+        *(stretched / np.hypot(*stretched)),
+        pivot="middle",
+        units="inches",
+        scale=2.5 / step,
+        width=0.022,
+        color="white",
+        edgecolor="black",
+        linewidth=0.5,
+        zorder=3,
+    )
+
+
+def draw_contact_point(axes: Axes) -> None:
+    """A cross at the contact point, the origin of the tangent plane."""
+    axes.plot(0, 0, "+", color="black", markersize=9, markeredgewidth=2.6)
+    axes.plot(0, 0, "+", color="white", markersize=8, markeredgewidth=1.2)
+
+
+def draw_largest_temperatures(
+    axes: Axes, places: Sequence[float], solutions: Sequence[Solution]
+) -> None:
+    """Largest temperatures of a sweep with their error bars, and the inlet's.
+
+    Parameters
+    ----------
+    axes : Axes
+        Any.
+    places : sequence of float
+        Where in the sweep each solution is.
+    solutions : sequence of Solution
+        Solutions with heat.
+    """
+    inlet = np.array([solution.inlet_temperature for solution in solutions])
+    for name, label, colour in (
+        ("temperature_max_body_1", "body 1", "tab:blue"),
+        ("temperature_max_body_2", "body 2", "tab:orange"),
+        ("temperature_max_film", "film", "tab:red"),
+    ):
+        estimates = [getattr(solution.figures, name) for solution in solutions]
+        hottest = with_gaps(solutions, [estimate.value for estimate in estimates])
+        error = abs(hottest - inlet) * [estimate.error for estimate in estimates]
+        axes.errorbar(
+            places, hottest - ZERO_CELSIUS, error, fmt="o-", color=colour, capsize=3, label=label
+        )
+    axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
+    mark_gaps(axes, places, solutions)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
+    axes.set_ylabel("largest\ntemperature / °C")
+    axes.legend(frameon=False, ncols=4, loc="upper left")

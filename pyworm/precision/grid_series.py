@@ -1,0 +1,185 @@
+"""What a rung's grids give, and what each of them costs."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import count, islice, takewhile
+from time import process_time
+
+from pyworm.planning.plan import Plan
+from pyworm.precision.models import Fidelity
+from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.level import Rung
+from pyworm.solver.newton import ALGEBRA_SHARE, lead, settle
+from pyworm.solver.timing import convolution_seconds
+
+FIGURES = ("film_min", "film_central", "friction_coefficient", "temperature_max_film")
+"""The figures whose errors are shown; temperatures count from the inlet's."""
+
+FIRST_ERROR = 0.02
+"""Accuracy that the first grid is settled for: about what it has at best, so that limits can be told."""
+
+FALL = 4.0
+"""Fall of that from grid to grid."""
+
+LEAST_ERROR = 5e-4
+"""Error below which grids are settled no further: where heat and film take turns, rounding is near."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """One grid of a rung, or one setting of a knob.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Grid points along each direction; none of a formula.
+    seconds : float
+        Processor time from nothing to here, coarser grids included [s].
+    unit : float
+        Processor time of one convolution on the grid [s]; 0 of a formula.
+    figures : dict
+        The `FIGURES` that it gives [m, m, -, K].
+    settled : bool
+        Whether the equations are met.
+    setting : str
+        What was set where that is not the grid.
+    """
+
+    shape: tuple[int, ...]
+    seconds: float
+    unit: float
+    figures: dict[str, float] = field(default_factory=dict)
+    settled: bool = True
+    setting: str = ""
+
+    @property
+    def nodes(self) -> int:
+        """Number of grid points."""
+        nodes = 1
+        for points in self.shape:
+            nodes *= points
+        return nodes
+
+    @property
+    def convolutions(self) -> float:
+        """The same cost in convolutions on the grid; 0 of a formula."""
+        return self.seconds / self.unit if self.unit else 0.0
+
+    @property
+    def label(self) -> str:
+        """What people read."""
+        return self.setting or " x ".join(str(points) for points in self.shape)
+
+
+class _Stopwatch:
+    """Processor time of a climb, without what is done between its points."""
+
+    def __init__(self) -> None:
+        self.seconds = 0.0
+        self._since = process_time()
+
+    def stop(self) -> float:
+        """All of it so far [s]."""
+        self.seconds += process_time() - self._since
+        return self.seconds
+
+    def go(self) -> None:
+        self._since = process_time()
+
+
+def _wanted(number: int) -> float:
+    """Error that a grid of a climb is settled for."""
+    return max(FIRST_ERROR / FALL**number, LEAST_ERROR)
+
+
+def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
+    """The grids of a rung, each of half the spacing; who has seen enough stops asking.
+
+    Parameters
+    ----------
+    fidelity : Fidelity
+        The rung.
+    wide : bool
+        Whether the window has twice the reach.
+
+    Raises
+    ------
+    KernelError
+        If the kernel gives a grid up, or there is no memory for it.
+    """
+    plan = fidelity.plan
+    watch = _Stopwatch()
+    ladder = LADDERS[type(fidelity.scene)](fidelity.scene, plan)
+    rung, _ = ladder.enter(plan.wider_grids if wide else plan.grids)
+    for number in count():
+        error = _wanted(number)
+        tolerance = plan.tolerance / plan.accuracy * error
+        settle(rung, tolerance, plan.aim, ALGEBRA_SHARE * error)
+        figures = read(rung)
+        seconds = watch.stop()
+        yield Point(
+            tuple(rung.grid.shape),
+            seconds,
+            convolution_seconds(rung.film),
+            figures,
+            rung.film.balance.worst <= tolerance and figures["film_min"] > 0,
+        )
+        watch.go()
+        rung, _ = ladder.higher(rung)
+
+
+def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) -> Iterator[Point]:
+    """One grid, settled to smaller and smaller residuals.
+
+    Parameters
+    ----------
+    fidelity : Fidelity
+        The rung.
+    halvings : int
+        How much finer the grid is than the first one.
+    tolerances : tuple of float
+        Residuals, falling.
+    """
+    plan = fidelity.plan
+    watch = _Stopwatch()
+    ladder = LADDERS[type(fidelity.scene)](fidelity.scene, plan)
+    rung, _ = ladder.enter(plan.grids)
+    for number in range(halvings):
+        error = _wanted(number)
+        settle(rung, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_SHARE * error)
+        rung, _ = ladder.higher(rung)
+    for tolerance in tolerances:
+        lead(rung, tolerance)
+        figures = read(rung)
+        seconds = watch.stop()
+        settled = rung.film.balance.worst <= tolerance
+        unit = convolution_seconds(rung.film)
+        yield Point(tuple(rung.grid.shape), seconds, unit, figures, settled, f"{tolerance:.0e}")
+        watch.go()
+
+
+def on_grid(fidelity: Fidelity, halvings: int, setting: str) -> Point:
+    """The point of one of a rung's grids, under another name."""
+    point = next(islice(climb(fidelity), halvings, None))
+    return replace(point, setting=setting)
+
+
+def settled_row(points: Sequence[Point]) -> list[Point]:
+    """The finest grids, one after another, on which the equations are met."""
+    settled = [point.settled for point in points]
+    if not any(settled):
+        return []
+    last = len(points) - settled[::-1].index(True)
+    row = takewhile(lambda point: point.settled, reversed(points[:last]))
+    return list(row)[::-1]
+
+
+def read(rung: Rung) -> dict[str, float]:
+    """The figures of a rung; a film that does not warm has the inlet's temperature."""
+    found = {"temperature_max_film": 0.0} | rung.read().figures
+    return {name: float(found[name]) for name in FIGURES if name in found}
+
+
+def step_of(plan: Plan) -> float:
+    """How many times dearer than all before the next grid is, as a rule, by the directions it refines."""
+    return 4.5 if len(plan.grids[-1].shape) == 2 else 2.2

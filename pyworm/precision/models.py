@@ -1,0 +1,100 @@
+"""The rungs of the fidelity ladder: one contact, simulated with more and more of its effects."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from pyworm.planning.effects.judgement import simplified
+from pyworm.planning.plan import Plan, plan
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+ACCURACY = 1e-3
+"""Accuracy that rungs are planned for: it decides the levels across their films and the windows of lines."""
+
+CONDUCTING = 1e3
+"""Conductivity of an oil across which no temperature falls, over the oil's own.
+
+Ten times less changed films by 0.1 % and temperatures by 0.02 K; three levels then do for eleven."""
+
+
+@dataclass(frozen=True)
+class Fidelity:
+    """One rung.
+
+    Attributes
+    ----------
+    name : str
+        What tables and pictures call it.
+    scene : Scene or LineScene
+        The contact with the rung's effects and no others.
+    plan : Plan
+        How that is solved.
+    """
+
+    name: str
+    scene: Scene | LineScene
+    plan: Plan
+
+
+def fidelities(
+    scene: Scene | LineScene,
+    quantities: Sequence[str] | None = None,
+    accuracy: float = ACCURACY,
+) -> tuple[tuple[Fidelity, ...], dict[str, str]]:
+    """The rungs that a contact has, the most complete one last, and why it has no others.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    quantities : sequence of str, optional
+        What is asked for, as `pyworm.plan` takes it.
+    accuracy : float
+        What they are planned for [-].
+
+    Returns
+    -------
+    tuple of Fidelity, dict
+        Rungs; name -> reason of those that there are none of.
+
+    Raises
+    ------
+    ValueError
+        As of `pyworm.plan`.
+    """
+    point = isinstance(scene, Scene)
+    body = "point" if point else "line"
+    isothermal = f"isothermal Newtonian {body}"
+    wanted: list[tuple[str, Scene | LineScene, str]] = [
+        ("line contact", scene, "isothermal,-second-dimension"),
+        (isothermal, scene, "isothermal"),
+    ][0 if point else 1 :]
+    if scene.oil.flow is not None:
+        cold = "all,-film-heating,-surface-heating"
+        wanted.append(("+ rheology", scene, cold))
+    if scene.oil.heat is not None:
+        wanted.append(("+ surface heat", conducting(scene), "all,-viscosity-across"))
+        wanted.append(("+ film heat", scene, "all"))
+    rungs: list[Fidelity] = []
+    lacking: dict[str, str] = {}
+    for name, of, words in wanted:
+        try:
+            planned = plan(of, accuracy, words, quantities)
+            rung = Fidelity(name, simplified(of, planned.on), planned)
+        except ValueError as error:
+            if name == wanted[-1][0]:
+                raise
+            lacking[name] = str(error)
+            continue
+        if any(rung.scene == other.scene for other in rungs):
+            lacking[name] = "the same as the rung before"
+        else:
+            rungs.append(rung)
+    return tuple(rungs), lacking
+
+
+def conducting(scene: Scene | LineScene) -> Scene | LineScene:
+    """The contact with an oil across which no temperature falls: its surfaces warm, both alike."""
+    heat = scene.oil.heat
+    warm = replace(heat, conductivity=CONDUCTING * heat.conductivity)
+    return replace(scene, oil=replace(scene.oil, heat=warm))

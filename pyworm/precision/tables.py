@@ -1,0 +1,121 @@
+"""A study as tables: for people, as CSV and as JSON."""
+
+import csv
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from rich.table import Table
+
+from pyworm.io.format import duration
+from pyworm.precision.grid_series import Point
+from pyworm.precision.study import TARGETS, Curve, Study
+
+LABELS = {
+    "film_min": "Minimum film",
+    "film_central": "Central film",
+    "friction_coefficient": "Friction",
+    "temperature_max_film": "Temperature",
+}
+
+UNITS = {
+    "film_min": "film_min_m",
+    "film_central": "film_central_m",
+    "friction_coefficient": "friction_coefficient",
+    "temperature_max_film": "temperature_rise_max_K",
+}
+"""Figure -> its key in CSV and JSON."""
+
+
+def cheapest_table(study: Study) -> Table:
+    """The cheapest rung and grid for each accuracy, of each figure and of all together."""
+    table = Table(title="Cheapest rung and grid", title_justify="left", show_lines=True)
+    table.add_column("Error", justify="right", no_wrap=True)
+    figures = list(study.references)
+    for figure in figures:
+        table.add_column(LABELS[figure])
+    table.add_column("All of them")
+    for accuracy in TARGETS:
+        choices = [study.cheapest(accuracy, (figure,)) for figure in figures]
+        choices.append(study.cheapest(accuracy, tuple(figures)))
+        table.add_row(f"{accuracy * 100:g} %", *(_told(choice) for choice in choices))
+    return table
+
+
+def _told(choice: tuple[Curve, Point] | None) -> str:
+    if choice is None:
+        return "none"
+    curve, point = choice
+    grid = f"{point.label}, " if point.shape else ""
+    return f"{curve.name}\n{grid}{duration(point.seconds)}"
+
+
+def rows(study: Study) -> Iterator[dict[str, Any]]:
+    """One object for each point, units in the keys, errors relative."""
+    for curve in study.curves:
+        for point in curve.points:
+            row: dict[str, Any] = {
+                "kind": curve.kind,
+                "curve": curve.name,
+                "grid": " x ".join(str(points) for points in point.shape),
+                "setting": point.setting,
+                "seconds": point.seconds,
+                "convolutions": point.convolutions or None,
+                "settled": point.settled,
+            }
+            for figure in study.references:
+                row[UNITS[figure]] = point.figures.get(figure)
+                row[f"{figure}_error"] = study.error(point, figure)
+                row[f"{figure}_grid_error"] = study.grid_error(curve, point, figure)
+            yield row
+
+
+def as_object(study: Study) -> dict[str, Any]:
+    """All of a study, JSON-able."""
+    return {
+        "scene": study.scene_name,
+        "inlet_temperature_K": study.inlet_temperature,
+        "references": {
+            UNITS[figure]: {"value": of.value, "relative_to": of.size, "uncertainty": of.band}
+            for figure, of in study.references.items()
+        },
+        "rungs": {
+            curve.name: {
+                UNITS[figure]: {
+                    "order": limit.order,
+                    "model_error": study.model_error(curve, figure),
+                }
+                for figure, limit in curve.limits.items()
+                if figure in study.references
+            }
+            for curve in study.curves
+            if curve.kind == "rung"
+        },
+        "cheapest": [_cheapest(study, accuracy) for accuracy in TARGETS],
+        "points": list(rows(study)),
+        "left_out": list(study.left_out),
+        "seconds": study.seconds,
+    }
+
+
+def _cheapest(study: Study, accuracy: float) -> dict[str, Any]:
+    asked = {UNITS[figure]: (figure,) for figure in study.references}
+    found: dict[str, Any] = {"accuracy": accuracy}
+    for key, figures in {**asked, "all": tuple(study.references)}.items():
+        choice = study.cheapest(accuracy, figures)
+        found[key] = choice and {
+            "curve": choice[0].name,
+            "grid": list(choice[1].shape),
+            "seconds": choice[1].seconds,
+            "convolutions": choice[1].convolutions or None,
+        }
+    return found
+
+
+def write_csv(study: Study, path: Path) -> None:
+    """All points, a row each."""
+    table = list(rows(study))
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(table[0]))
+        writer.writeheader()
+        writer.writerows(table)

@@ -1,0 +1,100 @@
+"""Which loss between the teeth warms a worm drive: the simulated one or, if larger, that of rough teeth."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from pyworm.case.case import Case
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.result.mesh_cycle import DriveCycle
+
+
+@dataclass(frozen=True)
+class HeatingLoss:
+    """The loss between the teeth for which temperatures are to be struck.
+
+    Attributes
+    ----------
+    power : float
+        [W].
+    by : str
+        "simulation" or "standard".
+    words : str
+        Which it is and why.
+    """
+
+    power: float
+    by: str
+    words: str
+
+
+def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> HeatingLoss:
+    """The larger of the simulated and the standard's loss where roughness carries load, else the simulated.
+
+    Parameters
+    ----------
+    cycle : DriveCycle
+        A cycle with a loss.
+    standard : StandardLoss or NoStandard
+        What a standard has for its teeth.
+    """
+    smooth = cycle.loss.power
+    simulated = f"{smooth:.4g} W simulated{' as if smooth' if cycle.left_out.rough else ''}"
+    if isinstance(standard, NoStandard):
+        return HeatingLoss(
+            smooth, "simulation", f"{simulated}, by a standard none: {standard.reason}"
+        )
+    rough = f"{standard.power:.4g} W of rough teeth by the {standard.source}"
+    if cycle.left_out.rough and standard.power > smooth:
+        return HeatingLoss(standard.power, "standard", f"{rough}, more than the {simulated}")
+    return HeatingLoss(smooth, "simulation", f"{simulated}, taken and not the {rough}")
+
+
+def tooth_loss_of(case: Case) -> float:
+    """Loss between the teeth for which a case's temperatures are struck [W]."""
+    cooling = case.tables.cooling
+    sump = case.drive.oil.heat.inlet_temperature
+    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other_loss
+
+
+@dataclass(frozen=True)
+class Heating:
+    """The loss for which the temperatures of a solved drive were struck, and that which was found.
+
+    Attributes
+    ----------
+    taken : float
+        Loss between the teeth that the temperatures belong to [W].
+    found : HeatingLoss
+        What the films solved with them lose.
+    """
+
+    taken: float
+    found: HeatingLoss
+
+    @property
+    def words(self) -> str:
+        """Both in a sentence."""
+        return f"Temperatures are struck for {self.taken:.4g} W between the teeth; found: {self.found.words}."
+
+    def summary(self) -> dict[str, Any]:
+        """Both for programs."""
+        return {"taken_W": self.taken, "found_W": self.found.power, "by": self.found.by}
+
+
+def heating_of(
+    case: Case, cycle: DriveCycle | None, standard: StandardLoss | NoStandard
+) -> Heating | None:
+    """The heating of a case as solved; None of one whose temperatures are given, or without a loss.
+
+    Parameters
+    ----------
+    case : Case
+        The case with what was found in it.
+    cycle : DriveCycle or None
+        Its solved cycle.
+    standard : StandardLoss or NoStandard
+        What a standard has for its teeth.
+    """
+    if getattr(case.tables, "cooling", None) is None or cycle is None or cycle.loss is None:
+        return None
+    return Heating(tooth_loss_of(case), heating_loss(cycle, standard))

@@ -1,0 +1,324 @@
+"""Which grade of oil a gear drive wants, worked backwards from the specific film, step by step in words.
+
+A pure function of plain numbers: whoever calls it takes them from a case, from a simulation or from a
+drawing.
+"""
+
+from dataclasses import dataclass
+from textwrap import fill
+
+from pyworm.formulas import gear_oil, scuffing, wear_distress
+from pyworm.formulas.bearing_life import reference_viscosity
+from pyworm.formulas.lubrication import BOUNDARY
+from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
+from pyworm.ratings.oil_grades import (
+    MILLIMETRE_SQUARED,
+    THICKEST,
+    ZERO_CELSIUS,
+    Duty,
+    GradeRow,
+    grade_row,
+    past_practice,
+    viscosity_needed,
+)
+
+PAGE_WIDTH = 100
+"""Letters in a line of the page."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of the choice.
+
+    Attributes
+    ----------
+    title : str
+        What it is about.
+    text : str
+        What was found, in words with numbers.
+    source : str
+        Where the rule comes from; empty where nothing but arithmetic is used.
+    table : tuple of str
+        Lines of a table that belongs to it.
+    """
+
+    title: str
+    text: str
+    source: str = ""
+    table: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class OilChoice:
+    """A recommended grade and how it was found.
+
+    Attributes
+    ----------
+    duty : Duty
+        What was asked.
+    grade : int
+        The recommended ISO viscosity grade.
+    oil : str
+        The oil's name.
+    reached : bool
+        Whether it gives the wanted specific film.
+    viscosity_needed : float or None
+        Kinematic viscosity at 40 degC [m2/s] that would give it at the temperature of reference; None if
+        none does.
+    rows : tuple of GradeRow
+        Every grade.
+    steps : tuple of Step
+        In the order of the reasoning, the recommendation last.
+    """
+
+    duty: Duty
+    grade: int
+    oil: str
+    reached: bool
+    viscosity_needed: float | None
+    rows: tuple[GradeRow, ...]
+    steps: tuple[Step, ...]
+
+
+def choose_oil(duty: Duty) -> OilChoice:
+    """Choose a grade.
+
+    The thinnest grade whose film is the wanted one in balance with its own churning, but none thinner
+    than practice allows and none that overheats the sump. Where no grade gives the film, the thickest
+    that practice recommends: the film is then not the oil's to mend.
+
+    Raises
+    ------
+    ValueError
+        Numbers outside the formulas, or a sump that every grade overheats.
+    """
+    rows = tuple(grade_row(duty, grade) for grade in ISO_GRADES)
+    cool = [row for row in rows if row.sump_temperature <= duty.sump_limit]
+    if not cool:
+        raise ValueError(
+            f"limit of the sump temperature = {duty.sump_limit:g} K: exceeded by every grade, "
+            f"{rows[0].sump_temperature:.0f} K with VG {rows[0].grade}; cool the sump"
+        )
+    practice = past_practice(duty)
+    needed = viscosity_needed(duty)
+    thick_enough = [row for row in cool if row.specific_film >= duty.specific_film]
+    if thick_enough:
+        least = min(practice, default=0)
+        wanted = [row for row in thick_enough if row.grade >= least]
+        chosen = wanted[0] if wanted else thick_enough[-1]
+    else:
+        most = max(practice, default=ISO_GRADES[-1])
+        chosen = [row for row in cool if row.grade <= most or row is cool[0]][-1]
+    steps = [
+        *_practice_steps(duty),
+        _film_step(duty),
+        _backwards_step(duty, needed),
+        _balance_step(duty, rows, chosen),
+    ]
+    if duty.bearing_speed is not None:
+        steps.append(_bearing_step(duty, chosen))
+    if duty.contact_temperature is not None:
+        steps.append(_scuffing_step(duty, chosen))
+    steps.append(_recommendation(duty, chosen, practice, cool))
+    return OilChoice(
+        duty=duty,
+        grade=chosen.grade,
+        oil=f"{duty.base} VG {chosen.grade}",
+        reached=chosen.specific_film >= duty.specific_film,
+        viscosity_needed=needed,
+        rows=rows,
+        steps=tuple(steps),
+    )
+
+
+def page(choice: OilChoice) -> str:
+    """The choice as one page of plain text."""
+    lines = [f"Oil for {choice.duty.name}", ""]
+    for number, step in enumerate(choice.steps, 1):
+        lines.append(f"{number}. {step.title}")
+        if step.source:
+            lines.append(fill(f"({step.source})", PAGE_WIDTH, initial_indent="   "))
+        lines.append(fill(step.text, PAGE_WIDTH, initial_indent="   ", subsequent_indent="   "))
+        if step.table:
+            lines += ["", *(f"   {line}" for line in step.table)]
+        lines.append("")
+    return "\n".join(lines[:-1]) + "\n"
+
+
+# --------------------------------------------------------------------------------------- words
+
+
+def _practice_steps(duty: Duty) -> list[Step]:
+    steps = []
+    if duty.pitch_line_velocity is not None:
+        velocity = duty.pitch_line_velocity
+        wanted = gear_oil.pitch_line_viscosity(velocity)
+        feet = velocity / gear_oil.FOOT_PER_MINUTE
+        steps.append(
+            Step(
+                "Speed",
+                f"At a pitch line velocity of {velocity:.3g} m/s ({feet:.0f} ft/min) the viscosity at "
+                f"40 degC should be 7000/sqrt({feet:.0f}) = {wanted / MILLIMETRE_SQUARED:.0f} mm2/s; "
+                f"nearest is VG {gear_oil.nearest_grade(wanted)}. The faster the teeth, "
+                "the thinner the oil that still makes a film.",
+                "Errichello, pitch line rule",
+            )
+        )
+    for table in duty.tables:
+        if table is None:
+            text = "This table has no row for this size, speed and temperature."
+            steps.append(Step("Table", text, gear_oil.WORM_TABLE_SOURCE))
+            continue
+        grades = " or ".join(f"VG {grade}" for grade in table.grades)
+        steps.append(Step("Table", f"{grades} ({table.row}).", table.source))
+    return steps
+
+
+def _film_step(duty: Duty) -> Step:
+    wanted = duty.specific_film * duty.roughness
+    return Step(
+        "Film that is wanted",
+        f"lambda = {duty.specific_film:g} over a composite roughness of {duty.roughness * 1e6:.3g} um asks "
+        f"for a minimum film of {wanted * 1e6:.3g} um. Below 1 the teeth rest on their roughness, from "
+        "3 on the film keeps them apart.",
+    )
+
+
+def _backwards_step(duty: Duty, needed: float | None) -> Step:
+    bulk = duty.sump_temperature + duty.bulk_excess
+    index = named_oil(f"{duty.base} VG {duty.sump_grade}").viscosity_index
+    title = "Backwards to the oil"
+    given = (
+        f"{duty.film.words}. At teeth of {bulk - ZERO_CELSIUS:.0f} degC and with {duty.base} oil of "
+        f"viscosity index {index:.0f}"
+    )
+    if needed is None:
+        return Step(
+            title,
+            f"{given} no oil up to {THICKEST / MILLIMETRE_SQUARED:.0f} mm2/s at 40 degC makes this film.",
+            duty.film.source,
+        )
+    oil = oil_from_index("", duty.base, needed, index)
+    hot = oil.kinematic_viscosity(bulk) / MILLIMETRE_SQUARED
+    alpha = duty.film.alpha_of(oil, bulk) * 1e9
+    millimetres = needed / MILLIMETRE_SQUARED
+    beyond = ", thicker than any gear oil" if millimetres > 1.1 * ISO_GRADES[-1] else ""
+    return Step(
+        title,
+        f"{given} the film needs {hot:.3g} mm2/s or {oil.viscosity(bulk) * 1e3:.3g} mPa s on the teeth "
+        f"(alpha = {alpha:.3g} 1/GPa), which is {millimetres:.0f} mm2/s at 40 degC{beyond}.",
+        duty.film.source,
+    )
+
+
+def _balance_step(duty: Duty, rows: tuple[GradeRow, ...], chosen: GradeRow) -> Step:
+    sump, ambient = duty.sump_temperature - ZERO_CELSIUS, duty.ambient_temperature - ZERO_CELSIUS
+    thin, thick = rows[0], rows[-1]
+    cold, hot = thick.grade / thin.grade, thick.viscosity / thin.viscosity
+    gain = thick.specific_film / thin.specific_film
+    warmer = thick.sump_temperature - thin.sump_temperature
+    return Step(
+        "Churning and temperature, grade by grade",
+        f"The sump is {sump:.0f} degC with VG {duty.sump_grade} at {ambient:.0f} degC outside; "
+        f"{100 * duty.churning_share:.0f} % of its heat is taken to be churning, which grows with the root "
+        f"of the viscosity. Thicker oil so heats itself: from VG {thin.grade} to VG {thick.grade} the "
+        f"viscosity at 40 degC grows {cold:.0f} times, on the teeth {hot:.0f} times and the film "
+        f"{gain:.1f} times, while the sump warms by {warmer:.0f} K.",
+        table=_table(rows, chosen),
+    )
+
+
+def _table(rows: tuple[GradeRow, ...], chosen: GradeRow) -> tuple[str, ...]:
+    bearings = chosen.kappa is not None
+    head = "VG    sump degC  teeth degC  mm2/s on teeth  film um  lambda  heat"
+    lines = [head + ("  kappa" if bearings else "")]
+    for row in rows:
+        mark = "  <-" if row is chosen else ""
+        kappa = f"  {row.kappa:5.2f}" if row.kappa is not None else ""
+        lines.append(
+            f"{row.grade:<5d} {row.sump_temperature - ZERO_CELSIUS:9.0f} "
+            f"{row.bulk_temperature - ZERO_CELSIUS:11.0f} {row.viscosity / MILLIMETRE_SQUARED:15.1f} "
+            f"{row.film * 1e6:8.3f} {row.specific_film:7.3f} {row.heat:5.2f}{kappa}{mark}"
+        )
+    return tuple(lines)
+
+
+def _bearing_step(duty: Duty, chosen: GradeRow) -> Step:
+    wanted = reference_viscosity(duty.bearing_speed, duty.bearing_diameter) / MILLIMETRE_SQUARED
+    good = chosen.kappa >= 1
+    return Step(
+        "Bearings",
+        f"The bearing wants {wanted:.1f} mm2/s; with VG {chosen.grade} at "
+        f"{_celsius(chosen.sump_temperature)} kappa = {chosen.kappa:.2f}, "
+        + ("which is enough." if good else "below 1: it loses life to thin oil."),
+        "ISO 281:2007",
+    )
+
+
+def _scuffing_step(duty: Duty, chosen: GradeRow) -> Step:
+    contact = duty.contact_temperature
+    said = []
+    for anti_scuff, words in ((False, "without"), (True, "with")):
+        limit = scuffing.scuffing_temperature(chosen.grade * MILLIMETRE_SQUARED, anti_scuff)
+        probability = float(scuffing.scuffing_probability(contact, limit))
+        said.append(
+            f"{_celsius(limit)} {words} anti-scuff additives (probability {_percent(probability)}, "
+            f"{scuffing.risk(probability)})"
+        )
+    limits = "The formula is for mineral oils. " if duty.base != "mineral" else ""
+    return Step(
+        "Scuffing",
+        f"The teeth reach {_celsius(contact)} in contact; VG {chosen.grade} scuffs at {said[0]} "
+        f"and at {said[1]}. {limits}".strip(),
+        scuffing.SOURCE,
+    )
+
+
+def _recommendation(
+    duty: Duty, chosen: GradeRow, practice: list[int], cool: list[GradeRow]
+) -> Step:
+    words = [
+        f"{duty.base} VG {chosen.grade}: film {chosen.film * 1e6:.3g} um, lambda {chosen.specific_film:.2g} "
+        f"({wear_distress.regime(chosen.specific_film)}), sump {_celsius(chosen.sump_temperature)}."
+    ]
+    if chosen.specific_film >= duty.specific_film:
+        thinner = [row for row in cool if row.grade < chosen.grade]
+        if not thinner or thinner[-1].specific_film < duty.specific_film:
+            words.append(
+                "It is the thinnest grade that gives the wanted film; a thicker one only churns more."
+            )
+        else:
+            words.append(
+                "A thinner grade would give the wanted film, but not what practice asks for."
+            )
+    else:
+        best = max(cool, key=lambda row: row.specific_film)
+        words.append(
+            f"No grade within the sump's limit gives lambda = {duty.specific_film:g} (VG {best.grade}: "
+            f"{best.specific_film:.2g}): thicker oil is not the cure. Smoother or run-in flanks, cooler oil, "
+            "more speed or less load are; until then additives must protect the teeth."
+        )
+        if practice:
+            words.append("The grade is the thickest that practice names and the sump allows.")
+    if duty.pitch_line_velocity is not None:
+        probability = float(
+            wear_distress.distress_probability(chosen.specific_film, duty.pitch_line_velocity)
+        )
+        words.append(f"Probability of wear distress: {_percent(probability)}.")
+    if chosen.specific_film < BOUNDARY:
+        words.append(
+            "Boundary lubrication: choose an oil with anti-scuff (EP) or, for bronze, lubricity additives."
+        )
+    if duty.coldest_start is not None:
+        words.append(f"Its pour point should be {_celsius(duty.coldest_start - 5)} or lower.")
+    return Step("Recommendation", " ".join(words))
+
+
+def _celsius(kelvin: float) -> str:
+    return f"{kelvin - ZERO_CELSIUS:.0f} degC"
+
+
+def _percent(probability: float) -> str:
+    if probability < 0.01:
+        return "below 1 %"
+    return "above 99 %" if probability > 0.99 else f"{probability * 100:.0f} %"

@@ -1,0 +1,295 @@
+"""Viscosity grades compared for a duty: film, friction loss and viscosity needed of each."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import pi
+
+from scipy.optimize import brentq
+
+from pyworm.formulas import film as films
+from pyworm.formulas import gear_oil
+from pyworm.formulas.bearing_life import reference_viscosity
+from pyworm.formulas.gear_oil import TableAdvice
+from pyworm.formulas.ranges import positive, within
+from pyworm.formulas.worm_gear import WormGear
+from pyworm.formulas.worm_standard import PRESSURE_VISCOSITY, minimum_film
+from pyworm.materials.base_stock import Base, base_stock
+from pyworm.materials.library import NamedOil, named_oil, oil_from_index
+
+ZERO_CELSIUS = 273.15
+
+MILLIMETRE_SQUARED = 1e-6
+"""1 mm2/s [m2/s]."""
+
+CHURNING_EXPONENT = 0.5
+"""How churning loss grows with viscosity: friction of a laminar boundary layer on a disc goes as its root."""
+
+THICKEST = 9e-3
+"""Largest viscosity at 40 degC [m2/s] that is looked for."""
+
+
+@dataclass(frozen=True)
+class FilmLaw:
+    """A minimum film as a function of the oil alone, all else being fixed.
+
+    Attributes
+    ----------
+    film : callable
+        Of dynamic viscosity [Pa s] and pressure-viscosity coefficient [1/Pa]; the minimum film [m].
+    source : str
+        The formula's.
+    words : str
+        The formula, with the numbers of all but the oil.
+    alpha : float or None
+        The pressure-viscosity coefficient [1/Pa] that the formula has for the base stock; None where it takes
+        the oil's own.
+    """
+
+    film: Callable[[float, float], float]
+    source: str
+    words: str
+    alpha: float | None = None
+
+    def of(self, oil: NamedOil, temperature: float) -> float:
+        """The film [m] of an oil on teeth of a temperature [K]."""
+        return self.film(float(oil.viscosity(temperature)), self.alpha_of(oil, temperature))
+
+    def alpha_of(self, oil: NamedOil, temperature: float) -> float:
+        """The pressure-viscosity coefficient [1/Pa] that the formula takes."""
+        return float(oil.alpha(temperature)) if self.alpha is None else self.alpha
+
+
+def line_film(
+    radius: float, load_per_length: float, reduced_modulus: float, speed: float
+) -> FilmLaw:
+    """Dowson and Higginson's film of one contact of a gear pair.
+
+    Parameters
+    ----------
+    radius : float
+        Relative radius of curvature [m].
+    load_per_length : float
+        [N/m].
+    reduced_modulus : float
+        E' [Pa].
+    speed : float
+        Mean speed of both surfaces [m/s].
+    """
+
+    def film(viscosity: float, alpha: float) -> float:
+        groups = films.line_groups(
+            radius, load_per_length, reduced_modulus, speed, viscosity, alpha
+        )
+        return float(films.dowson_higginson(groups).minimum)
+
+    return FilmLaw(
+        film,
+        "minimum film of a line contact, Dowson and Higginson (1968)",
+        "h = 2.65 R U^0.70 G^0.54 W^-0.13, U = eta u/(E' R), G = alpha E', W = w/(E' R), at the thinnest "
+        f"place of the line of action with R = {radius * 1e3:.3g} mm, u = {speed:.3g} m/s, "
+        f"w = {load_per_length * 1e-3:.0f} N/mm, E' = {reduced_modulus * 1e-9:.0f} GPa",
+    )
+
+
+def worm_film(
+    gear: WormGear, worm_speed: float, torque: float, reduced_modulus: float, base: Base
+) -> FilmLaw:
+    """The mean minimum film of a worm gear by the standards; arguments as of `worm_standard.rate_worm`."""
+
+    def film(viscosity: float, alpha: float) -> float:
+        return minimum_film(
+            gear.film_parameter,
+            alpha,
+            viscosity,
+            worm_speed,
+            gear.centre_distance,
+            reduced_modulus,
+            torque,
+        )
+
+    return FilmLaw(
+        film,
+        "mean minimum film of a worm gear, methods of DIN 3996",
+        "h = 21 h* alpha^0.6 eta^0.7 n^0.7 a^1.39 E^0.03/T^0.13 um (alpha in m2/N, eta in Pa s) with h* = "
+        f"{gear.film_parameter:.4f}, n = {worm_speed * 30 / pi:.0f} rpm, "
+        f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, "
+        f"T = {torque:.0f} N m",
+        alpha=PRESSURE_VISCOSITY.get(base),
+    )
+
+
+@dataclass(frozen=True)
+class Duty:
+    """What an oil has to do.
+
+    Attributes
+    ----------
+    name : str
+        The drive.
+    base : str
+        Base stock to choose a grade of.
+    film : FilmLaw
+        How the film follows the oil.
+    roughness : float
+        Composite rms roughness of the teeth [m].
+    specific_film : float
+        lambda that is wanted [-].
+    ambient_temperature : float
+        [K].
+    sump_temperature, sump_grade : float, int
+        Sump temperature [K], measured or expected with this grade.
+    bulk_excess : float
+        How far the teeth are hotter than the sump [K].
+    churning_share : float
+        Share of the heat in the sump that churning makes with that grade [-], 0 to 0.9.
+    sump_limit : float
+        Highest sump temperature allowed [K].
+    pitch_line_velocity : float or None
+        [m/s], for the rule of speed and the probability of distress; None for a worm gear, to which they
+        do not apply.
+    tables : tuple of TableAdvice or None
+        What tables say; None in the place of a table that has no row.
+    contact_temperature : float or None
+        Largest contact temperature of the teeth [K], if scuffing is to be judged.
+    bearing_speed, bearing_diameter : float or None
+        Speed [rad/s] and mean diameter [m] of the bearing that needs the thickest oil.
+    coldest_start : float or None
+        Lowest temperature [K] that the drive starts at, if the pour point is to be said.
+    """
+
+    name: str
+    base: Base
+    film: FilmLaw
+    roughness: float
+    specific_film: float
+    ambient_temperature: float
+    sump_temperature: float
+    sump_grade: int
+    bulk_excess: float
+    churning_share: float
+    sump_limit: float
+    pitch_line_velocity: float | None = None
+    tables: tuple[TableAdvice | None, ...] = ()
+    contact_temperature: float | None = None
+    bearing_speed: float | None = None
+    bearing_diameter: float | None = None
+    coldest_start: float | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse what is no duty."""
+        base_stock(self.base)
+        within("composite roughness", self.roughness, 1e-9, 1e-4, "m")
+        within("wanted lambda", self.specific_film, 0.01, 20, "")
+        within("ambient temperature", self.ambient_temperature, 220, 340, "K")
+        within("sump temperature", self.sump_temperature, 250, 470, "K")
+        within("limit of the sump temperature", self.sump_limit, 300, 470, "K")
+        within("excess of the teeth's temperature", self.bulk_excess, 0, 150, "K")
+        within("share of churning", self.churning_share, 0, 0.9, "")
+        if self.sump_temperature <= self.ambient_temperature:
+            raise ValueError(
+                f"sump temperature = {self.sump_temperature:g} K: must be above the ambient "
+                f"{self.ambient_temperature:g} K"
+            )
+        if (self.bearing_speed is None) != (self.bearing_diameter is None):
+            raise ValueError("give bearing_speed and bearing_diameter together")
+        if self.pitch_line_velocity is not None:
+            positive("pitch line velocity", self.pitch_line_velocity, "m/s")
+
+
+@dataclass(frozen=True)
+class GradeRow:
+    """What one grade would do.
+
+    Attributes
+    ----------
+    grade : int
+        ISO viscosity grade.
+    sump_temperature, bulk_temperature : float
+        In balance with its own churning [K].
+    viscosity : float
+        Kinematic viscosity at the teeth [m2/s].
+    film : float
+        Minimum film [m].
+    specific_film : float
+        lambda [-].
+    heat : float
+        Heat in the sump over that with the grade of reference [-].
+    kappa : float or None
+        Viscosity ratio of the bearing at the sump temperature [-].
+    """
+
+    grade: int
+    sump_temperature: float
+    bulk_temperature: float
+    viscosity: float
+    film: float
+    specific_film: float
+    heat: float
+    kappa: float | None
+
+
+# ------------------------------------------------------------------------------------- numbers
+
+
+def grade_row(duty: Duty, grade: int) -> GradeRow:
+    """What a viscosity grade does in a duty."""
+    oil = named_oil(f"{duty.base} VG {grade}")
+    reference = named_oil(f"{duty.base} VG {duty.sump_grade}")
+    thickness = float(reference.kinematic_viscosity(duty.sump_temperature))
+    rise, share = duty.sump_temperature - duty.ambient_temperature, duty.churning_share
+
+    def heat(sump: float) -> float:
+        ratio = float(oil.kinematic_viscosity(sump)) / thickness
+        return 1 - share + share * ratio**CHURNING_EXPONENT
+
+    # Thinner with every degree, so that there is one balance; the teeth's share alone bounds it from below.
+    coldest = duty.ambient_temperature + (1 - share) * rise
+    sump = brentq(lambda sump: duty.ambient_temperature + rise * heat(sump) - sump, coldest, 499.0)
+    bulk = sump + duty.bulk_excess
+    film = duty.film.of(oil, bulk)
+    return GradeRow(
+        grade=grade,
+        sump_temperature=sump,
+        bulk_temperature=bulk,
+        viscosity=float(oil.kinematic_viscosity(bulk)),
+        film=film,
+        specific_film=film / duty.roughness,
+        heat=heat(sump),
+        kappa=_kappa(duty, float(oil.kinematic_viscosity(sump))),
+    )
+
+
+def _kappa(duty: Duty, viscosity: float) -> float | None:
+    if duty.bearing_speed is None or duty.bearing_diameter is None:
+        return None
+    return viscosity / reference_viscosity(duty.bearing_speed, duty.bearing_diameter)
+
+
+def _film_at(duty: Duty, oil: NamedOil) -> float:
+    """Film [m] of an oil on teeth of the temperature of reference."""
+    return duty.film.of(oil, duty.sump_temperature + duty.bulk_excess)
+
+
+def viscosity_needed(duty: Duty) -> float | None:
+    """Viscosity at 40 degC [m2/s] for the wanted film, of the index of the reference; None beyond reach."""
+    index = named_oil(f"{duty.base} VG {duty.sump_grade}").viscosity_index
+
+    def surplus(viscosity_40: float) -> float:
+        oil = oil_from_index("", duty.base, viscosity_40, index)
+        return _film_at(duty, oil) / duty.roughness - duty.specific_film
+
+    thinnest = 15 * MILLIMETRE_SQUARED
+    if surplus(THICKEST) < 0:
+        return None
+    if surplus(thinnest) > 0:
+        return thinnest
+    return brentq(surplus, thinnest, THICKEST, rtol=1e-6)
+
+
+def past_practice(duty: Duty) -> list[int]:
+    """Grades that the rule of speed and the tables name."""
+    grades = [grade for table in duty.tables if table is not None for grade in table.grades]
+    if duty.pitch_line_velocity is not None:
+        wanted = gear_oil.pitch_line_viscosity(duty.pitch_line_velocity)
+        grades.append(gear_oil.nearest_grade(wanted))
+    return grades

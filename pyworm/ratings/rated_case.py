@@ -1,0 +1,204 @@
+"""What a case file asks to be rated, and its ratings."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from pyworm.case.case import Case, case_of, checked
+from pyworm.case.ratings import RATING_TABLES, RatedCase, RatingCase
+from pyworm.case.unusual import unusual
+from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.io.input_error import CaseError
+from pyworm.io.toml import read_toml
+from pyworm.planning.prediction import sketch
+from pyworm.ratings.bearing import rate_bearing_table
+from pyworm.ratings.films import rate_films
+from pyworm.ratings.gear import rate_gear_pair
+from pyworm.ratings.rating import Rating
+from pyworm.ratings.worm import (
+    WormDuty,
+    rate_worm_table,
+    standard_rating,
+    worm_duty_of_drive,
+    worm_duty_of_table,
+)
+from pyworm.ratings.worm_verdict import NEVER_RATED
+from pyworm.result.result import Result
+from pyworm.scene.index import Place
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.left_out import LeftOut, judged, of_all
+from pyworm.solver.solution import Solution
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A case file with something to be rated.
+
+    Attributes
+    ----------
+    name : str
+        File name without its ending.
+    directory : Path
+        Where it lies; files that it names are relative to it.
+    tables : RatedCase or RatingCase
+        The file, in SI.
+    drive : ZiWormDrive, GearPairDrive or None
+        Its drive, if it has one that can be rated.
+    warnings : tuple of str
+        What is unusual in it, as `Case.warnings`.
+    """
+
+    name: str
+    directory: Path
+    tables: RatedCase | RatingCase
+    drive: ZiWormDrive | GearPairDrive | None = None
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def worm_gear(self) -> bool:
+        """Whether it is about a worm gear that the standards know."""
+        if isinstance(self.drive, ZiWormDrive):
+            return True
+        return getattr(self.tables, "worm_gear", None) is not None
+
+    @property
+    def worm_duty(self) -> WormDuty | None:
+        """Its worm gear as the standards see it, if it has one."""
+        if isinstance(self.drive, ZiWormDrive):
+            return worm_duty_of_drive(self.drive)
+        table = getattr(self.tables, "worm_gear", None)
+        return None if table is None else worm_duty_of_table(table)
+
+
+def _sound(result: Result | None) -> Result | None:
+    """The part of a result that converged; None where nothing did."""
+    sound = result and result.sound
+    return sound if sound and sound.solutions else None
+
+
+def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
+    """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
+    if result is not None:
+        solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
+        return asked.drive.scene(**Place.of(solution).given), solution
+    scenes = [asked.drive.scene(phase) for phase in asked.tables.operation.phases]
+    return min(scenes, key=lambda scene: sketch(scene).film_central), None
+
+
+def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
+    """What the solved contacts of a case do not hold; without any, the lubrication by closed forms."""
+    result = _sound(result)
+    if result is not None:
+        return of_all(result.solutions)
+    if asked.drive is not None:
+        scene, _ = _thinnest(asked, None)
+        seen = sketch(scene)
+        films = seen.film_central, seen.film_min
+        at_worst = judged((), 0.0, films, scene.composite_roughness)
+        return replace(at_worst, contacts=len(asked.tables.operation.phases))
+    table = getattr(asked.tables, "worm_rating", None)
+    if table is None:
+        return LeftOut()
+    duty = asked.worm_duty
+    film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
+    return judged((), 0.0, (film, film), duty.composite_roughness)
+
+
+def load_asked(path: str | Path) -> Asked:
+    """Read a case file for its ratings.
+
+    Raises
+    ------
+    CaseError
+        Whatever is wrong first, in one sentence.
+    """
+    path = Path(path)
+    data = read_toml(path)
+    try:
+        if "drive" in data or "contact" in data:
+            return asked_of(case_of(data, path.stem, path.parent))
+        if not any(name in data for name in RATING_TABLES):
+            raise CaseError("give a [drive], [bearings.NAME] or [worm_gear] to be rated")
+        tables = checked(RatingCase, data)
+        return Asked(path.stem, path.parent, tables, warnings=unusual(tables, data))
+    except CaseError as error:
+        raise CaseError(f"{path}: {error}") from error
+
+
+def asked_of(case: Case) -> Asked:
+    """What a case that can be solved asks to be rated; CaseError if nothing can be."""
+    if not isinstance(case.tables, RatedCase):
+        raise CaseError('only drives of kind "zi-worm" and "gear-pair" and bearings are rated')
+    return Asked(case.name, case.directory, case.tables, case.drive, case.warnings)
+
+
+def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
+    """Every rating that a case asks for; none if it asks for none.
+
+    Parameters
+    ----------
+    asked : Asked
+        The case.
+    result : Result, optional
+        Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
+
+    Raises
+    ------
+    CaseError
+        What lies outside the methods, in one sentence.
+    """
+    tables, drive = asked.tables, asked.drive
+    result = _sound(result)
+    made: list[Rating] = []
+    try:
+        worm_rating = getattr(tables, "worm_rating", None)
+        if worm_rating is not None:
+            worm = drive if isinstance(drive, ZiWormDrive) else None
+            made.append(
+                rate_worm_table(worm_rating, asked.worm_duty, asked.directory, worm, result)
+            )
+        if isinstance(drive, GearPairDrive):
+            made += rate_gear_pair(drive, tables.gear_rating, tables.published, result)
+        if drive is not None:
+            scene, solution = _thinnest(asked, result)
+            made.append(rate_films(scene, solution))
+        made += [
+            rate_bearing_table(name, table, asked.directory)
+            for name, table in tables.bearings.items()
+        ]
+    except ValueError as error:
+        raise CaseError(f"{asked.name}: {error}") from error
+    return tuple(made)
+
+
+def unconverged(result: Result | None) -> tuple[str, ...]:
+    """What of a result is not shown beside its ratings, a sentence for each contact that did not converge."""
+    if result is None:
+        return ()
+    return tuple(
+        f"{Place.of(one)} did not converge and is left out: {one.stop_reason}."
+        for one in result.unsound
+    )
+
+
+def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
+    """Everything of a case that is not rated, each with the reason: what ratings leave out, and whole ones.
+
+    Parameters
+    ----------
+    asked : Asked
+        The case.
+    made : tuple of Rating
+        Its ratings.
+    """
+    left = [sentence for rating in made for sentence in rating.not_rated]
+    if asked.worm_gear and asked.tables.worm_rating is None:
+        left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
+    if isinstance(asked.drive, GearPairDrive):
+        left.append("Pitting and tooth root strength: no formulas of them are known here.")
+        if asked.drive.surfaces is None:
+            left.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
+    if not asked.tables.bearings:
+        left.append("Bearings: the case has no [bearings.NAME].")
+    return tuple(left)

@@ -1,0 +1,342 @@
+"""Tables for people: what a scene is, what is planned for it, and what came out, in workshop units."""
+
+from collections.abc import Mapping, Sequence
+from math import isfinite
+from typing import Any
+
+from rich.box import SIMPLE_HEAD
+from rich.table import Table
+
+from pyworm.case.case_file import PublishedValue
+from pyworm.io.format import duration, rough
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.plan import Plan
+from pyworm.scene.index import PLACE_NAMES, Place
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.summary import scene_summary
+from pyworm.solver.cost.expected_time import Expectation
+from pyworm.solver.left_out import LeftOut, worst
+from pyworm.solver.left_out import expected as expected_to_leave_out
+
+# Label, key in a scene's summary, factor from SI to the unit shown, unit. Rows without key are left out.
+_SCENE = (
+    ("Load", "load_N", 1e-3, "kN"),
+    ("Load per length", "load_per_length_N_m", 1e-3, "kN/m"),
+    ("Relative radius", "radii_m", 1e3, "mm"),
+    ("Reduced modulus", "reduced_modulus_Pa", 1e-9, "GPa"),
+    ("Composite roughness", "composite_roughness_m", 1e6, "µm"),
+    ("Entrainment", "entrainment_m_per_s", 1.0, "m/s"),
+    ("Sliding", "sliding_m_per_s", 1.0, "m/s"),
+    ("Hertz: length", "hertz_length_m", 1e3, "mm"),
+    ("Hertz: width", "hertz_width_m", 1e3, "mm"),
+    ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa"),
+)
+
+# The same of a solution, with the key of the relative error, and the name under which a case's [published]
+# has the same figure.
+_FIGURES = (
+    ("Load", "load_N", 1e-3, "kN", None, "load"),
+    ("Load per length", "load_per_length_N_m", 1e-3, "kN/m", None, "load"),
+    ("Relative radius", "radius_m", 1e3, "mm", None, "radius"),
+    ("Relative radius, larger", "radius_long_m", 1e3, "mm", None, "radius_long"),
+    ("Relative radius, smaller", "radius_short_m", 1e3, "mm", None, "radius_short"),
+    ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa", None, "hertz_pressure_max"),
+    ("Hertz: length", "hertz_length_m", 1e3, "mm", None, "hertz_length"),
+    ("Hertz: width", "hertz_width_m", 1e3, "mm", None, "hertz_width"),
+    ("Dry contact: largest pressure", "dry_pressure_max_Pa", 1e-6, "MPa", None, "dry_pressure_max"),
+    ("Dry contact: length", "dry_length_m", 1e3, "mm", None, "dry_length"),
+    ("Dry contact: width", "dry_width_m", 1e3, "mm", None, "dry_width"),
+    ("Largest pressure", "pressure_max_Pa", 1e-6, "MPa", "pressure_max_error", "pressure_max"),
+    ("Central film", "film_central_m", 1e6, "µm", "film_central_error", "film_central"),
+    ("Minimum film", "film_min_m", 1e6, "µm", "film_min_error", "film_min"),
+    ("Minimum film on the centre line", "film_exit_min_m", 1e6, "µm", None, "film_exit_min"),
+    ("  along it at", "film_exit_min_at_m", 1e3, "mm", None, "film_exit_min_at"),
+    ("Composite roughness", "composite_roughness_m", 1e6, "µm", None, "composite_roughness"),
+    ("Specific film lambda", "specific_film", 1.0, "", "specific_film_error", "specific_film"),
+    ("  central", "lambda_central", 1.0, "", "film_central_error", None),
+    (
+        "Friction coefficient",
+        "friction_coefficient",
+        1.0,
+        "",
+        "friction_coefficient_error",
+        "friction_coefficient",
+    ),
+    ("Power loss", "power_loss_W", 1.0, "W", "power_loss_error", "power_loss"),
+    (
+        "Power loss per length",
+        "power_loss_per_length_W_m",
+        1e-3,
+        "kW/m",
+        "power_loss_error",
+        "power_loss",
+    ),
+    (
+        "Largest shear rate",
+        "shear_rate_max_1_s",
+        1.0,
+        "1/s",
+        "shear_rate_max_error",
+        "shear_rate_max",
+    ),
+    ("Inlet temperature", "inlet_temperature_C", 1.0, "°C", None, "inlet_temperature"),
+    ("Heat balance", "heat_balance", 100.0, "%", None, None),
+    ("Moes' load parameter M", "moes_M", 1.0, "", None, None),
+    ("Moes' lubricant parameter L", "moes_L", 1.0, "", None, None),
+    ("Load error", "load_error", 100.0, "%", None, None),
+    ("Mass error", "mass_error", 100.0, "%", None, None),
+    ("Residual", "residual", 1.0, "", None, None),
+    ("Time", "seconds", 1.0, "s", None, None),
+    ("Convolutions", "convolutions", 1.0, "", None, None),
+)
+
+
+_RUBBING = {"friction_coefficient", "power_loss_W", "power_loss_per_length_W_m"}
+"""Keys of figures that roughness adds to where it carries load."""
+
+SLENDER = {"box": SIMPLE_HEAD, "padding": (0, 1, 0, 0)}
+"""The look of tables with a row a scene, whose columns must share a terminal's width."""
+
+HOT_PLACES = {"body_1": "body 1", "body_2": "body 2", "film": "the film"}
+"""Key of a largest temperature in summaries -> what it is of."""
+
+
+def figures_table(
+    scene: Scene | LineScene, summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
+) -> Table:
+    """Figures of one solved scene, with what the source prints beside them.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The scene.
+    summary : mapping
+        `Solution.summary()` of its solution.
+    published : mapping
+        What the case's source prints for this scene; empty if nothing.
+    """
+    figures = scene_summary(scene) | summary
+    left_out = LeftOut.read(summary)
+    table = Table("Figure", title=left_out.titled(_title(scene)), title_justify="left")
+    table.add_column("Value", justify="right")
+    if published:
+        table.add_column("Published", justify="right")
+
+    def add(label: str, value: str, name: str | None) -> None:
+        printed = published[name].text if name in published else ""
+        table.add_row(label, value, *([printed] if published else []))
+
+    for label, key, scale, unit, error_key, name in _FIGURES:
+        if figures.get(key) is None:
+            continue
+        if key in _RUBBING:
+            label = left_out.headed(label)
+        if not summary["converged"] and not isfinite(figures.get(error_key, 0.0)):
+            add(label, "not converged", name)
+            continue
+        add(label, _value(figures[key] * scale, unit, figures.get(error_key)), name)
+        if error_key is not None and f"{error_key}_reason" in figures:
+            table.add_row("  error bar", figures[f"{error_key}_reason"])
+        if key == "film_min_m":
+            place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
+            table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
+            table.add_row("  which is", summary["film_min_kind"])
+        if key == "inlet_temperature_C":
+            for place, of in HOT_PLACES.items():
+                name = f"temperature_max_{place}"
+                add(f"Largest temperature of {of}", _temperature(summary, place), name)
+    table.add_row("Grid", _grid(summary["grid"]))
+    table.add_row("Converged", "yes" if summary["converged"] else "NO")
+    return table
+
+
+def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
+    """The figures by which scenes are compared, a row a scene; the specific film where roughness is known.
+
+    Of a scene that did not converge nothing simulated is shown.
+
+    Parameters
+    ----------
+    scenes : sequence of Scene
+        The scenes.
+    summaries : sequence of mapping
+        `Solution.summary()` of each one's solution.
+    """
+    heading, labels = _places(scenes)
+    title = _at_worst(summaries).titled("All scenes")
+    table = Table(title=title, title_justify="left", **SLENDER)
+    table.add_column(heading, no_wrap=True)
+    solved = [values for values in summaries if values["converged"]]
+    rough = bool(solved) and all("specific_film" in values for values in solved)
+    headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
+    for heading in (*headings, *(["lambda"] if rough else []), "s"):
+        table.add_column(heading, justify="right")
+    table.add_column("Con-\nver-\nged")
+    for scene, label, values in zip(scenes, labels, summaries, strict=True):
+        cells = [""] * (7 if rough else 6)
+        if values["converged"]:
+            cells = [
+                f"{_dry_pressure(scene, values) / 1e6:.4g}",
+                f"{values['pressure_max_Pa'] / 1e6:.4g}",
+                f"{values['film_central_m'] * 1e6:.4g}",
+                f"{values['film_central_error'] * 100:.2g}",
+                f"{values['film_min_m'] * 1e6:.4g}",
+                f"{values['film_min_error'] * 100:.2g}",
+                *([f"{values['specific_film']:.3g}"] if rough else []),
+            ]
+        converged = "yes" if values["converged"] else "NO"
+        table.add_row(label, *cells, f"{values['seconds']:.1f}", converged)
+    return table
+
+
+def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
+    """Friction, and temperatures where heat was simulated, a row a scene; arguments as `scenes_table`.
+
+    The error bar of the temperatures is the largest of the three.
+    """
+    heated = any("temperature_max_C" in values for values in summaries)
+    heading, labels = _places(scenes)
+    left_out = _at_worst(summaries)
+    title = left_out.titled(left_out.headed("Friction and heat of all scenes"))
+    table = Table(heading, title=title, title_justify="left", **SLENDER)
+    headings = ["Friction", "± %", "Loss"]
+    if heated:
+        headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
+    for heading in headings:
+        table.add_column(heading, justify="right")
+    for label, values in zip(labels, summaries, strict=True):
+        if not values["converged"]:
+            table.add_row(label, "not converged")
+            continue
+        loss, unit, scale = _LOSSES[values["kind"]]
+        cells = [
+            f"{values['friction_coefficient']:.4g}",
+            f"{values['friction_coefficient_error'] * 100:.2g}",
+            f"{values[loss] * scale:.4g} {unit}",
+        ]
+        if "temperature_max_C" in values:
+            cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
+            cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
+        table.add_row(label, *cells)
+    return table
+
+
+def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:
+    """What the figures of scenes do not hold, at the worst of those that converged."""
+    good = [values for values in summaries if values["converged"]] or summaries
+    return worst([LeftOut.read(values) for values in good])
+
+
+_LOSSES = {"point": ("power_loss_W", "W", 1.0), "line": ("power_loss_per_length_W_m", "kW/m", 1e-3)}
+"""Kind of contact -> key of its power loss in summaries, the unit shown and the factor to it."""
+
+
+def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float:
+    """Largest pressure of the dry contact [Pa]: of a line contact it is Hertz's."""
+    if "dry_pressure_max_Pa" in summary:
+        return summary["dry_pressure_max_Pa"]
+    return scene_summary(scene)["hertz_pressure_max_Pa"]
+
+
+def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
+    """What tells scenes of one case apart: what it is, and that of each."""
+    names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
+    if not names:
+        return "Scene", [scene.name for scene in scenes]
+    heading = "\n".join(name.replace("_roll_", "-\nroll\n") for name in names)
+    parts = [[getattr(one, name) for name in names] for one in scenes]
+    return heading.capitalize(), [
+        " ".join(of if isinstance(of, str) else f"{of:g}" for of in row) for row in parts
+    ]
+
+
+def published_for(
+    summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
+) -> Mapping[str, PublishedValue]:
+    """What a case's source prints for a scene: all of it, unless it names another place in the sweep."""
+    for place in PLACE_NAMES:
+        if place in published and published[place].value != summary[place]:
+            return {}
+    return published
+
+
+def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> Table:
+    """A scene, how it is to be solved, and what that is expected to take."""
+    summary = scene_summary(scene)
+    words = expected_to_leave_out(scene, plan).words
+    table = Table(title="\n".join(filter(None, (_title(scene), words))), title_justify="left")
+    table.add_column("Scene")
+    table.add_column("", overflow="fold")
+    for label, key, scale, unit in _SCENE:
+        if key in summary:
+            table.add_row(*_quantity(label, summary[key], scale, unit))
+    table.add_row("Regime", ", ".join(filter(None, (plan.regime.name, plan.regime.doubt))))
+    table.add_section()
+    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
+    for grid in plan.grids:
+        spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
+        table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
+    if plan.refusal is not None:
+        table.add_row("Will not converge", plan.refusal)
+    table.add_row("Expected time", duration(expected.seconds))
+    table.add_row("Expected convolutions", rough(expected.convolutions))
+    return table
+
+
+def effects_table(effects: Sequence[Judgement], title: str) -> Table:
+    """Every effect, whether it is simulated, what leaving it out changes, and why it is on or off."""
+    table = Table(
+        title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True
+    )
+    table.add_column("Effect", no_wrap=True)
+    table.add_column("")
+    table.add_column("Indicator", justify="right", no_wrap=True)
+    quantities = next((tuple(effect.influence) for effect in effects if effect.influence), ())
+    for quantity in quantities:
+        table.add_column(QUANTITY_HEADINGS[quantity], justify="right", no_wrap=True)
+    table.add_column("Why")
+    for effect in effects:
+        table.add_row(
+            effect.name,
+            "on" if effect.on else "off",
+            "" if effect.indicator is None else f"{effect.indicator:.2g}",
+            *(influence_share(effect.influence.get(quantity)) for quantity in quantities),
+            effect.reason,
+        )
+    return table
+
+
+QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Temp."}
+
+
+def influence_share(share: float | None) -> str:
+    """What leaving an effect out changes; nothing where that is not known."""
+    if share is None:
+        return ""
+    return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"
+
+
+def _title(scene: Scene | LineScene) -> str:
+    return scene.name if scene.phase is None else f"Mesh {Place.of(scene)}"
+
+
+def _value(value: float, unit: str, error: float | None = None) -> str:
+    text = f"{value:.4g} {unit}".rstrip()
+    return text if error is None else f"{text} ± {error * 100:.2g} %"
+
+
+def _temperature(summary: Mapping[str, Any], place: str) -> str:
+    value, error = (summary[key][place] for key in ("temperature_max_C", "temperature_max_error_K"))
+    return f"{value:.1f} °C ± {error:.2g} K"
+
+
+def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:
+    """Label and value of a row; what has two directions says so."""
+    values = value if isinstance(value, list) else [value]
+    text = ", ".join(f"{part * scale:.4g}" for part in values)
+    return f"{label} along x, y" if len(values) > 1 else label, f"{text} {unit}"
+
+
+def _grid(shape: Sequence[int]) -> str:
+    return " x ".join(str(count) for count in shape)

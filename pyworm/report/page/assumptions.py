@@ -1,0 +1,137 @@
+"""What a result takes for granted: the effects left out, and what its drive assumes."""
+
+from collections.abc import Sequence
+
+from pyworm.case.case import Case
+from pyworm.case.workshop_units import assumptions
+from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.roller_worm.drive import RollerWormDrive
+from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.load_sharing import Transmission
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.report.console.scenes import influence_share
+from pyworm.report.page.content import Items, Section, Table
+from pyworm.report.page.figures import place_of
+from pyworm.result.result import Result
+from pyworm.solver.solution import ZERO_CELSIUS, Solution
+
+
+def plan_section(result: Result) -> Section | None:
+    """Which effects were simulated and why, once for all contacts that agree; None where none is told."""
+    solutions = [of for of in result.solutions if of.effects]
+    if not solutions:
+        return None
+    rows = []
+    for effects in zip(*(of.effects for of in solutions), strict=True):
+        on = [place_of(of) for of, effect in zip(solutions, effects, strict=True) if effect.on]
+        where = "on" if len(on) == len(solutions) else f"on at {', '.join(on)}" if on else "off"
+        rows.append((effects[0].name, where, _reason(solutions, effects), _influence(effects)))
+    words = (
+        "Influence is the largest that leaving the effect out would have on what was asked for, at any "
+        "contact, judged by the solutions."
+    )
+    wanted = {plan["accuracy"] for plan in result.provenance.get("plans", ())}
+    asked = " and ".join(f"{share * 100:g} %" for share in sorted(wanted))
+    table = Table(("Effect", "", "Reason", "Influence"), tuple(rows), note=words)
+    return Section(f"Effects simulated and left out (accuracy asked for: {asked})", (table,))
+
+
+def _reason(solutions: Sequence[Solution], effects: Sequence[Judgement]) -> str:
+    """Why an effect is on or off; where contacts differ, that of the one where it counts most."""
+    if len({effect.reason for effect in effects}) == 1:
+        return effects[0].reason
+    weights = [max(effect.influence.values(), default=0.0) for effect in effects]
+    most = weights.index(max(weights))
+    return f"{effects[most].reason} at {place_of(solutions[most])}"
+
+
+def _influence(effects: Sequence[Judgement]) -> str:
+    """Largest influence on each quantity over the contacts."""
+    largest: dict[str, float] = {}
+    for effect in effects:
+        for quantity, share in effect.influence.items():
+            largest[quantity] = max(share, largest.get(quantity, 0.0))
+    return ", ".join(f"{name} {influence_share(share)}" for name, share in largest.items())
+
+
+def assumptions_section(case: Case, result: Result) -> Section:
+    """What was assumed: numbers that the source does not give, and what the models take for granted."""
+    items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
+    items.append("Smooth flanks and an inlet full of oil.")
+    on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
+    if "squeeze" not in on:
+        items.append("A steady film (the table of effects says what squeeze may change).")
+    items += _drive_items(case)
+    inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
+    if inlet:
+        found = getattr(case.tables, "cooling", None) is not None
+        solids = case.drive.bodies if found else [body for _, body in case.tables.bodies]
+        bodies = {
+            name: body.bulk_temperature or min(inlet)
+            for (name, _), body in zip(case.tables.bodies, solids, strict=True)
+        }
+        warm = ", ".join(f"{name} {of - ZERO_CELSIUS:.4g} °C" for name, of in bodies.items())
+        how = "found from losses and [cooling]" if found else "given, not found"
+        items.append(
+            f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
+        )
+    return Section("What was assumed", (Items(tuple(items)),))
+
+
+def _drive_items(case: Case) -> list[str]:
+    drive = case.drive
+    if isinstance(drive, ZiWormDrive):
+        return [
+            _worm_load(drive),
+            "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for the "
+            "contact itself.",
+        ]
+    if isinstance(drive, GearPairDrive):
+        return [
+            f"Load sharing by the rule '{drive.load_sharing}'; load factor {drive.load_factor:g}.",
+            "Shafts and teeth do not bend, but for the contact itself; no dynamic loads but by the load "
+            "factor.",
+        ]
+    if isinstance(drive, RollerWormDrive):
+        return [f"The load is shared as operation.sharing = {case.tables.operation.sharing} says."]
+    if drive is not None:
+        return ["The load of each contact is what the drive says."]
+    return ["One contact, with the curvature, velocities and load given."]
+
+
+def _worm_load(drive: ZiWormDrive) -> str:
+    load = drive.load
+    if not isinstance(load, Transmission):
+        return (
+            f"The load on the tooth, {load / 1e3:.4g} kN, is given and the same at every phase; "
+            "it is not shared among teeth."
+        )
+    return (
+        f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
+        f"friction {load.friction:.2g} in the balance of torques"
+        f"{', with the lift of their films' if load.lifts else ''})."
+    )
+
+
+PROVENANCE = (
+    *("pyworm", "commit", "kernel_digest", "compiler", "compiler_flags"),
+    *("python", "numpy", "machine", "created"),
+)
+"""What a report says of what made the result, in this order."""
+
+
+def provenance_section(result: Result) -> Section:
+    """Versions, time, cost: what is needed to repeat the run."""
+    said = result.provenance
+    rows = [(key.replace("_", " "), str(said[key])) for key in PROVENANCE if key in said]
+    rows.append(("case", result.case_name))
+    rows += [
+        (
+            place_of(of),
+            f"{' x '.join(str(count) for count in of.summary()['grid'])} nodes, "
+            f"{of.cost.seconds:.3g} s; {of.stop_reason}",
+        )
+        for of in result.solutions
+    ]
+    rows += [(name, f"not solved: {reason}") for name, reason in said.get("failed", {}).items()]
+    return Section("Provenance", (Table(("", ""), tuple(rows)),))

@@ -1,0 +1,126 @@
+"""From a result to the content of its report."""
+
+from dataclasses import replace
+
+from pyworm.case.case import Case, case_again
+from pyworm.case.ratings import RatedCase
+from pyworm.io.input_error import CaseError
+from pyworm.ratings.heating import heating_of
+from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.ratings.rating import Rating
+from pyworm.ratings.standard_loss import standard_loss
+from pyworm.report.page.assumptions import assumptions_section, plan_section, provenance_section
+from pyworm.report.page.content import Block, Items, Report, Section, Table, Words
+from pyworm.report.page.figures import (
+    film_section,
+    glance_section,
+    heat_section,
+    place_of,
+    printed_section,
+)
+from pyworm.report.page.inputs import inputs_section
+from pyworm.report.page.pictures import contact_pictures, cycle_pictures
+from pyworm.report.page.sensitivity import sensitivity_section
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import Result
+from pyworm.solver.left_out import LeftOut, of_all, opening
+
+
+def build_report(result: Result, case: Case | None = None, differ: str | None = None) -> Report:
+    """Everything a report says of a result.
+
+    Parameters
+    ----------
+    result : Result
+        The result.
+    case : Case, optional
+        The case it is of, in place of the one it was solved with: with other ratings, say.
+    differ : str, optional
+        How they differ, if they do and it is taken anyway.
+
+    Raises
+    ------
+    CaseError
+        The result's case is none that this version knows.
+    """
+    case = case or case_again(result.case)
+    cycle, standard = drive_cycle(result), standard_loss(case)
+    heating = heating_of(case, cycle, standard)
+    left_out = of_all(result.solutions)
+    warnings = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
+    warnings += tuple(opening(result.solutions, standard.words))
+    if heating is not None:
+        warnings += (heating.words,)
+    warnings += tuple(
+        f"{place_of(of)} did not converge: {of.stop_reason}"
+        for of in result.solutions
+        if not of.converged
+    ) + tuple(
+        f"{name} could not be solved: {reason}"
+        for name, reason in result.provenance.get("failed", {}).items()
+    )
+    made, unrated = _rated(case, result)
+    sound = result.sound
+    warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
+    warnings += tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
+    sections = (
+        _noted(left_out, glance_section(case, sound, made, standard)),
+        _noted(left_out, film_section(case, result)),
+        _noted(left_out, heat_section(case, result)),
+        _ratings_section(made, unrated),
+        _noted(left_out, printed_section(case, sound)),
+        _noted(left_out, sensitivity_section(case, sound)),
+        cycle_pictures(result),
+        contact_pictures(result),
+        assumptions_section(case, result),
+        plan_section(result),
+        inputs_section(case),
+        provenance_section(result),
+    )
+    return Report(case.title, case.source, warnings, tuple(s for s in sections if s is not None))
+
+
+def _noted(left_out: LeftOut, section: Section | None) -> Section | None:
+    """The section with what its figures do not hold ahead of them."""
+    if section is None or not left_out.note:
+        return section
+    return replace(section, blocks=(Words(f"{left_out.note.capitalize()}."), *section.blocks))
+
+
+def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, ...]]:
+    """The ratings of a case, and what is not rated for which reason."""
+    if case.drive is None:
+        return (), ()
+    if not isinstance(case.tables, RatedCase):
+        kinds = "drives of kind zi-worm and gear-pair"
+        return (), (f"Gears, scuffing and bearings: only {kinds} are rated.",)
+    try:
+        asked = asked_of(case)
+        made = ratings(asked, result)
+    except CaseError as error:
+        return (), (f"Not rated: {error}.",)
+    return made, not_rated(asked, made)
+
+
+def _ratings_section(made: tuple[Rating, ...], unrated: tuple[str, ...]) -> Section | None:
+    """The ratings that the case asks for, and what is not rated; None of a contact without a drive."""
+    if not made and not unrated:
+        return None
+    blocks = [block for rating in made for block in _rating_blocks(rating)]
+    if unrated:
+        blocks += [Words("Not rated:"), Items(unrated)]
+    return Section("Ratings: gears, scuffing, bearings", tuple(blocks))
+
+
+def _rating_blocks(rating: Rating) -> list[Block]:
+    columns = range(len(rating.columns))
+    table = Table(
+        head=("", *rating.headings),
+        rows=tuple(
+            (figure.label, *(figure.shown(n) for n in columns)) for figure in rating.figures
+        ),
+        title=rating.titled.replace("\n", "; "),
+        note=f"Source: {rating.source}.",
+    )
+    said = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)
+    return [table, Items(said)] if said else [table]

@@ -1,0 +1,311 @@
+"""The figures of a result with their error bars: at a glance, phase by phase, beside the printed ones."""
+
+from collections.abc import Callable
+from typing import Any
+
+from pyworm.case.case import Case
+from pyworm.case.case_file import PublishedValue
+from pyworm.case.contact import GapCase
+from pyworm.io import units
+from pyworm.ratings.mesh_loss import MeshLoss, mesh_loss
+from pyworm.ratings.rating import Rating
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.report.page.content import Block, Section, Table, Words
+from pyworm.result.result import Result
+from pyworm.scene.index import Place
+from pyworm.scene.summary import scene_summary
+from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
+
+BODIES = {
+    "zi-worm": ("worm", "wheel"),
+    "gear-pair": ("pinion", "gear"),
+    "roller-worm": ("worm", "roller"),
+}
+"""Kind of drive -> what its bodies are called."""
+
+
+DECIDE = (
+    "wear_probability",
+    "scuffing_probability",
+    "scuffing_risk",
+    "pitting_safety",
+    "wear_depth_m",
+    "temperature_safety",
+    "modified_life_h",
+)
+"""Keys of rated figures that are told at a glance."""
+
+
+def composite_roughness(result: Result) -> float | None:
+    """Composite roughness of the surfaces [m], where it is known."""
+    return result.solutions[0].composite_roughness if result.solutions else None
+
+
+def place_of(solution: Solution) -> str:
+    """Which contact it is, in words."""
+    return str(Place.of(solution)) or solution.name
+
+
+def glance_section(
+    case: Case, result: Result, made: tuple[Rating, ...], standard: StandardLoss | NoStandard
+) -> Section:
+    """The few figures that decide, each at the contact where it is worst; ratings in `DECIDE`.
+
+    The result has solutions that converged alone; without any, only ratings decide. Where roughness carries
+    load the standard's loss stands beside the simulated one.
+    """
+    solutions, headed = result.solutions, of_all(result.solutions).headed
+    if not solutions:
+        table = Table(("", "Value", "Where"), _decisive(made))
+        return Section("At a glance", (Words("No contact converged."), table))
+    rows = [
+        _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
+        _worst("Thinnest central film", solutions, min, lambda of: of.film_central, 1e6, "µm"),
+        _worst("Largest pressure", solutions, max, lambda of: of.pressure_max, 1e-6, "MPa"),
+    ]
+    roughness = composite_roughness(result)
+    if roughness is not None:
+        thin = min(solutions, key=lambda of: of.figures.film_min.value)
+        film = thin.figures.film_min
+        label = f"Least specific film lambda (roughness {roughness * 1e6:.3g} µm)"
+        value = f"{film.value / roughness:.3g} ± {film.error * 100:.2g} %"
+        rows.append((label, value, place_of(thin)))
+    if all(of.figures.friction_coefficient is not None for of in solutions):
+        rows.append(
+            _worst(
+                headed("Largest friction"),
+                solutions,
+                max,
+                lambda of: of.friction_coefficient,
+                1.0,
+                "",
+            )
+        )
+    if all(of.figures.temperature_max_film is not None for of in solutions):
+        hot = max(solutions, key=lambda of: of.figures.temperature_max_film.value)
+        value = temperature(hot.figures.temperature_max_film, hot.inlet_temperature)
+        rows.append(("Largest temperature of the film", value, place_of(hot)))
+    loss = mesh_loss(case.drive, solutions)
+    if loss is not None:
+        rows += _loss_rows(loss, of_all(solutions), standard)
+    rows += _decisive(made)
+    note = (
+        "± is numerical: the error of the solution of the model, not of the model or of the inputs."
+    )
+    if loss is not None:
+        note += f" Loss: {loss.words}."
+    return Section("At a glance", (Table(("", "Value", "Where"), tuple(rows), note=note),))
+
+
+def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
+    """Figures of ratings that are told at a glance."""
+    return tuple(
+        (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
+        for rating in made
+        for figure in rating.figures
+        if figure.key in DECIDE
+    )
+
+
+def _worst(
+    label: str,
+    solutions: tuple[Solution, ...],
+    worst: Callable[..., Solution],
+    figure: Callable[[Any], Estimate],
+    scale: float,
+    unit: str,
+) -> tuple[str, str, str]:
+    at = worst(solutions, key=lambda of: figure(of.figures).value)
+    return label, estimate(figure(at.figures), scale, unit), place_of(at)
+
+
+def _loss_rows(
+    loss: MeshLoss, left_out: LeftOut, standard: StandardLoss | NoStandard
+) -> list[tuple[str, str, str]]:
+    bar, headed = f"± {loss.error * 100:.2g} %", left_out.headed
+    rows = [
+        (headed("Mean friction between the teeth"), f"{loss.friction:.4g} {bar}", "mesh cycle"),
+        (headed("Loss between the teeth"), f"{loss.loss:.4g} W {bar}", "mesh cycle"),
+        (
+            headed("Efficiency of the teeth, forward"),
+            f"{loss.efficiency * 100:.4g} % ± {loss.error * loss.loss / loss.power * 100:.2g} %",
+            f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning",
+        ),
+    ]
+    if not left_out.rough or isinstance(standard, NoStandard):
+        return rows
+    beside = f"{standard.friction:.3g}", f"{standard.power:.4g} W", f"{standard.efficiency:.1%}"
+    return [
+        part
+        for row, value in zip(rows, beside, strict=True)
+        for part in (row, ("  rough, by the standard", value.replace("%", " %"), standard.source))
+    ]
+
+
+def estimate(figure: Estimate, scale: float, unit: str) -> str:
+    """A figure with its error bar."""
+    reason = "" if figure.reason is None else f" ({figure.reason})"
+    return f"{figure.value * scale:.4g} {unit}".rstrip() + f" ± {figure.error * 100:.2g} %{reason}"
+
+
+def temperature(figure: Estimate, inlet: float) -> str:
+    """A temperature with its error bar in kelvin."""
+    bar = figure.error * abs(figure.value - inlet)
+    return f"{figure.value - ZERO_CELSIUS:.1f} °C ± {bar:.2g} K"
+
+
+def film_section(case: Case, result: Result) -> Section:
+    """Load, pressure and film of every contact; nothing simulated of one that did not converge."""
+    roughness = composite_roughness(result)
+    head = ["", "Load", "Hertz", "Dry contact", "Largest pressure", "Central film", "Minimum film"]
+    head += ["which is"] + (["lambda"] if roughness else []) + ["Converged"]
+    rows = []
+    for solution in result.solutions:
+        figures = solution.figures
+        hertz = _hertz(case, solution)
+        cells = [
+            place_of(solution),
+            _load(solution),
+            "" if hertz is None else f"{hertz / 1e6:.4g} MPa",
+            "" if figures.dry is None else f"{figures.dry.pressure_max / 1e6:.4g} MPa",
+        ]
+        told = [
+            estimate(figures.pressure_max, 1e-6, "MPa"),
+            estimate(figures.film_central, 1e6, "µm"),
+            estimate(figures.film_min, 1e6, "µm"),
+            figures.film_min_kind,
+        ]
+        if roughness:
+            told.append(f"{figures.film_min.value / roughness:.3g}")
+        cells += told if solution.converged else [""] * len(told)
+        rows.append((*cells, _converged(solution)))
+    blocks: list[Block] = [_without_empty(Table(tuple(head), tuple(rows)))]
+    if roughness:
+        words = f"lambda is the minimum film over a composite roughness of {roughness * 1e6:.3g} µm: below 1 "
+        words += "roughness carries load (boundary), from 3 on the film separates the flanks."
+        blocks.append(Words(words))
+    return Section("Film and pressure", tuple(blocks))
+
+
+def _without_empty(table: Table) -> Table:
+    """The table without columns that say nothing."""
+    said = [n for n, name in enumerate(table.head) if n == 0 or any(row[n] for row in table.rows)]
+
+    def kept(cells: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(cells[n] for n in said)
+
+    return Table(kept(table.head), tuple(kept(row) for row in table.rows))
+
+
+def _load(solution: Solution) -> str:
+    unit = "N" if solution.kind == "point" else "N/m"
+    if solution.load < 1e3:
+        return f"{solution.load:.4g} {unit}"
+    return f"{solution.load / 1e3:.4g} k{unit}"
+
+
+def _scene_summary(case: Case, solution: Solution) -> dict[str, Any]:
+    """What the scene alone says of itself; nothing of a gap, whose file the result does not keep."""
+    if isinstance(case.tables, GapCase):
+        return {}
+    return scene_summary(case.scene(**Place.of(solution).given))
+
+
+def _hertz(case: Case, solution: Solution) -> float | None:
+    return _scene_summary(case, solution).get("hertz_pressure_max_Pa")
+
+
+def _converged(solution: Solution) -> str:
+    return "yes" if solution.converged else f"NO: {solution.stop_reason}"
+
+
+def heat_section(case: Case, result: Result) -> Section | None:
+    """Friction, loss and temperatures of every contact; None where friction was not simulated.
+
+    Of a contact that did not converge nothing is told.
+    """
+    if any(of.figures.friction_coefficient is None for of in result.solutions):
+        return None
+    heated = all(of.figures.temperature_max_film is not None for of in result.solutions)
+    kind = result.mesh_cycle.attrs["drive"] if result.mesh_cycle is not None else ""
+    bodies = BODIES.get(kind, ("body 1", "body 2"))
+    headed = of_all(result.solutions).headed
+    head = ["", headed("Friction coefficient"), headed("Power loss")]
+    head += [f"Hottest on {body}" for body in bodies] + ["Hottest in the film"] if heated else []
+    rows = []
+    for solution in result.solutions:
+        if not solution.converged:
+            rows.append((place_of(solution), "not converged", *[""] * (len(head) - 2)))
+            continue
+        figures = solution.figures
+        scale, unit = (1.0, "W") if solution.kind == "point" else (1e-3, "kW/m")
+        cells = [
+            place_of(solution),
+            estimate(figures.friction_coefficient, 1.0, ""),
+            estimate(figures.power_loss, scale, unit),
+        ]
+        if heated:
+            cells += [
+                temperature(of, solution.inlet_temperature)
+                for of in (
+                    figures.temperature_max_body_1,
+                    figures.temperature_max_body_2,
+                    figures.temperature_max_film,
+                )
+            ]
+        rows.append(tuple(cells))
+    return Section("Friction, loss and temperature", (Table(tuple(head), tuple(rows)),))
+
+
+def printed_section(case: Case, result: Result) -> Section | None:
+    """What the source prints beside what came out; None where they share no figure."""
+    blocks = []
+    for solution in result.solutions:
+        if not _is_meant(case.published, solution):
+            continue
+        known = _known(case, solution)
+        rows = tuple(
+            (
+                name.replace("_", " "),
+                _printed(printed.text),
+                _printed(units.shown_like(*known[name], printed.text)),
+            )
+            for name, printed in case.published.items()
+            if name in known
+        )
+        if rows:
+            title = place_of(solution)
+            blocks.append(Table(("", "Printed", "Computed"), rows, title=title))
+    return Section("Beside the source's figures", tuple(blocks)) if blocks else None
+
+
+def _printed(text: str) -> str:
+    """A quantity as written in a case file, as print has it."""
+    return text.replace("degC", "°C").replace("degF", "°F").replace("uin", "µin")
+
+
+def _is_meant(published: dict[str, PublishedValue], solution: Solution) -> bool:
+    place = {name: of for name, of in Place.of(solution).given.items() if name in published}
+    return all(published[name].value == of for name, of in place.items())
+
+
+def _known(case: Case, solution: Solution) -> dict[str, tuple[float, str]]:
+    """Figures of a contact by the names that `[published]` has for them, each with its SI unit."""
+    summary = solution.summary()
+    known: dict[str, tuple[float, str]] = {}
+    for key, value in {**_scene_summary(case, solution), **summary}.items():
+        for suffix, unit in _UNITS.items():
+            if key.endswith(suffix) and isinstance(value, float):
+                known[key.removesuffix(suffix)] = value, unit
+    if solution.figures.friction_coefficient is not None:
+        known["friction_coefficient"] = summary["friction_coefficient"], ""
+    for place, celsius in summary.get("temperature_max_C", {}).items():
+        known[f"temperature_max_{place}"] = celsius + ZERO_CELSIUS, "K"
+    if "specific_film" in summary:
+        known["specific_film"] = summary["specific_film"], ""
+    return known
+
+
+_UNITS = {"_m": "m", "_Pa": "Pa", "_N": "N", "_W": "W", "_N_m": "N/m", "_per_length_W_m": "W/m"}
+"""Endings of keys of summaries -> their units."""

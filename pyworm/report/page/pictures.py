@@ -1,0 +1,105 @@
+"""Pictures of a result for its report, as PNG in memory."""
+
+from collections.abc import Callable
+from functools import partial
+from io import BytesIO
+
+from matplotlib.figure import Figure
+
+from pyworm.io.reason import reason_of
+from pyworm.plots.draw import CYCLE_PICTURES, SCENE_PICTURES, SHOWS
+from pyworm.plots.regimes import draw_regimes
+from pyworm.plots.traction import draw_traction, traction_curve
+from pyworm.report.page.content import Picture, Section, Words
+from pyworm.report.page.figures import place_of
+from pyworm.result.result import Result
+from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.solution import Solution
+
+DOTS_PER_INCH = 100
+"""Fewer than of pictures in files: a report holds them all."""
+
+KEY_PICTURES = {"point": ("film", "temperature"), "line": ("profiles", "temperature")}
+"""Kind of contact -> pictures shown of every contact; of the one with the thinnest film all are."""
+
+MOST_CONTACTS = 12
+"""Contacts beyond which only the one with the thinnest film is shown."""
+
+_CAPTIONS = {
+    "gap": "Undeformed gap",
+    "pressure": "Pressure",
+    "film": "Film thickness",
+    "entrainment": "Entrainment",
+    "profiles": "Film and pressure along the contact",
+    "history": "How the solution converged",
+    "friction": "Friction",
+    "temperature": "Temperatures",
+    "across_film": "Across the film at its hottest point",
+    "mesh_cycle": "Mesh cycle",
+    "mesh_cycle_flank": "The wheel's flank after a mesh cycle",
+    "mesh_cycle_drive": "The drive: rollers, worm flanks and contact lines",
+    "mesh_cycle_regimes": "Regimes of lubrication over the mesh cycle",
+    "mesh_cycle_sensitivity": "What the film is sensitive to",
+    "film_and_temperature": "Film and contact temperature along the line of action",
+    "line_of_action": "Load, pressure, speeds and sliding along the line of action",
+}
+
+
+def cycle_pictures(result: Result) -> Section | None:
+    """Pictures of the whole mesh cycle or traction curve; None where there are none."""
+    pictures, left_out = [], of_all(result.solutions)
+    if result.mesh_cycle is not None:
+        for name, draw in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
+            caption = _captioned(_CAPTIONS.get(name, name), left_out)
+            picture = _drawn(caption, partial(draw, result))
+            if picture is not None:
+                pictures.append(picture)
+    if traction_curve(result):
+        caption = _captioned("Traction curve", left_out)
+        pictures.append(_drawn(caption, partial(draw_traction, result)))
+    return Section("The whole cycle", tuple(pictures)) if pictures else None
+
+
+def contact_pictures(result: Result) -> Section:
+    """Regimes of all; all pictures of that with the thinnest film, the most telling of the others."""
+    solutions = result.solutions
+    thin = min(result.sound.solutions or solutions, key=lambda of: of.figures.film_min.value)
+    shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
+    pictures = [_drawn("Contacts on the chart of regimes", partial(draw_regimes, result))]
+    for solution in shown:
+        names = SCENE_PICTURES[solution.kind] if solution is thin else KEY_PICTURES[solution.kind]
+        pictures += [
+            _picture(result.case_name, solution, name) for name in names if _has(solution, name)
+        ]
+    return Section("Contacts", tuple(pictures))
+
+
+def _has(solution: Solution, name: str) -> bool:
+    return name not in SHOWS or SHOWS[name](solution) is not None
+
+
+def _picture(case_name: str, solution: Solution, name: str) -> Picture | Words | None:
+    caption = f"{_CAPTIONS.get(name, name)}, {place_of(solution)}"
+    draw = partial(SCENE_PICTURES[solution.kind][name], case_name, solution)
+    return _drawn(_captioned(caption, solution.left_out), draw)
+
+
+def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words | None:
+    """A picture, or why it failed, which costs nothing else; None where there is nothing to draw."""
+    try:
+        figure = draw()
+        return None if figure is None else Picture(caption, png(figure))
+    except Exception as error:
+        return Words(f"{caption}: could not be drawn ({reason_of(error)}).")
+
+
+def _captioned(caption: str, left_out: LeftOut) -> str:
+    """A caption with what the picture does not hold."""
+    return f"{caption}; {left_out.words}" if left_out.words else caption
+
+
+def png(figure: Figure) -> bytes:
+    """A figure as PNG."""
+    content = BytesIO()
+    figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
+    return content.getvalue()

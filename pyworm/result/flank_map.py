@@ -1,0 +1,198 @@
+"""What each place of the wheel's flank goes through in a mesh cycle.
+
+Solutions are fields over the tangent planes of some phases. Between neighbouring phases fields and the
+places of the flank that they lie over change smoothly, so they are blended there, and the contact sweeps
+the flank without gaps.
+
+**Supply.** Oil comes into the contact where the entrainment crosses the outline of the dry contact inwards;
+the speed at which it does, normal to the outline, is what a film further in lives on. Where the streamline
+of the entrainment through a place came in at less than `FAILURE` of the entrainment's mean speed, or came
+in nowhere, entrainment fails the contact (Sharif et al. 2001, section 6, explain their band of thin film
+so).
+"""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+import xarray as xr
+from scipy.ndimage import distance_transform_edt, gaussian_filter, map_coordinates
+
+from pyworm.io.variables import describe
+from pyworm.result.mesh_cycle import FEWEST_PHASES, flank_place
+from pyworm.result.result import Result
+from pyworm.solver.solution import Solution
+
+Array = np.ndarray
+
+NODES = 200, 100
+"""Nodes along x and y of the common grid on which solutions are blended."""
+
+STEPS = 12
+"""Blended instants from one phase solved to the next."""
+
+CELL = 0.25e-3
+"""Side of a cell of the map [m]."""
+
+LOADED_SHARE = 0.05
+"""Share of the cycle's largest pressure above which a place counts as in contact."""
+
+FAILURE = 0.2
+"""Speed at which oil comes in, over the mean speed of the entrainment, below which the entrainment fails."""
+
+_LARGEST, _LEAST = ("pressure", "temperature_body_2", "temperature_middle"), ("film", "supply")
+
+
+def flank_map(result: Result) -> xr.Dataset | None:
+    """Extremes over the mesh cycle on the wheel's flank; None without enough phases.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2
+        and temperature_middle, their largest values; film and supply, their least. `supply` is the speed at
+        which oil came in over the mean speed of the entrainment [-].
+    """
+    solved = sorted(
+        (one for one in result.solutions if one.converged and "tooth_face" in one.fields),
+        key=lambda one: one.phase,
+    )
+    if len(solved) < FEWEST_PHASES:
+        return None
+    x, y = _common_grid(solved)
+    layers = [_layer(one, x, y) for one in solved]
+    names = [name for name in (*_LARGEST, *_LEAST) if name in layers[0]]
+    face, radius = _axes(layers)
+    shape = len(radius), len(face)
+    extremes = {name: np.full(shape, np.inf if name in _LEAST else -np.inf) for name in names}
+    loaded = LOADED_SHARE * max(float(layer["pressure"].max()) for layer in layers)
+    for before, after in _neighbours(solved, layers, [one.phase for one in result.unsound]):
+        for part in np.linspace(0, 1, STEPS + 1):
+            now = {name: (1 - part) * before[name] + part * after[name] for name in before}
+            inside = now["pressure"] > loaded
+            row = np.rint((now["radius"][inside] - radius[0]) / CELL).astype(int)
+            column = np.rint((now["face"][inside] - face[0]) / CELL).astype(int)
+            for name in names:
+                keep = np.minimum if name in _LEAST else np.maximum
+                keep.at(extremes[name], (row, column), now[name][inside])
+    return describe(
+        xr.Dataset(
+            {
+                name: (("radius", "face"), np.where(np.isfinite(values), values, np.nan))
+                for name, values in extremes.items()
+            },
+            coords={"radius": radius, "face": face},
+        )
+    )
+
+
+def _neighbours(
+    solved: list[Solution], layers: list[dict[str, Array]], gaps: list[float]
+) -> Iterator[tuple[dict[str, Array], dict[str, Array]]]:
+    """Layers between which fields are blended; each by itself where a phase between did not converge."""
+    for (first, before), (last, after) in pairwise(zip(solved, layers, strict=True)):
+        if any(first.phase < gap < last.phase for gap in gaps):
+            yield before, before
+            yield after, after
+        else:
+            yield before, after
+
+
+def _common_grid(solved: list[Solution]) -> tuple[Array, Array]:
+    """Nodes that span every solution's contact."""
+    sides = []
+    for axis, other, count in zip("xy", "yx", NODES, strict=True):
+        ends = []
+        for one in solved:
+            loaded = one.fields[axis].values[(one.fields["pressure"] > 0).any(other).values]
+            pressure = one.fields["pressure"].max(other).sel({axis: loaded}).values
+            inside = loaded[pressure > LOADED_SHARE / 2 * pressure.max()]
+            ends += [inside[0], inside[-1]]
+        sides.append(np.linspace(min(ends), max(ends), count))
+    return sides[0], sides[1]
+
+
+def _layer(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
+    """A solution's fields and places of the flank on the common grid, (y, x)."""
+    fields = solution.fields
+    names = [name for name in ("pressure", "film", *_LARGEST[1:]) if name in fields]
+    there = fields[names].interp(x=x, y=y).transpose("y", "x")
+    layer = {name: there[name].values for name in names}
+    layer["pressure"] = np.nan_to_num(layer["pressure"])
+    for name in names[1:]:  # outside a solution's window nothing is loaded
+        layer[name] = np.where(np.isnan(layer[name]), np.nanmax(layer[name]), layer[name])
+    layer["face"], layer["radius"] = flank_place(solution, *np.meshgrid(x, y))
+    layer["supply"] = supply(solution, x, y)
+    return layer
+
+
+def _axes(layers: list[dict[str, Array]]) -> tuple[Array, Array]:
+    axes = []
+    for name in ("face", "radius"):
+        low = min(float(layer[name].min()) for layer in layers)
+        high = max(float(layer[name].max()) for layer in layers)
+        axes.append(low + CELL * np.arange(np.ceil((high - low) / CELL) + 2))
+    return axes[0], axes[1]
+
+
+def supply(solution: Solution, x: Array, y: Array) -> Array:
+    """Speed at which the oil of each node came into the contact, over the mean speed there, (y, x).
+
+    Followed upstream along the entrainment to the outline of the dry contact; outside the contact it is 1.
+    """
+    fields = solution.fields[["dry_pressure", "entrainment_x", "entrainment_y"]]
+    there = fields.interp(x=x, y=y).transpose("y", "x")
+    inside = np.nan_to_num(there["dry_pressure"].values) > 0
+    dx, dy = x[1] - x[0], y[1] - y[0]
+    u, v = (_filled(there[f"entrainment_{axis}"].values) for axis in "xy")
+    speed = np.hypot(u, v)
+    # the square of a dry pressure falls to zero linearly: its slope is square to the outline
+    square = gaussian_filter(np.nan_to_num(there["dry_pressure"].values) ** 2, SMOOTHING)
+    normal_y, normal_x = np.gradient(square, dy, dx)
+    inflow = (u * normal_x + v * normal_y) / np.maximum(np.hypot(normal_x, normal_y), TINY)
+    within = inside.astype(float)
+    result = np.ones(inside.shape)
+    if not inside.any():
+        return result
+    result[inside] = 0.0
+    rows, columns = np.nonzero(inside)
+    place = np.array([rows, columns], float)
+    left = np.ones(len(rows), bool)
+    step_rows, step_columns = (part / speed.max() for part in (v / dy, u / dx))
+    longest = 0.5 / max(np.abs(step_rows).max(), np.abs(step_columns).max())
+    for _ in range(MOST_STEPS):
+        here = place[:, left]
+        moved = np.array([_at(part, here) for part in (step_rows, step_columns)])
+        moved /= np.maximum(_at(speed, here) / speed.max(), 1e-3)
+        place[:, left] = here - longest * moved
+        gone = left.copy()
+        gone[left] = _at(within, place[:, left]) < 0.5
+        came = np.maximum(_at(inflow, place[:, gone]), 0.0)
+        result[rows[gone], columns[gone]] = came / speed[inside].mean()
+        left &= ~gone
+        if not left.any():
+            break
+    return result
+
+
+SMOOTHING = 2.0
+"""Width [nodes] over which the outline of the dry contact is smoothed for its normal."""
+
+TINY = np.finfo(float).tiny
+
+MOST_STEPS = 4 * sum(NODES)
+"""Half cells followed upstream; what is still inside then turns round in the contact."""
+
+
+def _at(field: Array, place: Array) -> Array:
+    """Values of a field between nodes."""
+    return map_coordinates(field, place, order=1, mode="nearest")
+
+
+def _filled(field: Array) -> Array:
+    """A field without NaN, the nearest value in their place."""
+    missing = np.isnan(field)
+    if not missing.any():
+        return field
+    nearest = distance_transform_edt(missing, return_distances=False, return_indices=True)
+    return field[tuple(nearest)]

@@ -1,0 +1,240 @@
+"""What a whole mesh cycle comes to: extremes over its phases, and loss and efficiency of the drive.
+
+Read from a result and nothing else. A tooth pair's loss at a phase is its friction times load times
+sliding. Load and sliding are known all over the cycle; friction is at the phases solved, a smooth curve
+between them and that of the nearest one beyond. All pairs together lose, on average over a pitch,
+
+    P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
+
+and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + friction lever of the sliding).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import xarray as xr
+
+from pyworm.result.result import Result
+from pyworm.result.tooth_loss import Array, Loss, cycle_loss
+from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The largest or least of a figure over the phases solved.
+
+    Attributes
+    ----------
+    value : float
+        The figure in SI units.
+    error : float
+        Its error bar in the same unit.
+    phase : float
+        Where in the cycle.
+    place : tuple of float or None
+        On the wheel's flank: along the face from its middle, and distance from the wheel's axis [m]; None of
+        a temperature.
+    reason : str or None
+        Why its error bar is infinite (`solution.Estimate`).
+    """
+
+    value: float
+    error: float
+    phase: float
+    place: tuple[float, float] | None = None
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class DriveCycle:
+    """A mesh cycle in figures.
+
+    Attributes
+    ----------
+    phases : tuple of float
+        Solved, and converged.
+    unconverged : tuple of float
+        Solved, but not converged.
+    film_min, pressure_max : Extreme
+        Over all phases [m], [Pa].
+    temperatures : dict of str to Extreme
+        Largest of "body_1", "body_2" and "film" [K]; empty where heat was not simulated.
+    lambda_min, lambda_central : Extreme or None
+        Least film, and least central film, over composite roughness [-]; None where a roughness is not known.
+    loss : Loss or None
+        None where the shear of the film was not looked at.
+    bulk : dict of str to float
+        Temperatures of "sump", "worm" and "wheel" that the films were solved with [K]; empty where heat was
+        not simulated.
+    lifts : tuple of tuple of float
+        Phases and how far films lift the teeth there [m]; empty where they are not known.
+    lifted : tuple of float or None
+        Largest share by which the films' lift moved the load of a phase solved, and that phase; None where
+        loads were shared without.
+    left_out : LeftOut
+        What all these figures do not hold, at the worst of the phases.
+    """
+
+    phases: tuple[float, ...]
+    unconverged: tuple[float, ...]
+    film_min: Extreme
+    pressure_max: Extreme
+    temperatures: dict[str, Extreme]
+    lambda_min: Extreme | None
+    loss: Loss | None
+    bulk: dict[str, float]
+    lifts: tuple[tuple[float, float], ...] = ()
+    lifted: tuple[float, float] | None = None
+    lambda_central: Extreme | None = None
+    left_out: LeftOut = field(default_factory=LeftOut)
+
+    def summary(self) -> dict:
+        """All of it as one object, units in the keys."""
+        loss = self.loss
+        return {
+            "left_out": self.left_out.influence,
+            "lubrication": self.left_out.lubrication,
+            "phases": list(self.phases),
+            "phases_left_out": list(self.unconverged),
+            "film_min": _told(self.film_min, "m"),
+            "pressure_max": _told(self.pressure_max, "Pa"),
+            "temperature_max": {
+                name: _told(replace(one, value=one.value - ZERO_CELSIUS), "C")
+                for name, one in self.temperatures.items()
+            },
+            "bulk_temperature_C": {name: of - ZERO_CELSIUS for name, of in self.bulk.items()},
+            "lambda_min": self.lambda_min and _told(self.lambda_min, ""),
+            "lambda_central": self.lambda_central and _told(self.lambda_central, ""),
+            "load_moved_by_lift": self.lifted
+            and dict(zip(("share", "phase"), self.lifted, strict=True)),
+            **(
+                {}
+                if loss is None
+                else {
+                    "power_loss_W": loss.power,
+                    "power_loss_error_W": loss.error,
+                    "power_loss_error_scenes_W": loss.scene_error,
+                    "power_loss_error_phases_W": loss.phase_error,
+                    "power_loss_error_ends_W": loss.end_error,
+                    "friction": loss.friction,
+                    "wheel_torque_N_m": loss.wheel_torque,
+                    "worm_torque_N_m": loss.worm_torque,
+                    "efficiency": loss.efficiency,
+                    "reverse_efficiency": loss.reverse_efficiency,
+                    "efficiency_error": loss.efficiency_error,
+                }
+            ),
+        }
+
+
+def _told(one: Extreme, unit: str) -> dict:
+    told = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
+    if one.place is not None:
+        told |= {"face_m": one.place[0], "radius_m": one.place[1]}
+    if one.reason is not None:
+        told["error_reason"] = one.reason
+    return told
+
+
+FEWEST_PHASES = 3
+"""Converged phases without which there is no cycle to tell of."""
+
+
+def drive_cycle(result: Result) -> DriveCycle | None:
+    """The mesh cycle of a drive whose tooth pairs share its load; None where there is no such thing."""
+    cycle = result.mesh_cycle
+    if cycle is None or "tooth_load" not in cycle:
+        return None
+    solved = sorted(result.solutions, key=lambda solution: solution.phase)
+    good = [solution for solution in solved if solution.converged]
+    if len(good) < FEWEST_PHASES:
+        return None
+    heated = all(one.figures.temperature_max_film is not None for one in good)
+    film = _extreme(good, "film_min", min, lambda one: one.figures.film_min_at)
+    return DriveCycle(
+        phases=tuple(one.phase for one in good),
+        unconverged=tuple(one.phase for one in solved if not one.converged),
+        film_min=film,
+        pressure_max=_extreme(good, "pressure_max", max, _largest_at),
+        temperatures={
+            name: _extreme(good, f"temperature_max_{name}", max)
+            for name in (("body_1", "body_2", "film") if heated else ())
+        },
+        bulk={
+            name: float(cycle.attrs[f"{name}_temperature"])
+            for name in (("sump", "worm", "wheel") if heated else ())
+        },
+        lambda_min=_lambda(film, good[0].composite_roughness),
+        loss=(
+            cycle_loss(cycle, good)
+            if all(one.figures.power_loss is not None for one in good)
+            else None
+        ),
+        lifts=(
+            tuple((one.phase, one.figures.lift) for one in good)
+            if all(one.figures.lift is not None for one in good)
+            else ()
+        ),
+        lifted=_lifted(cycle, good) if "dry_tooth_load" in cycle else None,
+        lambda_central=_lambda(_extreme(good, "film_central", min), good[0].composite_roughness),
+        left_out=of_all(good),
+    )
+
+
+def _lifted(cycle: xr.Dataset, good: list[Solution]) -> tuple[float, float]:
+    """Largest share by which lifts moved the load of a phase solved, and that phase."""
+    phases = np.array([one.phase for one in good])
+    loads = (
+        np.interp(phases, cycle["load_phase"], cycle[name])
+        for name in ("tooth_load", "dry_tooth_load")
+    )
+    share = np.divide(*loads) - 1
+    most = int(np.argmax(np.abs(share)))
+    return float(share[most]), float(phases[most])
+
+
+def _extreme(
+    solutions: list[Solution],
+    name: str,
+    pick: Callable,
+    place: Callable[[Solution], tuple[float, float]] | None = None,
+) -> Extreme:
+    one = pick(solutions, key=lambda solution: getattr(solution.figures, name).value)
+    estimate: Estimate = getattr(one.figures, name)
+    heat = name.startswith("temperature")
+    size = estimate.value - one.inlet_temperature if heat else estimate.value
+    at = None if place is None else flank_place(one, *place(one))
+    return Extreme(estimate.value, estimate.error * abs(size), one.phase, at, estimate.reason)
+
+
+def _largest_at(solution: Solution) -> tuple[float, float]:
+    """Where the pressure is largest, to a node [m]."""
+    pressure = solution.fields["pressure"]
+    node = pressure.argmax(dim=("x", "y"))
+    return float(pressure["x"][node["x"]]), float(pressure["y"][node["y"]])
+
+
+def flank_place(solution: Solution, x: Array, y: Array) -> tuple:
+    """Place on the wheel's flank over points of a solution's tangent plane.
+
+    Returns
+    -------
+    tuple
+        Along the face from its middle, and distance from the wheel's axis [m]; of the shape of x and y.
+    """
+    fields = solution.fields
+    at = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
+    places = [
+        fields[name].interp(at).values.reshape(np.shape(x))
+        for name in ("tooth_face", "tooth_radius")
+    ]
+    return tuple(float(place) if np.ndim(x) == 0 else place for place in places)
+
+
+def _lambda(film: Extreme, roughness: float | None) -> Extreme | None:
+    """Least film over the composite roughness of worm and wheel [m]."""
+    if roughness is None:
+        return None
+    return replace(film, value=film.value / roughness, error=film.error / roughness)

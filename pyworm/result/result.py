@@ -1,0 +1,274 @@
+"""A result: the solutions of a case with their provenance, kept in one NetCDF file.
+
+Layout of the file:
+
+    /                       attributes: format, format_version, case_name, case, provenance
+    /mesh_cycle             the unloaded mesh cycle over phase, if the case is a drive
+    /scene_000              attributes: the scalars of the solution, units in their names
+    /scene_000/fields       fields over (y, x), or over x for a line contact
+    /scene_000/history      convergence over iterations
+    /scene_000/profile      temperature and velocity across the film at its hottest point, if simulated
+
+Attributes that are not numbers or plain text (case, provenance, solution) are JSON.
+"""
+
+import json
+import os
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, fields, is_dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from xarray.backends import NetCDF4DataStore
+
+from pyworm.io.atomic import whole_file
+from pyworm.io.input_error import CaseError
+from pyworm.io.reason import reason_of
+from pyworm.result.sound_result import check, typed
+from pyworm.solver.solution import Solution
+
+FORMAT = "pyworm result"
+FORMAT_VERSION = 4
+
+PROVENANCE = {"plans": list, "keys": list, "failed": dict}
+"""What the provenance may have that readers take for granted."""
+
+LARGEST = 2**31
+"""Size beyond which arrays are not read [bytes]: some twenty times the largest scene of the solver."""
+
+_WORTH, _REPEATED = 1000, 0.1
+"""Least size of values that are compressed, and least share of them that repeat their neighbours."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """Solutions of one case and where they come from.
+
+    Attributes
+    ----------
+    case_name : str
+        What the case calls itself.
+    case : dict
+        The case in full, checked and in SI.
+    solutions : tuple of Solution
+        One for each scene, in the order of the mesh cycle or the sweep.
+    mesh_cycle : xarray.Dataset or None
+        The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it.
+    provenance : dict
+        Version of pyworm, effects, tolerances and whatever else is needed to repeat the run.
+    """
+
+    case_name: str
+    case: dict
+    solutions: tuple[Solution, ...]
+    mesh_cycle: xr.Dataset | None
+    provenance: dict
+
+    @property
+    def converged(self) -> bool:
+        """Whether every solution is."""
+        return all(solution.converged for solution in self.solutions)
+
+    @property
+    def sound(self) -> "Result":
+        """The same with the converged solutions alone, of which extremes, means and curves are made."""
+        return replace(self, solutions=tuple(one for one in self.solutions if one.converged))
+
+    @property
+    def unsound(self) -> tuple[Solution, ...]:
+        """The solutions that did not converge."""
+        return tuple(one for one in self.solutions if not one.converged)
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
+        path = Path(path)
+        content = _as_netcdf(_groups(self))
+        with whole_file(path) as partial:
+            partial.write_bytes(content)
+        return path
+
+
+def open_result(path: str | os.PathLike) -> Result:
+    """Read a file written by `Result.save`.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ValueError
+        If the file is not a pyworm result or is of another format version.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"there is no result file at {path}")
+    try:
+        groups = _load(path)
+    except Exception as error:  # whatever a damaged file makes the library stumble over
+        raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
+    said = groups["/"].attrs
+    if said.get("format") != FORMAT:
+        raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
+    version = said.get("format_version")
+    if version != FORMAT_VERSION:
+        raise ValueError(
+            f"{path} has result format {version!s:.20}; this version of pyworm reads format {FORMAT_VERSION}"
+        )
+    try:
+        return _read(groups)
+    except Exception as error:  # whatever is missing or of another kind
+        why = " ".join(str(error).split())
+        raise ValueError(f"{path} is damaged: what should be in it is not ({why})") from error
+
+
+def _load(path: Path) -> dict[str, xr.Dataset]:
+    """All groups by their paths."""
+    # Times are numbers of seconds here, not dates to be decoded.
+    groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
+    try:
+        if max(group.nbytes for group in groups.values()) > LARGEST:
+            raise ValueError("an array is larger than any of a result")
+        return {name: group.load() for name, group in groups.items()}
+    finally:
+        for group in groups.values():
+            group.close()
+
+
+def _read(groups: dict[str, xr.Dataset]) -> Result:
+    said = groups["/"].attrs
+    provenance = typed(dict, json.loads(said["provenance"]), "provenance")
+    for name, kind in PROVENANCE.items():
+        typed(kind, provenance.get(name, kind()), f"provenance.{name}")
+    mesh_cycle = groups.get("/mesh_cycle")
+    if mesh_cycle is not None:
+        typed(str, mesh_cycle.attrs.get("drive"), "the drive of the mesh cycle")
+    scenes = [name for name in groups if re.fullmatch(r"/scene_\d+", name)]
+    if not scenes:
+        raise ValueError("it has no scenes")
+    scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
+    return Result(
+        case_name=typed(str, said["case_name"], "case_name"),
+        case=typed(dict, json.loads(said["case"]), "case"),
+        solutions=tuple(_read_solution(groups, scene) for scene in scenes),
+        mesh_cycle=mesh_cycle,
+        provenance=provenance,
+    )
+
+
+def case_in(path: Path) -> dict | None:
+    """The case of a results file, without reading what came out; None if there is no such file."""
+    try:
+        with xr.open_dataset(path, engine="netcdf4") as root:
+            known = root.attrs.get("format") == FORMAT
+            return typed(dict, json.loads(root.attrs["case"]), "case") if known else None
+    except Exception:  # whatever a damaged file makes the library stumble over
+        return None
+
+
+@contextmanager
+def readable(path: Path) -> Iterator[None]:
+    """Say in one sentence that a results file holds what its readers stumble over.
+
+    Raises
+    ------
+    CaseError
+        In place of what they raised.
+    """
+    try:
+        yield
+    except CaseError:
+        raise
+    except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError) as error:
+        raise CaseError(
+            f"{path} is damaged or was made by another program: {reason_of(error)}"
+        ) from error
+
+
+def _groups(result: Result) -> dict[str, xr.Dataset]:
+    about = {
+        "format": FORMAT,
+        "format_version": FORMAT_VERSION,
+        "case_name": result.case_name,
+        "case": _to_json(result.case),
+        "provenance": _to_json(result.provenance),
+    }
+    groups = {"/": xr.Dataset(attrs=about)}
+    if result.mesh_cycle is not None:
+        groups["/mesh_cycle"] = result.mesh_cycle
+    for number, solution in enumerate(result.solutions):
+        scene = f"/scene_{number:03d}"
+        attributes = plain_attributes(solution.summary())
+        attributes["solution"] = _to_json(_scalars(solution))
+        groups[scene] = xr.Dataset(attrs=attributes)
+        groups[f"{scene}/fields"] = solution.fields
+        groups[f"{scene}/history"] = solution.history
+        if solution.profile is not None:
+            groups[f"{scene}/profile"] = solution.profile
+    return groups
+
+
+def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
+    """Scalars as NetCDF takes them: no None, truth as 0 or 1, an object's entries one by one."""
+    plain = {}
+    for name, value in summary.items():
+        if isinstance(value, Mapping):
+            plain |= {f"{name}_{part}": number for part, number in value.items()}
+        elif value is not None:
+            plain[name] = int(value) if isinstance(value, bool) else value
+    return plain
+
+
+def _scalars(value: Any) -> Any:
+    """A dataclass as nested dictionaries, without its datasets."""
+    if is_dataclass(value):
+        parts = {part.name: getattr(value, part.name) for part in fields(value)}
+        return {
+            name: _scalars(part) for name, part in parts.items() if not isinstance(part, xr.Dataset)
+        }
+    if isinstance(value, tuple):
+        return [_scalars(part) for part in value]
+    return value
+
+
+def _to_json(value: Any) -> str:
+    # NumPy's scalars and arrays know their own plain form; anything else is a mistake of ours.
+    return json.dumps(value, default=lambda item: item.tolist())
+
+
+def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
+    """The content of a file of these groups.
+
+    Made in memory: of a full disk the library says no more than that something went wrong. Not as xarray's
+    tree, whose nodes know each other and outlive their use.
+    """
+    from netCDF4 import Dataset
+
+    file = Dataset("result", "w", memory=0)
+    for name, group in groups.items():
+        encoding = {of: _storage(data.values) for of, data in group.data_vars.items()}
+        group.dump_to_store(NetCDF4DataStore(file.createGroup(name)), encoding=encoding)
+    return file.close()
+
+
+def _storage(values: np.ndarray) -> dict[str, Any]:
+    """How values are kept: of those that do not repeat, compression saves a tenth for most of the time."""
+    if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
+        return {}
+    return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}
+
+
+def _read_solution(groups: dict[str, xr.Dataset], scene: str) -> Solution:
+    datasets = {
+        part: groups[f"{scene}/{part}"]
+        for part in ("fields", "history", "profile")
+        if f"{scene}/{part}" in groups
+    }
+    try:
+        solution = typed(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
+        check(solution)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{scene[1:]}: {error}") from None
+    return solution

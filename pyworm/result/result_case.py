@@ -1,0 +1,108 @@
+"""Whether a result is of a case: by what decides its contacts, not by its name."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import BaseModel
+
+from pyworm.case.case import NO_PHYSICS, Case, case_again, load
+from pyworm.case.case_file import CaseTable
+from pyworm.case.workshop_units import shown
+from pyworm.io.input_error import CaseError
+
+if TYPE_CHECKING:
+    from pyworm.result.result import Result
+
+
+MOST_TOLD = 6
+"""Differences that are told one by one."""
+
+
+def differences(case: Case, result: "Result") -> tuple[str, ...]:
+    """What a case says otherwise than the one a result was solved with, each with both values.
+
+    Titles, comparisons, accuracy, lists of places and what is only rated do not count, nor what the case
+    leaves open for its solution to find. Of a gap's file its name counts.
+
+    Raises
+    ------
+    CaseError
+        The result's case is none that this version knows.
+    """
+    before, now = case_again(result.case).tables, case.tables
+    found = {f"{table}.{key}" for table, keys in case.left_open.items() for key in keys}
+    old, new = (
+        _flat(tables.model_dump(mode="json", exclude=NO_PHYSICS)) for tables in (before, now)
+    )
+    keys = [key for key in {**new, **old} if old.get(key) != new.get(key) and key not in found]
+    return tuple(f"{key} is {_shown(now, key)}, was {_shown(before, key)}" for key in keys)
+
+
+def _flat(table: dict[str, Any], at: str = "") -> dict[str, Any]:
+    """Values by their dotted keys."""
+    flat = {}
+    for key, value in table.items():
+        name = f"{at}.{key}" if at else key
+        flat |= _flat(value, name) if isinstance(value, dict) else {name: value}
+    return flat
+
+
+def _shown(tables: CaseTable, key: str) -> str:
+    """A value of a case in workshop units."""
+    *parents, last = key.split(".")
+    value, table = tables.at(key), tables.at(".".join(parents)) if parents else tables
+    if value is None:
+        return "not given"
+    return shown(
+        value, type(table).model_fields.get(last) if isinstance(table, BaseModel) else None
+    )
+
+
+def as_solved(case: Case, result: "Result") -> Case:
+    """A case with what its solution found of it: friction, lifts of films, loss between the teeth."""
+    kept = case_again(result.case).tables
+    return case.with_found(
+        {
+            table: {key: getattr(getattr(kept, table), key) for key in keys}
+            for table, keys in case.left_open.items()
+            if getattr(kept, table, None) is not None
+        }
+    )
+
+
+def add_case(command: argparse.ArgumentParser) -> None:
+    """Options of a command on a result: the case that it is to be of."""
+    command.add_argument(
+        "--case",
+        type=Path,
+        metavar="CASE.toml",
+        help="take the result as one of this case, if it is",
+    )
+    add_anyway(command)
+
+
+def add_anyway(command: argparse.ArgumentParser) -> None:
+    """The option that takes a result of a case that has changed."""
+    command.add_argument(
+        "--anyway", action="store_true", help="take the result even if the case has changed since"
+    )
+
+
+def case_for(path: Path, result: "Result", anyway: bool) -> tuple[Case, str | None]:
+    """A case file whose result this is, as it was solved; and how they differ where that is taken anyway.
+
+    Raises
+    ------
+    CaseError
+        No case, or one that the result is not of.
+    """
+    case = load(path)
+    differ = differences(case, result)
+    if not differ:
+        return as_solved(case, result), None
+    more = f" and {len(differ) - MOST_TOLD} more" if len(differ) > MOST_TOLD else ""
+    told = f"the result is of another case than {path}: {'; '.join(differ[:MOST_TOLD])}{more}"
+    if not anyway:
+        raise CaseError(f"{told}; solve it again, or take it with --anyway")
+    return as_solved(case, result), told

@@ -1,0 +1,183 @@
+"""Whether what a results file holds can be a result: types, fields and figures that make sense.
+
+Files may be damaged, edited or made by others. What passes here is what the solver writes: fields of numbers
+over the right directions, and in a converged solution finite ones, no negative pressure, and film, pressure
+and load above zero. One that did not converge is marked so, and may hold any numbers.
+"""
+
+from collections.abc import Iterator
+from dataclasses import fields as parts_of
+from dataclasses import is_dataclass
+from math import isfinite
+from types import NoneType, UnionType
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+
+import numpy as np
+import xarray as xr
+
+from pyworm.solver.solution import Estimate, Solution
+
+_SURFACES = ("gap", "covered", "pressure", "film", "entrainment_x", "sliding_x")
+_SHEAR = ("shear_stress_x", "shear_rate", "friction_power", "slip")
+_HEAT = ("temperature_body_1", "temperature_body_2", "temperature_middle")
+_ACROSS = ("level_position", "profile_temperature", "profile_velocity_x", "profile_x")
+
+NEEDED = {
+    "point": (*_SURFACES, "dry_pressure", "entrainment_y", "sliding_y"),
+    "line": _SURFACES,
+}
+"""Kind of contact -> fields that every solution has."""
+
+SIZES = {
+    "point": ("radius_x_m", "radius_y_m", "load_N", "reduced_modulus_Pa"),
+    "line": ("radius_m", "load_per_length_N_m", "reduced_modulus_Pa"),
+}
+"""Kind of contact -> attributes of its fields, numbers above zero."""
+
+AXES = {"point": ("x", "y"), "line": ("x",)}
+"""Kind of contact -> directions of its grid."""
+
+
+def typed(kind: Any, value: Any, name: str = "") -> Any:
+    """A value read from JSON as its declared type.
+
+    Dataclasses are made from tables and tuples from lists; datasets stay as they are.
+
+    Raises
+    ------
+    ValueError
+        It is of another type; the message names it.
+    """
+    origin, options = get_origin(kind), get_args(kind)
+    if origin in (Union, UnionType):
+        return _one_of(options, value, name)
+    if origin is Literal and value in options:
+        return value
+    if origin is tuple and isinstance(value, list | tuple):
+        kinds = options[:1] * len(value) if options[-1] is Ellipsis else options
+        if len(kinds) == len(value):
+            pairs = enumerate(zip(kinds, value, strict=True))
+            return tuple(typed(of, part, f"{name}[{number}]") for number, (of, part) in pairs)
+    if origin is list and isinstance(value, list):
+        return [typed(options[0], part, f"{name}[{number}]") for number, part in enumerate(value)]
+    if origin is dict and isinstance(value, dict):
+        return {key: typed(options[1], part, f"{name}.{key}") for key, part in value.items()}
+    if is_dataclass(kind) and isinstance(value, dict):
+        return _made(kind, value, name)
+    if kind is float and isinstance(value, int | float) and not isinstance(value, bool):
+        return value
+    if kind in (bool, str, int, list, dict, NoneType, xr.Dataset) and type(value) is kind:
+        return value
+    raise ValueError(f"{name} is {value!r:.60}")
+
+
+def _one_of(options: tuple, value: Any, name: str) -> Any:
+    for option in options:
+        if option is NoneType and value is None:
+            return None
+        if is_dataclass(option) and isinstance(value, dict):
+            return typed(option, value, name)
+    for option in options:
+        try:
+            return typed(option, value, name)
+        except ValueError:
+            continue
+    raise ValueError(f"{name} is {value!r:.60}")
+
+
+def _made(kind: Any, value: dict[str, Any], name: str) -> Any:
+    hints = get_type_hints(kind)
+    strange = value.keys() - {part.name for part in parts_of(kind)}
+    if strange:
+        raise ValueError(f"{name} has an unknown {min(strange)!r:.60}")
+    below = f"{name}." if name else ""
+    try:
+        return kind(**{key: typed(hints[key], of, f"{below}{key}") for key, of in value.items()})
+    except TypeError as error:
+        raise ValueError(f"{name or 'it'} is not complete ({error})") from None
+
+
+def check(solution: Solution) -> None:
+    """Refuse a solution that the solver cannot have written; ValueError with what is wrong first."""
+    for flaw in _flaws(solution):
+        raise ValueError(flaw)
+
+
+def _flaws(solution: Solution) -> Iterator[str]:
+    yield from _flaws_of_fields(solution)
+    yield from _flaws_of_parts(solution)
+    yield from _flaws_of_figures(solution)
+
+
+def _flaws_of_fields(solution: Solution) -> Iterator[str]:
+    fields, axes = solution.fields, AXES[solution.kind]
+    figures = solution.figures
+    for axis in axes:
+        if axis not in fields.coords or not _rises(fields[axis]):
+            yield f"its fields have no {axis} that rises"
+    needed = NEEDED[solution.kind]
+    needed += _SHEAR * (figures.friction_coefficient is not None)
+    needed += _HEAT * (figures.temperature_max_film is not None)
+    for name in needed:
+        if name not in fields:
+            yield f"the field {name} is missing"
+        elif set(fields[name].dims) != set(axes):
+            yield f"the field {name} is over {', '.join(map(str, fields[name].dims)) or 'nothing'}"
+    for name, field in fields.variables.items():
+        if field.dtype.kind not in "iufb":
+            yield f"the field {name} is not one of numbers"
+        # a tooth's gap is known where the teeth are
+        elif solution.converged and name != "tooth_gap" and not np.isfinite(field.values).all():
+            yield f"it is marked as converged, but its field {name} is not finite everywhere"
+    if solution.converged and fields["pressure"].values.min() < 0:
+        yield "it is marked as converged, but its pressure is negative somewhere"
+    if solution.converged and not fields["film"].values.min() > 0:
+        yield "it is marked as converged, but its film is not above zero everywhere"
+    for name in SIZES[solution.kind]:
+        if not _is_size(fields.attrs.get(name)):
+            yield f"{name} of its fields is {fields.attrs.get(name)!r:.60}"
+
+
+def _flaws_of_parts(solution: Solution) -> Iterator[str]:
+    """What is wrong with the history, and with the profile across a hot film."""
+    wanted = [(solution.history, ("residual", "load_error", "krylov", "points_x"), "history")]
+    if solution.figures.temperature_max_film is not None:
+        if solution.profile is None or solution.inlet_temperature is None:
+            yield "it tells temperatures, but no profile or none of the inlet"
+            return
+        wanted.append((solution.profile, _ACROSS, "profile"))
+    for part, names, what in wanted:
+        for name in names:
+            if name not in part or part[name].dtype.kind not in "iuf":
+                yield f"its {what} has no numbers for {name}"
+
+
+def _flaws_of_figures(solution: Solution) -> Iterator[str]:
+    figures = solution.figures
+    estimates = {
+        part.name: getattr(figures, part.name)
+        for part in parts_of(figures)
+        if isinstance(getattr(figures, part.name), Estimate)
+    }
+    for name, estimate in estimates.items() if solution.converged else ():
+        if not isfinite(estimate.value):
+            yield f"it is marked as converged, but its {name} is {estimate.value}"
+        if not estimate.error >= 0:
+            yield f"it is marked as converged, but the error bar of its {name} is {estimate.error}"
+    sizes = {name: estimates[name].value for name in ("film_min", "film_central", "pressure_max")}
+    for name, value in (sizes | {"load": solution.load}).items():
+        if solution.converged and not value > 0:
+            yield f"it is marked as converged, but its {name} is {value:g}"
+    if len(figures.film_min_at) != len(AXES[solution.kind]):
+        yield f"film_min_at is {figures.film_min_at}"
+    if (figures.dry is None) != (solution.kind == "line"):
+        yield "its figures are those of another kind of contact"
+
+
+def _rises(coordinate: xr.DataArray) -> bool:
+    values = coordinate.values
+    return values.dtype.kind in "iuf" and values.size > 1 and bool((np.diff(values) > 0).all())
+
+
+def _is_size(value: Any) -> bool:
+    return isinstance(value, int | float | np.number) and isfinite(value) and value > 0

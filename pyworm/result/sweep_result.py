@@ -1,0 +1,267 @@
+"""The table of a sweep: a row a scene, with what varies, its place, its figures and how it ended.
+
+Layout of the file: variables over `scene`; those that vary are named in the attribute `axes` (JSON: the keys
+that go together in one list) and have the unit they were written with, the others are the scalars of
+`Solution.summary`, units in their names. A scene without solution has its reason under `stop_reason` and NaN
+for numbers.
+"""
+
+import csv
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from pyworm.case.sweep import Value
+from pyworm.formulas.lubrication import BY_SEVERITY
+from pyworm.io.atomic import whole_file
+from pyworm.io.units import parse_in
+from pyworm.result.result import LARGEST, plain_attributes
+from pyworm.result.sound_result import typed
+from pyworm.solver.left_out import LAMBDAS, LeftOut, worst
+
+FORMAT = "pyworm sweep"
+FORMAT_VERSION = 1
+
+LEFT_OUT = "left_out_"
+"""What a variable's name begins with that tells an effect's influence."""
+
+
+@dataclass(frozen=True)
+class SweepResult:
+    """What a sweep came to.
+
+    Attributes
+    ----------
+    name, title : str
+        What the sweep is called, and what it is.
+    axes : list of list of str
+        Variables of the table that vary; those that go together in one list.
+    table : xarray.Dataset
+        Variables over `scene`.
+    provenance : dict
+        The sweep as written, versions, time and machine.
+    """
+
+    name: str
+    title: str
+    axes: list[list[str]]
+    table: xr.Dataset
+    provenance: dict
+
+    @property
+    def converged(self) -> np.ndarray:
+        """Whether each scene has a solution that may be trusted."""
+        return self.table["converged"].values == 1
+
+    @cached_property
+    def left_out(self) -> LeftOut:
+        """What its figures do not hold, at the worst of the scenes that converged."""
+        told = {
+            str(name): column.values[self.converged].tolist()
+            for name, column in self.table.items()
+            if str(name).startswith(LEFT_OUT) or name in ("lubrication", *LAMBDAS)
+        }
+        rows = (dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True))
+        return worst([_left_out(row) for row in rows])
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write one NetCDF file, whole or not at all."""
+        path = Path(path)
+        attributes = {
+            "format": FORMAT,
+            "format_version": FORMAT_VERSION,
+            "name": self.name,
+            "title": self.title,
+            "axes": json.dumps(self.axes),
+            "provenance": json.dumps(self.provenance, default=str),  # TOML has dates
+        }
+        content = self.table.assign_attrs(attributes).to_netcdf(None, engine="netcdf4")
+        with whole_file(path) as partial:
+            partial.write_bytes(content)
+        return path
+
+    def save_csv(self, path: str | os.PathLike) -> Path:
+        """Write the table as comma-separated values, units of what varies in brackets."""
+        path = Path(path)
+        columns = self.table.data_vars.values()
+        heads = [
+            f"{column.name} [{column.attrs['units']}]" if column.attrs.get("units") else column.name
+            for column in columns
+        ]
+        with whole_file(path) as partial, partial.open("w", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(heads)
+            writer.writerows(zip(*(column.values.tolist() for column in columns), strict=True))
+        return path
+
+
+def open_sweep(path: str | os.PathLike) -> SweepResult | None:
+    """Read a file written by `SweepResult.save`; None if it is no table of a sweep.
+
+    Raises
+    ------
+    ValueError
+        It is one of another format version, or what it holds cannot be such a table.
+    """
+    path = Path(path)
+    table = _loaded(path) if path.is_file() else None
+    if table is None:
+        return None
+    attributes, table.attrs = table.attrs, {}
+    if attributes.get("format") != FORMAT:
+        return None
+    version = attributes.get("format_version")
+    if version != FORMAT_VERSION:
+        raise ValueError(
+            f"{path} has sweep format {version!s:.20}; this version of pyworm reads format {FORMAT_VERSION}"
+        )
+    try:
+        result = SweepResult(
+            typed(str, attributes["name"], "name"),
+            typed(str, attributes["title"], "title"),
+            typed(list[list[str]], json.loads(attributes["axes"]), "axes"),
+            table,
+            typed(dict, json.loads(attributes["provenance"]), "provenance"),
+        )
+        _check(result)
+    except (ValueError, LookupError, TypeError, RecursionError) as error:
+        why = " ".join(str(error).split())
+        raise ValueError(f"{path} is damaged: what should be in it is not ({why})") from error
+    return result
+
+
+def _loaded(path: Path) -> xr.Dataset | None:
+    """What a NetCDF file holds; None if it is none, or too large for any table."""
+    try:
+        with xr.open_dataset(path, engine="netcdf4", decode_times=False) as table:
+            return table.load() if table.nbytes <= LARGEST else None
+    except Exception:  # whatever a damaged file makes the library stumble over
+        return None
+
+
+def _check(result: SweepResult) -> None:
+    """Refuse what no sweep can have come to; ValueError with what is wrong first."""
+    table = result.table
+    if not table.sizes.get("scene"):
+        raise ValueError("it has no scenes")
+    for name, column in table.variables.items():
+        if column.dims != ("scene",):
+            raise ValueError(f"{name} does not have one value for each scene")
+        if column.dtype.kind not in "iufb" and not all(isinstance(of, str) for of in column.values):
+            raise ValueError(f"{name} holds neither numbers nor texts")
+    for key in (key for axis in result.axes for key in axis or [""]):
+        if not any(name == key or str(name).startswith(f"{key}[") for name in table.data_vars):
+            raise ValueError(f'there is no column of "{key}", which varies')
+    if table["stop_reason"].dtype.kind in "iufb":
+        raise ValueError("stop_reason is no text")
+    if not np.isin(table["converged"].values, (0, 1)).all():
+        raise ValueError("converged must be 0 or 1")
+    for name in {"film_min_m", "film_central_m", "pressure_max_Pa"} & set(table.data_vars):
+        if not (table[name].values[result.converged] > 0).all():
+            raise ValueError(f"{name} of a scene that is marked as converged is not above zero")
+
+
+def sweep_table(
+    values: Sequence[Mapping[str, Value]], rows: Sequence[Mapping[str, Any]], keys: Sequence[str]
+) -> xr.Dataset:
+    """The table of all scenes.
+
+    Parameters
+    ----------
+    values : sequence of mapping
+        Of each scene the values that vary, as written, by key.
+    rows : sequence of mapping
+        Of each scene its summary, or at least its place, `converged` and `stop_reason`.
+    keys : sequence of str
+        Of each scene the key that its file is named by.
+    """
+    table = xr.Dataset()
+    for key in values[0]:
+        for name, column, unit in _varied(key, [of[key] for of in values]):
+            table[name] = ("scene", column, {"units": unit} if unit else {})
+    flat = [_flat(row) for row in rows]
+    names = list({name: None for row in flat for name in row if name != "name"})
+    for name in names:
+        table[name] = ("scene", _column([row.get(name) for row in flat]))
+    table["key"] = ("scene", np.array(keys, dtype=object))
+    return table
+
+
+def _left_out(row: Mapping[str, float | str]) -> LeftOut:
+    """What the figures of a scene do not hold, from its row; what a file has of no sense is left out."""
+    numbers = {name: of for name, of in row.items() if isinstance(of, float) and not np.isnan(of)}
+    influence = {
+        name.removeprefix(LEFT_OUT): of for name, of in numbers.items() if name.startswith(LEFT_OUT)
+    }
+    said = row.get("lubrication")
+    lubrication = said if said in BY_SEVERITY else "unknown"
+    return LeftOut.read({**numbers, "left_out": influence, "lubrication": lubrication})
+
+
+def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:
+    """Name, numbers and unit of a key's values; a list's entries one by one; texts if they are no numbers."""
+    if all(isinstance(value, list) and len(value) == len(values[0]) for value in values):
+        return [
+            part
+            for place in range(len(values[0]))
+            for part in _varied(f"{key}[{place}]", [value[place] for value in values])
+        ]
+    if all(isinstance(value, int | float) for value in values):
+        return [(key, np.array(values, dtype=float), "")]
+    try:
+        _, unit = parse_in(values[0])
+        return [(key, np.array([parse_in(value, unit)[0] for value in values]), unit)]
+    except ValueError:
+        return [(key, np.array([str(value) for value in values], dtype=object), "")]
+
+
+def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
+    """A summary's scalars; what has directions has the letter of each after its name."""
+    return {
+        f"{name}_{axis}" if axis else name: part
+        for name, value in plain_attributes(row).items()
+        for axis, part in (
+            zip("xy", value, strict=False) if isinstance(value, list) else [("", value)]
+        )
+    }
+
+
+def _column(values: list[Any]) -> np.ndarray:
+    """One value a scene; what a scene lacks is NaN or an empty text."""
+    if any(isinstance(value, str) for value in values):
+        return np.array(["" if value is None else value for value in values], dtype=object)
+    return np.array([np.nan if value is None else value for value in values], dtype=float)
+
+
+def columns(result: SweepResult, axis: list[str]) -> list[str]:
+    """The variables of keys that go together; a list has one for each of its entries that varies."""
+    return [
+        str(name)
+        for name in result.table.data_vars
+        if any(name == key or str(name).startswith(f"{key}[") for key in axis)
+        and len(np.unique(result.table[name])) > 1
+    ] or axis[:1]
+
+
+def telling(result: SweepResult, axis: list[str]) -> list[str]:
+    """Those variables of keys that go together by which their scenes are told apart.
+
+    Most often the first, as of both bodies' velocities; errors of assembly, one at a time, take all.
+    """
+    first, *others = columns(result, axis)
+    chosen = [first]
+    for name in others:
+        if _combinations(result, [*chosen, name]) > _combinations(result, chosen):
+            chosen.append(name)
+    return chosen
+
+
+def _combinations(result: SweepResult, names: list[str]) -> int:
+    return len(set(zip(*(result.table[name].values.tolist() for name in names), strict=True)))

@@ -1,0 +1,110 @@
+"""Loss of a tooth pair over its mesh cycle."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from scipy.interpolate import PchipInterpolator
+
+from pyworm.solver.solution import Solution
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Loss:
+    """Loss and efficiency of the teeth, averaged over a pitch.
+
+    Attributes
+    ----------
+    power : float
+        Lost between all teeth in mesh [W].
+    scene_error, phase_error, end_error : float
+        Error bars of that [W]: by the scenes' own; by the phases, the change if every other one is left out;
+        and by the friction beyond the first and the last phase, where any found elsewhere may hold.
+    friction : float
+        Mean coefficient: loss over load times sliding [-].
+    wheel_torque, worm_torque : float
+        Mean torques [N m].
+    efficiency : float
+        Power out over power in, as the drive runs [-].
+    reverse_efficiency : float
+        The same if the power went the other way, the teeth as loaded and friction the same [-].
+    """
+
+    power: float
+    scene_error: float
+    phase_error: float
+    end_error: float
+    friction: float
+    wheel_torque: float
+    worm_torque: float
+    efficiency: float
+    reverse_efficiency: float
+
+    @property
+    def error(self) -> float:
+        """Error bar of the power lost, all origins together [W]."""
+        return self.scene_error + self.phase_error + self.end_error
+
+    @property
+    def efficiency_error(self) -> float:
+        """Error bar of either efficiency [-]: the share of loss in the power, times its relative error."""
+        return (1 - self.efficiency) * self.error / self.power
+
+
+def cycle_loss(cycle: xr.Dataset, good: list[Solution]) -> Loss:
+    """Loss of all teeth, equation 1.
+
+    Parameters
+    ----------
+    cycle : xarray.Dataset
+        A drive's mesh cycle under load.
+    good : list of Solution
+        Converged solutions with friction, in the order of their phases.
+    """
+    phases = cycle["load_phase"].values
+    load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values
+    solved = np.array([one.phase for one in good])
+    friction = np.array([one.figures.power_loss.value / one.load for one in good])
+    friction /= np.interp(solved, phases, sliding)
+    errors = np.array([one.figures.power_loss.error for one in good])
+
+    def over_pitch(values: Array) -> float:
+        return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])
+
+    def along(chosen: Array) -> Array:
+        """Friction at all phases from that at some of those solved."""
+        inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
+        return PchipInterpolator(solved[chosen], friction[chosen])(inside)
+
+    all_of_them = np.arange(len(solved))
+    half = np.unique([*all_of_them[::2], all_of_them[-1]])
+    found = along(all_of_them)
+    lost = found * load * sliding
+    power = over_pitch(lost)
+    beyond = (phases < solved[0]) | (phases > solved[-1])
+    turn = -1.0 if cycle.attrs["driver"] == "wheel" else 1.0
+    levers = cycle["lever"].values, cycle["sliding_lever"].values
+    wheel, reversed_ = (
+        over_pitch(load * (levers[0] + sign * found * levers[1])) for sign in (1.0, -1.0)
+    )
+    worm_speed, wheel_speed = cycle.attrs["worm_speed"], cycle.attrs["wheel_speed"]
+    worm = (wheel * wheel_speed + turn * power) / worm_speed
+    forward = wheel if turn > 0 else reversed_
+    back = reversed_ if turn > 0 else wheel
+    efficiencies = (
+        forward * wheel_speed / (forward * wheel_speed + power),
+        1 - power / (back * wheel_speed),
+    )
+    return Loss(
+        power=power,
+        scene_error=over_pitch(lost * np.interp(phases, solved, errors)),
+        phase_error=abs(over_pitch(along(half) * load * sliding) - power),
+        end_error=over_pitch(lost * beyond) * float(friction.max() / friction.min() - 1),
+        friction=power / over_pitch(load * sliding),
+        wheel_torque=wheel,
+        worm_torque=worm,
+        efficiency=efficiencies[0 if turn > 0 else 1],
+        reverse_efficiency=efficiencies[1 if turn > 0 else 0],
+    )

@@ -1,0 +1,210 @@
+"""The undeformed gap as an array: measured, or computed by another program."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import RectBivariateSpline
+from scipy.sparse import diags_array, eye_array, kron, vstack
+from scipy.sparse.linalg import spsolve
+
+from pyworm.scene.point import Array
+
+SMALLEST = 5
+"""Fewest samples along each side: a cubic spline and the second differences of the filling need them."""
+
+FIT_SHARE = 0.1
+"""Half side of the window in which the radii are fitted, as a share of the array's side."""
+
+OFF_CENTRE = 0.25
+"""Distance of the least gap from the contact point beyond which a gap is refused, in half sides of the window
+in which the radii are fitted."""
+
+FLATTEST = 1e-3
+"""Curvature along the flatter direction is taken as at least this share of the other one, so that a
+straight roller has radii too; they only set the scale of the contact."""
+
+
+@dataclass(frozen=True)
+class SampledGap:
+    """An undeformed gap between samples and a little beyond them.
+
+    Between the samples a cubic spline; where a body is missing (NaN) the surface that bends least; outside
+    the array the quadratic that fits it best, shifted to meet the array's edge.
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Evenly or unevenly spaced, increasing coordinates [m]; the contact point is at x = y = 0.
+    gap : ndarray
+        Undeformed gap [m], shape (y, x); NaN where a body is missing.
+
+    Raises
+    ------
+    ValueError
+        Of another shape, too small, not increasing, empty, or without the contact point.
+    """
+
+    x: Array
+    y: Array
+    gap: Array
+
+    def __post_init__(self) -> None:
+        """Refuse what is no gap over x and y."""
+        if self.gap.ndim != 2:
+            raise ValueError(f"gap must have two dimensions (y, x), not {self.gap.ndim}")
+        if self.gap.shape != (self.y.size, self.x.size):
+            raise ValueError(
+                f"gap has the shape {self.gap.shape}, but y and x have {self.y.size} and "
+                f"{self.x.size} entries"
+            )
+        if min(self.gap.shape) < SMALLEST:
+            raise ValueError(
+                f"gap has the shape {self.gap.shape}; at least {SMALLEST} samples a side are needed"
+            )
+        for name, axis in (("x", self.x), ("y", self.y)):
+            if not (np.all(np.isfinite(axis)) and np.all(np.diff(axis) > 0)):
+                raise ValueError(f"{name} must increase from sample to sample")
+            if not axis[0] < 0 < axis[-1]:
+                raise ValueError(
+                    f"{name} runs from {axis[0]:g} to {axis[-1]:g} m and must have the contact point, "
+                    f"{name} = 0, inside"
+                )
+        if np.any(np.isinf(self.gap)):
+            raise ValueError("gap must be finite, or NaN where a body is missing")
+        if not self._covered(np.zeros(1), np.zeros(1)).all():
+            raise ValueError("gap must be a number at the contact point x = y = 0")
+        for name, place, reach in zip("xy", self._closest, self._half_window, strict=True):
+            if abs(place) > OFF_CENTRE * reach:
+                raise ValueError(
+                    f"gap is least near {name} = {place:.3g} m, not at the contact point x = y = 0; "
+                    f"shift the coordinates by that ({name}0 in an npz file)"
+                )
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Gap [m], zero at the contact point, and where both bodies exist."""
+        return self._height(x, y) - self._datum, self._covered(x, y)
+
+    def _height(self, x: Array, y: Array) -> Array:
+        inside_x = np.clip(x, self.x[0], self.x[-1])
+        inside_y = np.clip(y, self.y[0], self.y[-1])
+        return self._rest.ev(inside_y, inside_x) + self._quadratic(x, y)
+
+    @cached_property
+    def _datum(self) -> float:
+        """What the array has at the contact point: a constant only shifts the rigid film."""
+        return float(self._height(np.zeros(1), np.zeros(1))[0])
+
+    @cached_property
+    def radii(self) -> tuple[float, float]:
+        """Relative radii of curvature along x and y near the contact point [m].
+
+        Raises
+        ------
+        ValueError
+            The gap opens in neither direction.
+        """
+        curvatures = self._curvatures
+        return 1 / curvatures[0], 1 / curvatures[1]
+
+    @cached_property
+    def _half_window(self) -> tuple[float, float]:
+        """Half sides of the window about the contact point in which curvatures are fitted [m]."""
+        return tuple(
+            max(FIT_SHARE * np.ptp(axis), 2.5 * np.diff(axis).max()) for axis in (self.x, self.y)
+        )
+
+    @cached_property
+    def _near_fit(self) -> Array:
+        """The quadratic that fits the samples near the contact point best."""
+        near_x, near_y = (
+            np.abs(axis) <= half
+            for axis, half in zip((self.x, self.y), self._half_window, strict=True)
+        )
+        return _fit_quadratic(
+            self.x, self.y, np.where(near_x[None, :] & near_y[:, None], self.gap, np.nan)
+        )
+
+    @cached_property
+    def _curvatures(self) -> tuple[float, float]:
+        """Relative curvatures along x and y near the contact point [1/m], none flatter than FLATTEST."""
+        curvatures = [2 * float(self._near_fit[term]) for term in (3, 5)]
+        if max(curvatures) <= 0:
+            raise ValueError("gap must open away from the contact point x = y = 0")
+        floor = FLATTEST * max(curvatures)
+        return max(curvatures[0], floor), max(curvatures[1], floor)
+
+    @property
+    def _closest(self) -> tuple[float, float]:
+        """Where the gap is least, along x and along y [m], by slope over curvature at the contact point."""
+        return tuple(
+            -float(slope) / curvature
+            for slope, curvature in zip(self._near_fit[1:3], self._curvatures, strict=True)
+        )
+
+    def _covered(self, x: Array, y: Array) -> Array:
+        inside = (self.x[0] <= x) & (x <= self.x[-1]) & (self.y[0] <= y) & (y <= self.y[-1])
+        row = np.clip(np.searchsorted(self.y, y, side="right") - 1, 0, self.y.size - 2)
+        column = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, self.x.size - 2)
+        return inside & self._covered_cells[row, column]
+
+    @cached_property
+    def _covered_cells(self) -> Array:
+        """Cells whose four corners are known: by the nearest sample alone, edges would grow."""
+        known = np.isfinite(self.gap)
+        return known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
+
+    def _quadratic(self, x: Array, y: Array) -> Array:
+        terms = _quadratic_terms(x, y)
+        return sum(c * term for c, term in zip(self._coefficients, terms, strict=True))
+
+    @cached_property
+    def _coefficients(self) -> Array:
+        return _fit_quadratic(self.x, self.y, self.gap)
+
+    @cached_property
+    def _rest(self) -> RectBivariateSpline:
+        """What the quadratic leaves over, made whole and splined."""
+        rest = self.gap - self._quadratic(self.x[None, :], self.y[:, None])
+        return RectBivariateSpline(self.y, self.x, _fill(rest))
+
+
+def _quadratic_terms(x: Array, y: Array) -> tuple[Array, ...]:
+    x, y = np.broadcast_arrays(x, y)
+    return np.ones(x.shape), x, y, x**2, x * y, y**2
+
+
+def _fit_quadratic(x: Array, y: Array, gap: Array) -> Array:
+    """Coefficients of 1, x, y, x^2, xy, y^2 that fit the finite samples best."""
+    known = np.isfinite(gap)
+    terms = [term[known] for term in _quadratic_terms(x[None, :], y[:, None])]
+    # Scaled columns: in metres the quadratic ones would be lost beside the constant.
+    scales = [np.abs(term).max() or 1.0 for term in terms]
+    matrix = np.column_stack([term / scale for term, scale in zip(terms, scales, strict=True)])
+    return np.linalg.lstsq(matrix, gap[known], rcond=None)[0] / scales
+
+
+def _fill(values: Array) -> Array:
+    """Replace NaN so that the squared second differences of the whole are least."""
+    unknown = ~np.isfinite(values).ravel()
+    if not unknown.any():
+        return values
+    ny, nx = values.shape
+    bend_x, bend_y = (
+        diags_array([1.0, -2.0, 1.0], offsets=[0, 1, 2], shape=(count - 2, count))
+        for count in (nx, ny)
+    )
+    slope_x, slope_y = (
+        diags_array([-1.0, 1.0], offsets=[0, 1], shape=(count - 1, count)) for count in (nx, ny)
+    )
+    differences = vstack(
+        [
+            kron(eye_array(ny), bend_x),
+            kron(bend_y, eye_array(nx)),
+            np.sqrt(2) * kron(slope_y, slope_x),
+        ]
+    ).tocsc()
+    filled = np.where(unknown, 0.0, values.ravel())
+    free = differences[:, unknown]
+    filled[unknown] = spsolve((free.T @ free).tocsc(), -free.T @ (differences @ filled))
+    return filled.reshape(values.shape)

@@ -1,0 +1,163 @@
+"""The size of things in a scene before anything is solved: Hertz's ellipse, Moes' groups, a film."""
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, pi, sin
+
+import numpy as np
+
+from pyworm.formulas.film import (
+    LineGroups,
+    PointGroups,
+    line_groups,
+    moes_line,
+    nijenbanning_venner_moes,
+    point_groups,
+    radii_at_angle,
+)
+from pyworm.formulas.hertz import HertzContact, HertzLine, hertz, hertz_line
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+MOST_SLENDER = 1e6
+"""Largest ratio of the relative radii."""
+
+LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-30, 1e7, 1e12
+"""Bounds of Moes' parameters beyond which an input can only be a slip."""
+
+
+@dataclass(frozen=True)
+class Scales:
+    """The size of things in a scene.
+
+    Attributes
+    ----------
+    hertz : HertzContact
+        The elliptic contact of the radii at the contact point.
+    groups : PointGroups
+        Dimensionless groups along the entrainment.
+    angle : float
+        Direction of the entrainment, from x to y [rad].
+    film : float
+        Central film by Nijenbanning, Venner and Moes [m].
+    """
+
+    hertz: HertzContact
+    groups: PointGroups
+    angle: float
+    film: float
+
+
+def scales(scene: Scene) -> Scales:
+    """Sizes of a scene from its radii, load, oil and entrainment at the contact point.
+
+    Where the contact point is at rest (pure spin), the mean speed of the entrainment over Hertz's
+    ellipse stands in for it.
+
+    Raises
+    ------
+    ValueError
+        If the surfaces entrain no oil anywhere in the contact, or radii, load, speed and oil are out of all
+        proportion.
+    """
+    if not max(scene.radii) <= MOST_SLENDER * min(scene.radii):
+        raise ValueError(
+            f"{scene.name}: the relative radii are {scene.radii[0]:g} and {scene.radii[1]:g} m; a point "
+            f"contact has both finite and within a factor of {MOST_SLENDER:g} (surfaces that touch along "
+            "a line, as a worm and a wheel cut by a hob equal to it, make a line contact)"
+        )
+    contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
+    u, v = (float(component) for component in scene.entrainment(np.zeros(()), np.zeros(())))
+    speed = hypot(u, v)
+    typical = _typical_speed(scene, contact)
+    if not typical > 0:
+        raise ValueError(
+            f"{scene.name}: the surfaces entrain no oil (mean velocity 0 m/s all over the contact); "
+            "give them velocities whose mean is not zero"
+        )
+    angle = atan2(v, u) if speed > 0 else 0.0
+    groups = point_groups(
+        *(float(radius) for radius in radii_at_angle(*scene.radii, angle)),
+        scene.load,
+        scene.reduced_modulus,
+        max(speed, typical / 10),
+        scene.oil.viscosity.eta0,
+        scene.oil.viscosity.alpha,
+    )
+    require_proportion(scene.name, groups)
+    return Scales(contact, groups, angle, float(nijenbanning_venner_moes(groups).central))
+
+
+def require_proportion(name: str, groups: PointGroups | LineGroups) -> None:
+    """Refuse what can only be a slip.
+
+    Raises
+    ------
+    ValueError
+        If load, speed and oil are out of all proportion.
+    """
+    if not (LIGHTEST < groups.moes_m < HEAVIEST and groups.moes_l < MOST_PIEZOVISCOUS):
+        raise ValueError(
+            f"{name}: load, speed and oil give Moes' M = {groups.moes_m:.3g} and "
+            f"L = {groups.moes_l:.3g}, beyond all experience (M {LIGHTEST:g} to {HEAVIEST:g}, "
+            f"L to {MOST_PIEZOVISCOUS:g}); check their units"
+        )
+
+
+def _typical_speed(scene: Scene, contact: HertzContact) -> float:
+    """Mean speed of the entrainment over eight points halfway out in Hertz's ellipse [m/s]."""
+    angles = [k * pi / 4 for k in range(8)]
+    x = np.array([contact.semi_axis_x * cos(angle) / 2 for angle in angles])
+    y = np.array([contact.semi_axis_y * sin(angle) / 2 for angle in angles])
+    u, v = scene.entrainment(x, y)
+    return float(np.mean(np.hypot(u, v)))
+
+
+@dataclass(frozen=True)
+class LineScales:
+    """The size of things in a line contact.
+
+    Attributes
+    ----------
+    hertz : HertzLine
+        The dry contact of the radius at the contact point.
+    groups : LineGroups
+        Dimensionless groups.
+    film : float
+        Film where the pressure is largest by Moes [m].
+    """
+
+    hertz: HertzLine
+    groups: LineGroups
+    film: float
+
+
+def line_scales(scene: LineScene) -> LineScales:
+    """Sizes of a line contact from its radius, load, oil and entrainment.
+
+    Raises
+    ------
+    ValueError
+        If there is no entrainment, load or viscosity, or they are out of all proportion.
+    """
+    viscosity = scene.oil.viscosity
+    if not abs(scene.entrainment) > 0:
+        raise ValueError(
+            f"{scene.name}: the surfaces entrain no oil (mean velocity 0 m/s); "
+            "give them velocities whose mean is not zero"
+        )
+    if not (scene.load > 0 and viscosity.eta0 > 0):
+        raise ValueError(
+            f"{scene.name}: a load of {scene.load:g} N/m on an oil of {viscosity.eta0:g} Pa s forms no film; "
+            "both must be positive"
+        )
+    groups = line_groups(
+        scene.radius,
+        scene.load,
+        scene.reduced_modulus,
+        abs(scene.entrainment),
+        viscosity.eta0,
+        viscosity.alpha,
+    )
+    require_proportion(scene.name, groups)
+    contact = hertz_line(scene.radius, scene.load, scene.reduced_modulus)
+    return LineScales(contact, groups, float(moes_line(groups).central))

@@ -1,0 +1,241 @@
+"""What a Newton step takes on this machine: measured once, in a few seconds, and kept.
+
+Two small contacts, a point and a line, are solved with and without rheology and heat; the time of a step is
+told as a part that every step has and one for each node, for each of the models. Times are of the processor.
+"""
+
+import json
+import os
+import platform
+from dataclasses import asdict, astuple, dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+from time import process_time
+
+import numpy as np
+
+from pyworm.io.atomic import whole_file
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.planning.effects.judgement import simplified
+from pyworm.planning.expected_work import Kind, Work
+from pyworm.planning.model import Model
+from pyworm.planning.plan import Plan, plan
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.newton import settle
+from pyworm.solver.timing import convolution_seconds
+
+FORMAT = 2
+"""Of the file that calibrations are kept in."""
+
+LEVELS = (5, 9)
+"""Levels across the film at which steps are timed; those of others lie on a straight line."""
+
+CALIBRATION_HALVINGS = {"point": 2, "line": 4}
+"""Halvings from the first grid to the finest timed."""
+
+CALIBRATION_ACCURACY = 0.01
+
+
+@dataclass(frozen=True)
+class Pace:
+    """Processor times of a model.
+
+    Attributes
+    ----------
+    step, step_node : float
+        Of a Newton step, and of it for each node besides [s].
+    grid, grid_node : float
+        Of entering a grid, likewise [s].
+    """
+
+    step: float
+    step_node: float
+    grid: float
+    grid_node: float
+
+    @classmethod
+    def by(cls, few: tuple[float, float, float], many: tuple[float, float, float]) -> "Pace":
+        """By nodes, seconds of entering and seconds of a step, on two grids."""
+        times = []
+        for small, large in ((few[2], many[2]), (few[1], many[1])):
+            node = max((large - small) / (many[0] - few[0]), 0.0)
+            times += [max(small - few[0] * node, 0.0), node]
+        return cls(*times)
+
+    def between(self, other: "Pace", share: float) -> "Pace":
+        """That at a share of the way to another, or beyond."""
+        pairs = zip(astuple(self), astuple(other), strict=True)
+        return Pace(*(max(here + share * (there - here), 0.0) for here, there in pairs))
+
+    def steps(self, count: float, nodes: float) -> float:
+        """Seconds of some steps."""
+        return count * (self.step + nodes * self.step_node)
+
+    def entry(self, nodes: float) -> float:
+        """Seconds of entering a grid."""
+        return self.grid + nodes * self.grid_node
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Paces of a machine.
+
+    Attributes
+    ----------
+    cold : dict
+        Kind of contact -> pace with a Newtonian oil of one temperature.
+    sheared, heated : dict
+        Kind -> pace at each of `LEVELS` with rheology, and with heat too.
+    convolutions : dict
+        Kind -> nodes and seconds of one convolution, on two grids.
+    """
+
+    cold: dict[Kind, Pace]
+    sheared: dict[Kind, tuple[Pace, Pace]]
+    heated: dict[Kind, tuple[Pace, Pace]]
+    convolutions: dict[Kind, tuple[tuple[float, float], tuple[float, float]]]
+
+    def seconds(self, work: Work, model: Model) -> float:
+        """Processor time expected of some work, the sampling of its scene apart [s]."""
+        cold = self.cold[work.kind]
+        full = self._full(work.kind, model)
+        return sum(
+            (full if stage.full else cold).entry(stage.nodes)
+            + cold.steps(stage.cold, stage.nodes)
+            + full.steps(stage.full, stage.nodes)
+            for stage in work.stages
+        )
+
+    def _full(self, kind: Kind, model: Model) -> Pace:
+        if not model.levels:
+            return self.cold[kind]
+        low, high = (self.heated if model.heated else self.sheared)[kind]
+        return low.between(high, (model.levels - LEVELS[0]) / (LEVELS[1] - LEVELS[0]))
+
+    def convolution(self, kind: Kind, nodes: float) -> float:
+        """Processor time of one convolution [s], by a power law through the two measured."""
+        (first, low), (second, high) = self.convolutions[kind]
+        power = np.log(high / low) / np.log(second / first)
+        return float(low * (nodes / first) ** power)
+
+
+def calibration() -> Calibration:
+    """That of the machine: measured with this kernel if it was not yet, and kept in the user's cache."""
+    path = _cache() / f"pace-{_key()}.json"
+    try:
+        return _read(json.loads(path.read_text()))
+    except (OSError, ValueError, KeyError, TypeError):
+        measured = calibrate()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with whole_file(path) as partial:
+            partial.write_text(json.dumps(asdict(measured)))
+    except OSError:
+        pass  # where nothing can be kept it is measured again
+    return measured
+
+
+def _cache() -> Path:
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pyworm"
+
+
+def _key() -> str:
+    """What a calibration holds for: machine, kernel build, threads."""
+    from pyworm.kernel.core import EXTENSION
+
+    told = (
+        FORMAT,
+        platform.node(),
+        platform.machine(),
+        _processor(),
+        os.environ.get("OMP_NUM_THREADS", ""),
+        sha256(EXTENSION.read_bytes()).hexdigest(),
+    )
+    return sha256(repr(told).encode()).hexdigest()[:16]
+
+
+def _processor() -> str:
+    """The processor's name where the system tells it."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor()
+    return next((line for line in lines if line.startswith("model name")), platform.processor())
+
+
+def _read(kept: dict) -> Calibration:
+    return Calibration(
+        {kind: Pace(**pace) for kind, pace in kept["cold"].items()},
+        *(
+            {kind: tuple(Pace(**pace) for pace in paces) for kind, paces in kept[model].items()}
+            for model in ("sheared", "heated")
+        ),
+        {kind: tuple(tuple(pair) for pair in of) for kind, of in kept["convolutions"].items()},
+    )
+
+
+def calibrate() -> Calibration:
+    """Measure this machine."""
+    cold, sheared, heated, convolutions = {}, {}, {}, {}
+    for kind, scene in (("point", _point()), ("line", _line())):
+        _timed(
+            scene, kind, "isothermal", 0
+        )  # what is only done the first time is no part of a pace
+        cold[kind], convolutions[kind] = _timed(scene, kind, "isothermal", 0)
+        for paces, words in ((sheared, "all,-film-heating,-surface-heating"), (heated, "all")):
+            paces[kind] = tuple(_timed(scene, kind, words, levels)[0] for levels in LEVELS)
+    return Calibration(cold, sheared, heated, convolutions)
+
+
+def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
+    """Pace of a model's steps, by two grids; nodes and seconds of a convolution on these."""
+    planned = plan(scene, CALIBRATION_ACCURACY, words)
+    planned = replace(planned, model=replace(planned.model, levels=levels))
+    simple = simplified(scene, planned.on)
+    ladder = LADDERS[type(simple)](simple, planned)
+    rung, _ = ladder.enter(planned.grids)
+    settled(rung, planned)
+    times, convolutions = [], []
+    for _ in range(CALIBRATION_HALVINGS[kind]):
+        started = process_time()
+        rung, _ = ladder.higher(rung)
+        entered = process_time()
+        taken = settled(rung, planned)
+        times.append((rung.grid.nodes, entered - started, (process_time() - entered) / taken))
+        convolutions.append((rung.grid.nodes, convolution_seconds(rung.film)))
+    return Pace.by(times[0], times[-1]), (convolutions[0], convolutions[-1])
+
+
+def settled(rung, planned: Plan) -> int:
+    """Steps in which a rung settled."""
+    taken = settle(rung, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
+    return max(len(taken.strides), 1)
+
+
+_STEEL = Body(210e9, 0.3, 7850.0, 47.0, 450.0, 333.15)
+
+
+def _oil() -> Oil:
+    viscosity = Roelands.from_alpha(0.04, 2e-8)
+    return Oil(
+        viscosity,
+        Density.dowson_higginson(850.0),
+        FlowLaw("eyring-limited", stress=5e6, limit=5e6, limit_pressure=0.05),
+        OilHeat(333.15, viscosity.s0(0.035, 333.15), 0.14, 2000.0),
+    )
+
+
+def _point() -> Scene:
+    """A steel ball on a plane, 1 GPa, sliding."""
+    motions = (RigidMotion(3.0, 0.0), RigidMotion(2.0, 0.0))
+    radii = (0.01, 0.01)
+    return Scene("", Paraboloid(*radii), radii, motions, 40.0, (_STEEL, _STEEL), _oil())
+
+
+def _line() -> LineScene:
+    """Teeth of a gear near their tips."""
+    radius = 0.009
+    return LineScene("", Parabola(radius), radius, (3.2, 1.1), 1.2e5, (_STEEL, _STEEL), _oil())

@@ -1,0 +1,263 @@
+"""Figures read off fields between the nodes of a grid."""
+
+from math import nan
+
+import numpy as np
+from scipy.interpolate import RectBivariateSpline
+from scipy.optimize import minimize_scalar
+
+from pyworm.planning.grid import Grid
+from pyworm.solver.error_estimate import Peak
+from pyworm.solver.extremum import line_minimum, minimum
+
+Array = np.ndarray
+
+
+def film_minimum(
+    grid: Grid, film: Array, pressurised: Array, covered: Array
+) -> tuple[float, tuple[float, float]]:
+    """Smallest film [m] and its place (x, y) [m], between nodes.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the film is.
+    film : numpy.ndarray
+        Film [m], shape (nx, ny).
+    pressurised : numpy.ndarray
+        Nodes about which the film counts.
+    covered : numpy.ndarray
+        Where both surfaces exist.
+    """
+    value, (i, j) = minimum(film, pressurised, covered)
+    return value, (grid.west + grid.dx * i, grid.south + grid.dy * j)
+
+
+def maximum(field: Array, covered: Array | bool = True) -> float:
+    """Largest value of a field, between nodes, where both surfaces exist."""
+    counted = np.broadcast_to(covered, field.shape)
+    lowest = np.min(field, where=counted, initial=np.inf)
+    highest = np.max(field, where=counted, initial=-np.inf)
+    # only the upper half has peaks to look for: a pressure is flat, at zero, in most places
+    upper = counted & ~(field < (lowest + highest) / 2)
+    return -minimum(-field, upper, counted)[0]
+
+
+def line_maximum(field: Array, covered: Array | bool = True) -> float:
+    """Largest value of a field along a line, between nodes, where both surfaces exist."""
+    counted = np.broadcast_to(covered, field.shape)
+    return -line_minimum(-field, counted, counted)[0]
+
+
+def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
+    """How well the nodes resolve the largest value of a field.
+
+    Parameters
+    ----------
+    field : numpy.ndarray
+        Values at nodes along one direction or two.
+    covered : numpy.ndarray or bool
+        Where both surfaces exist.
+    largest : float
+        The largest value between nodes.
+    """
+    counted = np.broadcast_to(covered, field.shape)
+    known = np.where(counted, field, np.nan)
+    above = sum(_above_neighbours(known, axis) for axis in range(field.ndim))
+    above = np.where(counted, np.maximum(above, 0.0), 0.0)
+    may = (field > 0) & (field + above > largest)
+    # a ridge has the same sum of second differences whichever way it runs
+    narrowest = np.max(above[may] / field[may], initial=0.0)
+    nodes = 2 / np.sqrt(narrowest) if narrowest > 0 else np.inf
+    return Peak(float(np.max(field + above / 2, where=counted, initial=largest)), float(nodes))
+
+
+def _above_neighbours(field: Array, axis: int) -> Array:
+    """How far nodes stand above both neighbours along an axis, together.
+
+    Where one is missing (NaN): how far above the line through the next two on the other side.
+    """
+    ends = [(0, 0)] * field.ndim
+    ends[axis] = (2, 2)
+    bends = np.diff(np.pad(field, ends, constant_values=np.nan), 2, axis=axis)
+    before, here, behind = (
+        np.take(bends, range(first, first + field.shape[axis]), axis) for first in range(3)
+    )
+    return np.nan_to_num(np.where(np.isnan(here), np.fmax(before, behind), -here))
+
+
+FINE_LEVELS = 201
+"""Places across the film at which a column is searched; a peak between two of them is at most 1e-4 higher."""
+
+
+ABOUT = 12
+"""Nodes to each side of the hottest whose columns are searched: all that decide the surface there."""
+
+
+def maximum_across(field: Array, positions: Array, within: Array) -> float:
+    """Largest value of a field at levels across the film, between nodes and between levels.
+
+    Across the film it is the polynomial through the levels that the kernel works with.
+
+    Parameters
+    ----------
+    field : numpy.ndarray
+        Values, shape (nx, ny, levels), or (n, levels) of a line contact.
+    positions : numpy.ndarray
+        Where the levels are, from -1/2 to 1/2.
+    within : numpy.ndarray
+        Nodes that count.
+    """
+    nodal = np.where(within, field.max(axis=-1), -np.inf)
+    node = np.unravel_index(np.argmax(nodal), nodal.shape)
+    about = tuple(slice(max(at - ABOUT, 0), at + ABOUT + 1) for at in node)
+    between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
+    columns = (field[about] @ between.T).max(axis=-1)
+    return (maximum if within.ndim == 2 else line_maximum)(columns, within[about])
+
+
+def _lagrange(nodes: Array, places: Array) -> Array:
+    """Weights of the values at some nodes in the polynomial through them at some places.
+
+    SciPy's interpolator draws the order of its nodes at random, and with it the last digits.
+    """
+    weights = np.ones((places.size, nodes.size))
+    for k, node in enumerate(nodes):
+        for other in np.delete(nodes, k):
+            weights[:, k] *= (places - other) / (node - other)
+    return weights
+
+
+SIDE = 0.35
+"""Distance from the entrainment line beyond which a minimum is in a side lobe, in half extents of the
+contact."""
+
+
+def minimum_kind(at: tuple[float, float], angle: float, half_extents: tuple[float, float]) -> str:
+    """Which of a point contact's minima a place is: "side lobe", "exit" or "middle".
+
+    Parameters
+    ----------
+    at : tuple of float
+        The place (x, y) [m].
+    angle : float
+        Direction of the entrainment at the contact point, from x to y [rad].
+    half_extents : tuple of float
+        Half the extent of the dry contact along x and y [m].
+    """
+    (x, y), (a, b) = at, half_extents
+    cosine, sine = np.cos(angle), np.sin(angle)
+    along = (x * cosine + y * sine) / _half_width(a, b, cosine, sine)
+    across = (y * cosine - x * sine) / _half_width(a, b, -sine, cosine)
+    if abs(across) > SIDE:
+        return "side lobe"
+    return "exit" if along > SIDE else "middle"
+
+
+def _half_width(a: float, b: float, cosine: float, sine: float) -> float:
+    """Half the extent along a direction of an ellipse with semi-axes a along x and b along y [m]."""
+    return float(np.hypot(a * cosine, b * sine))
+
+
+ON_NODE = 1e-6
+"""Distance from a node, in spacings, that is none."""
+
+
+def value_at_origin(grid: Grid, field: Array) -> float:
+    """Value of a field at the contact point: the node there, else splines through the nodes nearest to it."""
+    i, j = -grid.west / grid.dx, -grid.south / grid.dy
+    if max(abs(i - round(i)), abs(j - round(j))) < ON_NODE:
+        return float(field[round(i), round(j)])
+    columns = _around(i, grid.nx)
+    rows = _around(j, grid.ny)
+    spline = RectBivariateSpline(grid.x[columns], grid.y[rows], field[columns, rows])
+    return float(spline(0.0, 0.0, grid=False))
+
+
+def _around(place: float, count: int) -> slice:
+    """Eight nodes around a place given in nodes, or those nearest to it at an end."""
+    first = min(max(round(place) - 4, 0), count - 8)
+    return slice(first, first + 8)
+
+
+def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
+    """Smallest film [m] on the line through the contact point along the entrainment, and how far along.
+
+    Only the first minimum behind the contact point counts; the film grows without end beyond it.
+    """
+    spline = RectBivariateSpline(grid.x, grid.y, film)
+    direction = np.array([np.cos(angle), np.sin(angle)])
+    sides = np.array(
+        [
+            grid.x[-1] if direction[0] > 0 else grid.west,
+            grid.y[-1] if direction[1] > 0 else grid.south,
+        ]
+    )
+    with np.errstate(divide="ignore"):
+        reach = float(np.min(np.abs(sides / direction)))
+    along = np.linspace(0.0, reach, 4 * max(film.shape))
+    place = int(np.argmin(spline(along * direction[0], along * direction[1], grid=False)))
+    found = minimize_scalar(
+        lambda distance: float(spline(*(distance * direction), grid=False)),
+        bounds=(along[max(place - 1, 0)], along[min(place + 1, along.size - 1)]),
+        method="bounded",
+        options={"xatol": ON_NODE * along[1]},
+    )
+    return float(found.fun), float(found.x)
+
+
+def contact_extent(grid: Grid, pressure: Array) -> tuple[float, float]:
+    """Extent [m] of a dry contact along x and along y.
+
+    At the edge of a smooth dry contact the square of the pressure falls linearly, which places the edge
+    between nodes.
+    """
+    return (
+        max(_row_extent(row, grid.dx) for row in pressure.T),
+        max(_row_extent(column, grid.dy) for column in pressure),
+    )
+
+
+def _row_extent(pressure: Array, spacing: float) -> float:
+    inside = np.flatnonzero(pressure > 0)
+    if inside.size < 3:
+        return float(inside.size) * spacing
+    squares = pressure**2
+    cells = inside[-1] - inside[0]
+    cells += _edge(squares[inside[0]], squares[inside[0] + 1])
+    cells += _edge(squares[inside[-1]], squares[inside[-1] - 1])
+    return float(spacing * cells)
+
+
+def _edge(outer: float, inner: float) -> float:
+    """Cells from the outermost loaded node to the edge, at most one."""
+    return min(outer / (inner - outer), 1.0) if inner > outer else 0.5
+
+
+def outline_imbalance(
+    grid: Grid, flow: tuple[Array, Array], imbalance: Array, pressurised: Array
+) -> float:
+    """Net over gross flow through the outline of the pressurised film; no number where nothing flows.
+
+    Parameters
+    ----------
+    grid : Grid
+        Where the film is.
+    flow : tuple of numpy.ndarray
+        Wedge flow per width [m2/s] at the nodes along x and y: what crosses the outline, where pressure
+        and its slope vanish.
+    imbalance : numpy.ndarray
+        Net outflow per area [m/s] of each node's cell.
+    pressurised : numpy.ndarray
+        Nodes where pressure is above ambient.
+    """
+    net = abs(imbalance[pressurised].sum()) * grid.dx * grid.dy
+    gross = 0.0
+    for axis, width in ((0, grid.dy), (1, grid.dx)):
+        change = np.diff(pressurised.astype(np.int8), axis=axis) != 0
+        near, far = (
+            np.take(flow[axis], range(flow[axis].shape[axis] - 1), axis),
+            np.diff(flow[axis], axis=axis),
+        )
+        gross += np.abs(near + far / 2)[change].sum() * width / 2
+    return float(net / gross) if gross > 0 else nan

@@ -1,0 +1,194 @@
+"""What the figures of a contact do not hold: effects that were left out, and the regime of lubrication.
+
+Every table, page, picture and JSON object takes its words and numbers from here. Error bars are numerical:
+they hold nothing of this.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Self
+
+from pyworm.formulas.lubrication import BY_SEVERITY, Lubrication, lubrication
+from pyworm.planning.effects.effect import Contact
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.prediction import sketch
+
+if TYPE_CHECKING:
+    from pyworm.planning.plan import Plan
+    from pyworm.solver.solution import Solution
+
+
+WHOLE = 1.0
+"""Influence that is as large as the figure itself; larger ones are no better known."""
+
+LAMBDAS = ("lambda_central", "lambda_min")
+"""Central and least film over composite roughness."""
+
+AS_IF_SMOOTH = "as if smooth"
+"""What friction, loss and efficiency are headed by where roughness carries load."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """What the figures of a contact, or of several at their worst, do not hold.
+
+    Attributes
+    ----------
+    influence : dict of str to float
+        Effects that are off though they may change what is asked for by more than the accuracy: name ->
+        largest influence over the quantities asked for [-], at most `WHOLE`; the largest first.
+    lubrication : str
+        "full", "mixed", "boundary" or "unknown".
+    lambda_central, lambda_min : float or None
+        Central and least film over composite roughness [-]; None where film or roughness is not known.
+    contacts : int
+        How many contacts it is the worst of.
+    """
+
+    influence: dict[str, float] = field(default_factory=dict)
+    lubrication: Lubrication = "unknown"
+    lambda_central: float | None = None
+    lambda_min: float | None = None
+    contacts: int = 1
+
+    @property
+    def rough(self) -> bool:
+        """Whether roughness carries load, so that friction, loss and efficiency are `AS_IF_SMOOTH`."""
+        return self.lubrication in ("mixed", "boundary")
+
+    @property
+    def words(self) -> str:
+        """The effects as people read them: "not simulated: roughness up to 53 %"; empty without any."""
+        said = ", ".join(f"{name} {_up_to(share)}" for name, share in self.influence.items())
+        return f"not simulated: {said}" if said else ""
+
+    @property
+    def note(self) -> str:
+        """The same for pictures and tables with error bars."""
+        return f"{self.words}; error bars are numerical" if self.words else ""
+
+    @property
+    def sentence(self) -> str:
+        """The regime of lubrication in one sentence; empty of separated surfaces or where it is not known."""
+        if not self.rough:
+            return ""
+        which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
+        return (
+            f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
+            f"least film {self.lambda_min:.2g} times the composite roughness), which is not simulated."
+        )
+
+    def headed(self, name: str) -> str:
+        """The name of a friction, loss or efficiency, with what it leaves out."""
+        return f"{name}, {AS_IF_SMOOTH}" if self.rough else name
+
+    def titled(self, title: str) -> str:
+        """The title of a table with error bars, and below it what they do not hold."""
+        return f"{title}\n{self.note}" if self.note else title
+
+    @classmethod
+    def read(cls, summary: Mapping[str, Any]) -> Self:
+        """What `summary` wrote."""
+        given = {name: summary[name] for name in LAMBDAS if name in summary}
+        return cls(dict(summary["left_out"]), summary["lubrication"], **given)
+
+    def summary(self) -> dict[str, Any]:
+        """All of it for programs; without a roughness no lambda."""
+        lambdas = {name: getattr(self, name) for name in LAMBDAS}
+        return {
+            "left_out": self.influence,
+            "lubrication": self.lubrication,
+            **{name: value for name, value in lambdas.items() if value is not None},
+        }
+
+
+def beyond(effects: Iterable[Judgement], accuracy: float) -> dict[str, float]:
+    """Effects that are off, with an influence larger than an accuracy, as `LeftOut.influence`."""
+    largest = {
+        effect.name: min(max(effect.influence.values(), default=0.0), WHOLE)
+        for effect in effects
+        if not effect.on
+    }
+    return _largest_first({name: share for name, share in largest.items() if share > accuracy})
+
+
+def judged(
+    effects: Iterable[Judgement], accuracy: float, films: Sequence[float], roughness: float | None
+) -> LeftOut:
+    """What a contact leaves out.
+
+    Parameters
+    ----------
+    effects : iterable of Judgement
+        Its effects.
+    accuracy : float
+        Asked for [-].
+    films : sequence of float
+        Central and least film [m]; empty where they may not be trusted.
+    roughness : float or None
+        Composite roughness [m].
+    """
+    known = films if roughness else ()
+    central, least = (film / roughness for film in known) if known else (None, None)
+    return LeftOut(beyond(effects, accuracy), lubrication(central, least), central, least)
+
+
+def expected(scene: Contact, plan: "Plan") -> LeftOut:
+    """What a plan leaves out of a contact, by closed forms."""
+    seen = sketch(scene)
+    films = seen.film_central, seen.film_min
+    return judged(plan.effects, plan.accuracy, films, scene.composite_roughness)
+
+
+def of_all(solutions: Iterable["Solution"]) -> LeftOut:
+    """The worst of solved contacts: of those that converged, as long as there are any."""
+    solutions = list(solutions)
+    good = [of for of in solutions if of.converged] or solutions
+    return worst([of.left_out for of in good])
+
+
+def worst(several: Sequence[LeftOut]) -> LeftOut:
+    """The largest influences of several contacts, with the lubrication of the one where it is worst."""
+    if not several:
+        return LeftOut()
+    influence: dict[str, float] = {}
+    for one in several:
+        for name, share in one.influence.items():
+            influence[name] = max(share, influence.get(name, 0.0))
+    at = max(
+        several, key=lambda one: (BY_SEVERITY.index(one.lubrication), -(one.lambda_central or 0.0))
+    )
+    return replace(at, influence=_largest_first(influence), contacts=len(several))
+
+
+def headline(solutions: Sequence["Solution"]) -> str:
+    """The least film of solved contacts, its bar and what that does not hold; empty where it holds all."""
+    words = of_all(solutions).words
+    films = [of.figures.film_min for of in solutions if of.converged]
+    if not words or not films:
+        return words
+    film = min(films, key=lambda film: film.value)
+    return f"Least film {film.value * 1e6:.3g} µm ± {film.error * 100:.2g} % (numerical); {words}"
+
+
+def opening(solutions: Sequence["Solution"], rough_teeth: str) -> list[str]:
+    """What is said before any figure of solved contacts.
+
+    Parameters
+    ----------
+    solutions : sequence of Solution
+        The contacts.
+    rough_teeth : str
+        What a standard has for their friction, said where roughness carries load.
+    """
+    at_worst = of_all(solutions)
+    lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.rough else ""]
+    return [line for line in lines if line]
+
+
+def _largest_first(influence: Mapping[str, float]) -> dict[str, float]:
+    return dict(sorted(influence.items(), key=lambda item: -item[1]))
+
+
+def _up_to(share: float) -> str:
+    return "by more than 99 %" if share > 0.99 else f"up to {share * 100:.2g} %"

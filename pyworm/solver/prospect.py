@@ -1,0 +1,54 @@
+"""Whether the largest grid allowed can still bring the accuracy, told before it is climbed."""
+
+from collections.abc import Mapping, Sequence
+
+from pyworm.planning.expected_work import WORTHLESS
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.plan import Plan
+from pyworm.planning.target import FILMS
+from pyworm.solver.error_estimate import Reading, change
+
+
+def refusal(
+    plan: Plan,
+    readings: Sequence[Reading],
+    orders: Mapping[str, float],
+    finer: Grid | LineGrid,
+) -> str | None:
+    """Why a finer grid, the next one, is in vain; None if it, or those after it, may help.
+
+    Parameters
+    ----------
+    plan : Plan
+        What is asked for.
+    readings : sequence of Reading
+        Figures on grids of halving spacing so far.
+    orders : mapping
+        The highest order to believe in by which each figure converges with the spacing.
+    finer : Grid or LineGrid
+        The next grid.
+    """
+    if plan.refusal is not None:
+        return plan.refusal
+    if not readings or not finer.nodes <= plan.largest_grid < finer.finer().nodes:
+        return None
+    least = plan.aim.worst(least_errors(readings, orders), readings[-1].figures)
+    if least <= max(plan.accuracy, WORTHLESS):
+        return None
+    return f"the largest grid allowed would leave an error of at least {least:.0%}"
+
+
+def least_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
+    """Relative error of each figure that the next grid leaves at least (`accuracy.grid_errors`).
+
+    There the last change of now will be the one before, of which a quarter counts; and a film that is not
+    positive now will have changed by all that it is. No error bar is divided by more than its order promises.
+    """
+    last = readings[-1]
+    before = change(readings[-2], last) if len(readings) > 1 else dict.fromkeys(last.figures, 0.0)
+    errors = {}
+    for name, value in last.figures.items():
+        none_yet = name in FILMS and not value > 0
+        errors[name] = float(max(before[name] / 4, none_yet) / (2 ** orders[name] - 1))
+    return errors

@@ -1,0 +1,357 @@
+"""What a solve leaves behind: fields, figures with error bars, and how they were come by."""
+
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+import xarray as xr
+
+from pyworm.formulas.regimes import Regime
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.scene.index import Place
+from pyworm.solver.left_out import LeftOut, judged
+
+ZERO_CELSIUS = 273.15
+"""Temperature [K] of 0 degC."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A figure and its relative error bar, by origin (`pyworm.solver.error_estimate`).
+
+    Attributes
+    ----------
+    value : float
+        The figure in SI units.
+    grid : float
+        Error by the grid, from the climb over grids of halving spacing [-].
+    domain : float
+        Error by the end of the window, from one of twice the reach [-].
+    algebra : float
+        Error by stopping the Newton iteration [-].
+    model : float
+        Error of a temperature by the model of conduction in the bodies (`fortran/heat/conduction_model.f90`),
+        and of all figures of a film in motion by the march through its past (`pyworm.solver.transient`) [-].
+    reason : str or None
+        Why this figure alone has an infinite error bar.
+    """
+
+    value: float
+    grid: float
+    domain: float = 0.0
+    algebra: float = 0.0
+    model: float = 0.0
+    reason: str | None = None
+
+    @property
+    def error(self) -> float:
+        """Relative error, all origins together [-]."""
+        return self.grid + self.domain + self.algebra + self.model
+
+
+@dataclass(frozen=True)
+class DryFigures:
+    """Figures of the dry contact under the same load.
+
+    Attributes
+    ----------
+    pressure_max : float
+        Largest pressure [Pa].
+    length, width : float
+        Extent of the contact along its long direction and across it [m].
+    approach : float
+        Rigid approach [m].
+    """
+
+    pressure_max: float
+    length: float
+    width: float
+    approach: float
+
+
+@dataclass(frozen=True)
+class Figures:
+    """The figures of one lubricated contact.
+
+    Attributes
+    ----------
+    film_min, film_central, pressure_max : Estimate
+        Minimum film [m] (sub-grid), film at the contact point [m] and largest pressure [Pa].
+    film_min_at : tuple of float
+        Where the minimum film is, along each direction of the grid [m]: (x, y), or (x,) of a line contact.
+    moes_m, moes_l : float
+        Moes' load and lubricant parameters along the entrainment.
+    load_error, mass_error : float
+        Relative load imbalance; net over gross mass flow through the outline of the contact.
+    residual : float
+        Summed Reynolds residual over the summed wedge flow, at the end.
+    film_min_kind : str
+        Which minimum that is: "side lobe", "exit" or "middle"; of a line contact always "exit".
+    film_exit_min, film_exit_min_at : float or None
+        Minimum film on the entrainment line through the contact point [m] and how far along it [m]; None for
+        a line contact, where it is the minimum film.
+    lift : float or None
+        How much farther apart the film holds the bodies than they would be without oil, rigid separation
+        against rigid separation under the same load [m]; None for a line contact, which has no approach.
+    dry : DryFigures or None
+        The dry contact; None for a line contact, whose is Hertz's in closed form.
+    friction_coefficient, power_loss, shear_rate_max : Estimate or None
+        Friction over load along the sliding [-], work of the friction [W] (of a line contact for each length
+        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not looked at.
+    temperature_max_body_1, temperature_max_body_2, temperature_max_film : Estimate or None
+        Largest temperature of each surface and inside the film [K], the error relative to the rise over the
+        inlet temperature; None where heat was not simulated.
+    heat_balance : float or None
+        Heat given to the bodies and carried away by the oil, less the work of the friction, over that work.
+    """
+
+    film_min: Estimate
+    film_central: Estimate
+    pressure_max: Estimate
+    film_min_at: tuple[float, ...]
+    moes_m: float
+    moes_l: float
+    load_error: float
+    mass_error: float
+    residual: float
+    film_min_kind: str = "exit"
+    film_exit_min: float | None = None
+    film_exit_min_at: float | None = None
+    lift: float | None = None
+    dry: DryFigures | None = None
+    friction_coefficient: Estimate | None = None
+    power_loss: Estimate | None = None
+    shear_rate_max: Estimate | None = None
+    temperature_max_body_1: Estimate | None = None
+    temperature_max_body_2: Estimate | None = None
+    temperature_max_film: Estimate | None = None
+    heat_balance: float | None = None
+
+    def values(self) -> dict[str, float]:
+        """The values of the figures that have error bars, by name, without those that were not simulated."""
+        return {name: of.value for name, of in vars(self).items() if isinstance(of, Estimate)}
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What the solve took.
+
+    Attributes
+    ----------
+    seconds : float
+        Elapsed time of the film solve, all grids [s].
+    convolutions : float
+        Processor time of the same, in padded FFT convolutions on the finest grid.
+    unit_seconds : float
+        Processor time of one of them [s].
+    """
+
+    seconds: float
+    convolutions: float
+    unit_seconds: float = 0.0
+
+    def after(self, other: "Cost") -> "Cost":
+        """The cost of this solve and of one that led to it, in convolutions of this one's."""
+        share = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
+        return Cost(
+            self.seconds + other.seconds,
+            self.convolutions + share * other.convolutions,
+            self.unit_seconds,
+        )
+
+
+@dataclass(frozen=True)
+class Solution:
+    """One solved scene.
+
+    Attributes
+    ----------
+    name : str
+        The scene's name.
+    kind : str
+        "point" or "line".
+    phase : float or None
+        Place in the mesh cycle.
+    load : float
+        Normal load [N], of a line contact that for each length [N/m].
+    converged : bool
+        Whether the figures may be trusted within their error bars.
+    stop_reason : str
+        Why the solver stopped.
+    figures : Figures
+        Scalars.
+    regime : Regime
+        The regime of lubrication by the chart.
+    fields : xarray.Dataset
+        Fields over (y, x) in SI with units: gap, covered, dry_pressure, pressure, film,
+        entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was looked at also
+        shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
+        flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
+        temperature_middle. Those of a line contact are over x, and have no dry_pressure and nothing along y.
+    history : xarray.Dataset
+        Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov; of a point
+        contact also the work of each step: convolutions, cycles and processor times by part.
+    cost : Cost
+        Time taken.
+    inlet_temperature : float or None
+        Temperature of the oil at the inlet [K]; None where heat was not simulated.
+    slide_roll_ratio : float or None
+        Place on a traction curve [-].
+    section, station : str or None, float or None
+        Section of a worm that has two, and place along the contact line, 0 to 1.
+    composite_roughness : float or None
+        Root mean square height of both surfaces together [m]; None if it is not known.
+    profile : xarray.Dataset or None
+        Over level, across the film at its hottest point: level_position, profile_temperature,
+        profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
+        None where heat was not simulated.
+    effects : tuple of Judgement
+        Every effect, judged by what the solution says.
+    accuracy : float
+        Relative error asked for [-]; 0 where that is not known, so that all that was left out counts.
+    """
+
+    name: str
+    kind: Literal["point", "line"]
+    phase: float | None
+    load: float
+    converged: bool
+    stop_reason: str
+    figures: Figures
+    regime: Regime
+    fields: xr.Dataset
+    history: xr.Dataset
+    cost: Cost
+    inlet_temperature: float | None = None
+    slide_roll_ratio: float | None = None
+    section: str | None = None
+    station: float | None = None
+    composite_roughness: float | None = None
+    profile: xr.Dataset | None = None
+    effects: tuple[Judgement, ...] = ()
+    accuracy: float = 0.0
+
+    @property
+    def left_out(self) -> LeftOut:
+        """What its figures do not hold; no lubrication is told by a film that did not converge."""
+        figures = self.figures
+        films = (figures.film_central.value, figures.film_min.value) if self.converged else ()
+        return judged(self.effects, self.accuracy, films, self.composite_roughness)
+
+    def summary(self) -> dict:
+        """The scalars of this solution as one object, units in the keys; what they do not hold comes first.
+
+        Places and grids are lists with an entry for each direction, [x, y] or [x]; temperatures are objects
+        with an entry for each body and the film. What a line contact does not have (its own minimum at the
+        exit, a dry contact other than Hertz's), what was not simulated and what is not known of the surfaces
+        has no key.
+        """
+        figures = self.figures
+        return {
+            "name": self.name,
+            "kind": self.kind,
+            **asdict(Place.of(self)),
+            LOAD_KEYS[self.kind]: self.load,
+            **self.left_out.summary(),
+            "converged": self.converged,
+            "stop_reason": self.stop_reason,
+            **_flat("film_min", "m", figures.film_min),
+            "film_min_at_m": list(figures.film_min_at),
+            "film_min_kind": figures.film_min_kind,
+            **_flat("film_central", "m", figures.film_central),
+            **_flat("pressure_max", "Pa", figures.pressure_max),
+            **self._surface_summary(),
+            **self._point_summary(),
+            **self._shear_summary(),
+            **self._heat_summary(),
+            "moes_M": figures.moes_m,
+            "moes_L": figures.moes_l,
+            "regime": self.regime.name,
+            "grid": [self.fields.sizes[axis] for axis in ("x", "y") if axis in self.fields.sizes],
+            "residual": figures.residual,
+            "load_error": figures.load_error,
+            "mass_error": figures.mass_error,
+            "effects": [effect.name for effect in self.effects if effect.on],
+            "seconds": self.cost.seconds,
+            "convolutions": self.cost.convolutions,
+        }
+
+    def _surface_summary(self) -> dict[str, float]:
+        """What the film is to the surfaces' heights, with the error bar of the film."""
+        if self.composite_roughness is None:
+            return {}
+        known = {"composite_roughness_m": self.composite_roughness}
+        film = self.figures.film_min
+        if not self.converged:
+            return known
+        return known | {
+            "specific_film": film.value / self.composite_roughness,
+            "specific_film_error": film.error,
+        }
+
+    def _point_summary(self) -> dict[str, float]:
+        """The scalars that only a point contact has."""
+        figures = self.figures
+        if figures.dry is None:
+            return {}
+        return {
+            "film_exit_min_m": figures.film_exit_min,
+            "film_exit_min_at_m": figures.film_exit_min_at,
+            "film_lift_m": figures.lift,
+            "dry_pressure_max_Pa": figures.dry.pressure_max,
+            "dry_length_m": figures.dry.length,
+            "dry_width_m": figures.dry.width,
+            "dry_approach_m": figures.dry.approach,
+        }
+
+    def _shear_summary(self) -> dict[str, float]:
+        """The scalars of the film's shear."""
+        figures = self.figures
+        if figures.friction_coefficient is None:
+            return {}
+        return {
+            **_flat("friction_coefficient", "", figures.friction_coefficient),
+            **_flat("power_loss", POWER_UNITS[self.kind], figures.power_loss),
+            **_flat("shear_rate_max", "1_s", figures.shear_rate_max),
+        }
+
+    def _heat_summary(self) -> dict[str, dict[str, float] | float]:
+        """The scalars of heat; errors of temperatures in kelvin."""
+        figures = self.figures
+        if figures.temperature_max_film is None:
+            return {}
+        largest = {
+            "body_1": figures.temperature_max_body_1,
+            "body_2": figures.temperature_max_body_2,
+            "film": figures.temperature_max_film,
+        }
+        return {
+            "inlet_temperature_C": self.inlet_temperature - ZERO_CELSIUS,
+            "temperature_max_C": {
+                place: estimate.value - ZERO_CELSIUS for place, estimate in largest.items()
+            },
+            "temperature_max_error_K": {
+                place: estimate.error * abs(estimate.value - self.inlet_temperature)
+                for place, estimate in largest.items()
+            },
+            "heat_balance": figures.heat_balance,
+        }
+
+
+LOAD_KEYS = {"point": "load_N", "line": "load_per_length_N_m"}
+"""Kind of contact -> what its load is called in summaries."""
+
+POWER_UNITS = {"point": "W", "line": "per_length_W_m"}
+"""Kind of contact -> unit of its power in the keys of summaries."""
+
+
+def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
+    """A figure, its error bar, the parts of that and the reason of an infinite one under flat names."""
+    return {
+        f"{name}_{unit}" if unit else name: estimate.value,
+        f"{name}_error": estimate.error,
+        **{
+            f"{name}_error_{part}": getattr(estimate, part)
+            for part in ("grid", "domain", "algebra", "model")
+        },
+        **({} if estimate.reason is None else {f"{name}_error_reason": estimate.reason}),
+    }

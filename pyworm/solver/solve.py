@@ -1,0 +1,61 @@
+"""From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
+
+from dataclasses import replace
+
+from pyworm.io.progress import Progress
+from pyworm.planning.plan import Plan, reviewed
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.grid_sequence import solve_on_grids
+from pyworm.solver.solution import Cost, Solution
+
+
+def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None) -> Solution:
+    """Solve a scene for its film.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    plan : Plan
+        What `pyworm.plan` made of it.
+    progress : callable, optional
+        Told what is being done and which share of the work is done, 0 to 1.
+
+    Returns
+    -------
+    Solution
+        Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
+        asked for. Effects that the plan left out and the solution calls for have been added, unless the
+        effects were asked for.
+
+    Raises
+    ------
+    KernelError
+        If the scene makes no sense to the kernel (values that are not finite) or memory does not suffice for
+        the first grids (`memory.NoMemoryError`); for finer ones it ends the climb.
+    """
+    tell = _rising(progress)
+    foot, spent = None, Cost(0.0, 0.0)
+    while True:
+        solution, foot = solve_on_grids(plan.simplified(scene), plan, tell, foot)
+        spent = solution.cost.after(spent)
+        seen = reviewed(scene, plan, solution.figures.values()) if solution.converged else plan
+        if plan.asked is not None or seen.on <= plan.on:
+            return replace(solution, effects=seen.effects, cost=spent)
+        missed = ", ".join(sorted(seen.on - plan.on))
+        tell(f"{scene.name}: calls for {missed} too", 0.0)
+        plan = seen
+
+
+def _rising(progress: Progress | None) -> Progress:
+    """Progress that does not fall back where a solve begins again with more effects."""
+    reached = 0.0
+
+    def tell(message: str, share: float) -> None:
+        nonlocal reached
+        reached = max(reached, share)
+        if progress is not None:
+            progress(message, reached)
+
+    return tell

@@ -1,0 +1,87 @@
+"""Rooms of the package: which there are, what each may import, where the compiled extension is imported."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[2] / "pyworm"
+
+FLOORS = {
+    "formulas": 1, "io": 1,
+    "materials": 2,
+    "scene": 3, "kernel": 3,
+    "planning": 4, "drives": 4,
+    "solver": 5, "case": 5,
+    "precision": 6, "result": 6,
+    "plots": 7, "ratings": 7, "batch": 7,
+    "report": 8,
+    "cli": 9,
+}  # fmt: skip
+"""Room -> its floor; a room imports nothing from above."""
+
+
+def _imports(file: Path) -> Iterator[str]:
+    """Modules, and names of modules, that a file imports from the package."""
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def _arrows() -> Iterator[tuple[Path, str, str]]:
+    """Every import across rooms: the file, its room and the room that it imports from."""
+    for file in sorted(PACKAGE.rglob("*.py")):
+        room = file.relative_to(PACKAGE).parts[0]
+        for name in _imports(file):
+            parts = name.split(".")
+            if parts[0] == "pyworm" and len(parts) > 1 and parts[1] in FLOORS and room in FLOORS:
+                yield file, room, parts[1]
+
+
+def test_there_are_rooms_only_and_at_most_sixteen():
+    found = {path.name for path in PACKAGE.iterdir() if path.is_dir() and any(path.glob("*.py"))}
+    files = {path.name for path in PACKAGE.glob("*.py")}
+    print(f"{len(found)} rooms on {len(set(FLOORS.values()))} floors")
+    assert found == set(FLOORS)
+    assert len(found) <= 16
+    assert files == {"__init__.py"}
+
+
+def test_nothing_is_imported_from_above():
+    arrows = list(_arrows())
+    upward = [
+        f"{file.relative_to(PACKAGE)} imports {other}"
+        for file, room, other in arrows
+        if FLOORS[other] > FLOORS[room]
+    ]
+    print(f"{len(arrows)} imports between rooms, {len(upward)} of them upward")
+    assert len(arrows) > 500
+    assert not upward
+
+
+def test_rooms_of_one_floor_do_not_import_each_other_in_a_circle():
+    beside = {
+        (room, other)
+        for _, room, other in _arrows()
+        if FLOORS[room] == FLOORS[other] and room != other
+    }
+    assert not {(one, other) for one, other in beside if (other, one) in beside}
+
+
+def test_one_file_imports_the_extension():
+    importers = [
+        file.relative_to(PACKAGE).as_posix()
+        for file in sorted(PACKAGE.rglob("*.py"))
+        if any(
+            name == "pyworm._core" or name.startswith("pyworm._core.") for name in _imports(file)
+        )
+    ]
+    assert importers == ["kernel/core.py"]
+
+
+@pytest.mark.parametrize("name", ["plan", "solve", "load"])
+def test_public_functions_are_not_hidden_by_rooms(name):
+    assert not (PACKAGE / name).exists()
