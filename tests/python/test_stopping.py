@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="ne
 
 WAITS = """
 import sys
-from pyworm.stopping import end_in_order
+from pyworm.cli.stopping import end_in_order
 end_in_order()
 try:
     print(flush=True)
