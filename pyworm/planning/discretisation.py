@@ -58,10 +58,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     nested = slice(None) if drawn is scene else slice(-1, None)
     near = near_reach(size)
     inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
-    if (
-        wider == inner
-    ):  # beside a thin film the gap rises beyond both within one step of the windows' growth
-        wider = grown(inner)
+    wider = grown(scene, inner, wider)
     grids = _grids(scene, size, inner, outer)[nested]
     wider_grids = _grids(scene, size, wider, *far)[nested]
     half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y

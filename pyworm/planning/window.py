@@ -103,9 +103,15 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
     )
 
 
-def grown(box: Box) -> Box:
-    """The rectangle a step of growth larger."""
-    west, east, south, north = (GROWTH * side for side in box)
+def grown(scene: Scene, inner: Box, wider: Box) -> Box:
+    """A window that is a step of growth larger than an inner one on all sides on which teeth do not end.
+
+    Beside a thin film the gap may rise beyond both reaches within one step, on one side or on all.
+    """
+    here, beyond = np.array(inner), np.array(wider)
+    ends = np.isinf(_lowest(scene, here[None])[0])
+    least = np.where(ends, here, GROWTH * here)
+    west, east, south, north = np.where(np.abs(beyond) > np.abs(least), beyond, least).tolist()
     return west, east, south, north
 
 

@@ -59,12 +59,12 @@ ORDERS = dict.fromkeys(ALL, 2.0)
 
 # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
 # measured against a reach 15 times larger; 2^-1.5 is left when the reach is doubled. Oil warms long before
-# the contact: of the temperatures' error 0.45 to 0.67 were left then (against a reach 8 times larger), most
+# the contact: of the temperatures' error 0.45 to 0.6 were left then (against a reach 8 times larger), most
 # where they rise by little.
 CONVERGENCE = Convergence(
     ORDERS,
-    window_limits=dict.fromkeys(ALL, 1.7) | dict.fromkeys(HEAT_FIGURES, 3.0),
-    wider_shares=dict.fromkeys(ALL, 0.35) | dict.fromkeys(HEAT_FIGURES, 0.67),
+    window_limits=dict.fromkeys(ALL, 1.7) | dict.fromkeys(HEAT_FIGURES, 2.5),
+    wider_shares=dict.fromkeys(ALL, 0.35) | dict.fromkeys(HEAT_FIGURES, 0.6),
 )
 
 
