@@ -158,7 +158,7 @@ def test_a_worker_of_another_build_fails_its_scenes_with_the_reason(tmp_path, mo
     """What it unpickles has another key there, since the key counts the program in."""
     case = load(CASES / "traction_steel.toml")
     task = Task(case, Place(slide_roll_ratio=0.5), 0.3, "isothermal")
-    monkeypatch.setattr("pyworm.batch.provenance.program_digest", lambda: "another")
+    monkeypatch.setattr("pyworm.batch.task.program_digest", lambda: "another")
     store = Store(tmp_path / "scenes", fields=False)
     reason = solve_for("0" * 24, task, store)
     assert reason == "its worker has another build of pyworm, or of what it builds on"
