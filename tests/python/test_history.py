@@ -42,8 +42,8 @@ TURN = 0.5
 def test_what_was_always_the_same_is_steady_in_axes_that_turn_too(turn):
     rate = turn / sketch(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(angle=-rate * back), -rate * back))
-    marched = solved(replace(ball(), past=past), "isothermal,squeeze")
-    assert films(marched) == pytest.approx(films(solved(ball())), rel=0.005)
+    marched = solved(replace(ball(), past=past), "isothermal,squeeze", accuracy=0.03)
+    assert films(marched) == pytest.approx(films(solved(ball(), accuracy=0.03)), rel=0.004)
 
 
 def test_what_a_contact_was_long_ago_is_forgotten():

@@ -134,7 +134,7 @@ def _parabola_error(warmth: float) -> float:
     w = beta times the rise in the middle, friction is asinh(x)/(x sqrt(1 + x^2)) of the cold one's (Couette
     flow with heat); with one viscosity it is e^-m, where m e^m = 2 x^2/3.
     """
-    if warmth == 0:
+    if warmth <= 0:  # by rounding too, of an oil whose viscosity heat leaves alone
         return 0.0
     x = sqrt(expm1(min(warmth, MOST_WARMTH)))
     exact = asinh(x) / (x * sqrt(1 + x**2))
