@@ -9,8 +9,8 @@ from pyworm.planning.target import Aim
 from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Rung
 
-MOST_STEPS = 30
-"""Newton steps on one grid before it is given up."""
+MOST_STEPS = 60
+"""Newton steps on one grid before it is given up; where oil slips in places, they may close in that slowly."""
 
 HOPELESS = 1e6
 """Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law was asked
