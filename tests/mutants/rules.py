@@ -6,7 +6,7 @@ A table of a TOML file here is one mutation, its name the table's:
     file = "pyworm/solver/point/far_field.py"
     old = "return FarField(outline, pressure, load)"
     new = "return FarField(outline, pressure, load / 2)"
-    tests = ["test_film.py::test_the_load_beyond_a_window_is_that_of_the_exact_field"]
+    tests = ["solver/test_film.py::test_the_load_beyond_a_window_is_that_of_the_exact_field"]
 
 `old` stands in the file once and within one line. `tests` are Fortran programs of `tests/fortran` by their
 name in meson, or files of `tests/python`, or tests in these, most likely first. `survives`, if it is there,

@@ -82,6 +82,11 @@ def test_one_file_imports_the_extension():
     assert importers == ["kernel/core.py"]
 
 
+def test_tests_lie_in_the_room_that_they_test():
+    folders = {path.parent.name for path in Path(__file__).parent.glob("*/test_*.py")}
+    assert folders <= set(FLOORS)
+
+
 @pytest.mark.parametrize("name", ["plan", "solve", "load"])
 def test_public_functions_are_not_hidden_by_rooms(name):
     assert not (PACKAGE / name).exists()

@@ -88,7 +88,7 @@ def _side_flow(sketch: Sketch) -> Influence:
 
     Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction
     5 to 11 % higher, since most slices of an ellipse bear less pressure than the middle one
-    (`benchmarks/line_for_point.py`).
+    (`benchmarks/accuracy/line_for_point.py`).
     """
     if isinstance(sketch.scene, LineScene):
         return Influence()
@@ -138,7 +138,7 @@ def as_line(scene: Contact) -> Contact:
 SECOND_DIMENSION = Effect(
     name="second-dimension",
     symbol="b / a",
-    source="ellipses against line contacts (`benchmarks/line_for_point.py`)",
+    source="ellipses against line contacts (`benchmarks/accuracy/line_for_point.py`)",
     indicator=_slenderness,
     influence=_side_flow,
     without=as_line,

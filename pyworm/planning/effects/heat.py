@@ -143,7 +143,7 @@ def _parabola_error(warmth: float) -> float:
 
 PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03
 """Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and
-over the warmth that rolling makes (`benchmarks/plans.py`)."""
+over the warmth that rolling makes (`benchmarks/accuracy/plans.py`)."""
 
 SHIFT_SHARE = 4.0
 """Change of the minimum film over that of the mean velocity inside the contact, likewise."""

@@ -1,0 +1,267 @@
+"""Whether error bars hold: random scenes at 2 %, all figures against finer grids in a wider window.
+
+Scenes are those of `tests/hard/draws.py`, COUNT isothermal and as many thermal ones of each seed. The truth
+is Richardson's limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as
+MOST_NODES allows), in a window of twice the reach, with more levels across the film, corrected for the end of
+that window: by the power with which a film's error falls, and of temperatures by windows of four and eight
+times the reach on a coarse grid and by how their changes fall. It may be off by the limit's own uncertainty
+(`pyworm.precision.limits`) and half of what no window shows; a bar is judged where that is below half of it.
+From the repository's root:
+
+    python benchmarks/accuracy/error_bars.py [COUNT [SEED ...]]
+
+What was found is kept in results/error_bars.csv, and the next run goes on from there.
+"""
+
+import csv
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import count, product
+from math import inf, nan
+from pathlib import Path
+from statistics import median
+
+from accuracy_page import markdown
+
+import pyworm
+from pyworm.batch.task import Task
+from pyworm.case.case import case_of
+from pyworm.planning.grid import Grid, nest
+from pyworm.planning.plan import Plan
+from pyworm.planning.target import HEAT_FIGURES
+from pyworm.precision.extrapolation import limit
+from pyworm.scene.index import Place
+from pyworm.solver.error_estimate import Reading
+from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.newton import ALGEBRA_SHARE, settle
+
+sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
+from draws import DRAWS, Drawn
+
+ACCURACY = 0.02
+EXACT = 0.1
+"""Accuracy of the truth's levels and algebra over that of the solution."""
+
+EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
+MOST_NODES = {"isothermal": 3_000_000, "thermal": 1_000_000}
+FINER = {"isothermal": 0.3, "thermal": 0.6}
+"""Spacing of the truth's last grid over the solution's."""
+
+LEFT = 2**-1.5
+"""Share of a film's error by its window that is left when the reach is doubled (`docs/theory/film.md`)."""
+
+FAR_NODES = 250_000
+"""Nodes beyond which no window of eight times the reach is solved."""
+
+SLOWEST = 0.75
+"""Largest fall of the changes by the window that is extrapolated."""
+
+KNOWN = 0.5
+"""Uncertainty of the truth over a bar up to which the bar is judged."""
+
+FIGURES = {
+    "film_min": "minimum film",
+    "film_central": "central film",
+    "pressure_max": "largest pressure",
+    "friction_coefficient": "friction",
+    "power_loss": "loss",
+    "temperature_max_body_1": "temperature of body 1",
+    "temperature_max_body_2": "temperature of body 2",
+    "temperature_max_film": "temperature of the film",
+}
+OUT = Path("results/error_bars.csv")
+
+
+def climbed(
+    scene: pyworm.Scene, plan: Plan, grids: Sequence[Grid], spacing: float, most: float
+) -> dict[int, Reading]:
+    """Readings on grids of halving spacing by number, the last ones on which the equations are met."""
+    ladder = LADDERS[type(scene)](scene, plan)
+    rung, _ = ladder.enter(grids)
+    readings: dict[int, Reading] = {}
+    for number in count():
+        settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+        if rung.film.balance.worst > 10 * plan.tolerance or settled.reading.film_min <= 0:
+            readings = {}
+        else:
+            readings[number] = settled.reading
+        if rung.grid.dx <= spacing or rung.grid.finer().nodes > most:
+            return readings
+        rung, _ = ladder.higher(rung)
+
+
+def farther(plan: Plan) -> Iterator[tuple[Grid, ...]]:
+    """The plan's grids to windows of about four and eight times the reach, in which gaps rise as squares."""
+    for growth in (2**0.5, 2.0):
+        inner, outer = (
+            tuple(growth * side for side in plan.wider_grids[place].box) for place in (-1, 0)
+        )
+        grids = nest(inner, outer, *plan.grids[-1].spacing)
+        yield grids[-len(plan.wider_grids) :]
+
+
+def rest_of(values: Sequence[float], name: str) -> float:
+    """What an endless window adds to the last of some windows of growing reach, each of twice the one before.
+
+    From the values of a figure in them, on one grid.
+    """
+    last = values[-1] - values[-2]
+    left = LEFT
+    if name in HEAT_FIGURES:
+        before = values[-2] - values[-3]
+        left = min(max(last / before, 0.0), SLOWEST) if before else 0.0
+    return last * left / (1 - left)
+
+
+def truth(
+    scene: pyworm.Scene, plan: Plan, spacing: float, kind: str
+) -> dict[str, tuple[float, float]]:
+    """Figures on an infinitely fine grid in an endless window, and how far each may be off.
+
+    Nothing where no two grids of the wider window have a film, or none has one in all windows.
+    """
+    most = MOST_NODES[kind]
+    wide = climbed(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
+    coarse = 1.1 * plan.grids[-1].dx / 2 ** min(wide, default=0)
+    near = climbed(scene, plan, plan.grids, coarse / 2, most)
+    first = min(wide.keys() & near.keys(), default=None)
+    if first is None or len(wide) < 2:
+        return {}
+    ends = [near[first], wide[first]]
+    for grids in farther(plan) if plan.model.heated else ():
+        if len(ends) < 3 or grids[-1].nodes * 4**first < FAR_NODES:
+            coarse = 1.1 * plan.grids[-1].dx / 2**first
+            ends.append(climbed(scene, plan, grids, coarse, most).get(first))
+    if None in ends:
+        return {}
+    found = {}
+    for name in wide[first].figures:
+        fine = limit([reading.figures[name] for reading in wide.values()])
+        # films in windows farther out are off by the coarse grids there
+        seen = ends if name in HEAT_FIGURES else ends[:2]
+        values = [reading.figures[name] for reading in seen]
+        rest = rest_of(values, name)
+        found[name] = fine.value + values[-1] + rest - values[1], fine.error + abs(rest) / 2
+    return found
+
+
+def judged(kind: str, drawn: Drawn) -> Iterator[dict]:
+    """Each figure of a scene: its bar, and how far it is from the truth."""
+    task = Task(case_of(drawn.tables, kind, Path()), Place(), ACCURACY, EFFECTS[kind])
+    solution = pyworm.solve(task.scene, task.plan)
+    exact = pyworm.plan(task.scene, EXACT * ACCURACY, EFFECTS[kind])
+    # temperatures of films that hardly warm are settled too
+    exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
+    x = solution.fields.x.values
+    real = truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), kind)
+    for name in FIGURES:
+        bar = getattr(solution.figures, name)
+        if bar is None:
+            continue
+        zero = solution.inlet_temperature if name.startswith("temperature") else 0.0
+        size = abs(bar.value - zero)
+        value, unsure = real.get(name, (nan, nan))
+        yield {
+            "figure": name,
+            "converged": solution.converged,
+            "bar": bar.error,
+            "error": abs(bar.value - zero - value) / size,
+            "unsure": unsure / size,
+            "reason": bar.reason or "",
+        }
+
+
+def kept() -> list[dict]:
+    """Rows of earlier runs."""
+    if not OUT.exists():
+        return []
+    with OUT.open() as file:
+        return [
+            row
+            | {name: float(row[name]) for name in ("bar", "error", "unsure")}
+            | {"converged": row["converged"] == "True"}
+            for row in csv.DictReader(file)
+        ]
+
+
+def keep(rows: list[dict]) -> None:
+    """Write what is known so far."""
+    OUT.parent.mkdir(parents=True, exist_ok=True)
+    with OUT.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def judgeable(row: dict) -> bool:
+    """Whether the truth is known well enough for a bar."""
+    return bool(row["reason"]) or row["unsure"] <= KNOWN * row["bar"] < inf
+
+
+def told(rows: list[dict]) -> list[list[str]]:
+    """A row for each figure: how many bars of converged solutions hold, and errors over bars."""
+    table = [["figure", "bars", "judged", "hold", "of these no bar", "median error/bar", "largest"]]
+    for name, words in FIGURES.items():
+        of = [row for row in rows if row["figure"] == name and row["converged"]]
+        known = [row for row in of if judgeable(row)]
+        shares = [row["error"] / row["bar"] for row in known if not row["reason"]]
+        if not shares:
+            continue
+        without = len(known) - len(shares)
+        held = sum(share <= 1 for share in shares) + without
+        table.append(
+            [
+                words,
+                str(len(of)),
+                str(len(known)),
+                f"{held} ({held / len(known):.0%})",
+                str(without),
+                f"{median(shares):.2f}",
+                f"{max(shares):.2f}",
+            ]
+        )
+    return table
+
+
+def by_scene(rows: list[dict]) -> list[list[str]]:
+    """A row for each scene: bars of its films and of its pressure, and its largest error over a bar."""
+    table = [["scene", "converged", "± film / %", "± pressure / %", "largest error/bar", "of"]]
+    for scene in dict.fromkeys(row["scene"] for row in rows):
+        of = {row["figure"]: row for row in rows if row["scene"] == scene}
+        finite = {
+            name: row["error"] / row["bar"]
+            for name, row in of.items()
+            if judgeable(row) and not row["reason"]
+        }
+        worst = max(finite, key=finite.get, default=None)
+        film = max(of[name]["bar"] for name in ("film_min", "film_central"))
+        pressure = of["pressure_max"]
+        table.append(
+            [
+                scene,
+                "yes" if pressure["converged"] else "no",
+                f"{film * 100:.2g}",
+                pressure["reason"] or f"{pressure['bar'] * 100:.2g}",
+                "" if worst is None else f"{finite[worst]:.2f}",
+                "" if worst is None else FIGURES[worst],
+            ]
+        )
+    return table
+
+
+def main() -> None:
+    number, *seeds = (int(word) for word in sys.argv[1:] or ("15", "1", "2"))
+    rows = kept()
+    for seed, kind, place in product(seeds, DRAWS, range(number)):
+        scene = f"{kind}:{place} of {seed}"
+        if any(row["scene"] == scene for row in rows):
+            continue
+        rows += [{"scene": scene} | row for row in judged(kind, DRAWS[kind](place, seed))]
+        keep(rows)
+        print(*by_scene([row for row in rows if row["scene"] == scene])[1], sep="  ", flush=True)
+    print(markdown(told(rows)), markdown(by_scene(rows)), sep="\n\n")
+
+
+if __name__ == "__main__":
+    main()

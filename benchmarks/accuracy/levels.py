@@ -1,0 +1,102 @@
+"""What few levels across the film cost in accuracy: figures against those with 13, on one and the same grid.
+
+3 levels are the mean-film model, a parabola. The grid is the one at which 3 % are reached; Newton and heat go
+on until they leave less than the levels do. Relative errors, those of temperatures over the rise above the
+inlet's; `planning.model.LEVEL_ERRORS` is the worst of each number of levels. Run from the repository's root
+(it takes minutes):
+
+    python benchmarks/accuracy/levels.py
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pyworm
+from pyworm.kernel.core import KernelError
+from pyworm.planning.model import Model
+from pyworm.scene.point import RigidMotion, Scene
+from pyworm.solver.solution import Solution
+
+LEVELS = (3, 5, 7, 9, 11)
+REFERENCE = 13
+FIGURES = (
+    "film_central",
+    "film_min",
+    "friction_coefficient",
+    "temperature_max_body_1",
+    "temperature_max_body_2",
+    "temperature_max_film",
+)
+UNFINISHED = 1e-5
+"""Residual, and error of the films by unfinished algebra, at which a solve ends."""
+
+
+def scenes() -> Iterator[tuple[str, Scene]]:
+    """The worm at mid-mesh, and steel on steel: sliding, on a disc at rest, against it, fast."""
+    yield "worm, phase 0.5", pyworm.load(Path("cases/zi_sharif_2001.toml")).scene(phase=0.5)
+    steel = pyworm.load(Path("cases/traction_steel.toml"))
+    for pressure, load in ((1, 41.33), (1.5, 139.5)):
+        for ratio in (0.5, 2):
+            yield (
+                f"steel, {pressure} GPa, {ratio}",
+                replace(steel.scene(slide_roll_ratio=ratio), load=load),
+            )
+    yield "steel, 1 GPa, 5", steel.scene(slide_roll_ratio=5)
+    fast = RigidMotion(10.0, 0.0), RigidMotion(0.0, 0.0)
+    yield "steel, 1 GPa, 2, 5 m/s", replace(steel.scene(slide_roll_ratio=2), motions=fast)
+
+
+def solve(scene: Scene, levels: int) -> Solution:
+    """The scene on the grid of 3 %, with so many levels."""
+    plan = pyworm.plan(scene, 0.03, "all")
+    return pyworm.solve(
+        scene,
+        replace(
+            plan,
+            accuracy=10 * UNFINISHED,
+            model=Model(levels, heated=True),
+            wider_grids=(),
+            largest_grid=plan.grids[-1].finer().nodes,
+            tolerance=UNFINISHED,
+        ),
+    )
+
+
+def values(solution: Solution) -> dict[str, float]:
+    """Figures by name, temperatures above the inlet's."""
+    inlet = solution.inlet_temperature
+    found = {name: getattr(solution.figures, name).value for name in FIGURES}
+    return {
+        name: value - inlet if name.startswith("temperature") else value
+        for name, value in found.items()
+    }
+
+
+def main() -> None:
+    print(f"{'':28} levels  central  minimum friction   body 1   body 2     film  residual")
+    worst = dict.fromkeys(LEVELS, 0.0)
+    for name, scene in scenes():
+        best = values(solve(scene, REFERENCE))
+        for levels in LEVELS:
+            try:
+                solution = solve(scene, levels)
+            except KernelError as error:
+                print(f"{name:28} {levels:6} {error}", flush=True)
+                continue
+            errors = [value / best[of] - 1 for of, value in values(solution).items()]
+            worst[levels] = max(worst[levels], *map(abs, errors))
+            print(
+                f"{name:28} {levels:6} "
+                + " ".join(f"{error * 100:+7.3f}%" for error in errors)
+                + f"  {solution.figures.residual:8.1e}",
+                flush=True,
+            )
+    print(
+        "worst: "
+        + ", ".join(f"{levels} levels {error * 100:.3f} %" for levels, error in worst.items())
+    )
+
+
+if __name__ == "__main__":
+    main()

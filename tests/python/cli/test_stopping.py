@@ -1,0 +1,129 @@
+"""Ctrl-C and SIGTERM at any moment: one sentence, the exit code of shells, and no process left."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from pyworm.batch.workers import WorkerPool
+
+CASES = Path(__file__).parents[3] / "cases"
+
+pytestmark = pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs Linux's /proc")
+
+WAITS = """
+import sys
+from pyworm.cli.stopping import end_in_order
+end_in_order()
+try:
+    print(flush=True)
+    while True:
+        pass
+except KeyboardInterrupt:
+    {then}
+"""
+
+
+def in_group(group):
+    """Processes of a process group that have not ended."""
+    found = []
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, _, its_group = status.read_text().rpartition(")")[2].split()[:3]
+        except OSError:
+            continue
+        if int(its_group) == group and state != "Z":
+            found.append(int(status.parent.name))
+    return found
+
+
+def started(*command):
+    return subprocess.Popen(
+        [sys.executable, *command],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def catches(process, number):
+    """Whether a process handles a signal itself: bit number - 1 of SigCgt in proc(5)."""
+    status = Path(f"/proc/{process.pid}/status").read_text()
+    mask = next(line for line in status.splitlines() if line.startswith("SigCgt"))
+    return bool(int(mask.split()[1], 16) >> (number - 1) & 1)
+
+
+@pytest.mark.parametrize(
+    ("end", "delay"),
+    [(signal.SIGINT, 0.0), (signal.SIGINT, 0.5), (signal.SIGTERM, 1.2), (signal.SIGINT, 3.0)],
+)
+def test_a_signal_in_the_first_seconds_ends_all_at_once(tmp_path, end, delay):
+    """While libraries are imported, the case is checked and workers start; the terminal's is for all."""
+    command = ("run", str(CASES / "zi_sharif_2001.toml"), "-j", "2", "--out", str(tmp_path / "out"))
+    process = started("-m", "pyworm.cli", *command)
+    while not catches(process, signal.SIGTERM):
+        assert process.poll() is None
+        time.sleep(0.002)
+    time.sleep(delay)
+    os.killpg(process.pid, end)
+    sent = time.monotonic()
+    said = process.communicate(timeout=10)[1]
+    assert process.returncode == 128 + end
+    assert said.startswith("pyworm: stopped") and said.count("\n") == 1
+    while in_group(process.pid):
+        assert time.monotonic() - sent < 2
+        time.sleep(0.01)
+
+
+@pytest.mark.parametrize("then", ["while True: pass", "raise SystemExit(0)"])
+def test_what_hangs_after_a_signal_is_ended(then):
+    process = started("-c", WAITS.format(then=then))
+    process.stdout.readline()
+    process.terminate()
+    sent = time.monotonic()
+    said = process.communicate(timeout=10)[1]
+    hangs = then.startswith("while")
+    assert (process.returncode, said) == ((143, "pyworm: stopped\n") if hangs else (0, ""))
+    assert time.monotonic() - sent < 2
+
+
+def test_a_second_signal_does_not_wait():
+    process = started("-c", WAITS.format(then="print(flush=True)\n    while True: pass"))
+    process.stdout.readline()
+    process.send_signal(signal.SIGINT)
+    process.stdout.readline()
+    sent = time.monotonic()
+    process.send_signal(signal.SIGINT)
+    assert process.communicate(timeout=10)[1] == "pyworm: stopped\n"
+    assert process.returncode == 130
+    assert time.monotonic() - sent < 1
+
+
+def test_a_worker_in_a_long_call_ends_with_its_killed_parent():
+    program = (
+        "import time\nfrom pyworm.batch.workers import WorkerPool\n"
+        "with WorkerPool(1) as pool:\n    import os\n"
+        "    print(pool.submit(os.getpid).result(), flush=True)\n"
+        "    pool.submit(time.sleep, 60).result()\n"
+    )
+    process = started("-c", program)
+    worker = int(process.stdout.readline())
+    process.kill()
+    process.communicate()
+    sent = time.monotonic()
+    while worker in in_group(process.pid):
+        assert time.monotonic() - sent < 2
+        time.sleep(0.01)
+
+
+def test_a_pool_that_ends_starts_no_more_processes():
+    pool = WorkerPool(1)
+    with pytest.raises(KeyboardInterrupt), pool:
+        pool.submit(os.getpid).result()
+        raise KeyboardInterrupt
+    assert pool._workers[0]._ended

@@ -1,0 +1,111 @@
+"""Geometry that cannot work is refused in one clear sentence."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from zi_drives import DEGREE, HOB, MM, WHEEL, WORM, changed, sharif
+
+import pyworm
+from pyworm.case.case import case_of
+from pyworm.io.input_error import CaseError
+from pyworm.io.toml import read_toml
+
+DATA = Path(__file__).parents[2] / "data"
+
+
+def small_hob():
+    base, angle = 25.9 * MM, 27.9 * DEGREE
+    lead = 2 * np.pi * base * np.tan(angle)
+    return changed(
+        HOB,
+        base_radius=base,
+        base_lead_angle=angle,
+        lead=lead,
+        axial_pitch=lead / 3,
+        tip_radius=50.2 * MM,
+        root_radius=30.2 * MM,
+        centre_distance=304.23 * MM,
+        swivel=-0.3 * DEGREE,
+        axial_shift=0.0,
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"worm": changed(WORM, base_lead_angle=28.5 * DEGREE)}, "worm.base_lead_angle is 28.50 deg"),
+        ({"hob": changed(HOB, base_lead_angle=27.61 * DEGREE)}, "hob.base_lead_angle is 27.61 deg"),
+        ({"worm": changed(WORM, axial_pitch=30 * MM)}, "worm.axial_pitch is 30.00 mm"),
+        ({"worm": changed(WORM, tip_radius=29 * MM)}, "worm.tip_radius is 29.00 mm"),
+        ({"worm": changed(WORM, threads=2.5)}, "worm.threads is 2.5"),
+        ({"worm": changed(WORM, lead=-86.18 * MM)}, "worm.lead is -0.08618"),
+        ({"wheel": changed(WHEEL, face_width=0.0)}, "wheel.face_width is 0"),
+        ({"wheel": changed(WHEEL, tip_radius=270 * MM)}, "wheel.tip_radius is 270.00 mm"),
+        ({"centre_distance": 340 * MM}, "centre_distance is 340.00 mm"),
+        ({"centre_distance": 300 * MM}, "centre_distance is 300.00 mm"),
+        ({"hob": changed(HOB, centre_distance=300 * MM)}, "hob.centre_distance is 300.00 mm"),
+        ({"hob": changed(HOB, swivel=2 * DEGREE)}, "hob.swivel and hob.axial_shift are 2 deg"),
+        ({"hob": changed(HOB, base_radius=27 * MM, lead=90 * MM, axial_pitch=30 * MM,
+                         base_lead_angle=np.arctan(90 / (2 * np.pi * 27)))}, "normal base pitch"),
+        ({"hob": small_hob()}, "hob: the wheel it cuts would interfere"),
+        ({"load": -14e3}, "load is -14000"),
+        ({"speed": float("nan")}, "speed is nan"),
+    ],
+)  # fmt: skip
+def test_bad_geometry_is_refused(changes, says):
+    with pytest.raises(ValueError) as caught:
+        sharif(**changes)
+    message = str(caught.value)
+    assert says in message
+    assert "\n" not in message
+    assert type(caught.value) is ValueError
+
+
+def test_phase_outside_the_cycle_is_refused():
+    with pytest.raises(ValueError, match="phase is 1"):
+        sharif().contact(1.5)
+
+
+def other_lead(by):
+    """The hob with a lead that differs."""
+    lead = HOB.lead + by
+    angle = np.arctan(lead / (2 * np.pi * HOB.base_radius))
+    return changed(HOB, lead=lead, axial_pitch=lead / 3, base_lead_angle=angle)
+
+
+@pytest.mark.parametrize("by", [0.2 * MM, -0.15 * MM])
+def test_a_hob_of_another_base_pitch_is_told_in_micrometres(by):
+    """The normal base pitch is lead x cos(base lead angle) over the threads."""
+    hob = other_lead(by)
+    worm_pitch = WORM.lead / 3 * np.cos(np.arctan(WORM.lead / (2 * np.pi * WORM.base_radius)))
+    apart = (hob.lead / 3 * np.cos(hob.base_lead_angle) - worm_pitch) / MM * 1e3
+    (said,) = sharif(hob=hob).warnings
+    which = "more" if by > 0 else "less"
+    assert f"{abs(apart):.1f} um {which} than the worm's {worm_pitch / MM:.4f} mm" in said
+    assert said.startswith("hob.lead and hob.base_radius give")
+
+
+def test_the_rounding_of_a_printed_table_is_no_other_base_pitch():
+    assert sharif().warnings == ()
+
+
+def test_a_worm_that_cuts_into_the_wheel_is_refused():
+    """The hob of this drive is swivelled so far that the worm's thread meets the end of the face first."""
+    with pytest.raises(CaseError) as caught:
+        pyworm.load(DATA / "zi_a75.toml")
+    message = str(caught.value)
+    assert "hob.swivel of 1.079 deg does not fit" in message
+    assert "27.4 um into the flank" in message and "13.6 mm from the middle of the face" in message
+
+
+def test_the_same_worm_meshes_where_the_hob_is_swivelled_less():
+    """Worm and wheel touch at the contact point alone: elsewhere on the teeth the gap is open."""
+    data = read_toml(DATA / "zi_a75.toml")
+    data["drive"]["hob"]["swivel"] = "0.9 deg"
+    drive = case_of(data, "less", DATA).drive
+    scene = drive.scene(0.5)
+    outline = drive.tooth_outline(drive.contact(0.5))
+    places = [np.linspace(side.min(), side.max(), 80) for side in (outline.x, outline.y)]
+    gap, covered = scene.gap(*np.meshgrid(*places))
+    assert gap[covered].min() > -1e-7

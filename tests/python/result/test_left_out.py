@@ -1,0 +1,353 @@
+"""What was left out beside the figures: effects beyond the accuracy, lubrication, the loss of rough teeth."""
+
+import json
+from dataclasses import replace
+from math import atan, tan
+from pathlib import Path
+
+import numpy as np
+import pytest
+from swept_cycle import PHASES, cycle_result
+from synthetic_solution import make_hot_worm, make_mesh_cycle
+
+import pyworm
+from pyworm.batch import drive_iteration
+from pyworm.cli.main import main
+from pyworm.formulas.lubrication import lubrication
+from pyworm.planning.effects.judgement import Judgement
+from pyworm.plots.layout import heading
+from pyworm.ratings.heating import heating_loss, heating_of
+from pyworm.ratings.rated_case import asked_of, ratings
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
+from pyworm.report.console.mesh_cycle import loss_table
+from pyworm.report.console.scenes import figures_table, heat_table, scenes_table
+from pyworm.report.console.sweep import rows_table
+from pyworm.report.page.build import build_report
+from pyworm.report.page.content import Picture, Table
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import Result, open_result
+from pyworm.result.sweep_result import SweepResult, sweep_table
+from pyworm.solver.left_out import LeftOut, beyond, headline, of_all, opening, worst
+
+CASES = Path(__file__).parents[3] / "cases"
+
+EFFECTS = (
+    Judgement("film-heating", True, 0.3, {"film": 1.7, "friction": 0.4}, "more than 2 %"),
+    Judgement("squeeze", False, 0.1, {"film": 0.4, "friction": 0.1}, "only if named"),
+    Judgement("starvation", False, None, {}, "flooded"),
+    Judgement("viscosity-across", False, 0.01, {"film": 0.01, "friction": 0.02}, "within 2 %"),
+    Judgement("roughness", False, 0.9, {"film": 0.53, "friction": 0.53}, "not simulated"),
+)
+WORDS = "not simulated: roughness up to 53 %, squeeze up to 40 %"
+
+
+def rough_worm(phase=0.5, roughness=0.6e-6, **changes):
+    """The synthetic worm contact: central film 1.4 um, hot, solved to 2 %."""
+    known = {"effects": EFFECTS, "composite_roughness": roughness, "accuracy": 0.02}
+    return replace(make_hot_worm(phase), **(known | changes))
+
+
+@pytest.fixture(scope="module")
+def case():
+    return pyworm.load(CASES / "zi_sharif_2001.toml")
+
+
+@pytest.fixture(scope="module")
+def rough(case):
+    """Two solved phases of a case whose central film is 2.3 times its roughness."""
+    solutions = tuple(rough_worm(phase) for phase in (0.25, 0.75))
+    return Result(case.name, case.resolved, solutions, make_mesh_cycle(), {})
+
+
+# ------------------------------------------------------------------------------ what is beyond the accuracy
+
+
+def test_effects_that_are_off_count_beyond_the_accuracy_the_largest_first():
+    assert list(beyond(EFFECTS, 0.02).items()) == [("roughness", 0.53), ("squeeze", 0.4)]
+    assert list(beyond(EFFECTS, 0.45)) == ["roughness"]
+    assert beyond(EFFECTS, 0.6) == {}
+    boundless = replace(EFFECTS[1], influence={"film": 0.1, "friction": np.inf})
+    assert beyond([boundless], 0.02) == {"squeeze": 1.0}
+    assert LeftOut(beyond([boundless], 0.02)).words == "not simulated: squeeze by more than 99 %"
+    assert LeftOut(beyond(EFFECTS, 0.02)).words == WORDS
+
+
+@pytest.mark.parametrize(
+    ("central", "least", "name"),
+    [
+        (3.0, 1.0, "full"),
+        (2.99, 2.0, "mixed"),
+        (8.0, 0.99, "mixed"),  # touches where the film is thinnest
+        (1.0, 0.5, "mixed"),
+        (0.99, 0.5, "boundary"),
+        (None, None, "unknown"),
+        (2.0, -2.4, "unknown"),  # no film is negative
+        (np.inf, 1.0, "unknown"),
+    ],
+)
+def test_lubrication_goes_by_central_and_least_film(central, least, name):
+    assert lubrication(central, least) == name
+
+
+def test_the_worst_of_several_contacts_counts():
+    full = LeftOut({"squeeze": 0.9}, "full", 5.0, 3.0)
+    mixed = LeftOut({"roughness": 0.3, "squeeze": 0.1}, "mixed", 2.0, 1.5)
+    thinner = LeftOut({"roughness": 0.5}, "mixed", 1.5, 1.2)
+    of_them = worst([full, mixed, thinner])
+    assert of_them.influence == {"squeeze": 0.9, "roughness": 0.5}
+    assert (of_them.lubrication, of_them.lambda_central, of_them.contacts) == ("mixed", 1.5, 3)
+    assert worst([full, LeftOut()]).lubrication == "unknown"
+    assert not worst([full, LeftOut()]).rough
+
+
+def test_a_film_that_did_not_converge_tells_no_lubrication():
+    lost = rough_worm(converged=False)
+    assert lost.left_out.lubrication == "unknown" and lost.left_out.lambda_min is None
+    good = rough_worm()
+    assert of_all([lost, good]) == good.left_out
+    assert headline([lost]) == WORDS
+
+
+# ---------------------------------------------------------------------------------------- what is said first
+
+
+def test_a_scene_s_json_begins_with_it_and_a_saved_result_keeps_it(rough, tmp_path):
+    summary = rough.solutions[0].summary()
+    keys = list(summary)
+    assert keys.index("left_out") < keys.index("lubrication") < keys.index("film_min_m")
+    assert summary["left_out"] == {"roughness": 0.53, "squeeze": 0.4}
+    assert summary["lubrication"] == "mixed"
+    assert summary["lambda_central"] == pytest.approx(1.4 / 0.6)
+    assert summary["lambda_min"] == summary["specific_film"]
+    assert LeftOut.read(summary) == rough.solutions[0].left_out
+    again = open_result(rough.save(tmp_path / "result.nc"))
+    assert [of.left_out for of in again.solutions] == [of.left_out for of in rough.solutions]
+
+
+def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
+    sentence, film, beside = opening(rough.solutions, standard_loss(case).words)
+    assert sentence == (
+        "The worst of 2 contacts runs in mixed lubrication (central film 2.3, least film 1.1 times the "
+        "composite roughness), which is not simulated."
+    )
+    thin = min(of.figures.film_min.value for of in rough.solutions)
+    assert film == f"Least film {thin * 1e6:.3g} µm ± 1.3 % (numerical); {WORDS}"
+    assert beside.startswith("Rough teeth by the methods of DIN 3996:2012")
+    smooth = [rough_worm(roughness=0.2e-6, effects=())]
+    assert opening(smooth, "unsaid") == []
+
+
+def test_tables_begin_with_it_and_head_friction_as_if_smooth(case):
+    solution = rough_worm()
+    scene, summary = case.scene(phase=0.5), solution.summary()
+    for table in (
+        figures_table(scene, summary, {}),
+        scenes_table([scene], [summary]),
+        heat_table([scene], [summary]),
+    ):
+        assert f"{WORDS}; error bars are numerical" in table.title
+    labels = list(figures_table(scene, summary, {}).columns[0].cells)
+    assert "Friction coefficient, as if smooth" in labels and "Power loss, as if smooth" in labels
+    separated = rough_worm(roughness=0.2e-6, effects=()).summary()
+    plain = figures_table(scene, separated, {})
+    assert "\n" not in plain.title and "Friction coefficient" in plain.columns[0].cells
+
+
+def test_pictures_and_reports_say_it(rough):
+    assert WORDS.replace(" %", "\N{NO-BREAK SPACE}%") in heading("case", rough.solutions[0])
+    report = build_report(rough)
+    assert "mixed lubrication" in report.warnings[0] and WORDS in report.warnings[1]
+    pictures = [
+        block for part in report.sections for block in part.blocks if isinstance(block, Picture)
+    ]
+    assert pictures and all(
+        WORDS in one.caption for one in pictures if not one.caption.startswith("Contacts on")
+    )
+    named = {part.title: part.blocks for part in report.sections}
+    for title in ("At a glance", "Film and pressure", "Friction, loss and temperature"):
+        assert "error bars are numerical" in named[title][0].text
+    tables = [block for block in named["At a glance"] if isinstance(block, Table)]
+    rows = {row[0] for table in tables for row in table.rows}
+    assert "Efficiency of the teeth, forward, as if smooth" in rows
+    assert "  rough, by the standard" in rows
+
+
+def test_ratings_head_the_simulation_as_if_smooth(rough, case):
+    worm, films, *bearings = ratings(asked_of(case), rough)
+    assert worm.headings == ("Standard", "Simulation, as if smooth")
+    assert WORDS in worm.titled and WORDS in films.titled
+    assert all(bearing.titled == bearing.title for bearing in bearings)
+    assert "simulation" in worm.summary()
+
+
+def test_rate_opens_with_the_lubrication(capsys):
+    assert main(["rate", str(CASES / "errichello_speed_increaser.toml")]) == 0
+    assert "runs in boundary lubrication" in capsys.readouterr().out.split("┏")[0]
+    assert main(["rate", str(CASES / "oil_zi.toml"), "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["lubrication"] == "mixed" and 1 < said["lambda_central"] < 3
+
+
+def test_check_says_what_the_plan_leaves_out(capsys):
+    line = ["check", str(CASES / "zi_sharif_2001.toml"), "--phase", "0.5"]
+    assert main(line) == 0
+    shown = capsys.readouterr().out
+    assert "runs in mixed lubrication" in shown.split("│")[0]
+    assert "not simulated: roughness up to 37 %" in shown.split("│")[0]
+    assert main([*line, "--json"]) == 0
+    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    off = {
+        of["name"]: max(of["influence"].values())
+        for of in scene["effects"]
+        if not of["on"] and of["influence"]
+    }
+    assert scene["left_out"] == {
+        name: pytest.approx(share) for name, share in off.items() if share > 0.01
+    }
+    assert {"roughness", "squeeze"} <= set(scene["left_out"])
+
+
+def test_a_run_opens_with_it(tmp_path, capsys):
+    text = (CASES / "ball_pag_460.toml").read_text()
+    for before, after in (("0.02 um", "0.5 um"), ("0.05 um", "0.5 um")):
+        assert f'roughness = "{before}"' in text
+        text = text.replace(f'roughness = "{before}"', f'roughness = "{after}"')
+    path = tmp_path / "rough.toml"
+    path.write_text(text)
+    line = ["run", str(path), "--accuracy", "20%", "--out", str(tmp_path / "out")]
+    assert main(line) == 0
+    first = " ".join(capsys.readouterr().out.split("┏")[0].split())
+    assert "This contact runs in boundary lubrication" in first
+    assert "(numerical); not simulated: roughness up to" in first
+    assert "No friction, loss and efficiency by a standard" in first
+
+
+# ------------------------------------------------------------------------------------ the table of a sweep
+
+
+def test_a_sweep_s_table_tells_the_worst_of_its_scenes():
+    def row(roughness, **changes):
+        return rough_worm(roughness=roughness, **changes).summary()
+
+    rows = [row(0.6e-6), row(0.9e-6), row(9e-6, converged=False)]
+    values = [{"contact.load": f"{load} N"} for load in (1, 2, 3)]
+    table = sweep_table(values, rows, ["a", "b", "c"])
+    assert table["left_out_roughness"].values == pytest.approx([0.53] * 3)
+    assert table["lubrication"].values.tolist() == ["mixed", "mixed", "unknown"]
+    swept = SweepResult("s", "loads", [["contact.load"]], table, {})
+    assert swept.left_out.lambda_central == pytest.approx(1.4 / 0.9)
+    shown = rows_table(swept)
+    assert WORDS in shown.title
+    assert "Friction\nas if\nsmooth" in [column.header for column in shown.columns]
+    odd = replace(swept, table=table.assign(lubrication=("scene", ["of no kind"] * 3)))
+    assert odd.left_out.lubrication == "unknown"
+
+
+# ------------------------------------------------------------------------------------ the standard's loss
+
+
+def test_the_standard_s_loss_is_that_of_its_friction_and_lead(case):
+    found = standard_loss(case)
+    (rated, *_) = ratings(asked_of(case))
+    standard = rated.summary()["standard"]
+    assert found.friction == standard["friction"]
+    # an output of T2 w2 asks for more by 1/eta: eta = tan gamma/tan(gamma + rho)
+    lead = found.friction / standard["locking"]
+    efficiency = lead / tan(atan(lead) + atan(found.friction))
+    assert found.efficiency == pytest.approx(efficiency)
+    output = case.drive.wheel_torque * 1500 * np.pi / 30 * 3 / 59
+    assert found.power == pytest.approx(output * (1 / found.efficiency - 1))
+
+
+def test_without_a_rating_table_the_case_s_own_oil_counts_or_the_reason_is_given(tmp_path):
+    text = (CASES / "zi_sharif_2001.toml").read_text()
+    start, end = text.index("[worm_rating]"), text.index("[bearings")
+    bare = text[:start] + text[end:]
+    bare = "\n".join(line for line in bare.splitlines() if not line.startswith("worm_rating."))
+    path = tmp_path / "bare.toml"
+    path.write_text(bare)
+    unnamed = standard_loss(pyworm.load(path))
+    assert isinstance(unnamed, NoStandard) and "polyglycol" in unnamed.reason
+    start, end = bare.index("[oil]"), bare.index("[bearings")
+    path.write_text(
+        f'{bare[:start]}[oil]\nname = "PAG VG 460"\ntemperature = "60 degC"\n{bare[end:]}'
+    )
+    named = standard_loss(pyworm.load(path))
+    assert named == standard_loss(pyworm.load(CASES / "zi_sharif_2001.toml"))
+    for name, reason in (
+        ("zi_drive", "roughness is missing"),
+        ("ball_pag_460", "a contact without a drive"),
+        ("spur_pair", None),
+    ):
+        other = standard_loss(pyworm.load(CASES / f"{name}.toml"))
+        if reason is None:
+            assert other.efficiency == pytest.approx(1 - other.power / 33e3, abs=1e-3)
+        else:
+            assert reason in other.reason
+
+
+BOUNDARY_CYCLE = drive_cycle(cycle_result(PHASES, roughness=2e-6))
+
+
+@pytest.mark.parametrize(("more", "by"), [(1.5, "standard"), (0.5, "simulation")])
+def test_rough_teeth_are_warmed_by_the_larger_loss(more, by):
+    smooth = BOUNDARY_CYCLE.loss.power
+    found = heating_loss(BOUNDARY_CYCLE, StandardLoss(0.03, 0.9, more * smooth, "book"))
+    assert found.by == by and found.power == max(more, 1.0) * smooth
+    assert "as if smooth" in found.words and "book" in found.words
+
+
+def test_separated_teeth_are_warmed_by_the_simulated_loss():
+    cycle = drive_cycle(cycle_result(PHASES, roughness=0.05e-6))
+    assert cycle.left_out.lubrication == "full"
+    found = heating_loss(cycle, StandardLoss(0.03, 0.9, 2 * cycle.loss.power, "book"))
+    assert (found.by, found.power) == ("simulation", cycle.loss.power)
+
+
+def test_the_table_of_losses_has_the_standard_beside():
+    standard = StandardLoss(0.0312, 0.8812, 567.8, "book")
+    table = loss_table(BOUNDARY_CYCLE, standard, None)
+    assert [column.header for column in table.columns][1] == "As if smooth"
+    beside = dict(zip(*(table.columns[n].cells for n in (0, 2)), strict=True))
+    assert beside["Loss"] == "567.8 W"
+    assert beside["Mean friction"] == "0.0312" and beside["Efficiency"] == "88.1 %"
+    assert len(loss_table(BOUNDARY_CYCLE, NoStandard("none"), None).columns) == 2
+
+
+def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypatch):
+    """Smooth teeth that lose 300 W, rough ones by the standard more: the balance ends on the latter."""
+    text = (CASES / "zi_cooled.toml").read_text()
+    for body in ("worm", "wheel"):
+        text = text.replace(f"[bodies.{body}]", f'[bodies.{body}]\nroughness = "2 um"')
+    text += '\n[worm_rating]\noil = "PAG VG 460"\nsump_temperature = "60 degC"\n'
+    path = tmp_path / "rough_cooled.toml"
+    path.write_text(text)
+    case = pyworm.load(path)
+    loss = replace(BOUNDARY_CYCLE.loss, power=300.0, friction=0.0096)
+    cycle = replace(BOUNDARY_CYCLE, loss=loss, lifts=())
+    said, solved = [], []
+    monkeypatch.setattr(
+        drive_iteration, "run", lambda case, tasks, *how: solved.append(tasks[0].case)
+    )
+    monkeypatch.setattr(drive_iteration, "drive_cycle", lambda result: cycle)
+    tasks = [pyworm.batch.task.Task(case, place, 0.03) for place in case.places()]
+    _, tasks = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    power = standard_loss(case).power
+    assert power > 1000
+    sump = tasks[0].case.drive.oil.heat.inlet_temperature - 273.15
+    assert sump == pytest.approx(20 + (power + 500) / 40, abs=0.5)
+    assert f"{power:.4g} W of rough teeth" in said[0] and "300 W simulated as if smooth" in said[0]
+    heating = heating_of(tasks[0].case, cycle, standard_loss(case))
+    assert heating.summary() == {
+        "taken_W": pytest.approx(power, rel=5e-3),
+        "found_W": power,
+        "by": "standard",
+    }
+
+
+def test_a_cycle_s_json_begins_with_the_worst_of_its_scenes():
+    told = BOUNDARY_CYCLE.summary()
+    assert list(told)[:2] == ["left_out", "lubrication"]
+    assert told["lubrication"] == "boundary"
+    central = min(of.figures.film_central.value for of in cycle_result(PHASES).solutions)
+    assert told["lambda_central"]["value"] == pytest.approx(central / 2e-6)

@@ -1,0 +1,269 @@
+"""What a mesh cycle comes to: loss and efficiency, extremes and the flank, of made-up solutions."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from swept_cycle import (
+    LEVER,
+    PHASES,
+    PITCH,
+    SLIDING,
+    SLIDING_LEVER,
+    WHEEL_SPEED,
+    WORM_SPEED,
+    cycle_result,
+    cycle_solution,
+    friction,
+    tooth_load,
+)
+from synthetic_solution import make_result
+
+import pyworm
+from pyworm.batch import drive_iteration
+from pyworm.batch.task import Task
+from pyworm.drives.zi_worm import dataset
+from pyworm.plots.draw import CYCLE_PICTURES
+from pyworm.report.console.mesh_cycle import cycle_table
+from pyworm.result.flank_map import flank_map, supply
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import case_in
+from pyworm.solver.solution import Estimate
+
+CASES = Path(__file__).parents[3] / "cases"
+
+
+@pytest.mark.parametrize("driver", ("worm", "wheel"))
+def test_loss_and_efficiency_are_those_of_the_integrals(driver):
+    loss = drive_cycle(cycle_result(PHASES, driver)).loss
+    fine = np.linspace(0, 1, 20001)
+    power = np.trapezoid(friction(fine) * tooth_load(fine) * SLIDING, fine) / PITCH
+    sign = -1 if driver == "wheel" else 1
+    lever = LEVER + sign * friction(fine) * SLIDING_LEVER
+    torque = np.trapezoid(tooth_load(fine) * lever, fine) / PITCH
+    assert loss.power == pytest.approx(power, rel=2e-3)
+    assert abs(loss.power - power) < loss.error
+    assert loss.wheel_torque == pytest.approx(torque, rel=1e-4)
+    # what goes into one shaft and not out of the other is lost
+    difference = loss.worm_torque * WORM_SPEED - loss.wheel_torque * WHEEL_SPEED
+    assert difference == pytest.approx(sign * loss.power, rel=1e-9)
+    powers = sorted([loss.worm_torque * WORM_SPEED, loss.wheel_torque * WHEEL_SPEED])
+    assert loss.efficiency == pytest.approx(powers[0] / powers[1], rel=1e-9)
+    other = drive_cycle(cycle_result(PHASES, "wheel" if driver == "worm" else "worm")).loss
+    assert loss.reverse_efficiency == pytest.approx(other.efficiency, rel=1e-9)
+
+
+def test_error_of_the_loss_is_made_of_scenes_phases_and_ends():
+    loss = drive_cycle(cycle_result(PHASES)).loss
+    assert loss.scene_error == pytest.approx(0.005 * loss.power, rel=1e-3)
+    coarse = drive_cycle(cycle_result(PHASES[::4])).loss
+    assert coarse.phase_error > 3 * loss.phase_error
+    assert drive_cycle(cycle_result(PHASES[3:-3])).loss.end_error > 5 * loss.end_error
+
+
+def test_extremes_know_their_phase_and_place():
+    solutions = cycle_result(PHASES).solutions
+    thin = 4
+    figures = replace(
+        solutions[thin].figures, film_min=Estimate(0.2e-6, 0.02), film_min_at=(2e-3, -1e-3)
+    )
+    changed = replace(
+        cycle_result(PHASES),
+        solutions=tuple(
+            replace(one, figures=figures) if number == thin else one
+            for number, one in enumerate(solutions)
+        )[::-1],
+    )
+    cycle = drive_cycle(changed)
+    assert cycle.film_min.phase == PHASES[thin]
+    assert cycle.film_min.error == pytest.approx(0.02 * 0.2e-6)
+    place = (2e-3 + 0.02 * (PHASES[thin] - 0.5), 0.27 - 1e-3 - 0.015 * (PHASES[thin] - 0.5))
+    assert cycle.film_min.place == pytest.approx(place)
+    assert cycle.lambda_min.value == pytest.approx(0.2 / 0.5)
+    assert drive_cycle(cycle_result(PHASES, roughness=None)).lambda_min is None
+    hottest = max(one.figures.temperature_max_film.value for one in solutions)
+    assert cycle.temperatures["film"].value == hottest
+    told = cycle.summary()
+    assert told["film_min"]["value_m"] == 0.2e-6
+    assert told["power_loss_W"] == cycle.loss.power
+    table = cycle_table(cycle)
+    assert "0.2 µm ± 0.004" in list(table.columns[1].cells)
+
+
+def test_a_largest_pressure_without_a_bar_says_why():
+    whole = cycle_result(PHASES)
+    spike = Estimate(9e9, np.inf, reason="unresolved pressure spike, 2.0 nodes wide")
+    first, *others = whole.solutions
+    first = replace(first, figures=replace(first.figures, pressure_max=spike))
+    cycle = drive_cycle(replace(whole, solutions=(first, *others)))
+    assert cycle.summary()["pressure_max"]["error_reason"] == spike.reason
+    assert "error_reason" not in cycle.summary()["film_min"]
+    assert spike.reason in list(cycle_table(cycle).columns[1].cells)
+
+
+def test_what_did_not_converge_is_left_out_and_named():
+    whole = cycle_result(PHASES)
+    bad = replace(
+        whole.solutions[0],
+        converged=False,
+        figures=replace(whole.solutions[0].figures, pressure_max=Estimate(9e9, np.inf)),
+    )
+    cycle = drive_cycle(replace(whole, solutions=(bad, *whole.solutions[1:])))
+    assert cycle.unconverged == (PHASES[0],)
+    assert cycle.pressure_max.value < 9e9
+    assert drive_cycle(cycle_result(PHASES[:2])) is None
+    assert drive_cycle(make_result()) is None
+
+
+def test_the_flank_keeps_extremes_of_all_phases():
+    whole = cycle_result(PHASES[::3])
+    field = flank_map(whole)
+    largest = max(float(one.fields["pressure"].max()) for one in whole.solutions)
+    thinnest = min(float(one.fields["film"].min()) for one in whole.solutions)
+    assert float(field["pressure"].max()) == pytest.approx(largest, rel=0.01)
+    assert float(field["film"].min()) == pytest.approx(thinnest, rel=0.02)
+    # Hertz's ellipse is swept along the line that the contact point takes
+    for phase in (0.1, 0.37, 0.62, 0.9):
+        at = field["pressure"].sel(
+            face=0.02 * (phase - 0.5), radius=0.27 - 0.015 * (phase - 0.5), method="nearest"
+        )
+        assert float(at) == pytest.approx(largest, rel=0.02)
+    passed = np.isfinite(field["pressure"].values)
+    a = 0.5 * whole.solutions[0].figures.dry.length
+    reach = 0.02 * (PHASES[-1] - PHASES[0]) / 2 + a
+    face = field["face"].values[passed.any(axis=0)]
+    assert face[0] == pytest.approx(-reach, abs=1e-3)
+    # no gaps between the phases solved
+    rows = passed[:, passed.any(axis=0)]
+    for column in rows.T:
+        inside = np.flatnonzero(column)
+        assert inside.size == inside[-1] - inside[0] + 1
+
+
+def test_supply_is_the_speed_at_which_oil_comes_in():
+    one = cycle_solution(0.5)
+    x, y = np.linspace(-0.012, 0.012, 241), np.linspace(-1.3e-3, 1.3e-3, 131)
+    uniform = one.fields.assign(
+        entrainment_x=2.0 + 0 * one.fields["film"], entrainment_y=0 * one.fields["film"]
+    )
+    came = supply(replace(one, fields=uniform), x, y)
+    a, b = one.figures.dry.length / 2, one.figures.dry.width / 2
+    for place in (0.0, 0.4e-3, -0.8e-3):  # along x, it enters the ellipse at the left end
+        at = a * np.sqrt(1 - (place / b) ** 2)
+        normal = np.array([at / a**2, -place / b**2])
+        expected = normal[0] / np.hypot(*normal)
+        row, column = np.argmin(abs(y - place)), np.argmin(abs(x))
+        assert came[row, column] == pytest.approx(expected, abs=0.12)
+    assert came[0, 0] == 1
+
+
+def test_pictures_of_the_cycle():
+    draw = CYCLE_PICTURES["zi-worm"]
+    whole = cycle_result(PHASES[::6])
+    assert any("tooth pair" in axes.get_ylabel() for axes in draw["mesh_cycle"](whole).axes)
+    labels = {axes.get_xlabel() for axes in draw["mesh_cycle_flank"](whole).axes}
+    assert "along the face / mm" in labels
+    assert draw["mesh_cycle_flank"](cycle_result(PHASES[:2])) is None
+
+
+@pytest.fixture
+def worm_case(tmp_path):
+    text = (CASES / "zi_drive.toml").read_text()
+    for old, new in (
+        ('wheel_torque = "4 kN m"', 'worm_torque = "220 N m"\nsharing = "equal"'),
+        ("phases = [0.02", "phases = [0.1, 0.2, 0.3]\n# [0.02"),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    (tmp_path / "worm.toml").write_text(text)
+    return pyworm.load(tmp_path / "worm.toml")
+
+
+def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path, monkeypatch):
+    """The solver is replaced by one that always finds a friction of 0.02."""
+    ran, said = [], []
+
+    def run(case, tasks, directory, *rest):
+        ran.append([task.case.drive.load.friction for task in tasks])
+        found = replace(cycle_result(PHASES[::6]), case=case.resolved)
+        solutions = tuple(
+            replace(
+                one,
+                figures=replace(one.figures, power_loss=Estimate(0.02 * one.load * SLIDING, 0.001)),
+            )
+            for one in found.solutions
+        )
+        found = replace(found, solutions=solutions)
+        found.save(directory / "result.nc")
+        return found
+
+    monkeypatch.setattr(drive_iteration, "run", run)
+
+    def tasks():
+        return [Task(worm_case, place, 0.02) for place in worm_case.places()]
+
+    _, solved = drive_iteration.run_balanced(worm_case, tasks(), tmp_path, say=said.append)
+    assert ran == [[0.01] * 3, [0.02] * 3]
+    assert solved[0].case.drive.load.friction == 0.02
+    assert said == ["solved again with operation.friction = 0.02"]
+    assert case_in(tmp_path / "result.nc")["operation"]["friction"] == 0.02
+    # and another run of the same case begins with it
+    ran.clear()
+    drive_iteration.run_balanced(worm_case, tasks(), tmp_path)
+    assert ran == [[0.02] * 3]
+    # of a wheel's torque, friction takes little
+    wheel = pyworm.load(CASES / "zi_drive.toml")
+    more = {"operation": {"friction": 0.02}}
+    moved = [
+        drive_iteration.load_change(of, of.with_found(more), (0.3, 0.6))
+        for of in (wheel, worm_case)
+    ]
+    assert moved[0] < 0.005 < 0.02 < moved[1]
+
+
+def test_lifts_found_at_a_glance_share_the_load(tmp_path, monkeypatch):
+    """The solver is replaced by one whose films lift the teeth by 1 to 3 micrometres."""
+    case = pyworm.load(CASES / "zi_drive.toml")
+    places = [place for place in case.places() if place.phase in (0.1, 0.34, 0.82)]
+    ran, said = [], []
+
+    def run(case, tasks, directory, *rest):
+        ran.append((tasks[0].accuracy, case.drive.load.lifts))
+        found = cycle_result([task.place.phase for task in tasks])
+        solutions = tuple(
+            replace(
+                one,
+                figures=replace(
+                    one.figures,
+                    lift=(1 + 2 * one.phase) * 1e-6,
+                    power_loss=Estimate(0.01 * one.load * SLIDING, 0.001),
+                ),
+            )
+            for one in found.solutions
+        )
+        found = replace(
+            found,
+            case=case.resolved,
+            solutions=solutions,
+            mesh_cycle=dataset.loaded_cycle_data(case.drive, 0.0),
+        )
+        found.save(directory / "result.nc")
+        return found
+
+    monkeypatch.setattr(drive_iteration, "run", run)
+    monkeypatch.setattr(dataset, "LOADED_PHASES", 11)
+    tasks = [Task(case, place, 0.02) for place in places]
+    balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    lifts = tuple((place.phase, pytest.approx((1 + 2 * place.phase) * 1e-6)) for place in places)
+    assert ran == [(drive_iteration.GLANCE, ()), (0.02, lifts)]
+    assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
+    share, phase = drive_cycle(balanced).lifted
+    at = balanced.mesh_cycle.interp(load_phase=phase)
+    assert share == pytest.approx(float(at.tooth_load / at.dry_tooth_load) - 1, abs=1e-4)
+    # its neighbour, a pitch later in the cycle, has the thicker film
+    assert phase == 0.1 and -0.1 < share < -0.01
+    # and another run of the same case begins with them
+    ran.clear()
+    drive_iteration.run_balanced(case, tasks, tmp_path)
+    assert ran == [(0.02, lifts)]

@@ -1,0 +1,178 @@
+"""A quick part of the suite of hard scenes (tests/hard): seeded draws, and the closest looks at stability."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from unittest.mock import Mock
+
+import numpy as np
+import pytest
+import stability
+from draws import DRAWS, HOT_LIMITS, HOT_RANGES, LIMITS, RANGES
+from named import ISOTHERMAL, REFUSED
+from promise import COUNTS, complaints
+from trial import Verdict, trial, verdict
+
+import pyworm
+from pyworm import kernel
+from pyworm.batch.solved_scenes import Store
+from pyworm.io.input_error import CaseError
+from pyworm.kernel.core import NO_DESCENT, KernelError
+from pyworm.planning.grid import Grid
+from pyworm.scene.scales import scales
+from pyworm.solver.newton import settle, stride
+from pyworm.solver.point import level
+from pyworm.solver.point.contact import PointLadder
+
+
+@pytest.mark.parametrize("name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22"])
+def test_random_scenes_converge(tmp_path, name):
+    kind, _, number = name.partition(":")
+    effects = {"isothermal": "isothermal", "thermal": "all"}[kind]
+    one = trial(DRAWS[kind](int(number)).tables, name, tmp_path, effects)
+    store = Store(tmp_path / "scenes", fields=False)
+    first = verdict(one, store)
+    assert first.outcome == "converged"
+    assert verdict(one, store).figures["seconds"] == first.figures["seconds"]  # not solved again
+
+
+@pytest.mark.parametrize("kind", DRAWS)
+def test_draws_depend_on_their_number_alone_and_keep_to_their_ranges(kind):
+    assert DRAWS[kind](5) == DRAWS[kind](5)
+    traits = [DRAWS[kind](number).traits for number in range(60)]
+    ranges = {"isothermal": RANGES | LIMITS, "thermal": HOT_RANGES | HOT_LIMITS}[kind]
+    for name in ("hertz_pressure", "moes_l", "ellipticity", "moes_m", "film"):
+        values = np.array([of[name] for of in traits])
+        low, high = ranges[name].low, ranges[name].high
+        assert low <= values.min() and values.max() <= high
+        # two thirds of the decades are met even by these few
+        assert np.log(values.max() / values.min()) > 0.6 * np.log(high / low)
+
+
+def came_to(outcome, number=0):
+    return Verdict(f"thermal:{number}", outcome, "a reason", 1.0, (9, 9), {})
+
+
+def test_only_the_default_seed_has_a_list_of_scenes_that_do_not_converge():
+    verdicts = [came_to("not converged", 10**6), came_to("broken")]
+    assert [said.split()[0] for said in complaints("thermal", verdicts)] == [
+        "thermal:0",
+        "thermal:1000000",
+    ]
+    assert complaints("thermal", verdicts, seed=7) == ["thermal:0 broke: a reason"]
+
+
+@pytest.mark.parametrize(("missed", "kept"), [(4, True), (5, False)])
+def test_the_promise_holds_for_any_seed(missed, kept):
+    whole = COUNTS["thermal"]
+    verdicts = [came_to("converged")] * (whole - missed) + [came_to("not converged")] * missed
+    assert (complaints("thermal", verdicts, seed=7) == []) == kept
+
+
+def test_results_of_seeds_are_kept_apart(tmp_path):
+    suite = Path(__file__).parents[2] / "hard"
+    told = {}
+    for seed in ("7", "8"):
+        command = [sys.executable, suite, "isothermal:3-3", "--seed", seed, "--out", tmp_path]
+        run = subprocess.run(command, capture_output=True, text=True, env=os.environ, check=True)
+        told[seed] = run.stdout
+        assert len(list((tmp_path / f"seed-{seed}" / "scenes").glob("*.json"))) == 1
+    rows = [next(row for row in out.splitlines() if "isothermal:3" in row) for out in told.values()]
+    assert rows[0] != rows[1]
+
+
+def test_a_grid_on_which_newton_is_lost_costs_only_itself():
+    """Its first grids are so coarse that no step helps; from where they end, none helps on finer ones."""
+    scene = stability.scene_of(ISOTHERMAL["coarse-grid-lost"])
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "isothermal"))
+    assert solution.converged
+    assert solution.history.sizes["iteration"] < 100
+    assert solution.history.residual.max() < 20
+
+
+def thermal_ladder(number, seed, directory):
+    """A drawn scene's plan at the suite's accuracy, and its ladder."""
+    one = trial(DRAWS["thermal"](number, seed).tables, "drawn", directory, "all")
+    return one.plan, PointLadder(one.plan.simplified(one.scene), one.plan)
+
+
+def test_heat_goes_on_where_no_step_of_the_film_helps(tmp_path):
+    """The sheared film is at rest when heat begins: the first sweep makes another of it, no step does."""
+    plan, ladder = thermal_ladder(0, 12, tmp_path)
+    rung, _ = ladder.enter(plan.grids)
+    settled = settle(rung, plan.tolerance, plan.aim, 0.5)
+    assert rung.film.balance.worst <= plan.tolerance
+    assert settled.strides[0].krylov == 0
+    assert settled.reading.figures["temperature_max_film"] > 1.0
+
+
+def test_a_step_after_which_heat_no_longer_settles_is_the_last(tmp_path):
+    plan, ladder = thermal_ladder(0, 12, tmp_path)
+    rung, _ = ladder.enter(plan.grids)
+    taken = [stride(rung)]
+    rung.film.step = Mock(side_effect=KernelError(NO_DESCENT))
+    assert taken[0] is not None
+    assert stride(rung) is None  # its warming is what it was
+
+
+def test_an_extrapolated_film_that_no_oil_bears_is_no_start(tmp_path):
+    """Its gradients ask for more stress than the limit: slip without bound, a residual of 1e18."""
+    plan, ladder = thermal_ladder(11, 12, tmp_path)
+    rung, _ = ladder.enter(plan.grids)
+    settle(rung, plan.tolerance, plan.aim, 0.5)
+    rung, _ = ladder.higher(rung)
+    settle(rung, plan.tolerance, plan.aim, 0.5)
+    rung, strides = ladder.higher(rung)
+    assert strides == []  # entered as it is, with its heat
+    assert rung.film.balance.residual < 0.1
+    settle(rung, plan.tolerance, plan.aim, 0.5)
+    assert rung.film.balance.worst <= plan.tolerance
+
+
+def test_a_film_started_anew_keeps_its_outline_and_carries_its_load():
+    scene = stability.scene_of(ISOTHERMAL["M200-L20"])
+    size = scales(scene)
+    a = size.hertz.semi_axis_x
+    grid = Grid(-3 * a, -2 * a, a / 8, a / 8, 41, 33)
+    rung = level.first_rung(scene, scene, size, grid)
+    before = rung.film.pressure.copy()
+    rung.film.start(before / 3, 5 * size.film)
+    level.anew(scene, size, rung)
+    outline = np.ones(grid.shape, dtype=bool)
+    outline[1:-1, 1:-1] = False
+    assert np.array_equal(rung.film.pressure[outline], before[outline] / 3)
+    assert rung.film.pressure.sum() * grid.cell == pytest.approx(rung.load, rel=1e-3)
+    assert rung.film.thickness().min() > 0.5 * size.film
+
+
+@pytest.mark.parametrize("name", ["coarse-grid-lost"])
+def test_small_changes_have_small_effects(name):
+    assert list(stability.small_changes(lambda row: None, (name,))) == []
+
+
+@pytest.mark.parametrize("name", ["coarse-grid-lost"])
+def test_first_guesses_do_not_matter(name):
+    assert list(stability.first_guesses(lambda row: None, (name,))) == []
+
+
+def test_mirrored_scenes_have_mirrored_films():
+    assert list(stability.mirrors(lambda row: None, range(3, 9, 5))) == []
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_is_no_contact_is_refused(name):
+    tables, said = REFUSED[name]
+    with pytest.raises((CaseError, ValueError), match=said):
+        scene = stability.scene_of(tables)
+        pyworm.plan(scene)
+
+
+def test_kernel_statuses_all_have_words():
+    status = Path(__file__).parents[3] / "fortran" / "base" / "status.f90"
+    numbers = [
+        int(line.rpartition("=")[2])
+        for line in status.read_text().splitlines()
+        if "parameter" in line
+    ]
+    assert [str(kernel.KernelError(number)) for number in numbers if number]
