@@ -10,7 +10,7 @@ from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Rung
 
 MOST_STEPS = 60
-"""Newton steps on one grid before it is given up; where oil slips in places, they may close in that slowly."""
+"""Newton steps on one grid before it is given up; where oil slips in places, they may close in slowly."""
 
 HOPELESS = 1e6
 """Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law was asked
