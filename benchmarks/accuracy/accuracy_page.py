@@ -1,10 +1,10 @@
-"""Tables of docs/accuracy.md, written in their places."""
+"""Tables of docs/evidence/accuracy.md, written in their places."""
 
 import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-PAGE = Path("docs/accuracy.md")
+PAGE = Path("docs/evidence/accuracy.md")
 
 
 def markdown(rows: Iterable[Sequence[str]]) -> str:

@@ -1,4 +1,4 @@
-"""All of docs/accuracy.md: its pictures and its tables.
+"""All of docs/evidence/accuracy.md: its pictures and its tables.
 
 Run from the repository's root:
 

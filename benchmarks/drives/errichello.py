@@ -1,4 +1,4 @@
-"""Errichello's speed increaser, printed figures beside ours (docs/validation.md), in his units.
+"""Errichello's speed increaser, printed figures beside ours (docs/evidence/validation.md), in his units.
 
 Run from the repository's root:
     python benchmarks/drives/errichello.py           table, reducer against increaser, addenda, assumptions

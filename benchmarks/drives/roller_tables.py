@@ -1,4 +1,4 @@
-"""The tables of the roller enveloping drive's source beside what is found here: `docs/validation.md`.
+"""The tables of the roller drive's source beside computed values, as in `docs/evidence/validation.md`.
 
 python benchmarks/drives/roller_tables.py          # closed forms, and line contacts solved: a minute
 """

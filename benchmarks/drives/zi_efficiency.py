@@ -1,4 +1,4 @@
-"""Loss and efficiency of the ZI drive beside the standards' (docs/validation.md).
+"""Loss and efficiency of the ZI drive beside the standards' (docs/evidence/validation.md).
 
 Run from the repository's root:
 

@@ -1,4 +1,4 @@
-"""Dry contacts of the worm of Sharif et al. (2001) for other set-ups of the hob (docs/drives/zi-worm.md).
+"""Dry contacts of the worm of Sharif et al. (2001) for other set-ups of the hob (docs/theory/zi-worm.md).
 
 Run from the repository's root: python benchmarks/drives/zi_setup.py
 """

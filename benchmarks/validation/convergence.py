@@ -16,7 +16,7 @@ from pyworm.scene.scales import scales
 COARSEST = 48
 TOLERANCE = 1e-6
 # Window in half-widths of the contact; central and minimum film in Moes' units of an independent dense
-# solver, extrapolated and corrected to a large domain (docs/validation.md).
+# solver, extrapolated and corrected to a large domain (docs/evidence/validation.md).
 CASES = {
     "point_m20_l10": ((-4.5, 1.5, 3.0), (4.208, 2.856)),
     "point_m100_l10": ((-3.0, 1.5, 2.25), (3.875, 2.069)),

@@ -24,7 +24,7 @@ RADIUS = 0.01
 M, L = 200.0, 10.0
 ACCURACY = 0.003
 LARGEST_GRID = 5_500_000
-# D -> central and minimum film in Moes' units, large inlet (docs/validation.md); None: not found by it
+# D -> central and minimum film in Moes' units, large inlet (docs/evidence/validation.md); None: not found
 REFERENCE = {
     1 / 30: (5.355, 4.456),
     1 / 10: (4.945, 4.167),

@@ -1,7 +1,7 @@
 """How much work a solve is expected to be: Newton steps and the nodes of their grids, counted, not timed.
 
 What a step takes on a machine is measured (`solver.cost.calibration`). Counts and laws are medians and fits
-over the shipped cases and the scenes of `benchmarks/accuracy/asked_accuracy.py`; `docs/accuracy.md`
+over the shipped cases and the scenes of `benchmarks/accuracy/asked_accuracy.py`; `docs/evidence/accuracy.md`
 shows what they predict, and `benchmarks/accuracy/precision.py expected` tries them again.
 """
 

@@ -27,8 +27,8 @@ PARABOLA = 3
 """Levels across a film whose temperature is a parabola."""
 
 LEVEL_ERRORS = ((5, 1e-2), (7, 4e-4), (9, 3e-5), (11, 0.0))
-"""Levels across the film, and what error they leave in its figures: the worst of films, friction and largest
-temperatures of seven contacts against 13 levels (`benchmarks/accuracy/levels.py`, `docs/validation.md`)."""
+"""Levels across the film and the error they leave: the largest relative error of films, friction and largest
+temperatures of seven contacts against 13 levels (`benchmarks/accuracy/levels.py`)."""
 
 LEVEL_SHARE = 0.1
 """Error by the levels allowed, as a share of the accuracy asked for."""

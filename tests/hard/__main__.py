@@ -8,7 +8,7 @@
     python tests/hard --trapped         # the named scenes in a debug build, on their first grids
 
 Rows appear as scenes are solved. Exit code 1 if a scene broke, or fewer converged than promised, or one of
-the default seed that did not converge is not listed in docs/hard_cases.md.
+the default seed that did not converge is not listed in docs/evidence/hard-cases.md.
 """
 
 import argparse

@@ -26,7 +26,7 @@ MOST_SPIN = 0.2
 LEAST_SPINNING = 50.0
 """Moes' M below which no spin is drawn: around an ellipse that spins in a thick film the pressure far out
 falls with the square of the distance only, so that its load has no end but that of the bodies. The solver
-marks such films (`docs/hard_cases.md`); they are not hard, they are no property of the contact."""
+marks such films (`docs/evidence/hard-cases.md`); they are not hard, they are no property of the contact."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ radius that along the entrainment."""
 SOFT, MOST_SOFT = 5.0, 1000.0
 """Moes' L below which M goes to 1000 only, as those of the named scenes do: in the corner beyond, of nearly
 isoviscous films under heavy loads, minima at the sides are some percent of a film that is itself a thousandth
-of the deformation, and one scene in nine needs more than the largest grid (`docs/hard_cases.md`)."""
+of the deformation, and one scene in nine needs more than the largest grid (`docs/evidence/hard-cases.md`)."""
 
 LIMITS = {
     "moes_m": Range(2.0, 3000.0),

@@ -12,7 +12,7 @@ COUNTS = {"isothermal": 500, "thermal": 150}
 PROMISED = {"isothermal": 0.99, "thermal": 0.97}
 """Fraction of them that converges, of any seed."""
 
-LISTED = Path(__file__).parents[2] / "docs" / "hard_cases.md"
+LISTED = Path(__file__).parents[2] / "docs" / "evidence" / "hard-cases.md"
 """Where each scene of the default seed that does not converge stands with its reason."""
 
 

@@ -14,7 +14,6 @@ ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 LESSONS = [
     ROOT / "README.md",
-    ROOT / "docs/quick-start.md",
     *sorted((ROOT / "docs/tutorials").glob("*.md")),
     ROOT / "docs/how-to/add-a-drive.md",
 ]

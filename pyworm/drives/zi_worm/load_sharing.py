@@ -11,7 +11,7 @@ lift_k how much farther its film holds the bodies apart than they would be under
 The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a
 little beyond, rest on a tooth's edge; lifts from solved films, once there are some: film formulas are not
 made for a contact entrained along its length, and got the difference of two lifts wrong by as much as it is
-(docs/drives/zi-worm.md). Theta is where the moments of all pairs balance the torque, friction
+(docs/theory/zi-worm.md). Theta is where the moments of all pairs balance the torque, friction
 included: the sliding drags the wheel's tooth along with the worm by friction F_k, so that about an axis
 
     torque = sum over k of F_k [arm of the normal + friction (arm of the sliding)].                       (2)

@@ -58,7 +58,7 @@ def test_every_shipped_sweep_is_right(path):
 
 
 def test_the_manual_shows_a_shipped_sweep():
-    manual = (CASES.parent / "docs" / "batch.md").read_text()
+    manual = (CASES.parent / "docs" / "how-to" / "run-batches.md").read_text()
     shown = re.search(r"```toml\n(.*?)```", manual, re.DOTALL)[1]
     assert tomllib.loads(shown) == tomllib.loads(SHIPPED[0].read_text())
 

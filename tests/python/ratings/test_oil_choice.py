@@ -37,7 +37,7 @@ def test_the_zi_worm_gets_the_oil_it_runs_with():
 
 
 def test_errichellos_speed_increaser():
-    """His rule asks for VG 320; how far his films are met is told in docs/ratings.md."""
+    """His rule asks for VG 320; how far his films are met is told in docs/reference/ratings.md."""
     choice = choose_oil(ERRICHELLO)
     assert (choice.grade, choice.reached, choice.viscosity_needed) == (320, False, None)
     text = page(choice)

@@ -30,7 +30,7 @@ from pyworm.solver.point.far_field import far_field
 def test_circular_films_of_an_independent_solver(m, box, central, minimum):
     """Dense Newton solutions of the same equations, extrapolated and corrected to a large domain.
 
-    Compressible Roelands oil (docs/validation.md); at M = 100 the domain factors are those found with Barus.
+    Compressible Roelands oil (docs/evidence/validation.md); at M = 100 the domain factors are those of Barus oil.
     Their own uncertainty is 0.01 to 0.2 % (central) and 0.8 to 3 % (minimum).
     """
     coarse, middle, fine = films(circular(m, 10), box)
@@ -191,7 +191,7 @@ def test_the_load_beyond_a_window_is_that_of_the_exact_field():
 
 
 def test_isoviscous_incompressible_film():
-    """(M, L) = (20, 0) on a large domain: the independent solver of docs/validation.md."""
+    """(M, L) = (20, 0) on a large domain: the independent solver of docs/evidence/validation.md."""
     soft = Oil(Barus(0.04, 0.0), Density.incompressible(870.0))
     like = circular(20, 5)
     scene = replace(like, oil=soft)
