@@ -30,7 +30,7 @@ from pyworm.solver.point.far_field import far_field
 def test_circular_films_of_an_independent_solver(m, box, central, minimum):
     """Dense Newton solutions of the same equations, extrapolated and corrected to a large domain.
 
-    Compressible Roelands oil (docs/evidence/validation.md); at M = 100 the domain factors are those of Barus oil.
+    Compressible Roelands oil (docs/evidence/validation.md); at M = 100 with the domain factors of Barus oil.
     Their own uncertainty is 0.01 to 0.2 % (central) and 0.8 to 3 % (minimum).
     """
     coarse, middle, fine = films(circular(m, 10), box)
