@@ -1,4 +1,4 @@
-"""What README and docs show: Python runs and prints what they say, command lines parse, files are there."""
+"""README and docs: Python and commands print what pages show, command lines parse, named files exist."""
 
 import re
 import shlex
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.cli.main import _parser
+from pyworm.cli.main import _parser, main
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -57,6 +57,30 @@ def test_python_runs_and_prints_what_the_page_says(page, tmp_path, monkeypatch, 
         if said is not None:
             assert NUMBER.sub("#", printed).strip() == NUMBER.sub("#", said).strip()
             assert _numbers(printed) == pytest.approx(_numbers(said), rel=0.02, abs=1e-6)
+
+
+def test_the_readme_shows_what_run_prints(tmp_path, capsys):
+    """The table of the worm contact at mid-mesh: every row with its published value."""
+    text = (ROOT / "README.md").read_text()
+    command = re.search(r"`pyworm (run [^`]*)` prints, among other lines", text)[1]
+    shown = [row.strip() for row in re.findall(r"^    │.*│$", text, re.M)]
+    assert len(shown) == 13
+    words = command.replace("cases/", f"{ROOT}/cases/").split()
+    assert main([*words, "--out", str(tmp_path)]) == 0
+    printed = {
+        _cells(row)[0]: _cells(row) for row in capsys.readouterr().out.splitlines() if "│" in row
+    }
+    for name, value, published in map(_cells, shown):
+        _, now, beside = printed[name]
+        assert beside == published
+        assert NUMBER.sub("#", now) == NUMBER.sub("#", value)
+        figure, *bar = _numbers(value)
+        assert _numbers(now)[0] == pytest.approx(figure, rel=1e-3), name
+        assert _numbers(now)[1:] == pytest.approx(bar, rel=0.02), name
+
+
+def _cells(row: str) -> list[str]:
+    return [cell.strip() for cell in row.strip().strip("│").split("│")]
 
 
 def _numbers(text: str) -> list[float]:

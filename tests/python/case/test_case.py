@@ -263,10 +263,11 @@ def test_without_heat_nothing_is_said_of_temperatures():
     assert [body.bulk_temperature for body in scene.bodies] == [None, None]
 
 
-def test_the_case_in_the_readme_is_right(tmp_path):
-    blocks = re.findall(r"```toml\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+@pytest.mark.parametrize("page", ["README.md", "docs/reference/case-files.md"])
+def test_the_case_on_a_page_is_right(page, tmp_path):
+    blocks = re.findall(r"```toml\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
     assert len(blocks) == 1
-    path = tmp_path / "readme.toml"
+    path = tmp_path / "page.toml"
     path.write_text(blocks[0])
     assert load(path).scene().load == pytest.approx(20.0)
 

@@ -317,14 +317,14 @@ def test_check_lists_effects_as_json(capsys):
         "--effects auto --quantities film --accuracy 5%",
     ],
 )
-def test_the_readme_shows_what_check_prints(arguments, capsys, monkeypatch):
+def test_the_page_on_effects_shows_what_check_prints(arguments, capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "112")
     assert main(["check", *f"cases/{arguments}".split()]) == CONVERGED
     rows = [line.strip() for line in capsys.readouterr().out.splitlines()]
     shown = [line for line in rows if line.partition(" ")[0] in BY_NAME]
     assert len(shown) == len(EFFECTS)
-    readme = Path("README.md").read_text()
-    assert "\n".join(shown) in readme
+    page = Path("docs/theory/effects.md").read_text()
+    assert "\n".join(shown) in page
 
 
 @pytest.mark.parametrize(
