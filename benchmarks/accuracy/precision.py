@@ -79,7 +79,7 @@ def show(name: str, made: Study) -> None:
 
 
 def cheapest_rows(made: Study) -> Iterable[Sequence[str]]:
-    """Accuracies against figures: the cheapest rung and grid."""
+    """Accuracies against figures: the cheapest model and grid."""
     figures = list(made.references)
     yield ["error", *(LABELS[figure] for figure in figures), "all of them"]
     for accuracy in TARGETS:
@@ -102,10 +102,10 @@ def cheapest_rows(made: Study) -> Iterable[Sequence[str]]:
 
 
 def point_rows(made: Study, kind: str) -> Iterable[Sequence[str]]:
-    """All points of formulas, or of rungs, with their errors."""
+    """All points of formulas, or of models, with their errors."""
     figures = list(made.references)
     grid = ["grid", "s", "convolutions"] if kind == "rung" else ["s"]
-    yield [kind, *grid, *(LABELS[figure] for figure in figures)]
+    yield [{"rung": "model"}.get(kind, kind), *grid, *(LABELS[figure] for figure in figures)]
     for curve in made.curves:
         if curve.kind != kind:
             continue
