@@ -19,10 +19,11 @@ import numpy as np
 from pyworm.batch.case_run import RESULT_NAME, run
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_again
+from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.progress import Progress
 from pyworm.ratings.heating import HeatingLoss, heating_loss, tooth_loss_of
 from pyworm.ratings.standard_loss import standard_loss
-from pyworm.result.mesh_cycle import FEWEST_PHASES, DriveCycle, drive_cycle
+from pyworm.result.mesh_cycle import DriveCycle, drive_cycle
 from pyworm.result.result import Result, case_in
 
 PASSES = 3
@@ -182,7 +183,7 @@ def _told(found: dict[str, dict[str, Any]]) -> list[str]:
 def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
     """Largest share by which loads at some phases change from a case to another."""
     before, after = (
-        np.array([of.drive.shared(phase).force(phase) for phase in phases]) for of in (case, new)
+        np.array([of.drive.normal_load(phase) for phase in phases]) for of in (case, new)
     )
     return float(np.max(np.abs(after / before - 1)))
 

@@ -7,7 +7,8 @@ from pydantic import Field, model_validator
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import GearRatingTable, RatedCase
 from pyworm.case.table import Count, Number, NumberOrZero, Phase, PositiveNumber, Table
-from pyworm.drives.gear_pair.drive import GearPairDrive, TipRelief
+from pyworm.drives.gear_pair.design import TipRelief
+from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.drives.gear_pair.film_formulas import Surfaces
 from pyworm.drives.gear_pair.involute import Gear, InvolutePair, ToothSystem
 from pyworm.io import units

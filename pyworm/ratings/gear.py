@@ -4,11 +4,11 @@ import numpy as np
 
 from pyworm.case.case_file import PublishedValue
 from pyworm.case.ratings import GearRatingTable
-from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.drive import Drive
+from pyworm.drives.duty import GearPairDuty
 from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
-from pyworm.materials.body import composite_roughness
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.result.result import Result
@@ -20,7 +20,8 @@ LITRES_PER_MINUTE = 6e4
 
 
 def rate_gear_pair(
-    drive: GearPairDrive,
+    drive: Drive,
+    duty: GearPairDuty,
     table: GearRatingTable,
     published: dict[str, PublishedValue],
     result: Result | None = None,
@@ -29,8 +30,10 @@ def rate_gear_pair(
 
     Parameters
     ----------
-    drive : GearPairDrive
-        The gears.
+    drive : Drive
+        The gears; for the simulation.
+    duty : GearPairDuty
+        The same as the formulas see them.
     table : GearRatingTable
         How they are oiled.
     published : dict
@@ -43,45 +46,21 @@ def rate_gear_pair(
     ValueError
         What lies outside the formulas.
     """
-    return _teeth(drive, table, published, result), _supply(drive, table)
+    return _teeth(drive, duty, table, published, result), _supply(duty, table)
 
 
 def _teeth(
-    drive: GearPairDrive,
+    drive: Drive,
+    duty: GearPairDuty,
     table: GearRatingTable,
     published: dict[str, PublishedValue],
     result: Result | None,
 ) -> Rating:
-    phases = drive.cycle_phases()
-    rated = drive.rating(drive.contacts(phases))
-    thin = int(np.argmin(rated.film_min))
-    closed = {
-        "pitch_line_velocity_m_s": drive.pitch_line_velocity,
-        "film_min_m": float(rated.film_min[thin]),
-        "film_min_phase": float(phases[thin]),
-        **_wear(drive, float(rated.film_min[thin])),
-        "hertz_pressure_Pa": float(rated.hertz_pressure.max()),
-        "loss_factor": drive.loss_factor,
-    }
-    if drive.surfaces is not None:
-        friction = drive.surfaces.friction_coefficient
-        closed |= {
-            "friction": friction,
-            "loss_W": drive.power * drive.loss_factor * friction,
-            "efficiency": 1 - drive.loss_factor * friction,
-        }
-    if rated.contact_temperature is not None:
-        limit = _scuffing_temperature(drive, table)
-        hot = int(np.argmax(rated.contact_temperature))
-        closed |= {
-            "flash_temperature_K": float(rated.flash_temperature[hot]),
-            "contact_temperature_C": float(rated.contact_temperature[hot]) - ZERO_CELSIUS,
-            "contact_temperature_phase": float(phases[hot]),
-        } | _scuffing(float(rated.contact_temperature[hot]), limit)
+    closed = _closed_forms(duty, table)
     printed = {
         key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
     }
-    simulated = {} if result is None else _simulated(drive, result.solutions)
+    simulated = {} if result is None else _simulated(drive, duty, result.solutions)
     columns = {"closed form": closed, SIMULATION: simulated, "printed": printed}
     columns = {name: values for name, values in columns.items() if values}
     figures = tuple(
@@ -130,14 +109,44 @@ _TEETH = (
 )
 
 
+def _closed_forms(duty: GearPairDuty, table: GearRatingTable) -> dict[str, float | str | None]:
+    """Film, wear, loss and scuffing by formulas, at the worst place of the line of action."""
+    line = duty.line_of_action
+    thin = line.thinnest
+    closed = {
+        "pitch_line_velocity_m_s": duty.pitch_line_velocity,
+        "film_min_m": float(line.film_min[thin]),
+        "film_min_phase": float(line.phase[thin]),
+        **_wear(duty, float(line.film_min[thin])),
+        "hertz_pressure_Pa": float(line.hertz_pressure.max()),
+        "loss_factor": duty.loss_factor,
+    }
+    if duty.friction is not None:
+        closed |= {
+            "friction": duty.friction,
+            "loss_W": duty.power * duty.loss_factor * duty.friction,
+            "efficiency": 1 - duty.loss_factor * duty.friction,
+        }
+    if line.contact_temperature is not None:
+        hot = int(np.argmax(line.contact_temperature))
+        hottest = float(line.contact_temperature[hot])
+        closed |= {
+            "flash_temperature_K": float(line.flash_temperature[hot]),
+            "contact_temperature_C": hottest - ZERO_CELSIUS,
+            "contact_temperature_phase": float(line.phase[hot]),
+            **_scuffing(hottest, _scuffing_temperature(duty, table)),
+        }
+    return closed
+
+
 def _as_shown(printed: PublishedValue, key: str) -> float:
     return printed.value - ZERO_CELSIUS if key.endswith("_C") else printed.value
 
 
-def _scuffing_temperature(drive: GearPairDrive, table: GearRatingTable) -> float | None:
+def _scuffing_temperature(duty: GearPairDuty, table: GearRatingTable) -> float | None:
     """Mean scuffing temperature [K]: the case's own, or by the oil's viscosity."""
-    if drive.surfaces.scuffing_temperature is not None or table.viscosity_40 is None:
-        return drive.surfaces.scuffing_temperature
+    if duty.scuffing_temperature is not None or table.viscosity_40 is None:
+        return duty.scuffing_temperature
     return float(scuffing.scuffing_temperature(table.viscosity_40, table.anti_scuff))
 
 
@@ -152,12 +161,12 @@ def _scuffing(contact: float, limit: float | None) -> dict[str, float | str]:
     }
 
 
-def _wear(drive: GearPairDrive, film: float) -> dict[str, float | str]:
+def _wear(duty: GearPairDuty, film: float) -> dict[str, float | str]:
     """Specific film and wear of a least film [m]; nothing where the roughness is not known."""
-    roughness = composite_roughness(*drive.bodies)
+    roughness = duty.composite_roughness
     if roughness is None:
         return {}
-    wear = rate_wear(film, roughness, drive.pitch_line_velocity)
+    wear = rate_wear(film, roughness, duty.pitch_line_velocity)
     return {
         "composite_roughness_m": roughness,
         "specific_film": wear.specific_film_min,
@@ -167,7 +176,7 @@ def _wear(drive: GearPairDrive, film: float) -> dict[str, float | str]:
 
 
 def _simulated(
-    drive: GearPairDrive, solutions: tuple[Solution, ...]
+    drive: Drive, duty: GearPairDuty, solutions: tuple[Solution, ...]
 ) -> dict[str, float | str | None]:
     """The same figures of the solved contacts."""
     thin = min(solutions, key=lambda solution: solution.figures.film_min.value)
@@ -175,7 +184,7 @@ def _simulated(
     said: dict[str, float | str | None] = {
         "film_min_m": film,
         "film_min_phase": thin.phase,
-        **_wear(drive, film),
+        **_wear(duty, film),
         "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
     }
     lost = mesh_loss(drive, solutions)
@@ -199,23 +208,22 @@ def _surface(solution: Solution) -> float:
     return max(figures.temperature_max_body_1.value, figures.temperature_max_body_2.value)
 
 
-def _supply(drive: GearPairDrive, table: GearRatingTable) -> Rating:
+def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
     """Viscosity by speed, oil flow and jets."""
-    speed = drive.pitch_line_velocity
+    speed = duty.pitch_line_velocity
     wanted = gear_oil.pitch_line_viscosity(speed)
     figures = [
         ("viscosity_40_m2_s", "Viscosity at 40 °C by speed", wanted, 1e6, "mm²/s"),
         ("nearest_grade", "  nearest ISO VG", gear_oil.nearest_grade(wanted), 1.0, ""),
     ]
     for word, (_, use) in gear_oil.FLOWS.items():
-        flow = gear_oil.oil_flow(drive.power, word)
+        flow = gear_oil.oil_flow(duty.power, word)
         label = f"Oil flow, {word} ({use})"
         figures.append((f"flow_{word}_m3_s", label, flow, LITRES_PER_MINUTE, "l/min"))
     words = [f"Oil is brought by {gear_oil.application_method(speed)}."]
     if table.flow is not None:
-        flow = gear_oil.oil_flow(drive.power, table.flow)
-        density = drive.oil.density.rho0
-        jets = gear_oil.oil_jets(flow, table.feed_pressure, density, table.jets)
+        flow = gear_oil.oil_flow(duty.power, table.flow)
+        jets = gear_oil.oil_jets(flow, table.feed_pressure, duty.oil_density, table.jets)
         figures += [
             ("jets", f"Jets, {table.flow} flow", jets.number, 1.0, ""),
             ("jet_diameter_m", "  diameter", jets.diameter, 1e3, "mm"),

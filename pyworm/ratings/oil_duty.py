@@ -1,17 +1,13 @@
 """What an oil has to do in the drive of a case: from `[oil_choice]` to a `Duty`."""
 
-import numpy as np
-
 from pyworm.case.ratings import BearingTable, OilChoiceTable
-from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.io.input_error import CaseError
-from pyworm.materials.body import composite_roughness
 from pyworm.ratings.oil_choice import OilChoice, choose_oil
 from pyworm.ratings.oil_grades import Duty, line_film, worm_film
 from pyworm.ratings.rated_case import Asked
-from pyworm.ratings.worm import WormDuty
 
 
 def oil_choice(asked: Asked) -> OilChoice:
@@ -38,9 +34,12 @@ def oil_duty(asked: Asked) -> Duty:
         **table.model_dump(),
         **_bearing(asked.tables.bearings),
     }
-    if isinstance(asked.drive, GearPairDrive):
-        return Duty(**common, **_gear_pair(asked.drive, table))
-    return Duty(**common, **_worm(asked.worm_duty, table))
+    made = asked.duty
+    if isinstance(made, GearPairDuty):
+        return Duty(**common, **_gear_pair(made, table))
+    if isinstance(made, WormDuty):
+        return Duty(**common, **_worm(made, table))
+    raise CaseError("no oil can be chosen for a drive of this kind")
 
 
 def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:
@@ -55,26 +54,22 @@ def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:
     }
 
 
-def _gear_pair(drive: GearPairDrive, table: OilChoiceTable) -> dict:
+def _gear_pair(duty: GearPairDuty, table: OilChoiceTable) -> dict:
     """The thinnest film along the line of action is what counts."""
-    roughness = composite_roughness(*drive.bodies)
-    if roughness is None:
+    if duty.composite_roughness is None:
         raise CaseError("bodies.pinion.roughness or bodies.gear.roughness is missing")
-    phases = drive.cycle_phases()
-    contacts = drive.contacts(phases)
-    rated = drive.rating(contacts)
-    thin = int(np.argmin(rated.film_min))
-    hottest = rated.contact_temperature
+    line = duty.line_of_action
+    thin, hottest = line.thinnest, line.contact_temperature
     return {
         "film": line_film(
-            float(contacts.radius[thin]),
-            float(contacts.unit_load[thin]),
-            drive.reduced_modulus,
-            float(contacts.entrainment[thin]),
+            float(line.radius[thin]),
+            float(line.unit_load[thin]),
+            duty.reduced_modulus,
+            float(line.entrainment[thin]),
         ),
-        "roughness": roughness,
-        "pitch_line_velocity": drive.pitch_line_velocity,
-        "tables": (gear_oil.agma_parallel(drive.teeth.centre_distance, table.ambient_temperature),),
+        "roughness": duty.composite_roughness,
+        "pitch_line_velocity": duty.pitch_line_velocity,
+        "tables": (gear_oil.agma_parallel(duty.centre_distance, table.ambient_temperature),),
         "contact_temperature": None if hottest is None else float(hottest.max()),
     }
 

@@ -1,13 +1,14 @@
 """What a case file asks to be rated, and its ratings."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from pyworm.case.case import Case, case_of, checked
 from pyworm.case.ratings import RATING_TABLES, RatedCase, RatingCase
 from pyworm.case.unusual import unusual
-from pyworm.drives.gear_pair.drive import GearPairDrive
-from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.drive import Drive
+from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
 from pyworm.io.input_error import CaseError
 from pyworm.io.toml import read_toml
 from pyworm.planning.prediction import sketch
@@ -15,13 +16,7 @@ from pyworm.ratings.bearing import rate_bearing_table
 from pyworm.ratings.films import rate_films
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.rating import Rating
-from pyworm.ratings.worm import (
-    WormDuty,
-    rate_worm_table,
-    standard_rating,
-    worm_duty_of_drive,
-    worm_duty_of_table,
-)
+from pyworm.ratings.worm import rate_worm_table, standard_rating, worm_duty_of_table
 from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
@@ -43,7 +38,7 @@ class Asked:
         Where it lies; files that it names are relative to it.
     tables : RatedCase or RatingCase
         The file, in SI.
-    drive : ZiWormDrive, GearPairDrive or None
+    drive : Drive or None
         Its drive, if it has one that can be rated.
     warnings : tuple of str
         What is unusual in it, as `Case.warnings`.
@@ -52,22 +47,22 @@ class Asked:
     name: str
     directory: Path
     tables: RatedCase | RatingCase
-    drive: ZiWormDrive | GearPairDrive | None = None
+    drive: Drive | None = None
     warnings: tuple[str, ...] = ()
 
     @property
-    def worm_gear(self) -> bool:
-        """Whether it is about a worm gear that the standards know."""
-        if isinstance(self.drive, ZiWormDrive):
-            return True
-        return getattr(self.tables, "worm_gear", None) is not None
+    def rated_as(self) -> type[Duty] | None:
+        """What the standards rate it as, the type of its `duty`; None where they know no such drive."""
+        if self.drive is not None:
+            return self.drive.rated_as
+        return None if self.tables.worm_gear is None else WormDuty
 
-    @property
-    def worm_duty(self) -> WormDuty | None:
-        """Its worm gear as the standards see it, if it has one."""
-        if isinstance(self.drive, ZiWormDrive):
-            return worm_duty_of_drive(self.drive)
-        table = getattr(self.tables, "worm_gear", None)
+    @cached_property
+    def duty(self) -> Duty | None:
+        """Its gears as the standards see them; ValueError where these do not know such gears."""
+        if self.drive is not None:
+            return self.drive.duty()
+        table = self.tables.worm_gear
         return None if table is None else worm_duty_of_table(table)
 
 
@@ -100,7 +95,7 @@ def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
     table = getattr(asked.tables, "worm_rating", None)
     if table is None:
         return LeftOut()
-    duty = asked.worm_duty
+    duty = asked.duty
     film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
     return judged((), 0.0, (film, film), duty.composite_roughness)
 
@@ -154,12 +149,9 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     try:
         worm_rating = getattr(tables, "worm_rating", None)
         if worm_rating is not None:
-            worm = drive if isinstance(drive, ZiWormDrive) else None
-            made.append(
-                rate_worm_table(worm_rating, asked.worm_duty, asked.directory, worm, result)
-            )
-        if isinstance(drive, GearPairDrive):
-            made += rate_gear_pair(drive, tables.gear_rating, tables.published, result)
+            made.append(rate_worm_table(worm_rating, asked.duty, asked.directory, drive, result))
+        if asked.rated_as is GearPairDuty:
+            made += rate_gear_pair(drive, asked.duty, tables.gear_rating, tables.published, result)
         if drive is not None:
             scene, solution = _thinnest(asked, result)
             made.append(rate_films(scene, solution))
@@ -193,11 +185,11 @@ def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
         Its ratings.
     """
     left = [sentence for rating in made for sentence in rating.not_rated]
-    if asked.worm_gear and asked.tables.worm_rating is None:
+    if asked.rated_as is WormDuty and asked.tables.worm_rating is None:
         left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
-    if isinstance(asked.drive, GearPairDrive):
+    if asked.rated_as is GearPairDuty:
         left.append("Pitting and tooth root strength: no formulas of them are known here.")
-        if asked.drive.surfaces is None:
+        if asked.duty.friction is None:
             left.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
     if not asked.tables.bearings:
         left.append("Bearings: the case has no [bearings.NAME].")

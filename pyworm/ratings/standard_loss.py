@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from pyworm.case.case import Case, case_again
-from pyworm.drives.gear_pair.drive import GearPairDrive
-from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.formulas.worm_standard import SOURCE, teeth_loss
 from pyworm.io.input_error import CaseError
 from pyworm.materials.oil_file import oil_called
-from pyworm.ratings.worm import MEAN_TO_RMS, worm_duty_of_drive
+from pyworm.ratings.worm import MEAN_TO_RMS
 from pyworm.result.result import Result
 
 
@@ -79,10 +78,11 @@ class NoStandard:
 def standard_loss(case: Case) -> StandardLoss | NoStandard:
     """The loss between a drive's teeth by a standard or a closed form, or why there is none."""
     try:
-        if isinstance(case.drive, ZiWormDrive):
-            return _worm(case, case.drive)
-        if isinstance(case.drive, GearPairDrive):
-            return _gear_pair(case.drive)
+        duty = None if case.drive is None else case.drive.duty()
+        if isinstance(duty, WormDuty):
+            return _worm(case, duty)
+        if isinstance(duty, GearPairDuty):
+            return _gear_pair(duty)
     except ValueError as error:  # CaseError, and what lies outside the methods
         return NoStandard(str(error))
     what = "a contact without a drive" if case.drive is None else "a drive of this kind"
@@ -97,9 +97,9 @@ def standard_of_result(result: Result) -> StandardLoss | NoStandard:
         return NoStandard(str(error))
 
 
-def _worm(case: Case, drive: ZiWormDrive) -> StandardLoss | NoStandard:
+def _worm(case: Case, duty: WormDuty) -> StandardLoss | NoStandard:
     """By DIN 3996 and ISO/TS 14521; the oil is that of `[worm_rating]`, else the case's own by its name."""
-    duty, table = worm_duty_of_drive(drive), case.tables.worm_rating
+    table = getattr(case.tables, "worm_rating", None)
     name = case.tables.oil.name if table is None else table.oil
     lost = teeth_loss(
         duty.gear,
@@ -109,7 +109,7 @@ def _worm(case: Case, drive: ZiWormDrive) -> StandardLoss | NoStandard:
         MEAN_TO_RMS * duty.roughness[0],
         1.0 if table is None else table.material_factor,
     )
-    if drive.driver == "worm":
+    if duty.driver == "worm":
         return StandardLoss(lost.friction, lost.forward_efficiency, lost.power, SOURCE)
     if lost.backward_efficiency <= 0:
         return NoStandard(f"at its friction of {lost.friction:.3g} the wheel cannot drive the worm")
@@ -117,11 +117,10 @@ def _worm(case: Case, drive: ZiWormDrive) -> StandardLoss | NoStandard:
     return StandardLoss(lost.friction, lost.backward_efficiency, power, SOURCE)
 
 
-def _gear_pair(drive: GearPairDrive) -> StandardLoss | NoStandard:
+def _gear_pair(duty: GearPairDuty) -> StandardLoss | NoStandard:
     """By the loss factor and the coefficient of friction that the case gives."""
-    if drive.surfaces is None:
+    if duty.friction is None:
         return NoStandard("[surfaces] with a coefficient of friction is missing")
-    friction = drive.surfaces.friction_coefficient
-    share = drive.loss_factor * friction
-    source = f"loss factor {drive.loss_factor:.3g} and the friction of [surfaces]"
-    return StandardLoss(friction, 1 - share, drive.power * share, source)
+    share = duty.loss_factor * duty.friction
+    source = f"loss factor {duty.loss_factor:.3g} and the friction of [surfaces]"
+    return StandardLoss(duty.friction, 1 - share, duty.power * share, source)

@@ -1,20 +1,17 @@
 """Worm gears by the standards' methods, what the simulation of the same drive says beside."""
 
-from dataclasses import dataclass
-from math import pi
 from pathlib import Path
 
 import numpy as np
 
 from pyworm.case.ratings import WormGearTable, WormRatingTable
-from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.load_sharing import Transmission
-from pyworm.formulas.wear_distress import composite_roughness, regime, specific_film
+from pyworm.drives.drive import Drive
+from pyworm.drives.duty import WormDuty
+from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormRating, rate_worm
 from pyworm.formulas.worm_standard import OIL_KINDS, PITTING_STRENGTH
 from pyworm.io.input_error import CaseError
-from pyworm.materials.body import reduced_modulus
 from pyworm.materials.oil_file import oil_called
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
@@ -25,39 +22,6 @@ from pyworm.solver.solution import ZERO_CELSIUS
 
 MEAN_TO_RMS = 0.8
 """Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""
-
-
-@dataclass(frozen=True)
-class WormDuty:
-    """A worm gear at work, as the standards see it.
-
-    Attributes
-    ----------
-    gear : WormGear
-        Geometry.
-    worm_speed : float
-        [rad/s].
-    torque : float
-        On the wheel [N m].
-    reduced_modulus : float
-        [Pa].
-    roughness : tuple of float
-        Root mean square heights of worm and wheel, Rq [m].
-    words : tuple of str
-        How it was derived.
-    """
-
-    gear: WormGear
-    worm_speed: float
-    torque: float
-    reduced_modulus: float
-    roughness: tuple[float, float]
-    words: tuple[str, ...] = ()
-
-    @property
-    def composite_roughness(self) -> float:
-        """Of both flanks [m]."""
-        return composite_roughness(*self.roughness)
 
 
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
@@ -76,51 +40,6 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
         torque=table.wheel_torque,
         reduced_modulus=table.reduced_modulus,
         roughness=(table.worm_roughness, table.wheel_roughness),
-    )
-
-
-def worm_duty_of_drive(drive: ZiWormDrive) -> WormDuty:
-    """A ZI drive as the standards see it; CaseError where the roughness of its flanks is not known.
-
-    The module is the axial pitch over pi. The worm's reference cylinder lies one module below its tip, as
-    usual (DIN 3975); the profile shift of the wheel makes the centre distance. The torque is the wheel's; of
-    a tooth load that of every tooth in contact, on average over the mesh cycle.
-    """
-    roughness = tuple(body.roughness for body in drive.bodies)
-    for name, height in zip(("worm", "wheel"), roughness, strict=True):
-        if height is None:
-            raise CaseError(
-                f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
-            )
-    module = drive.worm.axial_pitch / pi
-    factor = 2 * (drive.worm.tip_radius / module - 1)
-    shift = drive.centre_distance / module - (factor + drive.wheel.teeth) / 2
-    gear = WormGear(
-        centre_distance=drive.centre_distance,
-        starts=drive.worm.threads,
-        teeth=drive.wheel.teeth,
-        module=module,
-        diameter_factor=factor,
-        face_width=drive.wheel.face_width,
-        profile_shift=shift,
-    )
-    torque = "wheel torque as the drive has it"
-    if not isinstance(drive.load, Transmission):
-        torque = (
-            f"wheel torque of {drive.load / 1e3:.3g} kN on each of {drive.mean_teeth_in_contact:.2f} "
-            f"teeth in contact on average, on an arm of {drive.load_arm * 1e3:.1f} mm"
-        )
-    return WormDuty(
-        gear=gear,
-        worm_speed=drive.speed,
-        torque=drive.wheel_torque,
-        reduced_modulus=reduced_modulus(*drive.bodies),
-        roughness=roughness,
-        words=(
-            f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, the "
-            f"reference cylinder one module below the worm's tip; profile shift of the wheel {shift:.3f}; "
-            f"{torque}.",
-        ),
     )
 
 
@@ -169,7 +88,7 @@ def rate_worm_table(
     table: WormRatingTable,
     duty: WormDuty,
     directory: Path,
-    drive: ZiWormDrive | None = None,
+    drive: Drive | None = None,
     result: Result | None = None,
 ) -> Rating:
     """The worm gear of a case, with a column of the simulation if a result of the same drive is given.
@@ -182,7 +101,7 @@ def rate_worm_table(
         Its worm gear.
     directory : Path
         Where the case lies.
-    drive : ZiWormDrive, optional
+    drive : Drive, optional
         The drive; needed for the simulation.
     result : Result, optional
         Its solved mesh phases.
@@ -265,7 +184,7 @@ def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
     ]
 
 
-def _simulated(duty: WormDuty, drive: ZiWormDrive, result: Result) -> dict[str, float | str]:
+def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float | str]:
     """The same figures of the solved phases, means over these."""
     solutions = result.solutions
     figures = [solution.figures for solution in solutions]

@@ -18,8 +18,9 @@ import numpy as np
 import xarray as xr
 from scipy.ndimage import distance_transform_edt, gaussian_filter, map_coordinates
 
+from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.variables import describe
-from pyworm.result.mesh_cycle import FEWEST_PHASES, flank_place
+from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 

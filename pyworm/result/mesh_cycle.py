@@ -1,12 +1,6 @@
 """What a whole mesh cycle comes to: extremes over its phases, and loss and efficiency of the drive.
 
-Read from a result and nothing else. A tooth pair's loss at a phase is its friction times load times
-sliding. Load and sliding are known all over the cycle; friction is at the phases solved, a smooth curve
-between them and that of the nearest one beyond. All pairs together lose, on average over a pitch,
-
-    P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
-
-and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + friction lever of the sliding).
+Read from a result and nothing else.
 """
 
 from collections.abc import Callable
@@ -15,8 +9,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import xarray as xr
 
+from pyworm.drives.tooth_loss import FEWEST_PHASES, Array, Loss, cycle_loss
+from pyworm.result.contact_loss import contact_losses
 from pyworm.result.result import Result
-from pyworm.result.tooth_loss import Array, Loss, cycle_loss
 from pyworm.solver.left_out import LeftOut, of_all
 from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
 
@@ -138,10 +133,6 @@ def _told(one: Extreme, unit: str) -> dict:
     return told
 
 
-FEWEST_PHASES = 3
-"""Converged phases without which there is no cycle to tell of."""
-
-
 def drive_cycle(result: Result) -> DriveCycle | None:
     """The mesh cycle of a drive whose tooth pairs share its load; None where there is no such thing."""
     cycle = result.mesh_cycle
@@ -168,7 +159,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
         },
         lambda_min=_lambda(film, good[0].composite_roughness),
         loss=(
-            cycle_loss(cycle, good)
+            cycle_loss(cycle, contact_losses(good))
             if all(one.figures.power_loss is not None for one in good)
             else None
         ),

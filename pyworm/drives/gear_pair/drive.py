@@ -6,117 +6,41 @@ at the start of its active profile (SAP), low on the tooth, 1 at the end (EAP), 
 drives, contact runs that way; where the gear drives (a speed increaser), it runs from 1 to 0.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, isfinite, sin
-from typing import ClassVar, Literal, get_args
+from math import cos, sin
 
 import numpy as np
 import xarray as xr
 
+from pyworm.drives.drive import Drive
+from pyworm.drives.duty import GearPairDuty
+from pyworm.drives.gear_pair.checks import check_drive
+from pyworm.drives.gear_pair.contacts import Array, ToothContacts
 from pyworm.drives.gear_pair.dataset import line_of_action_data, with_friction
+from pyworm.drives.gear_pair.design import ContactKind, Driver, TipRelief
+from pyworm.drives.gear_pair.duty import gear_pair_duty
 from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
 from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_pair.involute import InvolutePair
 from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
+from pyworm.drives.gear_pair.mesh_loss import gear_mesh_loss
+from pyworm.drives.gear_pair.misalignment import gear_misalignment
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.mesh_past import Passing
+from pyworm.drives.misalignment import Misalignment
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
-
-Array = np.ndarray
-Driver = Literal["pinion", "gear"]
-ContactKind = Literal["line", "point"]
 
 CYCLE_POINTS = 401
 """Phases at which the closed forms are drawn; the ends of single contact are added, twice."""
 
 
 @dataclass(frozen=True)
-class TipRelief:
-    """How much of a flank is taken off at its tip.
-
-    Attributes
-    ----------
-    amount : float
-        Along the normal, at the tip [m]; it grows linearly from nothing.
-    length : float
-        Length of the relieved part on the line of action [m].
-    """
-
-    amount: float = 0.0
-    length: float = 0.0
-
-
-@dataclass(frozen=True)
-class ToothContacts:
-    """Contacts along the line of action; numbers or arrays of one shape.
-
-    Attributes
-    ----------
-    phase : float
-        Place on the path of contact, 0 at the SAP of the pinion, 1 at its EAP.
-    pinion_length, gear_length : float
-        Radii of curvature in the transverse section [m].
-    roll_angle : float
-        Roll angle of the pinion, radius of curvature over base radius [rad].
-    pinion_radius, gear_radius, radius : float
-        Radii of curvature across the contact line, and the relative one [m].
-    pinion_velocity, gear_velocity : float
-        Velocities of the surfaces across the contact line, relative to it [m/s].
-    unit_load : float
-        Normal load for each length of the contact line [N/m].
-    load_share : float
-        Share of the normal force that the contact line carries [-].
-    line_length : float
-        Length of the contact line [m].
-    approach : bool
-        Whether contact is yet to reach the pitch point, where friction turns round.
-    """
-
-    phase: Array
-    pinion_length: Array
-    gear_length: Array
-    roll_angle: Array
-    pinion_radius: Array
-    gear_radius: Array
-    radius: Array
-    pinion_velocity: Array
-    gear_velocity: Array
-    unit_load: Array
-    load_share: Array
-    line_length: Array
-    approach: Array
-
-    @property
-    def entrainment(self) -> Array:
-        """Mean surface velocity [m/s]."""
-        return (self.pinion_velocity + self.gear_velocity) / 2
-
-    @property
-    def sliding(self) -> Array:
-        """Velocity of the pinion's surface relative to the gear's [m/s]."""
-        return self.pinion_velocity - self.gear_velocity
-
-    @property
-    def slide_roll_ratio(self) -> Array:
-        """Sliding over entrainment [-]."""
-        return self.sliding / self.entrainment
-
-    @property
-    def pinion_specific_sliding(self) -> Array:
-        """Sliding over the velocity of the pinion's surface [-]."""
-        return self.sliding / self.pinion_velocity
-
-    @property
-    def gear_specific_sliding(self) -> Array:
-        """Sliding of the gear's surface over its velocity [-]."""
-        return -self.sliding / self.gear_velocity
-
-
-@dataclass(frozen=True)
-class GearPairDrive:
+class GearPairDrive(Drive):
     """A pair of gears at one operating point.
 
     Attributes
@@ -148,7 +72,8 @@ class GearPairDrive:
         What the closed forms of friction and scuffing need beside; None if not known.
     """
 
-    warnings: ClassVar[tuple[str, ...]] = ()
+    body_names = "pinion", "gear"
+    rated_as = GearPairDuty
 
     teeth: InvolutePair
     driver: Driver
@@ -164,8 +89,17 @@ class GearPairDrive:
     surfaces: Surfaces | None = None
 
     def __post_init__(self) -> None:
-        _check_values(self)
+        check_drive(self)
         self.sharing  # noqa: B018  a rule that does not hold for these gears is refused here
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """The rule of load sharing, and that nothing bends."""
+        return (
+            f"Load sharing by the rule '{self.load_sharing}'; load factor {self.load_factor:g}.",
+            "Shafts and teeth do not bend, but for the contact itself; no dynamic loads but by the load "
+            "factor.",
+        )
 
     @cached_property
     def sharing(self) -> LoadSharing:
@@ -337,6 +271,18 @@ class GearPairDrive:
         arm = length / (base * cos(self.teeth.system.base_helix_angle))
         return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
 
+    def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+        """Loss by the loss factor and the mean friction; None of fewer than two phases."""
+        return gear_mesh_loss(self, contacts)
+
+    def misalignment(self, contacts: Sequence[LineScene | Scene]) -> Misalignment:
+        """Line contacts under the uneven load of flanks that are not parallel."""
+        return gear_misalignment(self, contacts)
+
+    def duty(self) -> GearPairDuty:
+        """The gears as the standards see them."""
+        return gear_pair_duty(self)
+
     def rating(self, contacts: ToothContacts) -> GearRating:
         """Film, specific film and contact temperature by closed forms at these contacts."""
         return rate(contacts, self.bodies, self.oil, self.surfaces)
@@ -359,39 +305,6 @@ class GearPairDrive:
         friction = self.surfaces.friction_coefficient
         return with_friction(data, friction, self.friction_load_factor(contacts, friction))
 
-    def scene_data(self, scene: LineScene | Scene) -> xr.Dataset:
-        """Nothing: the fields of a gear contact need no more."""
-        return xr.Dataset()
-
 
 def _name(phase: float) -> str:
     return f"phase {phase:.3g}"
-
-
-def _check_values(drive: GearPairDrive) -> None:
-    """Sizes are finite and positive, choices are known, reliefs lie on their flanks."""
-    for key in ("pinion_speed", "power", "load_factor"):
-        value = getattr(drive, key)
-        if not (isfinite(value) and value > 0):
-            raise ValueError(f"{key} is {value:g}; it must be positive and finite")
-    for key, choices in (("driver", get_args(Driver)), ("contact", get_args(ContactKind))):
-        if getattr(drive, key) not in choices:
-            raise ValueError(
-                f'{key} is "{getattr(drive, key)}"; it must be one of {", ".join(choices)}'
-            )
-    if not (isfinite(drive.lead_crowning) and drive.lead_crowning >= 0):
-        raise ValueError(f"lead_crowning is {drive.lead_crowning:g} m; it must be zero or more")
-    if drive.contact == "point" and drive.lead_crowning == 0:
-        raise ValueError(
-            'lead_crowning is missing; contact = "point" needs some, such as "10 um", for the pressure at '
-            "the ends of straight teeth has no bound"
-        )
-    longest = drive.teeth.path_length
-    for name, relief in zip(("pinion", "gear"), drive.tip_relief, strict=True):
-        if not (isfinite(relief.amount) and relief.amount >= 0):
-            raise ValueError(f"{name}.tip_relief is {relief.amount:g} m; it must be zero or more")
-        if relief.amount > 0 and not 0 < relief.length <= longest:
-            raise ValueError(
-                f"{name}.tip_relief_length is {relief.length * 1e3:.4g} mm; it must lie between 0 and the "
-                f"length of the path of contact, {longest * 1e3:.4g} mm"
-            )

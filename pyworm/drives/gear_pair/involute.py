@@ -7,15 +7,11 @@ coefficients are in normal modules. Symbols and formulas are those of ISO 21771 
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import acos, asin, atan, ceil, cos, degrees, isfinite, pi, sin, sqrt, tan
+from math import acos, asin, atan, cos, pi, sin, sqrt, tan
 
 from scipy.optimize import brentq
 
-CIRCLES_TOUCH = 1e-9
-"""Share of a module below which a circle that reaches beyond another one is rounding."""
-
-TIGHT = 1e-3
-"""Backlash in modules, negative, that is taken as the rounding of a table of profile shifts."""
+from pyworm.drives.gear_pair.involute_checks import check_pair
 
 
 def involute(angle: float) -> float:
@@ -155,10 +151,7 @@ class InvolutePair:
     face_width: float
 
     def __post_init__(self) -> None:
-        _check_values(self)
-        _check_centre_distance(self)
-        _check_teeth(self)
-        _check_mesh(self)
+        check_pair(self)
 
     @property
     def ratio(self) -> float:
@@ -169,6 +162,19 @@ class InvolutePair:
     def reference_centre_distance(self) -> float:
         """Distance a_d at which the reference circles touch [m]."""
         return (self.pinion.teeth + self.gear.teeth) * self.system.transverse_module / 2
+
+    @property
+    def tight_centre_distance(self) -> float:
+        """Centre distance without backlash [m].
+
+        inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) (x1 + x2) / (z1 + z2).
+        """
+        system = self.system
+        angle = system.transverse_pressure_angle
+        shifts = self.pinion.profile_shift + self.gear.profile_shift
+        teeth = self.pinion.teeth + self.gear.teeth
+        tight = inverse_involute(involute(angle) + 2 * tan(system.pressure_angle) * shifts / teeth)
+        return self.reference_centre_distance * cos(angle) / cos(tight)
 
     @property
     def pressure_angle(self) -> float:
@@ -287,132 +293,3 @@ def _cylinders(pair: InvolutePair, gear: Gear) -> Cylinders:
         tip_thickness=thickness(max(tip, base)),
         pitch_thickness=thickness(pitch),
     )
-
-
-def _check_values(pair: InvolutePair) -> None:
-    """Numbers are finite and of a sign and size that make sense alone."""
-    system = pair.system
-    sizes = {
-        "module": system.module,
-        "centre_distance": pair.centre_distance,
-        "face_width": pair.face_width,
-        "pressure_angle": system.pressure_angle,
-    }
-    for name, gear in (("pinion", pair.pinion), ("gear", pair.gear)):
-        sizes |= {f"{name}.addendum": gear.addendum, f"{name}.dedendum": gear.dedendum}
-        if gear.teeth != int(gear.teeth) or gear.teeth < 1:
-            raise ValueError(f"{name}.teeth is {gear.teeth:g}; a whole number of teeth is needed")
-        if not isfinite(gear.profile_shift):
-            raise ValueError(f"{name}.profile_shift is {gear.profile_shift}; it must be finite")
-        if not 0 <= gear.fillet < gear.dedendum:
-            raise ValueError(
-                f"{name}.fillet is {gear.fillet:g}; it must lie between 0 and the dedendum, "
-                f"{gear.dedendum:g}"
-            )
-    for key, value in sizes.items():
-        if not (isfinite(value) and value > 0):
-            raise ValueError(f"{key} is {value:g}; it must be positive and finite")
-    if not system.pressure_angle < pi / 4:
-        raise ValueError(
-            f"pressure_angle is {degrees(system.pressure_angle):.4g} deg; it must be below 45 deg, "
-            "such as 20 deg"
-        )
-    if not 0 <= system.helix_angle < pi / 3:
-        raise ValueError(
-            f"helix_angle is {degrees(system.helix_angle):.4g} deg; it must lie from 0 deg (spur) to "
-            "60 deg"
-        )
-    if pair.gear.teeth < pair.pinion.teeth:
-        raise ValueError(
-            f"pinion.teeth is {pair.pinion.teeth}; the pinion is the gear with fewer teeth, the other one "
-            f"has {pair.gear.teeth}"
-        )
-
-
-def _check_centre_distance(pair: InvolutePair) -> None:
-    """The base circles stay apart and the teeth do not jam."""
-    base_circles = pair.reference_centre_distance * cos(pair.system.transverse_pressure_angle)
-    if pair.centre_distance <= base_circles:
-        raise ValueError(
-            f"centre_distance is {pair.centre_distance * 1e3:.4g} mm; the base circles touch at "
-            f"{base_circles * 1e3:.4g} mm, it must be larger"
-        )
-    if pair.backlash < -TIGHT * pair.system.module:
-        shifts = pair.pinion.profile_shift + pair.gear.profile_shift
-        raise ValueError(
-            f"centre_distance is {pair.centre_distance * 1e3:.6g} mm; teeth of profile shifts that sum to "
-            f"{shifts:.4g} jam below {_tight_centre_distance(pair) * 1e3:.6g} mm"
-        )
-
-
-def _tight_centre_distance(pair: InvolutePair) -> float:
-    """Centre distance without backlash [m].
-
-    inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) (x1 + x2) / (z1 + z2).
-    """
-    system = pair.system
-    angle = system.transverse_pressure_angle
-    shifts = pair.pinion.profile_shift + pair.gear.profile_shift
-    teeth = pair.pinion.teeth + pair.gear.teeth
-    tight = inverse_involute(involute(angle) + 2 * tan(system.pressure_angle) * shifts / teeth)
-    return pair.reference_centre_distance * cos(angle) / cos(tight)
-
-
-def _check_teeth(pair: InvolutePair) -> None:
-    """Each gear has whole teeth: a flank above the fillet, a tip with some thickness."""
-    module = pair.system.module
-    for name, gear, size in zip(
-        ("pinion", "gear"), (pair.pinion, pair.gear), pair.cylinders, strict=True
-    ):
-        if size.form_length < -CIRCLES_TOUCH * module:
-            least = (
-                gear.profile_shift
-                - size.form_length * sin(pair.system.transverse_pressure_angle) / module
-            )
-            raise ValueError(
-                f"{name}.profile_shift is {gear.profile_shift:.4g}; {gear.teeth} teeth are undercut below "
-                f"{_up(least)}"
-            )
-        if size.tip <= max(size.root, size.base):
-            raise ValueError(
-                f"{name}.addendum is {gear.addendum:.4g}; the tip circle of {size.tip * 1e3:.4g} mm radius "
-                "lies below the flank, a larger one is needed"
-            )
-        if size.tip_thickness <= 0:
-            raise ValueError(
-                f"{name}.addendum is {gear.addendum:.4g}; with profile_shift {gear.profile_shift:.4g} the "
-                "tooth comes to a point before its tip, one of them must be smaller"
-            )
-
-
-def _check_mesh(pair: InvolutePair) -> None:
-    """Tips stay clear of roots and fillets, and one pair takes over from another."""
-    module = pair.system.module
-    names = ("pinion", "gear")
-    for mine, other in ((0, 1), (1, 0)):
-        size, facing = pair.cylinders[mine], pair.cylinders[other]
-        clearance = pair.centre_distance - size.tip - facing.root
-        addendum = getattr(pair, names[mine]).addendum
-        if clearance < -CIRCLES_TOUCH * module:
-            raise ValueError(
-                f"{names[mine]}.addendum is {addendum:.4g}; its tip reaches {-clearance * 1e3:.3g} mm into "
-                f"the root of the {names[other]}, it must be smaller or {names[other]}.dedendum larger"
-            )
-        reached = pair.base_tangent - size.tip_length
-        if reached < facing.form_length - CIRCLES_TOUCH * module:
-            raise ValueError(
-                f"{names[mine]}.addendum is {addendum:.4g}; its tip meets the {names[other]} "
-                f"{(facing.form_length - reached) * 1e3:.3g} mm below where the involute begins "
-                "(interference), it must be smaller"
-            )
-    if pair.transverse_contact_ratio < 1:
-        raise ValueError(
-            f"pinion.addendum and gear.addendum give a transverse contact ratio of "
-            f"{pair.transverse_contact_ratio:.3f}; a pair of teeth parts before the next one meets, at least "
-            "1 is needed"
-        )
-
-
-def _up(value: float) -> str:
-    """Two decimals, rounded up so that what is advised is enough."""
-    return f"{ceil(value * 100 - 1e-9) / 100:.2f}"

@@ -1,6 +1,6 @@
 """What the pictures and tables of a roller enveloping worm drive show beside solutions."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
@@ -8,6 +8,9 @@ import xarray as xr
 from pyworm.drives.roller_worm.film_formulas import REGIMES
 from pyworm.drives.roller_worm.load_sharing import lever
 from pyworm.io.variables import describe
+
+if TYPE_CHECKING:
+    from pyworm.drives.roller_worm.drive import RollerWormDrive
 
 KIND = "roller-worm"
 
@@ -30,7 +33,7 @@ TILTS = np.radians([0.0, 15.0, 30.0, 45.0, 60.0])
 """Tilts of the rollers' axes at which it is."""
 
 
-def roller_cycle_data(drive: Any) -> xr.Dataset:
+def roller_cycle_data(drive: "RollerWormDrive") -> xr.Dataset:
     """The mesh cycle of both sections.
 
     Parameters
@@ -38,47 +41,10 @@ def roller_cycle_data(drive: Any) -> xr.Dataset:
     drive : RollerWormDrive
         The drive.
     """
-    states = [
-        [drive.state(name, float(phase), STATIONS) for phase in PHASES] for name in drive.sections
-    ]
-    place = "section", "phase", "station"
-
-    def instant(read) -> tuple:
-        return place[:2], np.array([[read(state) for state in row] for row in states], float)
-
-    def point(read) -> tuple:
-        return place, np.array([[read(state) for state in row] for row in states], float)
-
-    def regime(read) -> tuple:
-        values = np.array([[read(state) for state in row] for row in states], float)
-        return ("section", "phase", "regime", "station"), values
-
     return describe(
         xr.Dataset(
             {
-                "wheel_angle": instant(lambda s: s.contact.wheel_angle[0]),
-                "roller_force": instant(lambda s: s.force),
-                "line_length": instant(lambda s: s.length),
-                "roller_speed": instant(lambda s: s.motion.roller_speed[0]),
-                "rollers_in_mesh": instant(lambda s: len(s.shared.forces)),
-                "wheel_turn": instant(lambda s: s.shared.turn),
-                "contact_radius": point(lambda s: 1 / s.contact.curvature),
-                "load_per_length": point(lambda s: s.load),
-                "worm_velocity": point(lambda s: s.motion.worm[0]),
-                "roller_velocity": point(lambda s: s.motion.roller[0]),
-                "sliding_along": point(lambda s: s.motion.sliding[1]),
-                "relative_spin": point(lambda s: s.motion.spin[0] - s.motion.spin[1]),
-                "lever": point(lambda s: lever(s.contact)),
-                "viscosity_parameter": point(lambda s: s.films.g_v),
-                "elasticity_parameter": point(lambda s: s.films.g_e),
-                "regime_number": point(lambda s: s.films.regime),
-                "formula_film_min": point(lambda s: s.films.minimum),
-                "formula_film_central": point(lambda s: s.films.central),
-                "printed_film_min": point(lambda s: s.films.printed_minimum),
-                "heated_share": point(lambda s: s.films.heated_share),
-                "specific_film": point(lambda s: s.films.specific_film),
-                "film_by_regime": regime(lambda s: s.films.by_regime),
-                "printed_film_by_regime": regime(lambda s: s.films.printed),
+                **_contact_lines(drive),
                 **_flanks(drive),
                 **_lines_in_mesh(drive),
                 **_sensitivity(drive),
@@ -100,7 +66,60 @@ def roller_cycle_data(drive: Any) -> xr.Dataset:
     )
 
 
-def _flanks(drive: Any) -> dict[str, tuple]:
+_OF_A_LINE = {
+    "wheel_angle": lambda s: s.contact.wheel_angle[0],
+    "roller_force": lambda s: s.force,
+    "line_length": lambda s: s.length,
+    "roller_speed": lambda s: s.motion.roller_speed[0],
+    "rollers_in_mesh": lambda s: len(s.shared.forces),
+    "wheel_turn": lambda s: s.shared.turn,
+}
+"""Name -> number of a contact line's state."""
+
+_ALONG_A_LINE = {
+    "contact_radius": lambda s: 1 / s.contact.curvature,
+    "load_per_length": lambda s: s.load,
+    "worm_velocity": lambda s: s.motion.worm[0],
+    "roller_velocity": lambda s: s.motion.roller[0],
+    "sliding_along": lambda s: s.motion.sliding[1],
+    "relative_spin": lambda s: s.motion.spin[0] - s.motion.spin[1],
+    "lever": lambda s: lever(s.contact),
+    "viscosity_parameter": lambda s: s.films.g_v,
+    "elasticity_parameter": lambda s: s.films.g_e,
+    "regime_number": lambda s: s.films.regime,
+    "formula_film_min": lambda s: s.films.minimum,
+    "formula_film_central": lambda s: s.films.central,
+    "printed_film_min": lambda s: s.films.printed_minimum,
+    "heated_share": lambda s: s.films.heated_share,
+    "specific_film": lambda s: s.films.specific_film,
+}
+"""Name -> numbers at the stations of a contact line."""
+
+_BY_REGIME = {
+    "film_by_regime": lambda s: s.films.by_regime,
+    "printed_film_by_regime": lambda s: s.films.printed,
+}
+"""Name -> films by the formula of each regime at the stations of a contact line."""
+
+
+def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
+    """Everything of a roller's contact line over both sections."""
+    states = [
+        [drive.state(name, float(phase), STATIONS) for phase in PHASES] for name in drive.sections
+    ]
+    tables = (
+        (_OF_A_LINE, ("section", "phase")),
+        (_ALONG_A_LINE, ("section", "phase", "station")),
+        (_BY_REGIME, ("section", "phase", "regime", "station")),
+    )
+    return {
+        name: (axes, np.array([[read(state) for state in row] for row in states], float))
+        for table, axes in tables
+        for name, read in table.items()
+    }
+
+
+def _flanks(drive: "RollerWormDrive") -> dict[str, tuple]:
     """Both sections' flanks in the worm's frame, and rollers at the instant the worm stands there."""
     flanks, rollers = [], []
     for section in drive.sections.values():
@@ -122,7 +141,7 @@ def _flanks(drive: Any) -> dict[str, tuple]:
     }
 
 
-def _lines_in_mesh(drive: Any) -> dict[str, tuple]:
+def _lines_in_mesh(drive: "RollerWormDrive") -> dict[str, tuple]:
     """Contact lines of all rollers in mesh while the worm stands as in `_flanks`."""
     lines, names, forces = [], [], []
     share = np.linspace(0, 1, ACROSS)[:, None]
@@ -139,7 +158,7 @@ def _lines_in_mesh(drive: Any) -> dict[str, tuple]:
     }
 
 
-def _sensitivity(drive: Any) -> dict[str, tuple]:
+def _sensitivity(drive: "RollerWormDrive") -> dict[str, tuple]:
     """Least closed-form film of entry and exit under changed design values; NaN where there is no drive."""
     varied = [
         *(

@@ -9,13 +9,13 @@ through the left section from the throat to its outer end, pushed from behind: t
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from math import degrees, pi
-from typing import ClassVar
 
 import numpy as np
 import xarray as xr
 
+from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_past import Passing
+from pyworm.drives.roller_worm.checks import check_drive
 from pyworm.drives.roller_worm.dataset import roller_cycle_data
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelope
@@ -35,9 +35,6 @@ from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Scene
-
-FARTHEST = 80.0
-"""Largest wheel angle at which a section may end [deg]."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +72,7 @@ class LineState:
 
 
 @dataclass(frozen=True)
-class RollerWormDrive:
+class RollerWormDrive(Drive):
     """A roller enveloping worm drive at one operating point.
 
     Attributes
@@ -103,7 +100,7 @@ class RollerWormDrive:
         The oil.
     """
 
-    warnings: ClassVar[tuple[str, ...]] = ()
+    body_names = "worm", "roller"
 
     worm: RollerWorm
     rollers: Rollers
@@ -117,9 +114,14 @@ class RollerWormDrive:
     oil: Oil
 
     def __post_init__(self) -> None:
-        _check(self)
+        check_drive(self)
         for section in self.sections.values():
             section.check()
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """How rollers share the load."""
+        return (f"The load is shared as operation.sharing = {self.sharing} says.",)
 
     @property
     def ratio(self) -> float:
@@ -311,45 +313,7 @@ class RollerWormDrive:
         """The mesh cycle of both sections for the result."""
         return roller_cycle_data(self)
 
-    def scene_data(self, scene: LineScene | Scene) -> xr.Dataset:
-        """Nothing beside the solution's own fields."""
-        return xr.Dataset()
-
 
 def _only(contact: LineContact) -> LineContact:
     """The one contact of an array of one."""
     return LineContact(**{name: part[..., 0] for name, part in vars(contact).items()})
-
-
-def _check(drive: RollerWormDrive) -> None:
-    """Sizes that must fit each other."""
-    worm, rollers, profile = drive.worm, drive.rollers, drive.rollers.profile
-    if not 0 < worm.throat_coefficient < 2:
-        raise ValueError(
-            f"worm.throat_coefficient is {worm.throat_coefficient:g}; the throat must lie between the axes, "
-            "from 0 to 2"
-        )
-    if not worm.throat_angle < worm.outer_angle <= np.radians(FARTHEST):
-        raise ValueError(
-            f"worm.outer_angle is {degrees(worm.outer_angle):.4g} deg; it must lie from worm.throat_angle, "
-            f"{degrees(worm.throat_angle):.4g} deg, to {FARTHEST:g} deg"
-        )
-    for name in ("addendum", "dedendum"):
-        if getattr(worm, name) > profile.length / 2:
-            raise ValueError(
-                f"worm.{name} is {getattr(worm, name) * 1e3:.4g} mm; it must not be above half the rollers' "
-                f"length, {profile.length * 5e2:.4g} mm"
-            )
-    if np.cos(rollers.tilt) * worm.dedendum >= drive.throat_radius:
-        raise ValueError(
-            f"worm.dedendum is {worm.dedendum * 1e3:.4g} mm; it must stay below the throat's radius, "
-            f"{drive.throat_radius * 1e3:.4g} mm"
-        )
-    thick = 2 * float(np.max(profile(np.array([-worm.addendum, 0.0]))[0]))
-    inner = drive.centre_distance - drive.throat_radius - np.cos(rollers.tilt) * worm.addendum
-    apart = 2 * inner * np.sin(pi / rollers.count)
-    if not thick < apart:
-        raise ValueError(
-            f"rollers.radius is {profile.radius * 1e3:.4g} mm; {rollers.count} rollers stand only "
-            f"{apart * 1e3:.4g} mm apart at the thread's tip, which leaves no thread between them"
-        )

@@ -41,7 +41,7 @@ def sensitivity_data(drive: Any) -> xr.Dataset:
     drive : ZiWormDrive
         The drive; the middle of each row is the drive itself.
     """
-    load = drive.shared(0.5).force(0.5)
+    load = drive.normal_load(0.5)
     own = _contact(drive, load)
     rows = []
     for name, error in ERRORS.items():

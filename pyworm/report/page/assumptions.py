@@ -4,16 +4,15 @@ from collections.abc import Sequence
 
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import assumptions
-from pyworm.drives.gear_pair.drive import GearPairDrive
-from pyworm.drives.roller_worm.drive import RollerWormDrive
-from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.load_sharing import Transmission
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.console.scenes import influence_share
 from pyworm.report.page.content import Items, Section, Table
 from pyworm.report.page.figures import place_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import ZERO_CELSIUS, Solution
+
+ONE_CONTACT = "One contact, with the curvature, velocities and load given."
+"""What is assumed of a contact without a drive."""
 
 
 def plan_section(result: Result) -> Section | None:
@@ -61,7 +60,7 @@ def assumptions_section(case: Case, result: Result) -> Section:
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
     if "squeeze" not in on:
         items.append("A steady film (the table of effects says what squeeze may change).")
-    items += _drive_items(case)
+    items += [ONE_CONTACT] if case.drive is None else case.drive.assumptions
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:
         found = getattr(case.tables, "cooling", None) is not None
@@ -76,41 +75,6 @@ def assumptions_section(case: Case, result: Result) -> Section:
             f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
         )
     return Section("What was assumed", (Items(tuple(items)),))
-
-
-def _drive_items(case: Case) -> list[str]:
-    drive = case.drive
-    if isinstance(drive, ZiWormDrive):
-        return [
-            _worm_load(drive),
-            "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for the "
-            "contact itself.",
-        ]
-    if isinstance(drive, GearPairDrive):
-        return [
-            f"Load sharing by the rule '{drive.load_sharing}'; load factor {drive.load_factor:g}.",
-            "Shafts and teeth do not bend, but for the contact itself; no dynamic loads but by the load "
-            "factor.",
-        ]
-    if isinstance(drive, RollerWormDrive):
-        return [f"The load is shared as operation.sharing = {case.tables.operation.sharing} says."]
-    if drive is not None:
-        return ["The load of each contact is what the drive says."]
-    return ["One contact, with the curvature, velocities and load given."]
-
-
-def _worm_load(drive: ZiWormDrive) -> str:
-    load = drive.load
-    if not isinstance(load, Transmission):
-        return (
-            f"The load on the tooth, {load / 1e3:.4g} kN, is given and the same at every phase; "
-            "it is not shared among teeth."
-        )
-    return (
-        f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
-        f"friction {load.friction:.2g} in the balance of torques"
-        f"{', with the lift of their films' if load.lifts else ''})."
-    )
 
 
 PROVENANCE = (

@@ -6,8 +6,10 @@ from typing import Any
 from pyworm.case.case import Case
 from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
+from pyworm.drives.drive import Drive
+from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.io import units
-from pyworm.ratings.mesh_loss import MeshLoss, mesh_loss
+from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.page.content import Block, Section, Table, Words
@@ -16,14 +18,6 @@ from pyworm.scene.index import Place
 from pyworm.scene.summary import scene_summary
 from pyworm.solver.left_out import LeftOut, of_all
 from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
-
-BODIES = {
-    "zi-worm": ("worm", "wheel"),
-    "gear-pair": ("pinion", "gear"),
-    "roller-worm": ("worm", "roller"),
-}
-"""Kind of drive -> what its bodies are called."""
-
 
 DECIDE = (
     "wear_probability",
@@ -228,8 +222,7 @@ def heat_section(case: Case, result: Result) -> Section | None:
     if any(of.figures.friction_coefficient is None for of in result.solutions):
         return None
     heated = all(of.figures.temperature_max_film is not None for of in result.solutions)
-    kind = result.mesh_cycle.attrs["drive"] if result.mesh_cycle is not None else ""
-    bodies = BODIES.get(kind, ("body 1", "body 2"))
+    bodies = Drive.body_names if case.drive is None else case.drive.body_names
     headed = of_all(result.solutions).headed
     head = ["", headed("Friction coefficient"), headed("Power loss")]
     head += [f"Hottest on {body}" for body in bodies] + ["Hottest in the film"] if heated else []

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import pyworm
 from pyworm.cli.main import main
-from pyworm.drives.gear_pair.drive import TipRelief
+from pyworm.drives.gear_pair.design import TipRelief
 from pyworm.drives.gear_pair.gap import Flank
 from pyworm.formulas.film import dowson_higginson, line_groups
 from pyworm.formulas.hertz import hertz, hertz_line

@@ -8,8 +8,8 @@ import pytest
 import pyworm
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
+from pyworm.drives.tooth_loss import Loss
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
-from pyworm.result.tooth_loss import Loss
 from pyworm.solver.solution import ZERO_CELSIUS
 
 CASES = Path(__file__).parents[3] / "cases"

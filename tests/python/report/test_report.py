@@ -31,7 +31,7 @@ from pyworm.report.page.assumptions import plan_section
 from pyworm.report.page.build import build_report
 from pyworm.report.page.content import Picture, Table
 from pyworm.report.page.html import render
-from pyworm.report.page.sensitivity import thickened, variations
+from pyworm.report.page.sensitivity import sensitivity, thickened
 from pyworm.result.result import Result
 from pyworm.scene.scales import scales
 
@@ -336,7 +336,7 @@ def test_gears_answer_to_oil_and_misalignment(increaser):
     """Film as Moes' line formula, which near here goes with viscosity as Dowson and Higginson's power 0.7."""
     result = increaser[0]
     case = case_again(result.case)
-    found = {one.label: one for one in variations(case, result)}
+    found = {one.label: one for one in sensitivity(case, result).variations}
     thin, thick = found["one grade thinner"], found["one grade thicker"]
     assert np.log(thick.film_ratio / thin.film_ratio) / np.log(10 ** (1 / 3)) == pytest.approx(
         0.7, abs=0.05
@@ -356,7 +356,9 @@ def test_uneven_load_balances_the_tilt_of_the_flank_lines(increaser, share):
     result = increaser[0]
     operation = result.case["operation"] | {"power": share * result.case["operation"]["power"]}
     case = case_again(result.case | {"operation": operation})
-    (uneven,) = [one for one in variations(case, result) if one.label.startswith("flank lines")]
+    (uneven,) = [
+        one for one in sensitivity(case, result).variations if one.label.startswith("flank lines")
+    ]
     mean = case.drive.normal_force / case.drive.teeth.face_width
     place = (np.arange(100_000) + 0.5) / 100_000
     tilt = 17e9 * 10e-6 * place
@@ -372,7 +374,7 @@ def test_worms_answer_to_their_mounting():
     result = worm_result()
     middle = replace(result, solutions=result.solutions[1:])
     case = case_again(middle.case)
-    found = {one.label: one for one in variations(case, middle)}
+    found = {one.label: one for one in sensitivity(case, middle).variations}
 
     def pressure(long_radius, short_radius):
         ratio = long_radius / short_radius

@@ -1,14 +1,27 @@
-"""Loss of a tooth pair over its mesh cycle."""
+"""Loss and efficiency of tooth pairs that share a torque, over their mesh cycle.
 
+A tooth pair's loss at a phase is its friction times load times sliding. Load and sliding are known all over
+the cycle; friction is at the phases solved, a smooth curve between them and that of the nearest one beyond.
+All pairs together lose, on average over a pitch,
+
+    P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
+
+and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + friction lever of the sliding).
+"""
+
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import xarray as xr
 from scipy.interpolate import PchipInterpolator
 
-from pyworm.solver.solution import Solution
+from pyworm.drives.mesh_loss import ContactLoss
 
 Array = np.ndarray
+
+FEWEST_PHASES = 3
+"""Solved phases without which there is no cycle to tell of."""
 
 
 @dataclass(frozen=True)
@@ -53,22 +66,22 @@ class Loss:
         return (1 - self.efficiency) * self.error / self.power
 
 
-def cycle_loss(cycle: xr.Dataset, good: list[Solution]) -> Loss:
+def cycle_loss(cycle: xr.Dataset, contacts: Sequence[ContactLoss]) -> Loss:
     """Loss of all teeth, equation 1.
 
     Parameters
     ----------
     cycle : xarray.Dataset
         A drive's mesh cycle under load.
-    good : list of Solution
-        Converged solutions with friction, in the order of their phases.
+    contacts : sequence of ContactLoss
+        Some of its contacts, in the order of their phases.
     """
     phases = cycle["load_phase"].values
     load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values
-    solved = np.array([one.phase for one in good])
-    friction = np.array([one.figures.power_loss.value / one.load for one in good])
+    solved = np.array([one.phase for one in contacts])
+    friction = np.array([one.power / one.load for one in contacts])
     friction /= np.interp(solved, phases, sliding)
-    errors = np.array([one.figures.power_loss.error for one in good])
+    errors = np.array([one.error for one in contacts])
 
     def over_pitch(values: Array) -> float:
         return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])

@@ -1,0 +1,25 @@
+"""What is taken off the flanks of a gear pair, and how it is run."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+Driver = Literal["pinion", "gear"]
+
+ContactKind = Literal["line", "point"]
+"""Which scenes are made: of the middle of the face, or of the whole crowned face."""
+
+
+@dataclass(frozen=True)
+class TipRelief:
+    """How much of a flank is taken off at its tip.
+
+    Attributes
+    ----------
+    amount : float
+        Along the normal, at the tip [m]; it grows linearly from nothing.
+    length : float
+        Length of the relieved part on the line of action [m].
+    """
+
+    amount: float = 0.0
+    length: float = 0.0

@@ -1,0 +1,38 @@
+"""Loss between the teeth of a gear pair, by the friction of some contacts of its line of action."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+
+if TYPE_CHECKING:
+    from pyworm.drives.gear_pair.drive import GearPairDrive
+
+
+def gear_mesh_loss(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+    """Loss by the loss factor and the mean friction; None of fewer than two phases."""
+    if len(contacts) < 2:
+        return None
+    friction = _mean_friction(drive, contacts)
+    return MeshLoss(
+        power=drive.power,
+        loss=drive.power * drive.loss_factor * friction,
+        friction=friction,
+        error=max(one.error for one in contacts),
+        words=f"loss factor H_V = {drive.loss_factor:.4f}, friction interpolated between the solved phases",
+    )
+
+
+def _mean_friction(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> float:
+    """Mean friction, weighted by load times sliding along the line of action [-].
+
+    Friction between the contacts is interpolated, beyond the last ones constant.
+    """
+    known = sorted((one.phase, one.friction) for one in contacts)
+    phases = drive.cycle_phases()
+    all_of_them = drive.contacts(phases)
+    weight = all_of_them.unit_load * np.abs(all_of_them.sliding)
+    friction = np.interp(phases, *zip(*known, strict=True))
+    return float(np.trapezoid(weight * friction, phases) / np.trapezoid(weight, phases))

@@ -1,0 +1,133 @@
+"""What makes no ZI worm drive: each refusal a sentence that begins with the key that is wrong.
+
+Of the redundant entries of a design table the geometry uses the lead and the base radius; base lead angle and
+axial pitch must agree with them within a table's rounding.
+"""
+
+from collections.abc import Mapping
+from dataclasses import fields
+from math import atan2, degrees, isfinite, pi
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+TABLE_ROUNDING = 1e-3
+"""Relative disagreement of redundant table entries (four digits each) taken as rounding."""
+
+BASE_PITCH_MISMATCH = 0.01
+"""Relative difference of normal base pitches above which worm and wheel cannot mesh in turn."""
+
+
+def check_gears(gears: "ZiWormGears") -> None:
+    """The design table makes a worm and a wheel that mesh.
+
+    Raises
+    ------
+    ValueError
+        It does not.
+    """
+    _check_sizes(gears)
+    _check_table(gears)
+    _check_fit(gears)
+
+
+def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozenset()) -> None:
+    """Values are finite and, but for signed ones, positive.
+
+    Raises
+    ------
+    ValueError
+        One is not.
+    """
+    for key, value in entries.items():
+        if not isfinite(value):
+            raise ValueError(f"{key} is {value}; a finite number is needed")
+        if key not in signed and value <= 0:
+            raise ValueError(f"{key} is {value:.6g}; it must be positive")
+
+
+def _check_sizes(gears: "ZiWormGears") -> None:
+    """Counts and sizes of the design table: finite, and positive where nothing else makes sense."""
+    entries: dict[str, float] = {
+        f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
+        for part in ("worm", "wheel", "hob", "assembly")
+        for field in fields(getattr(gears, part))
+        if field.name != "tip_relief"
+    }
+    signed = {"hob.swivel", "hob.axial_shift"}
+    signed |= {key for key in entries if key.startswith("assembly.")}
+    check_values(entries | {"centre_distance": gears.centre_distance}, frozenset(signed))
+    for key in ("worm.threads", "wheel.teeth"):
+        if entries[key] != int(entries[key]):
+            raise ValueError(f"{key} is {entries[key]:.6g}; a whole number is needed")
+
+
+def _check_table(gears: "ZiWormGears") -> None:
+    """Redundant entries agree within the table's rounding."""
+    for name, screw in (("worm", gears.worm), ("hob", gears.hob)):
+        angle = atan2(screw.lead, 2 * pi * screw.base_radius)
+        if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
+            raise ValueError(
+                f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
+                f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
+            )
+        pitch = screw.lead / gears.worm.threads
+        if abs(pitch - screw.axial_pitch) > TABLE_ROUNDING * pitch:
+            raise ValueError(
+                f"{name}.axial_pitch is {screw.axial_pitch * 1e3:.2f} mm, but {name}.lead over "
+                f"worm.threads gives {pitch * 1e3:.2f} mm"
+            )
+        if screw.tip_radius <= screw.root_radius:
+            raise ValueError(
+                f"{name}.tip_radius is {screw.tip_radius * 1e3:.2f} mm; it must be above "
+                f"{name}.root_radius, {screw.root_radius * 1e3:.2f} mm"
+            )
+    heights = {
+        "worm": gears.worm.tip_radius - gears.worm.root_radius,
+        "wheel": gears.hob.tip_radius - gears.hob.root_radius,
+    }
+    for name, height in heights.items():
+        relief = getattr(gears, name).tip_relief
+        if relief.amount > 0 and not 0 < relief.length < height:
+            raise ValueError(
+                f"{name}.tip_relief_length is {relief.length * 1e3:.4g} mm; it must lie between 0 and the "
+                f"tooth's height, {height * 1e3:.4g} mm"
+            )
+    if gears.wheel.tip_radius < gears.wheel.throat_radius:
+        raise ValueError(
+            f"wheel.tip_radius is {gears.wheel.tip_radius * 1e3:.2f} mm; it must not be below "
+            f"wheel.throat_radius, {gears.wheel.throat_radius * 1e3:.2f} mm"
+        )
+    pitch, cut = gears.base_pitches
+    if abs(cut / pitch - 1) > BASE_PITCH_MISMATCH:
+        raise ValueError(
+            f"hob.lead and hob.base_radius give a normal base pitch of {cut * 1e3:.3f} mm, but the "
+            f"worm has {pitch * 1e3:.3f} mm; they must be equal to mesh"
+        )
+
+
+def _check_fit(gears: "ZiWormGears") -> None:
+    """Worm, wheel and hob reach into each other, and tips stay clear of roots."""
+    worm, wheel, hob = gears.worm, gears.wheel, gears.hob
+    floor = hob.centre_distance - hob.tip_radius
+    lowest = max(worm.tip_radius + floor, worm.root_radius + wheel.throat_radius)
+    highest = worm.tip_radius + wheel.throat_radius
+    if not lowest <= gears.axes_distance < highest:
+        with_error = " with assembly.centre_distance" if gears.assembly.centre_distance else ""
+        raise ValueError(
+            f"centre_distance{with_error} is {gears.axes_distance * 1e3:.2f} mm; it must lie from "
+            f"{lowest * 1e3:.2f} mm, where a tip touches a root, to {highest * 1e3:.2f} mm, where the "
+            "teeth no longer reach each other"
+        )
+    lowest = hob.root_radius + wheel.throat_radius
+    if (
+        not lowest - TABLE_ROUNDING * hob.root_radius
+        <= hob.centre_distance
+        < hob.tip_radius + wheel.throat_radius
+    ):
+        raise ValueError(
+            f"hob.centre_distance is {hob.centre_distance * 1e3:.2f} mm; it must lie from "
+            f"{lowest * 1e3:.2f} mm, where the hob's root touches the wheel's throat, to "
+            f"{(hob.tip_radius + wheel.throat_radius) * 1e3:.2f} mm, where the hob cuts no tooth"
+        )

@@ -1,0 +1,58 @@
+"""A ZI worm drive as the standards of worm gears see it."""
+
+from math import pi
+from typing import TYPE_CHECKING
+
+from pyworm.drives.duty import WormDuty
+from pyworm.drives.zi_worm.load_sharing import Transmission
+from pyworm.formulas.worm_gear import WormGear
+from pyworm.materials.body import reduced_modulus
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.drive import ZiWormDrive
+
+
+def worm_duty(drive: "ZiWormDrive") -> WormDuty:
+    """The worm gear of a drive at work; ValueError where the roughness of its flanks is not known.
+
+    The module is the axial pitch over pi. The worm's reference cylinder lies one module below its tip, as
+    usual (DIN 3975); the profile shift of the wheel makes the centre distance. The torque is the wheel's; of
+    a tooth load that of every tooth in contact, on average over the mesh cycle.
+    """
+    roughness = tuple(body.roughness for body in drive.bodies)
+    for name, height in zip(drive.body_names, roughness, strict=True):
+        if height is None:
+            raise ValueError(
+                f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
+            )
+    module = drive.worm.axial_pitch / pi
+    factor = 2 * (drive.worm.tip_radius / module - 1)
+    shift = drive.centre_distance / module - (factor + drive.wheel.teeth) / 2
+    gear = WormGear(
+        centre_distance=drive.centre_distance,
+        starts=drive.worm.threads,
+        teeth=drive.wheel.teeth,
+        module=module,
+        diameter_factor=factor,
+        face_width=drive.wheel.face_width,
+        profile_shift=shift,
+    )
+    torque = "wheel torque as the drive has it"
+    if not isinstance(drive.load, Transmission):
+        torque = (
+            f"wheel torque of {drive.load / 1e3:.3g} kN on each of {drive.mean_teeth_in_contact:.2f} "
+            f"teeth in contact on average, on an arm of {drive.load_arm * 1e3:.1f} mm"
+        )
+    return WormDuty(
+        gear=gear,
+        worm_speed=drive.speed,
+        torque=drive.wheel_torque,
+        reduced_modulus=reduced_modulus(*drive.bodies),
+        roughness=roughness,
+        driver=drive.driver,
+        words=(
+            f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, the "
+            f"reference cylinder one module below the worm's tip; profile shift of the wheel {shift:.3f}; "
+            f"{torque}.",
+        ),
+    )

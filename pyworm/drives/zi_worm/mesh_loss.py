@@ -1,0 +1,49 @@
+"""Loss between the teeth of a ZI worm drive, by the friction of some contacts of its mesh cycle."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.drives.tooth_loss import FEWEST_PHASES, cycle_loss
+from pyworm.drives.zi_worm.load_sharing import Transmission
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.drive import ZiWormDrive
+
+
+def worm_mesh_loss(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+    """Loss of all teeth in mesh; None of too few phases of teeth that share a torque."""
+    if isinstance(drive.load, Transmission):
+        return _of_shared_torque(drive, contacts)
+    return _of_given_load(drive, contacts)
+
+
+def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+    if len(contacts) < FEWEST_PHASES:
+        return None
+    loss = cycle_loss(drive.cycle_data(), sorted(contacts, key=lambda one: one.phase))
+    driven = loss.worm_torque * drive.speed
+    return MeshLoss(
+        power=driven if drive.driver == "worm" else driven + loss.power,
+        loss=loss.power,
+        friction=loss.friction,
+        error=loss.error / loss.power,
+        words="of all teeth in mesh, each under its share of the load, over the mesh cycle",
+    )
+
+
+def _of_given_load(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss:
+    """The load of one tooth is given: on average as many teeth carry it as are in contact."""
+    teeth = drive.mean_teeth_in_contact
+    loss = float(np.mean([one.power for one in contacts])) * teeth
+    output = drive.load * drive.load_arm * teeth * drive.speed * drive.ratio
+    return MeshLoss(
+        power=output + loss,
+        loss=loss,
+        friction=float(np.mean([one.friction for one in contacts])),
+        error=max(one.error for one in contacts),
+        words=f"means over the solved mesh phases; {teeth:.2f} teeth in contact on average, each "
+        "under the load given",
+    )

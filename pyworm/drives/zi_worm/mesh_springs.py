@@ -1,0 +1,30 @@
+"""Compliance of a ZI worm drive's tooth pairs over their mesh cycle, found once for drives that share it."""
+
+from functools import lru_cache
+
+from pyworm.drives.zi_worm.gap import ToothGap
+from pyworm.drives.zi_worm.mesh_cycle import find_mesh_cycle
+from pyworm.drives.zi_worm.meshing import WheelFlank
+from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
+from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
+
+
+@lru_cache(maxsize=2)
+def mesh_springs(
+    flank: WheelFlank,
+    worm_tooth: WormTooth,
+    wheel_tooth: WheelTooth,
+    modulus: float,
+    whole_load: float,
+    stiffness: float,
+) -> ToothSprings:
+    """Compliance by all that decides it; kept, since drives differ in friction, lifts and oil alone."""
+    cycle = find_mesh_cycle(worm_tooth.worm, flank, worm_tooth, wheel_tooth)
+    return tooth_springs(
+        gap_at=lambda phase: ToothGap(cycle.contact(phase), worm_tooth, wheel_tooth),
+        radii_at=lambda phase: cycle.contact(phase).radii,
+        reduced_modulus=modulus,
+        whole_load=whole_load,
+        stiffness=stiffness,
+        longest=wheel_tooth.face_width,
+    )

@@ -1,0 +1,20 @@
+"""Friction of solved contacts, as drives take it to find their loss."""
+
+from collections.abc import Iterable
+
+from pyworm.drives.mesh_loss import ContactLoss
+from pyworm.solver.solution import Solution
+
+
+def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
+    """Friction and loss of solutions with friction, in their order."""
+    return [
+        ContactLoss(
+            phase=of.phase,
+            load=of.load,
+            friction=of.figures.friction_coefficient.value,
+            power=of.figures.power_loss.value,
+            error=of.figures.power_loss.error,
+        )
+        for of in solutions
+    ]
