@@ -42,13 +42,6 @@ class Bodies(Table):
         return body_1, body_2
 
 
-class ToothBodies(Bodies):
-    """`[bodies]` of a drive."""
-
-    worm: BodyTable
-    wheel: BodyTable
-
-
 class ContactBodies(Bodies):
     """`[bodies]` of a contact written directly."""
 

@@ -12,11 +12,11 @@ from pydantic import BaseModel, ValidationError
 
 from pyworm.case.case_file import CaseTable, PublishedValue
 from pyworm.case.contact import GapCase, PointCase, contact_scene
+from pyworm.case.drive_case import DriveCase
 from pyworm.case.kinds import CASES, kind_model
 from pyworm.case.plausibility import doubts, require_possible
 from pyworm.case.ratings import RATING_TABLES
 from pyworm.case.unusual import unusual
-from pyworm.case.zi_worm import LOADS, ZiWormCase
 from pyworm.drives.drive import Drive
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
@@ -132,21 +132,8 @@ class Case:
 
     @property
     def left_open(self) -> dict[str, tuple[str, ...]]:
-        """What its solution is to find that it depends on itself: table -> keys in it.
-
-        The friction in the balance of torques, the lifts of the films in the sharing of the load, and the
-        loss between the teeth in the balance of heat.
-        """
-        if not isinstance(self.tables, ZiWormCase) or self.tables.operation.load is not None:
-            return {}
-        yields = self.tables.operation.sharing != "equal"
-        known = {"operation": ("friction",) + ("lifts",) * yields, "cooling": ("tooth_loss",)}
-        left = {
-            table: tuple(key for key in keys if getattr(getattr(self.tables, table), key) is None)
-            for table, keys in known.items()
-            if getattr(self.tables, table) is not None
-        }
-        return {table: keys for table, keys in left.items() if keys}
+        """What its solution is to find that it depends on itself: table -> keys in it."""
+        return self.tables.left_open if isinstance(self.tables, DriveCase) else {}
 
     def with_found(self, found: dict[str, dict[str, Any]]) -> "Case":
         """The case with values of its tables in place of its own: table -> key -> value."""
@@ -170,11 +157,12 @@ class Case:
         CaseError
             The parts do not make a drive.
         """
-        if not hasattr(self.tables, "drive"):
+        if not isinstance(self.tables, DriveCase):
             return None
-        from pyworm.case.kinds import case_drive
-
-        return case_drive(self.tables)
+        try:
+            return self.tables.make_drive()
+        except ValueError as error:
+            raise CaseError(f"drive.{error}") from error
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -237,10 +225,7 @@ class Case:
     @property
     def _load_key(self) -> str:
         """The key by which its contacts are loaded."""
-        if self.drive is None:
-            return "contact.load"
-        given = (key for key in LOADS if getattr(self.tables.operation, key, None) is not None)
-        return f"operation.{next(given)}"
+        return self.tables.load_key if isinstance(self.tables, DriveCase) else "contact.load"
 
     def _mesh_place(self, wanted: dict[str, Any]) -> Place:
         """A place of the drive's mesh, by default the first that the case lists."""

@@ -84,35 +84,34 @@ class GearPairCase(RatedCase):
             raise ValueError("surfaces.scuffing_temperature means nothing without [oil.heat]")
         return self
 
-
-def gear_pair_drive(tables: GearPairCase) -> GearPairDrive:
-    """The drive of a case file about a pair of gears."""
-    oil, table, operation = tables.oil.oil(), tables.drive, tables.operation
-    teeth = InvolutePair(
-        system=ToothSystem(table.module, table.pressure_angle, table.helix_angle),
-        pinion=_gear(table.pinion),
-        gear=_gear(table.gear),
-        centre_distance=table.centre_distance,
-        face_width=table.face_width,
-    )
-    surfaces = tables.surfaces
-    return GearPairDrive(
-        teeth=teeth,
-        driver=operation.driver,
-        pinion_speed=operation.pinion_speed,
-        power=operation.power,
-        bodies=tables.bodies.pair(oil),
-        oil=oil,
-        load_factor=operation.load_factor,
-        load_sharing=table.load_sharing,
-        contact=table.contact,
-        tip_relief=tuple(
-            TipRelief(gear.tip_relief, gear.tip_relief_length)
-            for gear in (table.pinion, table.gear)
-        ),
-        lead_crowning=table.lead_crowning,
-        surfaces=surfaces and Surfaces(**dict(surfaces)),
-    )
+    def make_drive(self) -> GearPairDrive:
+        """The drive of a case file about a pair of gears."""
+        oil, table, operation = self.oil.oil(), self.drive, self.operation
+        teeth = InvolutePair(
+            system=ToothSystem(table.module, table.pressure_angle, table.helix_angle),
+            pinion=_gear(table.pinion),
+            gear=_gear(table.gear),
+            centre_distance=table.centre_distance,
+            face_width=table.face_width,
+        )
+        surfaces = self.surfaces
+        return GearPairDrive(
+            teeth=teeth,
+            driver=operation.driver,
+            pinion_speed=operation.pinion_speed,
+            power=operation.power,
+            bodies=self.bodies.pair(oil),
+            oil=oil,
+            load_factor=operation.load_factor,
+            load_sharing=table.load_sharing,
+            contact=table.contact,
+            tip_relief=tuple(
+                TipRelief(gear.tip_relief, gear.tip_relief_length)
+                for gear in (table.pinion, table.gear)
+            ),
+            lead_crowning=table.lead_crowning,
+            surfaces=surfaces and Surfaces(**dict(surfaces)),
+        )
 
 
 def _gear(table: GearTable) -> Gear:
@@ -123,3 +122,7 @@ def _gear(table: GearTable) -> Gear:
         dedendum=table.dedendum,
         fillet=table.fillet,
     )
+
+
+CASE = GearPairCase
+"""What a case file about this kind of drive may say."""

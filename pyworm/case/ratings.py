@@ -4,7 +4,8 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import Field, model_validator
 
-from pyworm.case.case_file import CaseTable, FileTable, Published
+from pyworm.case.case_file import FileTable, Published
+from pyworm.case.drive_case import DriveCase
 from pyworm.case.one_oil import check_one_oil
 from pyworm.case.table import Count, Number, PositiveNumber, Table, Text
 from pyworm.formulas.bearing_life import Direction, Elements
@@ -132,7 +133,7 @@ def _oils_named(worm: WormRatingTable | None, bearings: dict[str, BearingTable])
     }
 
 
-class RatedCase(CaseTable):
+class RatedCase(DriveCase):
     """What case files about drives may ask to be rated."""
 
     bearings: dict[str, BearingTable] = Field(default_factory=dict)

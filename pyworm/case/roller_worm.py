@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
-from pyworm.case.case_file import CaseTable
+from pyworm.case.drive_case import DriveCase
 from pyworm.case.table import Count, NumberOrZero, Phase, PositiveNumber, Table
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.drive import RollerWormDrive
@@ -112,7 +112,7 @@ class RollerOperationTable(Table):
         return self.worm_torque or self.power / self.worm_speed
 
 
-class RollerWormCase(CaseTable):
+class RollerWormCase(DriveCase):
     """A case file about a roller enveloping worm drive."""
 
     drive: RollerDriveTable
@@ -137,34 +137,37 @@ class RollerWormCase(CaseTable):
             )
         return self
 
+    def make_drive(self) -> RollerWormDrive:
+        """The drive of a case file about a roller enveloping worm."""
+        oil = self.oil.oil()
+        worm, rollers, operation = self.drive.worm, self.drive.rollers, self.operation
+        profile = RollerProfile(
+            shape=rollers.shape,
+            radius=rollers.radius,
+            length=rollers.length,
+            half_angle=rollers.half_angle,
+            crown=None if rollers.crown is None else Crown(**dict(rollers.crown)),
+        )
+        return RollerWormDrive(
+            worm=RollerWorm(**dict(worm) | {"hand": 1 if worm.hand == "left" else -1}),
+            rollers=Rollers(
+                count=rollers.count,
+                profile=profile,
+                tilt=rollers.tilt,
+                height=rollers.height,
+                pin=FREE_OF_FRICTION if rollers.pin is None else Pin(**dict(rollers.pin)),
+                stiffness=rollers.stiffness or inf,
+            ),
+            centre_distance=self.drive.centre_distance,
+            speed=operation.worm_speed,
+            torque=operation.torque,
+            preload=operation.preload,
+            sharing=operation.sharing,
+            rolling=operation.rolling,
+            bodies=self.bodies.pair(oil),
+            oil=oil,
+        )
 
-def roller_worm_drive(tables: RollerWormCase) -> RollerWormDrive:
-    """The drive of a case file about a roller enveloping worm."""
-    oil = tables.oil.oil()
-    worm, rollers, operation = tables.drive.worm, tables.drive.rollers, tables.operation
-    profile = RollerProfile(
-        shape=rollers.shape,
-        radius=rollers.radius,
-        length=rollers.length,
-        half_angle=rollers.half_angle,
-        crown=None if rollers.crown is None else Crown(**dict(rollers.crown)),
-    )
-    return RollerWormDrive(
-        worm=RollerWorm(**dict(worm) | {"hand": 1 if worm.hand == "left" else -1}),
-        rollers=Rollers(
-            count=rollers.count,
-            profile=profile,
-            tilt=rollers.tilt,
-            height=rollers.height,
-            pin=FREE_OF_FRICTION if rollers.pin is None else Pin(**dict(rollers.pin)),
-            stiffness=rollers.stiffness or inf,
-        ),
-        centre_distance=tables.drive.centre_distance,
-        speed=operation.worm_speed,
-        torque=operation.torque,
-        preload=operation.preload,
-        sharing=operation.sharing,
-        rolling=operation.rolling,
-        bodies=tables.bodies.pair(oil),
-        oil=oil,
-    )
+
+CASE = RollerWormCase
+"""What a case file about this kind of drive may say."""

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.drive_case import LOADS
 from pyworm.case.ratings import RatedCase, WormRatingTable
 from pyworm.case.table import Count, Phase, PositiveNumber, Table
 from pyworm.drives.torque_sharing import Sharing
@@ -142,10 +143,6 @@ class OperationTable(Table):
         return self
 
 
-LOADS = ("load", "worm_torque", "wheel_torque", "power")
-"""Keys of `[operation]` of which one says what the teeth carry."""
-
-
 class CoolingTable(Table):
     """`[cooling]`: what makes the temperatures of oil and bodies, which then are found and not given.
 
@@ -194,34 +191,47 @@ class ZiWormCase(RatedCase):
             )
         return self
 
+    @property
+    def left_open(self) -> dict[str, tuple[str, ...]]:
+        """The friction in the balance of torques, the lifts of films, and the loss that warms the drive."""
+        if self.operation.load is not None:
+            return {}
+        yields = self.operation.sharing != "equal"
+        known = {"operation": ("friction",) + ("lifts",) * yields, "cooling": ("tooth_loss",)}
+        left = {
+            table: tuple(key for key in keys if getattr(getattr(self, table), key) is None)
+            for table, keys in known.items()
+            if getattr(self, table) is not None
+        }
+        return {table: keys for table, keys in left.items() if keys}
 
-def zi_worm_drive(tables: ZiWormCase) -> ZiWormDrive:
-    """The drive of a case file about a ZI worm."""
-    oil, operation = tables.oil.oil(), tables.operation
-    bodies = tables.bodies.pair(oil)
-    ratio = tables.drive.worm.threads / tables.drive.wheel.teeth
-    speed = operation.worm_speed or operation.wheel_speed / ratio
-    if tables.cooling is not None:
-        loss = tables.cooling.tooth_loss
-        if loss is None:
-            loss = _first_loss(_transmission(tables, speed, ratio), speed, ratio)
-        cooling = Cooling(**tables.cooling.model_dump(exclude={"tooth_loss"}))
-        wheel = tables.drive.wheel
-        rim = wheel.face_width * (wheel.teeth * tables.drive.worm.axial_pitch / pi)
-        warm = drive_temperatures(cooling, rim, speed, loss)
-        oil, bodies = warm.oil(oil), warm.bodies(bodies)
-    return ZiWormDrive(
-        worm=Worm(**_relieved(tables.drive.worm)),
-        wheel=Wheel(**_relieved(tables.drive.wheel)),
-        hob=Hob(**dict(tables.drive.hob)),
-        centre_distance=tables.drive.centre_distance,
-        speed=speed,
-        load=operation.load or _transmission(tables, speed, ratio),
-        bodies=bodies,
-        oil=oil,
-        assembly=Assembly(**dict(tables.drive.assembly)),
-        driver=operation.driver,
-    )
+    def make_drive(self) -> ZiWormDrive:
+        """The drive of a case file about a ZI worm."""
+        oil, operation = self.oil.oil(), self.operation
+        bodies = self.bodies.pair(oil)
+        ratio = self.drive.worm.threads / self.drive.wheel.teeth
+        speed = operation.worm_speed or operation.wheel_speed / ratio
+        if self.cooling is not None:
+            loss = self.cooling.tooth_loss
+            if loss is None:
+                loss = _first_loss(_transmission(self, speed, ratio), speed, ratio)
+            cooling = Cooling(**self.cooling.model_dump(exclude={"tooth_loss"}))
+            wheel = self.drive.wheel
+            rim = wheel.face_width * (wheel.teeth * self.drive.worm.axial_pitch / pi)
+            warm = drive_temperatures(cooling, rim, speed, loss)
+            oil, bodies = warm.oil(oil), warm.bodies(bodies)
+        return ZiWormDrive(
+            worm=Worm(**_relieved(self.drive.worm)),
+            wheel=Wheel(**_relieved(self.drive.wheel)),
+            hob=Hob(**dict(self.drive.hob)),
+            centre_distance=self.drive.centre_distance,
+            speed=speed,
+            load=operation.load or _transmission(self, speed, ratio),
+            bodies=bodies,
+            oil=oil,
+            assembly=Assembly(**dict(self.drive.assembly)),
+            driver=operation.driver,
+        )
 
 
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
@@ -261,3 +271,7 @@ FIRST_LOSS = 0.03
 
 FIRST_FRICTION = 0.01
 """Friction of worm teeth in the balance of torques before it is known."""
+
+
+CASE = ZiWormCase
+"""What a case file about this kind of drive may say."""

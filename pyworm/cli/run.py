@@ -83,7 +83,7 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     from pyworm.io.console import Console
     from pyworm.ratings.heating import heating_of
     from pyworm.ratings.standard_loss import standard_loss
-    from pyworm.report.console.mesh_cycle import CYCLE_TABLES, cycle_table, loss_table
+    from pyworm.report.console.mesh_cycle import closed_form_table, cycle_table, loss_table
     from pyworm.report.console.scenes import (
         effects_table,
         figures_table,
@@ -111,8 +111,9 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
         console.print(scenes_table(scenes, summaries))
         if all("friction_coefficient" in summary for summary in summaries):
             console.print(heat_table(scenes, summaries))
-    if result.mesh_cycle is not None and result.mesh_cycle.attrs["drive"] in CYCLE_TABLES:
-        console.print(CYCLE_TABLES[result.mesh_cycle.attrs["drive"]](result.mesh_cycle))
+    closed_forms = None if result.mesh_cycle is None else closed_form_table(result.mesh_cycle)
+    if closed_forms is not None:
+        console.print(closed_forms)
     if cycle is not None:
         console.print(cycle_table(cycle))
         if cycle.loss is not None:

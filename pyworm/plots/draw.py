@@ -20,12 +20,7 @@ from pyworm.plots.contact.line_profiles import draw_line_profiles
 from pyworm.plots.contact.pressure import draw_pressure
 from pyworm.plots.contact.profiles import draw_profiles
 from pyworm.plots.contact.temperature import draw_temperature
-from pyworm.plots.drives.gear_pair import draw_film_and_temperature, draw_line_of_action
-from pyworm.plots.drives.roller_worm import draw_roller_cycle, draw_roller_sensitivity
-from pyworm.plots.drives.roller_worm_drive import draw_roller_drive
-from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
-from pyworm.plots.drives.zi_worm import draw_cycle
-from pyworm.plots.drives.zi_worm_flank import draw_flank
+from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result.result import Result, open_result
@@ -52,25 +47,6 @@ SCENE_PICTURES = {
     },
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
-
-CYCLE_PICTURES = {
-    "zi-worm": {
-        "mesh_cycle": draw_cycle,
-        "mesh_cycle_flank": draw_flank,
-    },
-    "roller-worm": {
-        "mesh_cycle_drive": draw_roller_drive,
-        "mesh_cycle_regimes": draw_roller_regimes,
-        "mesh_cycle": draw_roller_cycle,
-        "mesh_cycle_sensitivity": draw_roller_sensitivity,
-    },
-    "gear-pair": {
-        "film_and_temperature": draw_film_and_temperature,
-        "line_of_action": draw_line_of_action,
-    },
-}
-"""Kind of drive -> file name of a picture of its whole mesh cycle -> function of the result, which returns
-None where too few phases are solved for it."""
 
 SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
@@ -113,9 +89,8 @@ def draw(
     made = Attempts()
     for scene in _scene_pictures(result, directory, executor):
         made.add(scene)
-    if result.mesh_cycle is not None:
-        for name, cycle in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            made.draw(directory / f"{name}.png", partial(cycle, result))
+    for name, picture in cycle_pictures(result).items():
+        made.draw(directory / f"{name}.png", partial(picture.draw, result))
     if result.solutions:
         made.draw(directory / "regimes.png", partial(draw_regimes, result))
     if traction_curve(result):

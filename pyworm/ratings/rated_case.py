@@ -5,6 +5,7 @@ from functools import cached_property
 from pathlib import Path
 
 from pyworm.case.case import Case, case_of, checked
+from pyworm.case.kinds import RATED
 from pyworm.case.ratings import RATING_TABLES, RatedCase, RatingCase
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
@@ -124,7 +125,8 @@ def load_asked(path: str | Path) -> Asked:
 def asked_of(case: Case) -> Asked:
     """What a case that can be solved asks to be rated; CaseError if nothing can be."""
     if not isinstance(case.tables, RatedCase):
-        raise CaseError('only drives of kind "zi-worm" and "gear-pair" and bearings are rated')
+        kinds = " and ".join(f'"{kind}"' for kind in RATED)
+        raise CaseError(f"only drives of kind {kinds} and bearings are rated")
     return Asked(case.name, case.directory, case.tables, case.drive, case.warnings)
 
 

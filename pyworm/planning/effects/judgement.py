@@ -1,6 +1,6 @@
 """Which effects a contact calls for: every entry of the catalogue judged against the accuracy."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 
 from pyworm.planning.effects.catalogue import EFFECTS
@@ -70,16 +70,9 @@ def judge(
             continue
         influence = effect.influence(sketch)
         worst = influence.on(quantities)
-        if effect.without is None:
-            on, reason = False, "not simulated"
-        elif asked is not None:
-            on = effect.name in asked
-            reason = "asked for" if on else "not asked for"
-        elif effect.only_named:
-            on = effect.name in kept
-            reason = "asked for" if on else f"only if named: auto,{effect.name}"
-        elif effect.part_of is not None and not judgements[effect.part_of].on:
-            on, reason = False, f"none without {effect.part_of}"
+        settled = _settled(effect, asked, kept, judgements)
+        if settled is not None:
+            on, reason = settled
         elif effect.name in kept:
             on, reason = True, _needed(allowed) if worst > allowed else "proved needless"
         else:
@@ -97,6 +90,29 @@ def judge(
         for effect in EFFECTS:
             _bring(effect, judgements)
     return tuple(judgements.values())
+
+
+def _settled(
+    effect: Effect,
+    asked: frozenset[str] | None,
+    kept: frozenset[str],
+    judgements: Mapping[str, Judgement],
+) -> tuple[bool, str] | None:
+    """Whether an effect is on, and why, whatever its influence is; None where that decides.
+
+    Arguments as of `judge`, and the effects judged before.
+    """
+    if effect.without is None:
+        return False, "not simulated"
+    if asked is not None:
+        return (True, "asked for") if effect.name in asked else (False, "not asked for")
+    if effect.only_named and effect.name in kept:
+        return True, "asked for"
+    if effect.only_named:
+        return False, f"only if named: auto,{effect.name}"
+    if effect.part_of is not None and not judgements[effect.part_of].on:
+        return False, f"none without {effect.part_of}"
+    return None
 
 
 def simplified(scene: Contact, on: frozenset[str]) -> Contact:

@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.result import Result
 from pyworm.solver.left_out import of_all
@@ -202,3 +203,14 @@ def _at(cycle: xr.Dataset, phase: float | Sequence[float]) -> np.ndarray:
 
 def _rolls(cycle: xr.Dataset, solved: Sequence[Solution]) -> np.ndarray:
     return _at(cycle, [solution.phase for solution in solved])
+
+
+CYCLE_PICTURES = {
+    "film_and_temperature": CyclePicture(
+        "Film and contact temperature along the line of action", draw_film_and_temperature
+    ),
+    "line_of_action": CyclePicture(
+        "Load, pressure, speeds and sliding along the line of action", draw_line_of_action
+    ),
+}
+"""File name -> picture of the mesh cycle."""

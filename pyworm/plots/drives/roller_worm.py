@@ -6,7 +6,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
-from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
+from pyworm.plots.drives.picture import CyclePicture
+from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
+from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
 from pyworm.plots.layout import MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
@@ -174,3 +176,18 @@ def draw_roller_sensitivity(result: Result) -> Figure:
             axes.set_ylabel("least film along the line / µm\n(Dowson and Higginson)")
             axes.legend(frameon=False, fontsize=8)
     return figure
+
+
+CYCLE_PICTURES = {
+    "mesh_cycle_drive": CyclePicture(
+        "The drive: rollers, worm flanks and contact lines", draw_roller_drive
+    ),
+    "mesh_cycle_regimes": CyclePicture(
+        "Regimes of lubrication over the mesh cycle", draw_roller_regimes
+    ),
+    "mesh_cycle": CyclePicture("Mesh cycle", draw_roller_cycle),
+    "mesh_cycle_sensitivity": CyclePicture(
+        "What the film is sensitive to", draw_roller_sensitivity
+    ),
+}
+"""File name -> picture of the mesh cycle."""

@@ -6,6 +6,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
+from pyworm.plots.drives.picture import CyclePicture
+from pyworm.plots.drives.zi_worm_flank import draw_flank
 from pyworm.plots.layout import (
     KILO,
     MEGA,
@@ -158,3 +160,10 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
     power_axes.set_ylabel(
         f"power loss / W\n{AS_IF_SMOOTH}" if rough else "power loss\n/ W", color="tab:red"
     )
+
+
+CYCLE_PICTURES = {
+    "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
+    "mesh_cycle_flank": CyclePicture("The wheel's flank after a mesh cycle", draw_flank),
+}
+"""File name -> picture of the mesh cycle."""

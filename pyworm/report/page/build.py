@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from pyworm.case.case import Case, case_again
+from pyworm.case.kinds import RATED
 from pyworm.case.ratings import RatedCase
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.heating import heating_of
@@ -19,7 +20,7 @@ from pyworm.report.page.figures import (
     printed_section,
 )
 from pyworm.report.page.inputs import inputs_section
-from pyworm.report.page.pictures import contact_pictures, cycle_pictures
+from pyworm.report.page.pictures import contact_section, cycle_section
 from pyworm.report.page.sensitivity import sensitivity_section
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
@@ -70,8 +71,8 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         _ratings_section(made, unrated),
         _noted(left_out, printed_section(case, sound)),
         _noted(left_out, sensitivity_section(case, sound)),
-        cycle_pictures(result),
-        contact_pictures(result),
+        cycle_section(result),
+        contact_section(result),
         assumptions_section(case, result),
         plan_section(result),
         inputs_section(case),
@@ -92,8 +93,8 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
     if case.drive is None:
         return (), ()
     if not isinstance(case.tables, RatedCase):
-        kinds = "drives of kind zi-worm and gear-pair"
-        return (), (f"Gears, scuffing and bearings: only {kinds} are rated.",)
+        kinds = " and ".join(RATED)
+        return (), (f"Gears, scuffing and bearings: only drives of kind {kinds} are rated.",)
     try:
         asked = asked_of(case)
         made = ratings(asked, result)

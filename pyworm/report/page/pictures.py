@@ -7,7 +7,8 @@ from io import BytesIO
 from matplotlib.figure import Figure
 
 from pyworm.io.reason import reason_of
-from pyworm.plots.draw import CYCLE_PICTURES, SCENE_PICTURES, SHOWS
+from pyworm.plots.draw import SCENE_PICTURES, SHOWS
+from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.report.page.content import Picture, Section, Words
@@ -35,32 +36,23 @@ _CAPTIONS = {
     "friction": "Friction",
     "temperature": "Temperatures",
     "across_film": "Across the film at its hottest point",
-    "mesh_cycle": "Mesh cycle",
-    "mesh_cycle_flank": "The wheel's flank after a mesh cycle",
-    "mesh_cycle_drive": "The drive: rollers, worm flanks and contact lines",
-    "mesh_cycle_regimes": "Regimes of lubrication over the mesh cycle",
-    "mesh_cycle_sensitivity": "What the film is sensitive to",
-    "film_and_temperature": "Film and contact temperature along the line of action",
-    "line_of_action": "Load, pressure, speeds and sliding along the line of action",
 }
 
 
-def cycle_pictures(result: Result) -> Section | None:
+def cycle_section(result: Result) -> Section | None:
     """Pictures of the whole mesh cycle or traction curve; None where there are none."""
     pictures, left_out = [], of_all(result.solutions)
-    if result.mesh_cycle is not None:
-        for name, draw in CYCLE_PICTURES[result.mesh_cycle.attrs["drive"]].items():
-            caption = _captioned(_CAPTIONS.get(name, name), left_out)
-            picture = _drawn(caption, partial(draw, result))
-            if picture is not None:
-                pictures.append(picture)
+    for picture in cycle_pictures(result).values():
+        drawn = _drawn(_captioned(picture.caption, left_out), partial(picture.draw, result))
+        if drawn is not None:
+            pictures.append(drawn)
     if traction_curve(result):
         caption = _captioned("Traction curve", left_out)
         pictures.append(_drawn(caption, partial(draw_traction, result)))
     return Section("The whole cycle", tuple(pictures)) if pictures else None
 
 
-def contact_pictures(result: Result) -> Section:
+def contact_section(result: Result) -> Section:
     """Regimes of all; all pictures of that with the thinnest film, the most telling of the others."""
     solutions = result.solutions
     thin = min(result.sound.solutions or solutions, key=lambda of: of.figures.film_min.value)

@@ -24,8 +24,8 @@ from pyworm.formulas.roller_enveloping import (
     printed_parameters,
 )
 from pyworm.io.input_error import CaseError
-from pyworm.plots.draw import CYCLE_PICTURES
-from pyworm.report.console.mesh_cycle import ends_table
+from pyworm.plots.drives.roller_worm import CYCLE_PICTURES
+from pyworm.report.console.drives.roller_worm import ends_table
 from pyworm.result.result import Result
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -137,7 +137,7 @@ def test_the_command_says_section_and_phase_of_every_scene(tmp_path, capsys):
     ]
     films = [one["film_min_m"] for one in told["scenes"]]
     assert films[0] > films[1] and films[3] > films[2]  # falls, then rises
-    assert {Path(name).stem for name in told["pictures"]} >= set(CYCLE_PICTURES["roller-worm"])
+    assert {Path(name).stem for name in told["pictures"]} >= set(CYCLE_PICTURES)
 
 
 def test_the_source_s_trends_where_its_formulas_have_them(cycle):
@@ -278,8 +278,8 @@ def test_a_drive_without_sections_takes_none():
 
 def test_pictures_and_table_of_the_cycle(case, cycle):
     result = Result("roller_ref", case.resolved, (), cycle, {})
-    for draw in CYCLE_PICTURES["roller-worm"].values():
-        assert draw(result).axes
+    for picture in CYCLE_PICTURES.values():
+        assert picture.draw(result).axes
     table = ends_table(cycle)
     assert [column.header for column in table.columns][1:] == [
         "right\nentry",

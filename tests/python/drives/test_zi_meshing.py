@@ -7,7 +7,7 @@ from zi_drives import DEGREE, HOB, MM, changed, conjugate, sharif
 from pyworm.drives.zi_worm.design import Assembly
 from pyworm.drives.zi_worm.helicoid import Helicoid
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
-from pyworm.report.console.mesh_cycle import sensitivity_table
+from pyworm.report.console.drives.zi_worm import sensitivity_table
 
 
 def test_helicoid_is_the_involute_of_its_base_cylinder():

@@ -24,7 +24,7 @@ import pyworm
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
 from pyworm.drives.zi_worm import dataset
-from pyworm.plots.draw import CYCLE_PICTURES
+from pyworm.plots.drives.zi_worm import CYCLE_PICTURES
 from pyworm.report.console.mesh_cycle import cycle_table
 from pyworm.result.flank_map import flank_map, supply
 from pyworm.result.mesh_cycle import drive_cycle
@@ -159,7 +159,7 @@ def test_supply_is_the_speed_at_which_oil_comes_in():
 
 
 def test_pictures_of_the_cycle():
-    draw = CYCLE_PICTURES["zi-worm"]
+    draw = {name: picture.draw for name, picture in CYCLE_PICTURES.items()}
     whole = cycle_result(PHASES[::6])
     assert any("tooth pair" in axes.get_ylabel() for axes in draw["mesh_cycle"](whole).axes)
     labels = {axes.get_xlabel() for axes in draw["mesh_cycle_flank"](whole).axes}

@@ -1,0 +1,35 @@
+"""What case files about a drive have in common."""
+
+from abc import abstractmethod
+
+from pyworm.case.case_file import CaseTable
+from pyworm.drives.drive import Drive
+
+LOADS = ("load", "worm_torque", "wheel_torque", "power")
+"""Keys of `[operation]` of which one says what the teeth carry."""
+
+
+class DriveCase(CaseTable):
+    """A case file about a drive; each kind has its own `drive`, `operation` and `bodies` besides."""
+
+    @abstractmethod
+    def make_drive(self) -> Drive:
+        """The machine that the file describes.
+
+        Raises
+        ------
+        ValueError
+            The parts do not make a drive; the sentence begins with a key of `[drive]`.
+        """
+
+    @property
+    def load_key(self) -> str:
+        """The key by which its contacts are loaded."""
+        return next(
+            f"operation.{key}" for key in LOADS if getattr(self.operation, key, None) is not None
+        )
+
+    @property
+    def left_open(self) -> dict[str, tuple[str, ...]]:
+        """What its solution is to find that it depends on itself: table -> keys in it."""
+        return {}

@@ -1,0 +1,19 @@
+"""Which kinds of drives there are, and by which rule their modules are found."""
+
+from importlib import import_module
+from importlib.util import find_spec
+from types import ModuleType
+
+KINDS = ("zi-worm", "gear-pair", "roller-worm")
+"""Kinds of drives as case files write them.
+
+By its kind, with `_` for `-`, a drive has its folder or file in `pyworm.drives`, its tables in `pyworm.case`,
+and, if it shows more than its contacts, its pictures in `pyworm.plots.drives` and its table in
+`pyworm.report.console.drives`.
+"""
+
+
+def module_of(kind: str, package: str) -> ModuleType | None:
+    """The module of a package that is about a kind of drive; None without one, or without such a kind."""
+    name = f"{package}.{kind.replace('-', '_')}"
+    return import_module(name) if kind in KINDS and find_spec(name) is not None else None

@@ -1,0 +1,24 @@
+"""A picture of a whole mesh cycle."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from matplotlib.figure import Figure
+
+from pyworm.result.result import Result
+
+
+@dataclass(frozen=True)
+class CyclePicture:
+    """What a drive shows of its whole mesh cycle.
+
+    Attributes
+    ----------
+    caption : str
+        What a report writes over it.
+    draw : callable
+        Result -> figure; None where too few phases are solved for it.
+    """
+
+    caption: str
+    draw: Callable[[Result], Figure | None]

@@ -1,0 +1,61 @@
+"""The mesh cycle of a roller enveloping drive by closed forms, for people."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+from rich.table import Table
+
+from pyworm.formulas.wear_distress import regime
+
+_ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
+    ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
+    ("Load per length / kN/m", lambda at: at["load_per_length"] / 1e3, ".1f"),
+    ("Relative radius / mm", lambda at: at["contact_radius"] * 1e3, ".3f"),
+    ("Worm across the line / m/s", lambda at: at["worm_velocity"], ".3f"),
+    ("Roller across the line / m/s", lambda at: at["roller_velocity"], ".3f"),
+    ("Sliding along the line / m/s", lambda at: at["sliding_along"], ".3f"),
+    ("Spin / rad/s", lambda at: at["relative_spin"], ".1f"),
+    ("Roller about its axis / rpm", lambda at: at["roller_speed"] * 30 / np.pi, ".0f"),
+    ("Minimum film / µm", lambda at: at["formula_film_min"] * 1e6, ".3f"),
+    ("  by the source's formula", lambda at: at["printed_film_min"] * 1e6, ".3f"),
+    ("  left by heat, share", lambda at: at["heated_share"], ".2f"),
+    ("Specific film lambda", lambda at: at["specific_film"], ".2f"),
+)
+"""Label, number at the middle of a contact line, its format."""
+
+
+def ends_table(cycle: xr.Dataset) -> Table:
+    """Entry and exit of both sections of a roller enveloping drive, in the middle of the contact line."""
+    table = Table(title="Entry and exit by closed forms", title_justify="left")
+    table.add_column("In the middle of\nthe contact line", no_wrap=True)
+    middle = cycle.isel(station=cycle.sizes["station"] // 2)
+    places = [
+        middle.sel(section=section).isel(phase=end)
+        for section in cycle["section"].values
+        for end in (0, -1)
+    ]
+    for section in cycle["section"].values:
+        for end in ("entry", "exit"):
+            table.add_column(f"{section}\n{end}", justify="right")
+    for label, value, style in _ROWS:
+        numbers = [float(value(at)) for at in places]
+        if np.isfinite(numbers).any():
+            table.add_row(label, *(f"{number:{style}}" for number in numbers))
+    specific = [float(at["specific_film"]) for at in places]
+    if np.isfinite(specific).any():
+        table.add_row("Lubrication", *("" if np.isnan(one) else regime(one) for one in specific))
+    table.add_row("Regime", *(_regime(cycle, at) for at in places))
+    return table
+
+
+def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
+    number = float(at["regime_number"])
+    if np.isnan(number):
+        return ""
+    viscous, elastic = str(cycle["regime"].values[int(number)]).split("-")
+    return f"{elastic},\n{viscous.removesuffix('viscous')}-\nviscous"
+
+
+CYCLE_TABLE = ends_table
+"""What `pyworm run` prints of the mesh cycle."""

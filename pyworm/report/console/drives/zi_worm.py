@@ -1,0 +1,53 @@
+"""The contact of a ZI worm drive with errors of its assembly, for people."""
+
+import numpy as np
+import xarray as xr
+from rich.table import Table
+
+
+def sensitivity_table(cycle: xr.Dataset) -> Table:
+    """Contact of a ZI worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
+    load = cycle.attrs["varied_load"]
+    table = Table(
+        title=f"Contact in mid-mesh under {load / 1e3:.4g} kN with errors of the assembly",
+        title_justify="left",
+    )
+    table.add_column("Error", no_wrap=True)
+    columns = (
+        ("Face\nmm", "contact_face", 1e3, ".1f"),
+        ("Radius\nmm", "contact_radius_on_wheel", 1e3, ".1f"),
+        ("Rx\nmm", "radius_long", 1e3, ".0f"),
+        ("Ry\nmm", "radius_short", 1e3, ".1f"),
+        ("Dry\nMPa", "dry_pressure_max", 1e-6, ".0f"),
+        ("Formula\nfilm µm", "formula_film", 1e6, ".2f"),
+    )
+    for heading, *_ in columns:
+        table.add_column(heading, justify="right")
+    for number, error in enumerate(cycle["error"].values):
+        size = float(cycle["error_size"][number])
+        angle = error in ANGLES
+        shown = f"{np.degrees(size):.2g} deg" if angle else f"{size * 1e3:.2g} mm"
+        for side, sign in ((0, "-"), (1, ""), (2, "+")):
+            if side == 1 and number > 0:
+                continue
+            label = f"{_ERRORS[error]} {sign}{shown}" if sign else "as it is"
+            at = cycle.isel(error=number, side=side)
+            values = [float(at[f"varied_{name}"]) * scale for _, name, scale, _ in columns]
+            known = np.isfinite(values[0])
+            cells = [f"{value:{style}}" for value, (*_, style) in zip(values, columns, strict=True)]
+            table.add_row(label, *(cells if known else ["no contact"]))
+    return table
+
+
+_ERRORS = {
+    "assembly.centre_distance": "centre distance",
+    "assembly.axial_shift": "shift of the worm",
+    "assembly.shaft_angle": "shaft angle",
+    "hob.swivel": "hob's swivel",
+}
+"""Entry in error -> what people call it."""
+
+ANGLES = ("assembly.shaft_angle", "hob.swivel")
+
+CYCLE_TABLE = sensitivity_table
+"""What `pyworm run` prints of the mesh cycle."""
