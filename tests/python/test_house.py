@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from pyworm.drives.kinds import KINDS
+
 PACKAGE = Path(__file__).parents[2] / "pyworm"
 
 FLOORS = {
@@ -20,6 +22,10 @@ FLOORS = {
     "cli": 9,
 }  # fmt: skip
 """Room -> its floor; a room imports nothing from above."""
+
+
+LONGEST = 60
+"""Lines of a function."""
 
 
 def _imports(file: Path) -> Iterator[str]:
@@ -69,6 +75,47 @@ def test_rooms_of_one_floor_do_not_import_each_other_in_a_circle():
         if FLOORS[room] == FLOORS[other] and room != other
     }
     assert not {(one, other) for one, other in beside if (other, one) in beside}
+
+
+def _kinds_known(file: Path) -> Iterator[str]:
+    """What a file imports of kinds of drives, and kinds that it names."""
+    for name in _imports(file):
+        parts = name.split(".")
+        if parts[:2] == ["pyworm", "drives"] and "".join(parts[2:3]).replace("_", "-") in KINDS:
+            yield name
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Constant) and node.value in KINDS:
+            yield node.value
+
+
+def test_only_drives_and_case_files_know_kinds_of_drives():
+    """All else asks `Drive`; modules about one kind are found by its name (`pyworm.drives.kinds`)."""
+    outside = [
+        file
+        for file in sorted(PACKAGE.rglob("*.py"))
+        if file.relative_to(PACKAGE).parts[0] not in ("drives", "case")
+    ]
+    assert len(outside) > 100
+    assert not {file: known for file in outside if (known := list(_kinds_known(file)))}
+
+
+def test_a_drive_knows_no_other():
+    folders = {kind: PACKAGE / "drives" / kind.replace("-", "_") for kind in KINDS}
+    for file in sorted((PACKAGE / "drives").rglob("*.py")):
+        own = {kind for kind, folder in folders.items() if file.is_relative_to(folder)}
+        known = {name.split(".")[2] for name in _imports(file) if name.startswith("pyworm.drives.")}
+        assert not {name.replace("_", "-") for name in known} & set(KINDS) - own, file
+
+
+@pytest.mark.parametrize("room", ["drives", "planning", "case", "ratings"])
+def test_no_function_is_longer_than_a_page(room):
+    long = [
+        f"{file.relative_to(PACKAGE)}: {node.name}"
+        for file in sorted((PACKAGE / room).rglob("*.py"))
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.FunctionDef) and node.end_lineno - node.lineno >= LONGEST
+    ]
+    assert not long
 
 
 def test_one_file_imports_the_extension():

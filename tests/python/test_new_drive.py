@@ -1,0 +1,137 @@
+"""A drive is added as docs/how-to/add-a-drive.md says, in a copy of the sources, and all commands know it."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from pages import files_written, lines_replaced
+
+from pyworm.kernel.core import EXTENSION
+from pyworm.result.result import open_result
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs/how-to/add-a-drive.md").read_text()
+CASE = "cases/eccentric_cam.toml"
+
+WITHOUT_EDITABLE_INSTALL = """
+import sys
+sys.meta_path[:] = [finder for finder in sys.meta_path if "editable" not in type(finder).__module__]
+"""
+"""Run by Python as it starts, so that pyworm is the copy."""
+
+
+@dataclass(frozen=True)
+class Copy:
+    """A copy of the sources with the new drive."""
+
+    root: Path
+
+    def python(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Python in the copy."""
+        paths = os.pathsep.join([str(self.root / "start"), str(self.root)])
+        return subprocess.run(
+            [sys.executable, *arguments],
+            cwd=self.root,
+            env=os.environ | {"PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    def pyworm(self, *arguments: str) -> str:
+        """What a command prints, which has to succeed."""
+        ended = self.python("-m", "pyworm.cli", *arguments)
+        assert ended.returncode == 0, ended.stderr
+        return ended.stdout
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory) -> Copy:
+    root = tmp_path_factory.mktemp("new_drive")
+    shutil.copytree(ROOT / "pyworm", root / "pyworm", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(EXTENSION, root / "pyworm")
+    (root / "start").mkdir()
+    (root / "start" / "sitecustomize.py").write_text(WITHOUT_EDITABLE_INSTALL)
+    for name, content in files_written(PAGE).items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(content)
+    for name, line, assigned in lines_replaced(PAGE):
+        before = (root / name).read_text()
+        after, count = re.subn(rf"^{assigned} = .*$", line, before, flags=re.M)
+        assert count == 1
+        (root / name).write_text(after)
+    return Copy(root)
+
+
+@pytest.fixture(scope="module")
+def ran(copy) -> str:
+    """What `pyworm run` prints."""
+    return copy.pyworm("run", CASE, "--out", "results")
+
+
+def test_a_drive_is_a_folder_three_files_and_a_word():
+    assert sorted(files_written(PAGE)) == [
+        CASE,
+        "pyworm/case/eccentric_cam.py",
+        "pyworm/drives/eccentric_cam/__init__.py",
+        "pyworm/drives/eccentric_cam/drive.py",
+        "pyworm/plots/drives/eccentric_cam.py",
+    ]
+    ((name, line, _),) = lines_replaced(PAGE)
+    assert name == "pyworm/drives/kinds.py"
+    (before,) = re.findall("^KINDS = .*$", (ROOT / name).read_text(), re.M)
+    assert line == before.replace(")", ', "eccentric-cam")')
+
+
+def test_the_copy_is_what_runs(copy):
+    ended = copy.python("-c", "import pyworm; print(pyworm.__file__)")
+    assert Path(ended.stdout.strip()) == copy.root / "pyworm" / "__init__.py"
+
+
+def test_it_is_checked_and_planned(copy):
+    told = json.loads(copy.pyworm("check", CASE, "--json"))
+    assert len(told["scenes"]) == 3
+
+
+def test_parts_that_do_not_fit_are_refused(copy):
+    text = files_written(PAGE)[CASE]
+    (copy.root / "wide.toml").write_text(text.replace('"4 mm"', '"20 mm"'))
+    ended = copy.python("-m", "pyworm.cli", "check", "wide.toml")
+    assert ended.returncode == 2
+    assert "drive.eccentricity is 20 mm; it must be below drive.radius, 16 mm" in ended.stderr
+
+
+def test_it_is_solved_and_drawn(copy, ran):
+    result = open_result(copy.root / "results/result.nc")
+    assert [solution.phase for solution in result.solutions] == [0.05, 0.25, 0.5]
+    films = [solution.figures.film_min.value for solution in result.solutions]
+    assert films[0] < films[1] < films[2]  # as entrainment rises
+    assert result.mesh_cycle.attrs["drive"] == "eccentric-cam"
+    assert (copy.root / "results/entrainment.png").stat().st_size > 0
+    assert "Eccentric cam against a flat tappet" in ran
+
+
+def test_its_report_says_what_it_knows_and_what_not(copy, ran):
+    copy.pyworm("report", "results/result.nc", "--out", "report.html")
+    report = (copy.root / "report.html").read_text()
+    for said in (
+        "Entrainment over a turn",
+        "The tappet presses with the same force all the time and does not turn.",
+        "How misalignment changes the contacts of this drive is not known in closed form.",
+        "only drives of kind zi-worm and gear-pair are rated",
+    ):
+        assert said in report
+
+
+def test_python_plans_it_as_the_page_prints(copy):
+    code, printed = re.search(
+        r"^```python\n(import pyworm\n.*?)^```\n\nprints\n\n```\n(.*?)^```$", PAGE, re.M | re.S
+    ).groups()
+    ended = copy.python("-c", code)
+    assert ended.stdout == printed, ended.stderr
