@@ -135,3 +135,28 @@ def test_python_plans_it_as_the_page_prints(copy):
     ).groups()
     ended = copy.python("-c", code)
     assert ended.stdout == printed, ended.stderr
+
+
+@pytest.fixture
+def rated(copy):
+    """The copy with the case that may ask for ratings."""
+    module = copy.root / "pyworm/case/eccentric_cam.py"
+    own = module.read_text()
+    asking = own.replace("pyworm.case.drive_case", "pyworm.case.ratings")
+    module.write_text(asking.replace("DriveCase", "RatedCase"))
+    yield copy
+    module.write_text(own)
+
+
+def test_films_are_all_that_is_rated_of_a_drive_that_no_standard_knows(rated):
+    told = json.loads(rated.pyworm("rate", CASE, "--json"))
+    assert [one["rating"] for one in told["ratings"]] == ["films"]
+    assert told["not_rated"] == ["Bearings: the case has no [bearings.NAME]."]
+
+
+def test_no_oil_is_chosen_for_it(rated):
+    wanted = re.search(r"^\[oil_choice\]\n(.+\n)+", (ROOT / "cases/oil_zi.toml").read_text(), re.M)
+    (rated.root / "wanted.toml").write_text(files_written(PAGE)[CASE] + "\n" + wanted[0])
+    ended = rated.python("-m", "pyworm.cli", "oil", "choose", "wanted.toml")
+    assert ended.returncode == 2
+    assert "no oil can be chosen for a drive of this kind" in ended.stderr

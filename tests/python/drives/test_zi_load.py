@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from zi_drives import sharif
 
-from pyworm.drives.zi_worm import drive as zi_worm
 from pyworm.drives.zi_worm import tooth_compliance
 from pyworm.drives.zi_worm.load_sharing import Arms, Transmission, share
+from pyworm.drives.zi_worm.mesh_springs import mesh_springs
 from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
 from pyworm.formulas.hertz import hertz
 from pyworm.scene.point import Paraboloid
@@ -215,6 +215,6 @@ def test_dry_contacts_are_solved_once_for_equal_teeth(monkeypatch):
         drive = loaded(torque=1.01 * TORQUE, **change)
         springs = replace(drive, driver="wheel").springs, drive.springs
         assert springs[0] is springs[1]
-    zi_worm._springs.cache_clear()
+    mesh_springs.cache_clear()
     _ = pickle.loads(pickle.dumps(drive)).springs
     assert len(calls) == 3 * len(tooth_compliance.LOAD_SHARES)
