@@ -1,7 +1,7 @@
 """The figures whose error bars the accuracy is asked of."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 FILMS = ("film_min", "film_central")
 
@@ -17,7 +17,8 @@ class Aim:
     """The figures whose error bars an accuracy is asked of.
 
     The largest pressure is never among them: under light loads it is the tip of a spike at the exit, which no
-    practicable grid resolves.
+    practicable grid resolves. Nor is the film's largest temperature on the largest grid allowed, where it is
+    the tip of a spike (`solver.error_estimate.hot_spike`).
 
     Attributes
     ----------
@@ -29,6 +30,10 @@ class Aim:
 
     figures: tuple[str, ...]
     warmth: float = 0.0
+
+    def without(self, name: str) -> "Aim":
+        """The same but for one figure."""
+        return replace(self, figures=tuple(other for other in self.figures if other != name))
 
     def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:
         """The largest of relative errors of figures, temperatures among these as rises [K]."""

@@ -145,6 +145,20 @@ def unresolved(reading: Reading) -> str | None:
     return None if nodes >= LEAST_PEAK else f"unresolved pressure spike, {nodes:.1f} nodes wide"
 
 
+SPIKE = 8.0
+"""Nodes across the peak of the film's temperature up to which it is the tip of a spike: where the pressure
+spikes, compression heats oil that flow has no time to cool, and the rise grows with the spike from grid to
+grid (by a quarter at 2.6 nodes, by a twentieth at 5.7)."""
+
+
+def hot_spike(reading: Reading) -> str | None:
+    """Why the film's largest temperature is that of a spike; None where it is a broad one's, or not known."""
+    peak = reading.peaks.get("temperature_max_film")
+    if peak is None or peak.nodes >= SPIKE:
+        return None
+    return f"tip of a temperature spike, {peak.nodes:.1f} nodes wide"
+
+
 def peak_errors(reading: Reading) -> dict[str, float]:
     """Relative error of the largest values of fields by how narrow their peaks are on the grid."""
     errors = {}
@@ -183,16 +197,22 @@ LEAST_FALL = 0.2
 either sign may nearly cancel."""
 
 
+MOST_FALL = 0.8
+"""The same ratio beyond which no series is believed. Heat may settle as slowly as by four fifths a step."""
+
+
 def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> dict[str, float]:
     """Relative error of each figure that is left after the last two Newton steps changed it so much.
 
-    What later steps of a geometric series would still add; the whole last change where the changes do not
-    fall by half or have only begun. The fall of the residual says nothing here: it shows the roughest errors,
-    and a step may divide it by ten while the central film, a smooth figure, is still on its way.
+    What later steps of a geometric series would still add, at most four times the last change; that change
+    itself where the changes rise or have only begun. The fall of the residual says nothing here: it shows the
+    roughest errors, and a step may divide it by ten while the central film, a smooth figure, is still on its
+    way.
     """
     errors = {}
     for name in last:
         series = 0 < before[name] < FIRST_CHANGE
-        fall = max(last[name] / before[name], LEAST_FALL) if series else 1.0
-        errors[name] = last[name] * (fall / (1 - fall) if fall < 0.5 else 1.0)
+        fall = last[name] / before[name] if series else 1.0
+        seen = min(max(fall, LEAST_FALL), MOST_FALL)
+        errors[name] = last[name] * (seen / (1 - seen) if fall < 1 else 1.0)
     return errors

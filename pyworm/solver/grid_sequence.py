@@ -1,7 +1,7 @@
 """Newton's method on grids of halving spacing until the error bars are within the accuracy."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from time import perf_counter, process_time
 
 import numpy as np
@@ -16,9 +16,11 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.contact import Ladder
 from pyworm.solver.error_estimate import (
+    LEAST_PEAK,
     Reading,
     domain_errors,
     grid_errors,
+    hot_spike,
     peak_errors,
     unresolved,
 )
@@ -37,7 +39,7 @@ LADDERS: dict[type, type[Ladder]] = {Scene: PointLadder, LineScene: LineLadder}
 """The climb of each kind of contact, by its scene."""
 
 ACCURATE = "the figures are as accurate as asked for"
-"""The stop reason of a converged solution."""
+"""The stop reason of a converged solution, or how it begins."""
 
 DOMAIN_SHARE = 0.3
 """Error of the films by the window beyond which the wider one is taken, as a share of the accuracy."""
@@ -126,14 +128,15 @@ def solve_on_grids(
     unit = convolution_seconds(rung.film)
     outcome = ladder.outcome(rung)
     stop_reason = outcome.flaw or stop_reason
-    if stop_reason != ACCURATE and rests_on_edge(outcome.fields):
+    converged = stop_reason.startswith(ACCURATE)
+    if not converged and rests_on_edge(outcome.fields):
         stop_reason += CURE
     solution = Solution(
         name=scene.name,
         kind=ladder.kind,
         **asdict(Place.of(scene)),
         load=scene.load,
-        converged=stop_reason == ACCURATE,
+        converged=converged,
         stop_reason=stop_reason,
         figures=Figures(
             **estimates,
@@ -204,7 +207,7 @@ def _estimates(
         grid = dict.fromkeys(grid, np.inf)
     modelled = rung.model_errors()
     marching = {} if history is None else history.errors
-    return {
+    estimates = {
         name: Estimate(
             ladder.origins.get(name, 0.0) + value,
             grid[name],
@@ -215,6 +218,11 @@ def _estimates(
         )
         for name, value in settled.reading.figures.items()
     }
+    spike, name = hot_spike(settled.reading), "temperature_max_film"
+    if spike is not None and estimates[name].error > plan.accuracy:
+        bar = np.inf if settled.reading.peaks[name].nodes < LEAST_PEAK else grid[name]
+        estimates[name] = replace(estimates[name], grid=bar, reason=spike)
+    return estimates
 
 
 def _settle_figures(rung: Rung, plan: Plan) -> Settled:
@@ -244,11 +252,26 @@ def _stop_reason(
         return f"the residual stayed at {worst:.1e}, {plan.tolerance:.1e} is wanted"
     if not last:
         return None
+    if settled and resolved and _accurate_but_for_spike(plan, estimates, figures):
+        tip = estimates["temperature_max_film"].reason
+        return f"{ACCURATE} but for the film's largest temperature, the {tip}"
     if not resolved:
         return "the largest grid allowed does not resolve the film"
     if np.isinf(error):
         return "the largest grid allowed leaves no second grid, or window, to compare with"
     return f"the largest grid allowed leaves an error of {error:.1%}"
+
+
+def _accurate_but_for_spike(
+    plan: Plan, estimates: Mapping[str, Estimate], figures: Mapping[str, float]
+) -> bool:
+    """Whether all figures asked for are accurate but the film's largest temperature, the tip of a spike."""
+    if "temperature_max_film" not in estimates or estimates["temperature_max_film"].reason is None:
+        return False
+    others = plan.aim.without("temperature_max_film")
+    return (
+        others.worst({name: of.error for name, of in estimates.items()}, figures) <= plan.accuracy
+    )
 
 
 def _history(strides: Sequence[Stride], axes: str) -> xr.Dataset:

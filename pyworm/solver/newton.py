@@ -10,7 +10,10 @@ from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Rung
 
 MOST_STEPS = 60
-"""Newton steps on one grid before it is given up; where oil slips in places, they may close in slowly."""
+"""Newton steps on a grid of the figures before it is given up: oil that slips in places slows them."""
+
+MOST_LEADING = 30
+"""Newton steps on one that only leads to others."""
 
 HOPELESS = 1e6
 """Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law was asked
@@ -88,7 +91,7 @@ def lead(rung: Rung, tolerance: float, warming: float | None = None) -> list[Str
     Its temperatures may be off by another share, `warming`, of their largest rise.
     """
     strides: list[Stride] = []
-    while len(strides) < MOST_STEPS and not rung.film.balance.within(tolerance, warming):
+    while len(strides) < MOST_LEADING and not rung.film.balance.within(tolerance, warming):
         taken = stride(rung)
         if taken is None:
             break

@@ -7,7 +7,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import FILMS
-from pyworm.solver.error_estimate import Reading, change
+from pyworm.solver.error_estimate import Reading, change, hot_spike
 
 
 def refusal(
@@ -33,7 +33,8 @@ def refusal(
         return plan.refusal
     if not readings or not finer.nodes <= plan.largest_grid < finer.finer().nodes:
         return None
-    least = plan.aim.worst(least_errors(readings, orders), readings[-1].figures)
+    aim = plan.aim if hot_spike(readings[-1]) is None else plan.aim.without("temperature_max_film")
+    least = aim.worst(least_errors(readings, orders), readings[-1].figures)
     if least <= max(plan.accuracy, WORTHLESS):
         return None
     return f"the largest grid allowed would leave an error of at least {least:.0%}"

@@ -1,7 +1,7 @@
 """A point contact as the solver sees it."""
 
 from collections.abc import Sequence
-from math import nan
+from math import nan, sqrt
 from typing import Any, ClassVar
 
 import numpy as np
@@ -39,8 +39,14 @@ from pyworm.solver.solution import DryFigures
 SHEAR_TOLERANCE = 1e-3
 """Residual of the sheared film from which it is heated."""
 
-FIRMNESS = (16.0, 8.0, 4.0, 2.8, 2.0, 1.4, 1.2, 1.0)
-"""How many times as large the flow law's stresses are taken, in turn, where no step leads to it at once."""
+FIRMEST = 16.0
+"""How many times as large the flow law's stresses are taken at first, where no step leads to it at once."""
+
+SOFTENING, LEAST_SOFTENING = 2.0, 1.02
+"""Ratio of the stresses from one film to the next, its root taken where a film is lost, down to the least."""
+
+HEATED_TOLERANCE = 1e-2
+"""Residual of a heated film, and change of its temperature, from which its stresses are softened."""
 
 LENT_TOLERANCE = 1e-2
 """Residual at which some more of lent entrainment is taken back."""
@@ -126,18 +132,29 @@ class PointLadder:
     def _complete(self, rung: Rung) -> list[Stride]:
         """Shear, then heat, for a Newtonian film of one temperature."""
         strides: list[Stride] = []
+        firmness = 1.0
         if self._model.levels:
             strides += lead(rung, COARSE_TOLERANCE)
             # that film's pressure could make heat without bound by a law that limits the stress
-            strides += self._sheared(rung)
+            sheared, firmness = self._sheared(rung)
+            strides += sheared
         if self._model.heated:
             with_heat(self._scene, self._size, rung)
             rung.film.restart()
             strides += self._taken_back(rung)
+        if (
+            firmness > 1
+        ):  # hot oil is thin: its stresses may be borne where those of cold oil are not
+            if self._model.heated:
+                strides += lead(rung, HEATED_TOLERANCE)
+                softened, firmness = self._softened(rung, firmness)
+                strides += softened
+            if firmness > 1:
+                self._flow_by_law(rung, 1.0)
         return strides
 
-    def _sheared(self, rung: Rung) -> list[Stride]:
-        """Steps of a film from a Newtonian oil to its own.
+    def _sheared(self, rung: Rung) -> tuple[list[Stride], float]:
+        """Steps of a film from a Newtonian oil to its own, and how firm that was left.
 
         Where stresses of the Newtonian film are so far beyond those of the law that steps do not lead there,
         the law is made firm and softened bit by bit.
@@ -146,20 +163,38 @@ class PointLadder:
         self._flow_by_law(rung, 1.0)
         strides = lead(rung, SHEAR_TOLERANCE)
         if rung.film.balance.worst <= SHEAR_TOLERANCE:
-            return strides
+            return strides, 1.0
         rung.film.start(pressure, rigid_film)
-        for times in FIRMNESS:
-            self._flow_by_law(rung, times)
-            strides += lead(rung, SHEAR_TOLERANCE)
-            if lost(rung):  # from there softer stresses lead nowhere either
-                self._flow_by_law(rung, 1.0)
-                break
-        return strides
+        softened, firmness = self._softened(rung, FIRMEST * SOFTENING)
+        return [*strides, *softened], firmness
 
-    def _flow_by_law(self, rung: Rung, firmness: float) -> None:
-        """The present film under the flow law, its stresses so many times as large."""
+    def _softened(self, rung: Rung, firmness: float) -> tuple[list[Stride], float]:
+        """Steps of a film from stresses many times as large as the law's towards these, and how far they led.
+
+        The film left has stresses that many times as large.
+        """
+        strides: list[Stride] = []
+        found, ratio = rung.end(), SOFTENING
+        while firmness > 1 and ratio >= LEAST_SOFTENING:
+            softer = max(firmness / ratio, 1.0)
+            self._flow_by_law(rung, softer, found)
+            strides += lead(rung, HEATED_TOLERANCE if rung.film.heated else SHEAR_TOLERANCE)
+            if lost(rung):
+                ratio = sqrt(ratio)
+            else:
+                found, firmness = rung.end(), softer
+        if lost(rung):
+            self._flow_by_law(rung, firmness, found)
+        return strides, firmness
+
+    def _flow_by_law(self, rung: Rung, firmness: float, start: Start | None = None) -> None:
+        """The present film, or another, under the flow law, its stresses so many times as large."""
+        start = start or rung.end()
+        heated = rung.film.heated
         with_shear(self._scene, self._model, rung, firmness)
-        rung.film.restart()
+        if heated:
+            with_heat(self._scene, self._size, rung, start.rise)
+        rung.film.start(start.pressure, start.rigid_film)
 
     def _taken_back(self, rung: Rung) -> list[Stride]:
         """Steps of a film from the entrainment that was lent to it to its own."""

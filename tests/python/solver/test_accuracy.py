@@ -13,6 +13,7 @@ from pyworm.solver.error_estimate import (
     algebra_errors,
     domain_errors,
     grid_errors,
+    hot_spike,
     peak_errors,
     unresolved,
 )
@@ -124,6 +125,15 @@ def test_a_narrow_hot_spot_has_a_bar_however_few_nodes_it_is_wide():
     assert unresolved(hot) is None
 
 
+def test_a_film_hottest_at_the_tip_of_a_spike_says_how_narrow_it_is():
+    def hot(nodes):
+        return replace(reading(1.0), peaks={"temperature_max_film": Peak(60.0, nodes)})
+
+    assert hot_spike(hot(5.68)) == "tip of a temperature spike, 5.7 nodes wide"
+    assert hot_spike(hot(8.0)) is None
+    assert hot_spike(reading(1.0)) is None  # of a film that does not warm
+
+
 def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
     none = dict.fromkeys(FIGURES, 0.0)
     limits = dict.fromkeys(FIGURES, 1.5)
@@ -137,7 +147,9 @@ def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
     ("before", "last", "error"),
     [
         (0.4, 0.1, 0.1 / 3),  # the rest of a geometric series
-        (0.4, 0.3, 0.3),  # no series
+        (0.4, 0.3, 0.9),  # as slowly as heat settles
+        (0.4, 0.39, 4 * 0.39),  # more slowly than any series is believed to
+        (0.3, 0.4, 0.4),  # no series
         (0.4, 0.001, 0.001 / 4),  # too good to be believed
         (0.0, 0.1, 0.1),
         (1.0, 0.03, 0.03),  # from nothing: no series yet

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from unittest.mock import Mock
 
@@ -21,6 +22,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
+from pyworm.solver.grid_sequence import ACCURATE
 from pyworm.solver.newton import settle, stride
 from pyworm.solver.point import level
 from pyworm.solver.point.contact import PointLadder
@@ -128,6 +130,30 @@ def test_an_extrapolated_film_that_no_oil_bears_is_no_start(tmp_path):
     assert rung.film.balance.residual < 0.1
     settle(rung, plan.tolerance, plan.aim, 0.5)
     assert rung.film.balance.worst <= plan.tolerance
+
+
+def test_a_film_hottest_in_a_spike_ends_with_all_else_accurate(tmp_path):
+    """A temperature spike that no grid allowed resolves keeps neither films nor friction from their bars."""
+    one = trial(DRAWS["thermal"](33, 7117).tables, "drawn", tmp_path, "all")
+    scene = one.plan.simplified(one.scene)
+    solution = pyworm.solve(scene, replace(one.plan, largest_grid=500_000))
+    figures = solution.figures
+    assert solution.converged
+    assert solution.stop_reason.startswith(ACCURATE + " but for the film's largest temperature")
+    assert figures.temperature_max_film.error == np.inf
+    assert "nodes wide" in figures.temperature_max_film.reason
+    for name in ("film_min", "film_central", "friction_coefficient", "temperature_max_body_1"):
+        assert getattr(figures, name).error <= one.plan.accuracy
+        assert getattr(figures, name).reason is None
+
+
+@pytest.mark.parametrize(("number", "seed"), [(5, 101), (45, 7117)])
+def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path, number, seed):
+    """Limits of 2 to 3 % of the pressure at 12 to 15 m/s; no cold film bears the stresses of the second."""
+    one = trial(DRAWS["thermal"](number, seed).tables, "drawn", tmp_path, "all")
+    solution = pyworm.solve(one.plan.simplified(one.scene), one.plan)
+    assert solution.converged, solution.stop_reason
+    assert solution.figures.temperature_max_film.value > one.scene.oil.heat.inlet_temperature + 10
 
 
 def test_a_film_started_anew_keeps_its_outline_and_carries_its_load():
