@@ -1,4 +1,4 @@
-"""From the tasks of one case to its result; what an earlier run solved is not solved again."""
+"""Solve the tasks of a case; scenes solved by an earlier run are reused."""
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
@@ -22,7 +22,7 @@ SCENES = "scenes"
 
 
 class NothingSolvedError(RuntimeError):
-    """No scene of a run has a solution; the message is the last one's reason."""
+    """No scene of a run has a solution; the message is the reason of the last one."""
 
 
 def run(
@@ -115,7 +115,7 @@ def _collected(
 
 
 def _solved_before(path: Path, say: Callable[[str], None]) -> _Kept:
-    """What an earlier result holds, if there is one; told if that cannot be used."""
+    """Solutions of an earlier result, if there is one; a message if it cannot be used."""
     try:
         return _of_each(open_result(path))
     except FileNotFoundError:

@@ -25,7 +25,7 @@ PATIENCE = 30
 LOOK = 2
 """How often to look whether there are workers [s]."""
 
-ON = "scenes already solved are kept, the same command goes on from there"
+ON = "scenes already solved are kept, the same command continues from there"
 
 
 @contextmanager
@@ -75,7 +75,7 @@ def cluster(address: str, say: Callable[[str], None]) -> Iterator[Executor]:
 
 
 def _watch(client: "Client", address: str, say: Callable[[str], None], ended: Event) -> None:
-    """Tell, once each time, that there are no workers."""
+    """Report, once each time, that there are no workers."""
     told = False
     while not ended.wait(LOOK):
         try:

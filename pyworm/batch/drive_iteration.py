@@ -1,4 +1,4 @@
-"""Friction, lifts and loss fed back into what they depend on.
+"""Iteration of friction, lifts and loss with the loads and temperatures that they determine.
 
 The loads of a drive's teeth follow from its torque, from friction and from how far films lift the teeth off
 each other, the temperatures of its oil and bodies from the loss between the teeth; all of these follow from
@@ -59,7 +59,7 @@ def run_balanced(
     progress: Progress | None = None,
     say: Callable[[str], None] = lambda message: None,
 ) -> tuple[Result, Sequence[Task]]:
-    """Solve a case, with the friction and the loss that it finds itself if it is to find them.
+    """Solve a case, iterating friction, lifts and loss where these are not given.
 
     Arguments and errors as of `batch.case_run.run`; also returns the tasks as they were solved in the end.
     """
@@ -82,21 +82,21 @@ def run_balanced(
 
 @dataclass
 class _Search:
-    """Passes over a case until what it finds is what it took."""
+    """Fixed-point iteration of the values that a case leaves open."""
 
     open: dict[str, tuple[str, ...]]
     accuracy: float
     say: Callable[[str], None]
 
     def glance(self, case: Case, tasks: Sequence[Task], how: tuple) -> Case:
-        """The case with what films that are less accurate find."""
+        """The case with the values found by films of lower accuracy."""
         tasks = [replace(task, case=case, accuracy=GLANCE) for task in tasks]
         return self._next(case, run(case, tasks, *how), [])
 
     def settle(
         self, case: Case, tasks: Sequence[Task], how: tuple, passes: int
     ) -> tuple[Case, Result, Sequence[Task]]:
-        """The case as last solved, what came out and the tasks; all of it solved at most so often."""
+        """The case as last solved, its result and tasks, after at most `passes` passes."""
         losses: list[tuple[float, float]] = []
         while True:
             tasks = [task if task.case is case else replace(task, case=case) for task in tasks]
@@ -108,7 +108,7 @@ class _Search:
             case = new
 
     def _next(self, case: Case, result: Result, losses: list[tuple[float, float]]) -> Case:
-        """The case to solve next; itself if what was found hardly changes it."""
+        """The case to solve next; the same case if the iteration converged."""
         cycle = drive_cycle(result)
         if cycle is None or cycle.loss is None:
             return case
@@ -128,7 +128,7 @@ class _Search:
         heating: HeatingLoss,
         losses: list[tuple[float, float]],
     ) -> dict[str, dict[str, Any]]:
-        """What is to be taken next; a standard's loss, which knows no temperatures, as it is."""
+        """Values for the next pass; a standard's loss, which does not depend on temperature, unchanged."""
         loss = cycle.loss
         of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
         found = {
@@ -143,7 +143,7 @@ class _Search:
         return found
 
     def _enough(self, case: Case, new: Case, cycle: DriveCycle, heating: HeatingLoss) -> bool:
-        """Whether what was found hardly changes the case."""
+        """Whether the iteration converged."""
         if "cooling" in self.open:
             misses = abs(heating.power - tooth_loss_of(case)) / case.tables.cooling.conductance
             if misses > WARMTH:
@@ -152,13 +152,13 @@ class _Search:
 
 
 def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:
-    """Every so manieth task, and the last; all if that leaves fewer than a cycle takes."""
+    """Every `stride`-th task and the last; all of them if fewer than a mesh cycle needs would be left."""
     some = [*tasks[:-1:stride], tasks[-1]]
     return some if len(some) >= FEWEST_PHASES else tasks
 
 
 def _next_loss(losses: list[tuple[float, float]]) -> float:
-    """A loss [W] that may be found as assumed: by the secant of the last two, (assumed, found)."""
+    """The next loss to assume [W]: by the secant of the last two pairs (assumed, found)."""
     fall = FIRST_FALL
     if len(losses) > 1 and losses[-1][0] != losses[-2][0]:
         (before, first), (after, last) = losses[-2:]
@@ -168,7 +168,7 @@ def _next_loss(losses: list[tuple[float, float]]) -> float:
 
 
 def _told(found: dict[str, dict[str, Any]]) -> list[str]:
-    """What was found, as one would write it into a case file."""
+    """The values found, as written in a case file."""
     said = []
     for table, of in found.items():
         for key, value in of.items():
@@ -181,7 +181,7 @@ def _told(found: dict[str, dict[str, Any]]) -> list[str]:
 
 
 def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
-    """Largest share by which loads at some phases change from a case to another."""
+    """Largest relative change of the loads at some phases between two cases."""
     before, after = (
         np.array([of.drive.normal_load(phase) for phase in phases]) for of in (case, new)
     )
@@ -189,7 +189,7 @@ def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
 
 
 def _earlier(case: Case, directory: Path) -> dict[str, dict[str, Any]]:
-    """What an earlier run of the same case found and kept there; nothing if there was none."""
+    """The values found by an earlier run of the same case; nothing if there was none."""
     kept = case_in(directory / RESULT_NAME)
     if kept is None or _given(kept, case.left_open) != _given(case.resolved, case.left_open):
         return {}
@@ -202,7 +202,7 @@ def _earlier(case: Case, directory: Path) -> dict[str, dict[str, Any]]:
 
 
 def _given(resolved: dict, open_: dict[str, tuple[str, ...]]) -> dict:
-    """A case without what is found, and without the phases asked for."""
+    """A case without the values found, and without the phases asked for."""
     left = {
         table: {key: value for key, value in resolved[table].items() if key not in found}
         for table, found in open_.items()

@@ -1,4 +1,4 @@
-"""What made a result: the commit of the sources, the compiler and its flags, the compiled kernel."""
+"""Origin of the program: commit of the sources, compiler and flags, compiled kernel."""
 
 import subprocess
 from functools import cache
@@ -43,7 +43,7 @@ def _commit() -> str | None:
 
 
 def _git(root: Path, *command: str) -> str | None:
-    """What git says of the sources; None where there is no git, or none that can say it."""
+    """Output of a git command on the sources; None where it fails."""
     try:
         done = subprocess.run(
             ["git", "-C", root, *command], capture_output=True, text=True, timeout=_PATIENCE

@@ -14,7 +14,7 @@ from pyworm.batch.origin import origin
 
 
 def provenance(plans: dict[str, dict[str, Any]]) -> dict[str, Any]:
-    """What made some solutions: the plan of each by its task's key, in their order; JSON-able."""
+    """Provenance of solutions: the plan of each by its task's key, in their order; for JSON."""
     return where_and_when() | {"plans": list(plans.values()), "keys": list(plans)}
 
 
@@ -32,7 +32,7 @@ def where_and_when() -> dict[str, str]:
 
 @cache
 def program_digest() -> str:
-    """Digest of all of pyworm that makes solutions: a changed solver has solved nothing yet."""
+    """Digest of all of pyworm that affects solutions, so that those of another program are not reused."""
     from pyworm.kernel.core import EXTENSION
 
     package = Path(pyworm.__file__).parent

@@ -21,7 +21,7 @@ def solve_all(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> dict[str, str]:
-    """Solve tasks and keep each solution as soon as it is there.
+    """Solve tasks and store each solution as soon as it is found.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def solve_for(key: str, task: Task, store: Store) -> str | None:
 
 
 def _reason(future: Future, task: Task, store: Store) -> str | None:
-    """Why a task came back without a solution, if it did."""
+    """Reason why a task has no solution, if it failed."""
     error = future.exception()
     if error is not None:  # of the process, not of the solve
         return str(error) if isinstance(error, WorkerDiedError) else reason_of(error)
@@ -88,5 +88,5 @@ def _reason(future: Future, task: Task, store: Store) -> str | None:
 
 
 def _share(tell: Callable[[str, float], None], position: int, count: int) -> Progress:
-    """Progress of one of several solves as a share of all."""
+    """Progress of one of several solves as a fraction of all."""
     return lambda message, fraction: tell(message, (position + fraction) / count)

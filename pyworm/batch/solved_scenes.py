@@ -1,4 +1,4 @@
-"""Solved scenes, each kept in a file of its own as soon as it is solved, under the key of its task."""
+"""Store of solved scenes: one file for each, written as soon as it is solved, named by the task's key."""
 
 import json
 from collections.abc import Iterable
@@ -31,11 +31,11 @@ class Store:
     fields: bool
 
     def file(self, task: Task) -> Path:
-        """Where a solved task is kept."""
+        """File of a solved task."""
         return self.directory / f"{task.key}.{'nc' if self.fields else 'json'}"
 
     def keep(self, task: Task, result: Result) -> None:
-        """Write down what a task came to; OSError if that is not possible."""
+        """Store the solution of a task; OSError if that is not possible."""
         file = self.file(task)
         if self.fields:
             result.save(file)
@@ -54,12 +54,12 @@ class Store:
         return True
 
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
-        """The tasks that are still to be solved, each once; halves left by killed processes are removed."""
+        """The tasks still to be solved, each once; partial files of killed processes are removed."""
         remove_abandoned(self.directory)
         return list({task.key: task for task in tasks if not self.holds(task)}.values())
 
     def result(self, task: Task) -> Result:
-        """A solution kept in full, as the result that it came in; OSError if its file is gone or damaged."""
+        """A complete stored solution as a result; OSError if its file is missing or damaged."""
         file = self.file(task)
         try:
             result = open_result(file)
@@ -70,7 +70,7 @@ class Store:
         return result
 
     def summary(self, task: Task) -> dict[str, Any]:
-        """The scalars of a solution, as of `Solution.summary`; OSError if its file is gone or damaged."""
+        """The scalars of a stored solution, as `Solution.summary`; OSError if its file is missing or bad."""
         if self.fields:
             return self.result(task).solutions[0].summary()
         file = self.file(task)
@@ -85,7 +85,7 @@ class Store:
         return summary
 
     def drop(self, tasks: Iterable[Task]) -> None:
-        """Forget what these tasks came to."""
+        """Remove the stored solutions of some tasks."""
         for task in tasks:
             self.file(task).unlink(missing_ok=True)
         with suppress(OSError):  # not empty, or never made

@@ -98,7 +98,7 @@ def load_sweep(
 
 
 def label(values: Mapping[str, Value]) -> str:
-    """What tells the scenes of a sweep apart, for people."""
+    """Label of a scene of a sweep: its varied values."""
     return ", ".join(f"{key} = {toml(value)}" for key, value in values.items())
 
 
@@ -119,7 +119,7 @@ def _tasks(
     effects: str | None,
     values: dict[str, Value],
 ) -> list[Task]:
-    """The scenes of one case of a sweep, checked and planned; nothing of that is kept."""
+    """The scenes of one case of a sweep, checked and planned; the plans are discarded."""
     try:
         case: Case = case_of(_with(content, values), f"{name}: {label(values)}", directory)
         tasks = [
@@ -135,7 +135,7 @@ def _tasks(
 
 
 def _with(content: dict[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:
-    """A case file's content with some values in place of its own."""
+    """A case file's content with some values replaced."""
     changed = deepcopy(content)
     for key, value in values.items():
         _put(changed, key, value)
@@ -143,7 +143,7 @@ def _with(content: dict[str, Any], values: Mapping[str, Value]) -> dict[str, Any
 
 
 def _put(content: dict[str, Any], key: str, value: Value) -> None:
-    """Set what a dotted key means; tables that are not there are made, for the case to judge."""
+    """Set the value at a dotted key; missing tables are created, for the case to check."""
     steps: list[str | int] = []
     for part in key.split("."):
         match = _STEP.fullmatch(part)
@@ -160,7 +160,7 @@ def _put(content: dict[str, Any], key: str, value: Value) -> None:
 
 
 def _inner(outer: Any, step: str | int, key: str, there: bool = True) -> Any:
-    """What a table or a list holds at a step of a key."""
+    """The entry of a table or a list at one part of a key."""
     if isinstance(step, int):
         if not (isinstance(outer, list) and step < len(outer)):
             raise CaseError(f'"{key}": the case has no list with a place [{step}] there')

@@ -1,4 +1,4 @@
-"""From a sweep to its table; what an earlier run solved is not solved again."""
+"""Solve a sweep and make its table; scenes solved by an earlier run are reused."""
 
 from collections.abc import Callable
 from concurrent.futures import Executor
@@ -63,7 +63,7 @@ def solve_share(
     progress: Progress | None = None,
     say: Callable[[str], None] = lambda message: None,
 ) -> tuple[dict[str, str], Store]:
-    """Solve some scenes of a sweep and keep them; arguments as of `run_sweep`.
+    """Solve some scenes of a sweep and store them; arguments as of `run_sweep`.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""A task: one scene to be solved, told by what decides its solution, and small enough to send anywhere."""
+"""A task: one scene to be solved, identified by everything that decides its solution."""
 
 import json
 from dataclasses import asdict, dataclass, replace
@@ -53,12 +53,12 @@ class Task:
 
     @cached_property
     def plan(self) -> Plan:
-        """How it is solved; ValueError if it cannot be planned so."""
+        """Plan of the solve; ValueError if it cannot be planned."""
         return plan(self.scene, self.accuracy, self.effects, self.quantities)
 
     @property
     def identity(self) -> dict[str, Any]:
-        """Everything that decides the solution, down to the program; JSON-able."""
+        """Everything that decides the solution, including the program; for JSON."""
         return {
             "program": program_digest(),
             "result_format": FORMAT_VERSION,
@@ -71,7 +71,7 @@ class Task:
 
     @cached_property
     def key(self) -> str:
-        """Name of the solution by what decides it."""
+        """Key of the solution: a digest of its identity."""
         return key_of(self.identity)
 
     def __reduce__(self) -> tuple:
@@ -105,5 +105,5 @@ class Task:
 
 
 def key_of(identity: dict[str, Any]) -> str:
-    """Name of a solution by everything that decides it, `Task.identity`."""
+    """Key of a solution: a digest of everything that decides it, `Task.identity`."""
     return sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()[:KEY_LENGTH]

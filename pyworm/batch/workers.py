@@ -1,4 +1,4 @@
-"""Worker processes, one thread each; one that dies fails its own call and no other."""
+"""Worker processes of one thread each; the death of one fails only its own call."""
 
 import ctypes
 import os
@@ -41,11 +41,11 @@ class WorkerPool(Executor):
         self._threads = ThreadPoolExecutor(count)
 
     def submit(self, function: Callable, /, *arguments: Any) -> Future:
-        """Have a function called in one of the processes; the future may raise WorkerDiedError."""
+        """Call a function in one of the processes; the future may raise WorkerDiedError."""
         return self._threads.submit(self._call, function, arguments)
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Take no more calls; end the processes once those there are done."""
+        """Accept no more calls; end the processes once the pending ones are done."""
         self._threads.shutdown(wait=wait, cancel_futures=cancel_futures)
         for worker in self._workers:
             worker.stop()
@@ -127,7 +127,7 @@ class _Worker:
 
 
 def _serve(connection: Connection) -> None:
-    """Answer calls until the other side is gone."""
+    """Answer calls until the connection closes."""
     _end_with_parent()
     if os.getppid() != parent_process().pid:  # it was killed before
         return

@@ -1,4 +1,4 @@
-"""A case: what the user wrote, checked in full before any work starts."""
+"""A case: the user's input, checked completely before any work starts."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -36,7 +36,7 @@ NO_PHYSICS = {
     "operation": {"sections", "phases", "stations"},
     "motion": {"slide_roll_ratios"},
 }
-"""Keys of case files that say nothing about a contact."""
+"""Keys of case files that do not affect a contact."""
 
 MESH_PLACES = {"section": "sections", "phase": "phases", "station": "stations"}
 """Name of a place in a drive's mesh -> key of `[operation]` that lists those to be solved."""
@@ -65,12 +65,12 @@ class Case:
 
     @property
     def title(self) -> str:
-        """What the case is."""
+        """Title of the case."""
         return self.tables.title
 
     @property
     def source(self) -> str:
-        """Where its numbers come from."""
+        """Source of the case's numbers."""
         return self.tables.source
 
     @property
@@ -85,12 +85,12 @@ class Case:
 
     @property
     def effects(self) -> str:
-        """Which effects are simulated if nothing else is asked for, as `pyworm.plan` takes it."""
+        """Effects to simulate by default, as an argument of `pyworm.plan`."""
         return self.tables.effects
 
     @property
     def quantities(self) -> tuple[str, ...] | None:
-        """What is asked of its contacts, likewise."""
+        """Quantities that have to be accurate by default, likewise."""
         return self.tables.quantities
 
     @property
@@ -120,7 +120,7 @@ class Case:
 
     @property
     def physics(self) -> dict[str, Any]:
-        """What decides the contacts: the case in SI without names, comparisons, accuracy and lists of places.
+        """The physics of the case: its tables in SI without names, comparisons, accuracy and lists of places.
 
         A file that the case names is there with a digest of what it holds.
         """
@@ -132,11 +132,11 @@ class Case:
 
     @property
     def left_open(self) -> dict[str, tuple[str, ...]]:
-        """What its solution is to find that it depends on itself: table -> keys in it."""
+        """Unknowns that the solution has to determine by iteration: table -> keys in it."""
         return self.tables.left_open if isinstance(self.tables, DriveCase) else {}
 
     def with_found(self, found: dict[str, dict[str, Any]]) -> "Case":
-        """The case with values of its tables in place of its own: table -> key -> value."""
+        """The case with some values replaced: table -> key -> value."""
         tables = {
             name: getattr(self.tables, name).model_copy(update=values)
             for name, values in found.items()
@@ -166,7 +166,7 @@ class Case:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What is unusual in it, a sentence each, beginning with the key that says it."""
+        """Warnings about unusual values, one sentence each, beginning with the key."""
         of_drive = () if self.drive is None else self.drive.warnings
         return *self.doubts, *(f"drive.{warning}" for warning in of_drive)
 
@@ -224,7 +224,7 @@ class Case:
 
     @property
     def _load_key(self) -> str:
-        """The key by which its contacts are loaded."""
+        """The key that gives the load."""
         return self.tables.load_key if isinstance(self.tables, DriveCase) else "contact.load"
 
     def _mesh_place(self, wanted: dict[str, Any]) -> Place:
@@ -245,7 +245,7 @@ class Case:
         return Place(**given)
 
     def places(self, **wanted: Sequence[Any] | None) -> tuple[Place, ...]:
-        """Where its contacts are: by default at the places that the case lists.
+        """Places of the contacts to solve: by default those that the case lists.
 
         Parameters
         ----------
@@ -261,7 +261,7 @@ class Case:
 
 
 def load(path: str | Path) -> Case:
-    """Read a case file and check it in full: what loads makes scenes.
+    """Read a case file and check it completely.
 
     Parameters
     ----------
@@ -282,7 +282,7 @@ def load(path: str | Path) -> Case:
 
 
 def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
-    """The case that a case file's content makes, checked in full; CaseError as of `load`."""
+    """The completely checked case of a case file's content; CaseError as of `load`."""
     case = Case(name, directory, _tables(data))
     # All contacts are made: the drive must mesh and the gap file must hold a gap.
     told = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
@@ -292,7 +292,7 @@ def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
 
 
 def case_again(resolved: dict[str, Any]) -> Case:
-    """The case of a result, from what that keeps of it (`Case.resolved`).
+    """The case of a result, from the stored `Case.resolved`.
 
     Files that it names are no longer found.
 
@@ -306,7 +306,7 @@ def case_again(resolved: dict[str, Any]) -> Case:
 
 
 def _said(table: dict[str, Any]) -> dict[str, Any]:
-    """A table of a case without the keys that nothing was said about."""
+    """A table of a case without the keys that are not given."""
     return {
         key: _said(value) if isinstance(value, dict) else value
         for key, value in table.items()
@@ -315,7 +315,7 @@ def _said(table: dict[str, Any]) -> dict[str, Any]:
 
 
 def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
-    """A case file in SI, read as what it says it is; context as of `checked`."""
+    """The tables of a case file in SI, by its kind; context as of `checked`."""
     if not {"drive", "contact"} & data.keys() and set(RATING_TABLES) & data.keys():
         raise CaseError("gives nothing to be solved, ratings only; pyworm rate shows them")
     if ("drive" in data) == ("contact" in data):
@@ -326,7 +326,7 @@ def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
 
 
 def checked(model: type[BaseModel], data: dict[str, Any], context: str | None = None) -> Any:
-    """What a file holds, read as a model; CaseError with the sentence about what is wrong first.
+    """The content of a file validated by a model; CaseError with the message about the first error.
 
     With the context `units.SI` it holds numbers in SI instead of quantities with units.
     """

@@ -1,4 +1,4 @@
-"""What all case files say."""
+"""Tables and keys that all case files share."""
 
 from typing import Annotated, Any, Literal
 
@@ -20,7 +20,7 @@ def _effects(text: str) -> str:
 
 
 class PublishedValue(Table):
-    """A number that the source prints."""
+    """A value printed by the source."""
 
     text: str
     value: float
@@ -52,7 +52,7 @@ def _flat(reasons: Any, at: str = "") -> Any:
 
 
 class FileTable(Table):
-    """What all files say.
+    """Keys that all files share.
 
     `[assumed]` has the keys of values that the source does not give, and why they are what they are.
     """
@@ -70,7 +70,7 @@ class FileTable(Table):
         return self
 
     def at(self, key: str) -> Any:
-        """The value at a dotted key; None where nothing is said."""
+        """The value at a dotted key; None where it is not given."""
         value: Any = self
         for part in key.split("."):
             value = dict(value).get(part) if isinstance(value, Table | dict) else None
@@ -78,7 +78,7 @@ class FileTable(Table):
 
 
 class CaseTable(FileTable):
-    """What all case files say; each kind has its own `bodies` besides."""
+    """Keys that all case files share; each kind adds its own `bodies`."""
 
     accuracy: units.Share = 0.01
     effects: Annotated[str, AfterValidator(_effects)] = "auto"

@@ -24,12 +24,12 @@ class DriveCase(CaseTable):
 
     @property
     def load_key(self) -> str:
-        """The key by which its contacts are loaded."""
+        """The key that gives the load."""
         return next(
             f"operation.{key}" for key in LOADS if getattr(self.operation, key, None) is not None
         )
 
     @property
     def left_open(self) -> dict[str, tuple[str, ...]]:
-        """What its solution is to find that it depends on itself: table -> keys in it."""
+        """Unknowns that the solution has to determine by iteration: table -> keys in it."""
         return {}

@@ -1,4 +1,4 @@
-"""What a case file may say: one table, one model; text with units comes in, SI comes out.
+"""Kinds of case files: one model for each table; text with units becomes SI.
 
 Each model answers for the values of its own table only. Whether worm, wheel and hob make a drive is the
 drive's to say.
@@ -24,6 +24,6 @@ RATED = tuple(kind for kind, case in CASES["drive"].items() if issubclass(case, 
 
 
 def kind_model(about: str) -> type[BaseModel]:
-    """As much of a case file as tells its kind, which stands in the table that says what it is about."""
+    """Model of the part of a case file that holds its kind."""
     kind = create_model("Kind", kind=(Literal[tuple(CASES[about])], ...))
     return create_model("KindCase", **{about: (kind, ...)})

@@ -1,4 +1,4 @@
-"""`[oil]` with a name and a temperature: the tables that a named oil fills in.
+"""`[oil]` with a name and a temperature: the tables of a named oil.
 
 They are written as a case file has them, so that what the file gives beside goes in place of it, and all is
 checked alike.
@@ -49,7 +49,7 @@ def _known(name: str) -> str:
 
 
 class _ByName(Table):
-    """What picks the oil; the rest of `[oil]` is not looked at."""
+    """The keys that select the oil; the rest of `[oil]` is ignored."""
 
     model_config = ConfigDict(extra="ignore")
 
@@ -70,7 +70,7 @@ class _ByName(Table):
 
 
 def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
-    """`[oil]` of a name and a temperature with all its tables.
+    """`[oil]` of a name and a temperature, completed with all its tables.
 
     A table that gives its law stands as it is. Keys of others go in place of the named oil's.
 
@@ -118,7 +118,7 @@ def _tables(named: NamedOil, temperature: float) -> dict[str, dict[str, Any]]:
 
 
 def _written(constants: dict[str, float]) -> dict[str, str | float]:
-    """Constants with their units, to the last digit."""
+    """Constants with their units, in full precision."""
     return {
         key: f"{value!r} {_UNITS[key]}" if key in _UNITS else value
         for key, value in constants.items()

@@ -116,7 +116,7 @@ class NewtonianTable(Table):
 
 
 class _ThinningStress(Table):
-    """The stress at which an oil begins to thin, and how it follows pressure and temperature."""
+    """The stress at which an oil begins to thin, with its dependence on pressure and temperature."""
 
     stress: units.Stress
     stress_pressure: units.PressureCoefficientAnySign = 0.0
@@ -167,7 +167,7 @@ ShearTable = NewtonianTable | EyringTable | BairWinerTable | LimitedEyringTable 
 
 
 class HeatTable(HeatCourseTable):
-    """`[oil.heat]`: how the oil takes heat; the laws are those of `OilHeat`.
+    """`[oil.heat]`: thermal constants of the oil; the laws are those of `OilHeat`.
 
     How viscosity falls with temperature is given by the exponent `s0` of Roelands' law or by its slope `beta`
     at the inlet; for Barus' law by `beta`. What is left out does not depend on pressure or temperature.
@@ -193,7 +193,7 @@ class HeatTable(HeatCourseTable):
 
 
 class OilTable(Table):
-    """`[oil]`: the oil at its inlet temperature, and how thick a layer of it arrives if it is not plenty.
+    """`[oil]`: the oil at its inlet temperature, and the thickness of the layer supplied if it is limited.
 
     With a temperature beside it the name is that of an oil in `pyworm/data/oils.toml`, whose numbers there
     fill in the tables. A checked case holds these numbers, and has no need of the temperature any more.

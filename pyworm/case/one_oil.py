@@ -41,7 +41,7 @@ def check_one_oil(oil: OilTable | None, others: Mapping[str, str]) -> None:
 
 
 def _canonical(name: str) -> str | None:
-    """A name as the list of oils has it, that of a file as it stands; None of none, refused later."""
+    """A name as in the list of oils, the path of a file unchanged; None for an unknown name."""
     try:
         return name if name.endswith(".toml") else named_oil(name).name
     except ValueError:
@@ -49,7 +49,7 @@ def _canonical(name: str) -> str | None:
 
 
 def _check_thickness(oil: OilTable, named: Mapping[str, str]) -> None:
-    """An oil that `[oil]` spells out is told from a named one by its viscosity where it enters."""
+    """Refuse an oil given in `[oil]` whose viscosity at the inlet contradicts the named one."""
     if oil.heat is None:
         return
     kelvin = oil.heat.inlet_temperature

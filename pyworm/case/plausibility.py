@@ -1,4 +1,4 @@
-"""Whether a contact can be, and whether it is usual, judged before anything is solved.
+"""Checks whether a contact is possible and usual, before anything is solved.
 
 A contact that no bodies or no film could make is refused: the equations would be solved all the same, and
 their answer would be an answer to nothing.
@@ -46,7 +46,7 @@ it, but no law of viscosity was measured there (from memory; makers say 250 to 3
 
 @dataclass(frozen=True)
 class Doubt:
-    """What speaks against a contact.
+    """An objection to a contact.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Doubt:
 
 
 def require_possible(scene: Scene | LineScene, key: str) -> None:
-    """Refuse a contact that cannot be.
+    """Refuse an impossible contact.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
 
 
 def overheated(summaries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
-    """A sentence on the hottest film, where it is beyond what oils stand.
+    """The warning about a film temperature beyond what oils withstand.
 
     Parameters
     ----------

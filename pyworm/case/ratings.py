@@ -1,4 +1,4 @@
-"""What a case file may ask to be rated, beside or without a drive: bearings, worm gear, gear pair, oil."""
+"""Tables of ratings, with or without a drive: bearings, worm gear, gear pair, oil."""
 
 from typing import Annotated, Literal, get_args
 
@@ -58,7 +58,7 @@ class BearingTable(Table):
 
 
 class OilChoiceTable(Table):
-    """`[oil_choice]`: what an oil is to do (`ratings.oil_grades.Duty`); drive and bodies say the rest."""
+    """`[oil_choice]`: requirements of an oil (`ratings.oil_grades.Duty`); drive and bodies give the rest."""
 
     base: Base
     specific_film: PositiveNumber
@@ -72,7 +72,7 @@ class OilChoiceTable(Table):
 
 
 class WormRatingTable(Table):
-    """`[worm_rating]`: what the standards of worm gears need beside the drive.
+    """`[worm_rating]`: data that the worm gear standards need beside the drive.
 
     What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the
     wheel's bulk temperature counts.
@@ -90,7 +90,7 @@ class WormRatingTable(Table):
 
 
 class GearRatingTable(Table):
-    """`[gear_rating]`: how a pair of gears is oiled; drive, bodies and `[surfaces]` say the rest."""
+    """`[gear_rating]`: oil supply of a pair of gears; drive, bodies and `[surfaces]` give the rest."""
 
     viscosity_40: units.KinematicViscosity | None = None
     anti_scuff: bool = False
@@ -134,7 +134,7 @@ def _oils_named(worm: WormRatingTable | None, bearings: dict[str, BearingTable])
 
 
 class RatedCase(DriveCase):
-    """What case files about drives may ask to be rated."""
+    """Tables of ratings in case files about drives."""
 
     bearings: dict[str, BearingTable] = Field(default_factory=dict)
     oil_choice: OilChoiceTable | None = None

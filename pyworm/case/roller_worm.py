@@ -26,21 +26,21 @@ class RollerBodies(Bodies):
 
 
 class CrownTable(Table):
-    """`[drive.rollers.crown]`: what is taken off the rollers, not off the tool that cuts the worm."""
+    """`[drive.rollers.crown]`: crown of the rollers, not of the tool that cuts the worm."""
 
     radius: units.Radius
     straight: units.LengthOrZero = 0.0
 
 
 class PinTable(Table):
-    """`[drive.rollers.pin]`: what a roller turns on."""
+    """`[drive.rollers.pin]`: pin on which a roller turns."""
 
     radius: units.Length
     friction: NumberOrZero
 
 
 class RollersTable(Table):
-    """`[drive.rollers]`: where they stand on the wheel, and what they are."""
+    """`[drive.rollers]`: position on the wheel, shape and size."""
 
     count: Count
     shape: Shape = "cylinder"

@@ -1,4 +1,4 @@
-"""What a sweep file may say: a case, and the values of it that vary.
+"""Tables of a sweep file: a case, and its values that vary.
 
 Ranges and draws are made in the unit that they are written in and rounded to 12 digits, so that tables show
 round numbers and a value is the same on every machine.

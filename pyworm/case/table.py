@@ -1,4 +1,4 @@
-"""What every table of a case file keeps to, and the plain numbers in it."""
+"""Base of all tables of a case file, and types of plain numbers."""
 
 from typing import Annotated
 
@@ -16,6 +16,6 @@ Text = Annotated[str, Field(min_length=1)]
 
 
 class Table(BaseModel):
-    """A table of a case file: no key beyond its own, nothing changed after reading."""
+    """A table of a case file: unknown keys are refused, values are frozen."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)

@@ -1,4 +1,4 @@
-"""What in a file is possible and yet unusual: told, never refused."""
+"""Warnings about possible but unusual values of a file."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -18,7 +18,7 @@ def shown(value: Any, field: FieldInfo | None = None) -> str:
 
 
 def assumptions(file: FileTable) -> dict[str, str]:
-    """What a file assumes: "drive.module = 5.08 mm" -> why; whole tables without a value."""
+    """Assumptions of a file: "drive.module = 5.08 mm" -> reason; whole tables without a value."""
     said = {}
     for key, reason in file.assumed.items():
         *tables, last = key.split(".")
@@ -38,12 +38,12 @@ def _plain(value: Any, kind: units.Kind | None) -> str:
 
 
 def kind_of(field: FieldInfo) -> units.Kind | None:
-    """What a field measures; None of plain numbers and texts."""
+    """Kind of quantity of a field; None for plain numbers and texts."""
     return _kind([*field.metadata, field.annotation])
 
 
 def _kind(hints: list[Any]) -> units.Kind | None:
-    """What a field measures, wherever in its annotation that stands."""
+    """Kind of quantity of a field, anywhere in its annotation."""
     for hint in hints:
         if isinstance(hint, units.Kind):
             return hint

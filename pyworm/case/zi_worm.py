@@ -29,14 +29,14 @@ class WormBodies(Bodies):
 
 
 class _Relieved(Table):
-    """What worm and wheel share: a relief of the tips, beginning that far below them."""
+    """Common keys of worm and wheel: tip relief and its length below the tip."""
 
     tip_relief: units.Relief = 0.0
     tip_relief_length: units.LengthOrZero = 0.0
 
 
 class _Helicoid(Table):
-    """What worm and hob share: the involute helicoid between its cylinders."""
+    """Common keys of worm and hob: the involute helicoid between its cylinders."""
 
     tip_radius: units.Length
     root_radius: units.Length
@@ -62,7 +62,7 @@ class WheelTable(_Relieved):
 
 
 class HobTable(_Helicoid):
-    """`[drive.hob]`: the cutter and how it was set up when it cut the wheel."""
+    """`[drive.hob]`: the cutter and its set-up for cutting the wheel."""
 
     centre_distance: units.Length
     swivel: units.Tilt
@@ -70,7 +70,7 @@ class HobTable(_Helicoid):
 
 
 class AssemblyTable(Table):
-    """`[drive.assembly]`: how the drive was put together, as differences from the design."""
+    """`[drive.assembly]`: assembly errors, as differences from the design."""
 
     centre_distance: units.Offset = 0.0
     axial_shift: units.Offset = 0.0
@@ -144,7 +144,7 @@ class OperationTable(Table):
 
 
 class CoolingTable(Table):
-    """`[cooling]`: what makes the temperatures of oil and bodies, which then are found and not given.
+    """`[cooling]`: data of the thermal balance that finds the temperatures of oil and bodies.
 
     `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
     them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.

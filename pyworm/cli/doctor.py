@@ -1,4 +1,4 @@
-"""Is this installation sound? One line a check, each with what to do where it is not."""
+"""Check of the installation: one line for each test, with a remedy where it fails."""
 
 import ctypes
 import os
@@ -30,7 +30,7 @@ SELF_CHECK_ERROR = 0.01
 
 
 class _UnsoundError(Exception):
-    """A check failed; the message says what was found and what to do."""
+    """A failed check; the message has the finding and the remedy."""
 
 
 def examine() -> int:

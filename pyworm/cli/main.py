@@ -1,4 +1,4 @@
-"""The command line: what goes in, what is shown, and how it ends.
+"""The command line: arguments, messages, exit codes.
 
 Exit codes: 0 every result converged; 1 something outside the input failed (no compiled kernel, a full disk);
 2 bad input, one sentence on standard error, nothing written; 3 a result did not converge (written, and
@@ -30,7 +30,7 @@ from pyworm.cli.sweep import sweep_case
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser whose complaints are one sentence, like those about a case."""
+    """A parser whose errors are one sentence, as for cases."""
 
     def error(self, message: str) -> NoReturn:
         say(message)
@@ -62,7 +62,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except CaseError as error:
         return end_with(f"{error}", BAD_INPUT)
     except ImportError as error:
-        return end_with(f"{error}; pyworm doctor tells what is missing", FAILED)
+        return end_with(f"{error}; pyworm doctor shows what is missing", FAILED)
     except (OSError, WorkerDiedError) as error:
         return end_with(f"{error}", FAILED)
     except KeyboardInterrupt as stop:
@@ -71,7 +71,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _stopped(options: argparse.Namespace) -> str:
     if "jobs" in options:
-        return "stopped; scenes already solved are kept, the same command goes on from there"
+        return "stopped; scenes already solved are kept, the same command continues from there"
     return "stopped, nothing written"
 
 
@@ -90,7 +90,7 @@ def _parser() -> argparse.ArgumentParser:
     case.add_argument("case", type=Path, metavar="CASE.toml")
     case.add_argument(
         "--quantities",
-        help="film, friction, temperature, with commas; else the case's, or all that can be told",
+        help="film, friction, temperature, with commas; else the case's, or all that the oil's data allow",
     )
     case.add_argument(
         "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
@@ -122,7 +122,7 @@ def _parser() -> argparse.ArgumentParser:
     check.set_defaults(command=check_case)
 
     precision = commands.add_parser(
-        "precision", parents=[case], help="what accuracy costs in time, of one contact of a case"
+        "precision", parents=[case], help="error against time for one contact of a case"
     )
     precision.add_argument(
         "--budget",
@@ -139,9 +139,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP.toml")
     sweep.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
-    sweep.add_argument("--fields", action="store_true", help="keep every scene's result in full")
+    sweep.add_argument("--fields", action="store_true", help="store the fields of every scene")
     sweep.add_argument(
-        "--share", type=sweep_part, metavar="I/N", help="keep the I-th of N shares; no table yet"
+        "--share",
+        type=sweep_part,
+        metavar="I/N",
+        help="solve only the I-th of N shares; writes no table",
     )
     sweep.add_argument("--json", action="store_true", help="one JSON object on standard output")
     sweep.set_defaults(command=sweep_case)
@@ -157,7 +160,9 @@ def _parser() -> argparse.ArgumentParser:
             help="processes (default: 1)",
         )
         who.add_argument(
-            "--scheduler", metavar="ADDRESS", help="solve on the workers of dask.distributed there"
+            "--scheduler",
+            metavar="ADDRESS",
+            help="solve on the workers of this dask.distributed scheduler",
         )
 
     plot = commands.add_parser("plot", help="draw the pictures of a results file again")

@@ -1,4 +1,4 @@
-"""What `pyworm rate` and `pyworm oil` show."""
+"""pyworm oil: list, show, chart and choose oils."""
 
 import argparse
 from pathlib import Path
@@ -19,7 +19,7 @@ CHARTED_GRADES = (100, 220, 460)
 
 
 def add_oil(commands: argparse._SubParsersAction) -> None:
-    """The command `oil` and its own."""
+    """Add the command `oil` with its subcommands."""
     oil = commands.add_parser("oil", help="oils: choose one for a case, show, chart, list all")
     which = oil.add_subparsers(required=True, metavar="WHAT")
 

@@ -1,4 +1,4 @@
-"""pyworm precision: study what accuracy costs in time for one contact of a case."""
+"""pyworm precision: error against time for one contact of a case."""
 
 import argparse
 from pathlib import Path
@@ -19,7 +19,7 @@ BUDGET = 300.0
 
 
 def study_precision(options: argparse.Namespace) -> int:
-    """Study what accuracy costs in time; returns the exit code."""
+    """Study error against time; returns the exit code."""
     case = load(options.case)
     directory = options.out or Path("results") / case.name / "precision"
     check_writable(directory)

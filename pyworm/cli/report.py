@@ -1,4 +1,4 @@
-"""`pyworm report`."""
+"""pyworm report: write a result as one HTML page."""
 
 import argparse
 from pathlib import Path

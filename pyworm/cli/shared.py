@@ -1,4 +1,4 @@
-"""What commands share: exit codes, messages, planned tasks, processes and the progress bar."""
+"""Common parts of commands: exit codes, messages, planned tasks, processes, progress bar."""
 
 import argparse
 import math
@@ -38,7 +38,7 @@ def end_with(message: str, code: int) -> int:
 def drawn_pictures(
     directory: Path, draw: Callable[[Path], list[Path]], instead_of: Sequence[str] = ()
 ) -> tuple[list[str], bool]:
-    """Have pictures drawn into a directory; one that fails is told and costs nothing else.
+    """Draw pictures into a directory; a failure gives a message and nothing else is lost.
 
     Returns
     -------
@@ -62,13 +62,13 @@ def drawn_pictures(
 
 
 def warn_of_unusual(case: Case) -> None:
-    """Say what is unusual in a case."""
+    """Print the warnings of a case."""
     for warning in case.warnings:
         say(f"warning: {warning}")
 
 
 def planned_tasks(case: Case, options: argparse.Namespace) -> list:
-    """What is to be solved of a case, all of it planned before the first is solved."""
+    """The tasks of a case, all planned before the first is solved."""
     accuracy = case.accuracy
     if options.accuracy is not None:
         try:
@@ -92,7 +92,7 @@ def planned_tasks(case: Case, options: argparse.Namespace) -> list:
 
 
 def batch_executor(options: argparse.Namespace) -> AbstractContextManager:
-    """What the batch is solved by, to be entered; None where this process does it all."""
+    """Context manager of the executor of a batch; None where this process solves it."""
     if options.scheduler is not None:
         from pyworm.batch.cluster import cluster
 
@@ -123,7 +123,7 @@ def time_limit(text: str) -> float:
 
 
 def sweep_part(text: str) -> tuple[int, int]:
-    """Which of how many shares of a sweep."""
+    """The part of a sweep to solve, such as 3/40."""
     first, _, count = text.partition("/")
     if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
         raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")

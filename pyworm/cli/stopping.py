@@ -1,4 +1,4 @@
-"""How the program ends when it is told to from outside: by Ctrl-C (SIGINT) or by SIGTERM.
+"""Handling of Ctrl-C (SIGINT) and SIGTERM.
 
 Exit codes are those of shells, 128 and the number of the signal. Only the command line asks for this: in a
 program that imports pyworm signals do what that program wants.
@@ -37,13 +37,13 @@ def exit_code(stop: KeyboardInterrupt) -> int:
 
 
 def end_at_once() -> None:
-    """From now on signals end this process at once: it has nothing to lose."""
+    """Let signals end this process at once."""
     for number in SIGNALS:
         signal.signal(number, _end)
 
 
 def end_in_order() -> None:
-    """From now on a signal raises Stopped.
+    """Let a signal raise Stopped.
 
     That may be lost, as in a finaliser, and what it ends may hang, as a connection to a machine that is gone:
     the process ends without more ado at a second signal, and after `GRACE`.
@@ -53,7 +53,7 @@ def end_in_order() -> None:
 
 
 def end_if_stopped(code: int) -> None:
-    """End with an exit code if a signal asked for that: what libraries do at exit may take long."""
+    """End at once with the exit code if a signal arrived, without the slow exit handlers of libraries."""
     if signal.getitimer(signal.ITIMER_REAL)[0] > 0:
         with suppress(OSError):
             sys.stdout.flush()

@@ -32,7 +32,7 @@ class Drive(ABC):
 
     body_names: ClassVar[tuple[str, str]] = ("body 1", "body 2")
     rated_as: ClassVar[type[Duty] | None] = None
-    assumptions: tuple[str, ...] = ("The load of each contact is what the drive says.",)
+    assumptions: tuple[str, ...] = ("The load of each contact is that of the drive.",)
     warnings: tuple[str, ...] = ()
 
     @abstractmethod

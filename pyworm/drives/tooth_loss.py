@@ -87,7 +87,7 @@ def cycle_loss(cycle: xr.Dataset, contacts: Sequence[ContactLoss]) -> Loss:
         return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])
 
     def along(chosen: Array) -> Array:
-        """Friction at all phases from that at some of those solved."""
+        """Friction at all phases, interpolated from that at some of the solved ones."""
         inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
         return PchipInterpolator(solved[chosen], friction[chosen])(inside)
 

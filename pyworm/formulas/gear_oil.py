@@ -72,7 +72,7 @@ def nearest_grade(viscosity_40: float) -> int:
 
 @dataclass(frozen=True)
 class TableAdvice:
-    """What a table recommends.
+    """Recommendation of a table of practice.
 
     Attributes
     ----------

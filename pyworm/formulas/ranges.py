@@ -1,4 +1,4 @@
-"""The ranges in which formulas hold, and the one sentence for what lies outside.
+"""The ranges in which formulas hold, and the error message for values outside.
 
 Most values outside a range are right numbers in wrong units, so the sentence always names the unit.
 """
@@ -41,7 +41,7 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
 
 
 def positive(name: str, value: Values, unit: str) -> None:
-    """Refuse what is not a finite number greater than zero; arguments as of `within`.
+    """Refuse a value that is not finite and greater than zero; arguments as of `within`.
 
     Raises
     ------

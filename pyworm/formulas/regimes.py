@@ -28,7 +28,7 @@ POINT_RANGE = (1, 8)
 
 @dataclass(frozen=True)
 class Regime:
-    """The regime of a contact and what it was judged by.
+    """The regime of a contact with the films that decide it.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class Regime:
 
     @property
     def doubt(self) -> str:
-        """What is to be known of the chart here; empty within its range."""
+        """Caveat where the contact lies outside the chart's range; empty within it."""
         if self.ratio is None:
             return ""
         k, (least, most) = ellipticity(1 / self.ratio), POINT_RANGE

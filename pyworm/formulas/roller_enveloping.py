@@ -1,4 +1,4 @@
-"""Films of roller enveloping worm drives as their source prints them, and what it prints right.
+"""Films of roller enveloping worm drives as their source prints them, and its normal force corrected.
 
 Source: "Elastohydrodynamic Lubrication Analysis of a Novel Roller Enveloping End Face Engagement Worm Gear
 Drive", of the school of X. Deng. It is kept under its own name so that its tables can be compared; films are

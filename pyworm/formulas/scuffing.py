@@ -1,4 +1,4 @@
-"""Scuffing of gear teeth: Blok's contact temperature against what the oil bears.
+"""Scuffing of gear teeth: Blok's contact temperature against the oil's scuffing temperature.
 
 Temperatures are in kelvin, all else in SI; formulas fitted in degrees Celsius or Fahrenheit convert inside.
 """
@@ -182,7 +182,7 @@ def rate_scuffing(
     viscosity_40: float,
     anti_scuff: bool,
 ) -> ScuffingRating:
-    """Rate the contacts along a line of action, given as arrays, or one; arguments as of the functions above.
+    """Rate one contact, or arrays of them along a line of action; arguments as of the functions above.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""How far heating of the oil in the inlet thins a film: factors on the isothermal film.
+"""Reduction of the film by heating of the oil in the inlet: factors on the isothermal film.
 
 All take the thermal loading L = eta0 beta um^2/k with the mean speed um; forms with the sum of both
 speeds have other constants. None is larger than 1.

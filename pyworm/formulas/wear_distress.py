@@ -1,4 +1,4 @@
-"""Specific film and how likely a film so thin is to wear the teeth."""
+"""Specific film and the probability of wear distress of the teeth."""
 
 from dataclasses import dataclass
 

@@ -47,7 +47,7 @@ class WormGear:
     profile_shift: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse what is no worm gear."""
+        """Refuse a geometry that is no worm gear."""
         within("centre distance", self.centre_distance, 0.025, 2, "m")
         within("number of worm starts", self.starts, 1, 12, "")
         within("number of wheel teeth", self.teeth, 15, 300, "")
@@ -89,7 +89,7 @@ class WormGear:
 
     @property
     def film_parameter(self) -> float:
-        """h* [-], how well the shape of the gear draws oil into the contact.
+        """Film parameter h* [-]: the influence of the gear's geometry on the film.
 
         0.018 + q/[7.86 (q + z2)] + 1/z2 + x2/110 - u/36300 + b2H/(370.4 mx) - sqrt(2 q - 1)/213.9.
         Checked: 0.0657 for the reference gear, nominally 0.07.

@@ -102,7 +102,7 @@ def rate_worm(
     immersion_factor: float = 1.0,
     temperature_limit: float | None = None,
 ) -> WormRating:
-    """Rate a worm gear; what is not given is not rated.
+    """Rate a worm gear; a rating whose data are missing is left out.
 
     Parameters
     ----------

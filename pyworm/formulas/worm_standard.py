@@ -378,7 +378,7 @@ def temperature_safety(sump_temperature: float, limit: float) -> float:
 
 @dataclass(frozen=True)
 class TeethLoss:
-    """Friction and efficiency of worm gear teeth, and what they lose with the worm driving.
+    """Friction, efficiency and loss of worm gear teeth with the worm driving.
 
     Attributes
     ----------

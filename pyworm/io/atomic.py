@@ -1,4 +1,4 @@
-"""Results appear whole or not at all.
+"""Atomic writing: files and directories appear complete or not at all.
 
 What is being written lies in the directory where it is to appear under a name of its own, `.NAME.TOKEN.part`,
 and its writer holds a lock on it. Such a thing that nobody holds was left by a process that was killed.
@@ -17,7 +17,7 @@ from pyworm.io.input_error import CaseError
 
 
 def check_writable(directory: Path) -> None:
-    """Refuse a directory that results could not be written to, before any time is spent on them.
+    """Refuse a directory without permission to write, before anything is solved.
 
     Raises
     ------
@@ -37,7 +37,7 @@ _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.part")
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
-    """Write a file aside and move it into its place, whole or not at all, even if power fails.
+    """Write a file under a temporary name and rename it: complete or absent, even if power fails.
 
     Yields
     ------
@@ -56,7 +56,7 @@ def whole_file(path: Path) -> Iterator[Path]:
 
 @contextmanager
 def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
-    """Collect files aside and move them into a directory once all are written.
+    """Write files into a temporary directory and move them once all are complete.
 
     Files of the same name from an earlier run are replaced, what killed processes left half written goes;
     others are left alone.
@@ -96,7 +96,7 @@ def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
 
 
 def remove_abandoned(directory: Path) -> None:
-    """Remove what killed processes left half written in a directory, if there is one.
+    """Remove the partial files of killed processes from a directory, if it exists.
 
     File systems without locks do not tell what is abandoned; there it stays.
     """
@@ -119,7 +119,7 @@ def _remove_unless_held(path: Path) -> None:
 
 
 def _held(directory: Path, name: str, make: Callable[[Path], int]) -> tuple[Path, int]:
-    """Something new in a directory, and the handle by which it is locked until that is closed."""
+    """A new file or directory, and the handle that locks it until it is closed."""
     while True:
         partial = directory / f".{name}.{token_hex(4)}.part"
         directory.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Tables and progress on a terminal, by rich, which is asked for them and for nothing else."""
+"""Tables and progress bars on a terminal, by rich."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -28,7 +28,7 @@ class Console(rich.console.Console):
         return super().render_str(plain(text, self.file), **how)
 
     def on_broken_pipe(self) -> None:
-        """Go on without a reader: what he did not want to see is no error."""
+        """Continue without a reader: a closed pipe is no error."""
         silence(self.file)
 
 

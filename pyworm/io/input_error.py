@@ -1,4 +1,4 @@
-"""One clear sentence for whatever is wrong in a case file."""
+"""Error messages for case files: one sentence for the first error."""
 
 import difflib
 import typing
@@ -32,11 +32,11 @@ _WANTED = {
 
 
 class CaseError(ValueError):
-    """Input that cannot be worked with; the message is one sentence for whoever gave it."""
+    """Invalid input; the message is one sentence for the user."""
 
 
 def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any]) -> str:
-    """Say what is wrong first in a case file.
+    """The message about the first error in a case file.
 
     Parameters
     ----------

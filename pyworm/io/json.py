@@ -1,4 +1,4 @@
-"""What programs read: JSON."""
+"""JSON output for programs."""
 
 import json
 import math
@@ -18,7 +18,7 @@ def as_json(content: dict[str, Any]) -> str:
 
 
 def _finite(content: Any) -> Any:
-    """Replace NaN and infinity, which JSON has no words for, by null."""
+    """Replace NaN and infinity, which JSON does not have, by null."""
     if isinstance(content, dict):
         return {key: _finite(value) for key, value in content.items()}
     if isinstance(content, list | tuple):

@@ -1,8 +1,8 @@
-"""Why something failed, in one line."""
+"""The reason of a failure as one line."""
 
 
 def reason_of(error: BaseException) -> str:
-    """What went wrong, in one line: a message of several has its lines joined."""
+    """The message of an exception as one line; several lines are joined."""
     said = " ".join(str(error).split())
     if isinstance(error, MemoryError):
         return f"there is not enough memory ({said})" if said else "there is not enough memory"

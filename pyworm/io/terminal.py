@@ -1,4 +1,4 @@
-"""What reaches the terminal: text as it is, never as commands to it.
+"""Output to the terminal: text is shown literally, never as control sequences.
 
 Titles, paths and values come from files. Control characters in them are shown by their code, and what a
 stream cannot write is spelled in letters that it can. A reader who goes away, or a stream that was never
@@ -24,7 +24,7 @@ _SHOWN_BY_CODE = ("Cc", "Cf", "Cs", "Zl", "Zp")
 
 
 def prepare() -> None:
-    """Put something behind standard streams that are closed, so that no file takes their place."""
+    """Open closed standard streams on the null device, so that no other file takes their descriptors."""
     for number in (0, 1, 2):
         try:
             os.fstat(number)
@@ -78,7 +78,7 @@ def put(text: str) -> None:
 
 
 def say(message: str) -> None:
-    """Print one sentence of the program's own on standard error."""
+    """Print one message of the program on standard error."""
     _write(sys.stderr, f"pyworm: {plain(message, sys.stderr, lines=False)}")
 
 
@@ -90,7 +90,7 @@ def _write(stream: IO[str], text: str) -> None:
 
 
 def flush() -> None:
-    """Write what standard output still holds, if anyone reads it; OSError where it cannot be written."""
+    """Flush standard output, if anyone reads it; OSError where it cannot be written."""
     try:
         sys.stdout.flush()
     except BrokenPipeError:
@@ -101,7 +101,7 @@ def flush() -> None:
 
 
 def silence(stream: IO[str]) -> None:
-    """Send what else is written to a stream nowhere."""
+    """Redirect further output of a stream to the null device."""
     with suppress(OSError, ValueError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())

@@ -1,4 +1,4 @@
-"""Reading TOML files, whoever wrote them."""
+"""Reading TOML files, in spite of wrong encodings, sizes and types of files."""
 
 import codecs
 import re
@@ -20,7 +20,7 @@ _KEYS_END = re.compile(r"[=,{}\[\]\n]")
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """What stands in a TOML file, with or without a byte-order mark; CaseError if none can be read."""
+    """The content of a TOML file, with or without a byte-order mark; CaseError if it cannot be read."""
     text = _text(path)
     if max(part.count(".") for part in _KEYS_END.split(text)) > DEEPEST:
         raise CaseError(f"{path}: not a TOML file: too many tables within each other")
@@ -47,7 +47,7 @@ def _text(path: Path) -> str:
 
 
 def _content(path: Path) -> bytes:
-    """The bytes of a file; anything that is no file, or too large to be a case, is not opened."""
+    """The bytes of a file; a path that is no file, or a file too large for a case, is not opened."""
     try:
         about = path.stat()
         if stat.S_ISREG(about.st_mode) and about.st_size <= LARGEST:
@@ -64,7 +64,7 @@ def _content(path: Path) -> bytes:
 
 
 def _kind(mode: int) -> str:
-    """What stands in place of a file."""
+    """The type of a path that is no regular file, for a message."""
     if stat.S_ISDIR(mode):
         return "directory"
     return "pipe" if stat.S_ISFIFO(mode) else "device or socket"

@@ -1,4 +1,4 @@
-"""Units as people write them, read by a grammar of their own before any library sees them.
+"""Units as users write them, parsed by a small grammar before pint evaluates them.
 
     unit   = [1] factor { [* or / or blank or point] factor }
     factor = name [exponent] | ( unit )

@@ -1,4 +1,4 @@
-"""Units at the edge of the house: "14 kN" comes in, 14000.0 goes on.
+"""Quantities with units: "14 kN" in a case file becomes 14000.0 in SI.
 
 Inside, every number is a plain float in SI: angles in radians, speeds of rotation in rad/s, temperatures
 in kelvin. Pint is imported at the first quantity only, since it takes longer to load than a case to check.
@@ -37,7 +37,7 @@ Range = tuple[str, str]
 
 @dataclass(frozen=True)
 class Kind:
-    """What a value measures, and how a sentence speaks of it.
+    """Kind of quantity of a value: its dimension, ranges and the words of messages.
 
     Attributes
     ----------
@@ -158,7 +158,7 @@ def parse(text: str, kind: Kind) -> float:
 
 
 def doubt(text: str, kind: Kind) -> str | None:
-    """What to say of a value that can be, but seldom is; None where there is nothing to say.
+    """The warning about a possible but unusual value; None for a usual one.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def doubt(text: str, kind: Kind) -> str | None:
 
 
 def _in_kind(text: object, kind: Kind) -> float | None:
-    """A text as a number in the unit of a kind; None where it is no quantity of it."""
+    """A text as a number in the unit of a kind; None where its dimension differs."""
     quantity = _measure(text, kind.unit) if isinstance(text, str) else None
     # Units are compared, not dimensions: to pint "3" and "3 deg", "1 Hz" and "1 rad/s" have the same.
     target = _registry().Quantity(1.0, kind.unit)
@@ -199,7 +199,7 @@ def _bound(text: str, kind: Kind) -> float:
 
 
 def _comma(text: object) -> str:
-    """What is said of a decimal comma, if there is one."""
+    """The hint about a decimal comma, if there is one."""
     match = _DECIMAL_COMMA.fullmatch(text) if isinstance(text, str) else None
     if match is None or len(text) > LONGEST:
         return ""
@@ -294,7 +294,7 @@ _PRINTED = (("deg", "°"), ("^2", "²"), ("^3", "³"), ("um", "µm"))
 
 
 def shown(value: float, kind: Kind) -> str:
-    """A value in SI as people write it: in the unit of its kind's example, or a finer one."""
+    """A value in SI as text: in the unit of its kind's example, or a smaller one."""
     unit = kind.unit if kind.unit == "" else _QUANTITY.fullmatch(kind.example)[2]
     if kind.unit == "":
         return f"{value * 100:.4g} %"

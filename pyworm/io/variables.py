@@ -1,4 +1,4 @@
-"""What the variables of fields, histories and mesh cycles mean: their units and long names."""
+"""Units and long names of all variables of fields, convergence histories and mesh cycles."""
 
 import xarray as xr
 
@@ -17,7 +17,7 @@ VARIABLES = {
     "shear_stress_x": ("Pa", "shear stress in the middle of the film along x"),
     "shear_stress_y": ("Pa", "shear stress in the middle of the film along y"),
     "shear_rate": ("1/s", "largest shear rate across the film"),
-    "friction_power": ("W/m2", "heat made in the film by its shear"),
+    "friction_power": ("W/m2", "heat of shearing in the film"),
     "slip": ("1", "limiting stress reached at: 0 no surface, 1 body 1, 2 body 2, 3 both"),
     "flow_factor_sliding": (
         "m3/(Pa s)",
@@ -48,14 +48,14 @@ VARIABLES = {
     "rim_face": ("m", "outline of the wheel's flank along its face, from the middle"),
     "rim_radius": ("m", "outline of the wheel's flank: distance from the wheel's axis"),
     "face": ("m", "place on the wheel's flank along its face, from the middle"),
-    "supply": ("1", "speed at which the oil came into the contact over the entrainment's"),
-    "load_phase": ("1", "place in the mesh cycle under load, which goes on at edges"),
+    "supply": ("1", "speed at which the oil entered the contact over the mean entrainment"),
+    "load_phase": ("1", "place in the mesh cycle under load, continued where edges carry"),
     "tooth_load": ("N", "normal load of a tooth pair"),
-    "dry_tooth_load": ("N", "normal load of a tooth pair if films did not lift any"),
+    "dry_tooth_load": ("N", "normal load of a tooth pair without the lift of films"),
     "sliding_speed": ("m/s", "velocity of the worm against the wheel at the contact point"),
     "sliding_lever": ("m", "lever about the wheel's axis of a force along that velocity"),
     "error": ("1", "entry of the design that is in error"),
-    "side": ("1", "which way: less, as it is, more"),
+    "side": ("1", "sign of the error: less, as it is, more"),
     "error_size": ("1", "size of the error in m or rad"),
     "varied_contact_face": ("m", "middle of the dry contact along the wheel's face, with it"),
     "varied_contact_radius_on_wheel": ("m", "its distance from the wheel's axis"),
@@ -70,8 +70,8 @@ VARIABLES = {
     "residual": ("1", "summed Reynolds residual over the summed wedge flow"),
     "load_error": ("1", "relative load imbalance"),
     "krylov": ("1", "inner iterations of the linear solver"),
-    "convolutions": ("1", "convolutions since the step before"),
-    "cycles": ("1", "multigrid cycles since the step before"),
+    "convolutions": ("1", "convolutions since the previous step"),
+    "cycles": ("1", "multigrid cycles since the previous step"),
     "convolution_seconds": ("s", "processor time of the convolutions"),
     "flow_seconds": ("s", "processor time of fields, flows and their changes"),
     "cycle_seconds": ("s", "processor time of the preconditioner, its building included"),
@@ -144,7 +144,7 @@ def describe(dataset: xr.Dataset) -> xr.Dataset:
     Raises
     ------
     KeyError
-        If a variable has no entry: every number we write says what it is.
+        If a variable has no entry.
     """
     described = dataset.copy()
     for name in described.variables:

@@ -33,7 +33,7 @@ _TABLE = Path(__file__).with_name("oils.toml")
 
 @dataclass(frozen=True)
 class BaseStock:
-    """What oils of one base stock have in common.
+    """Common properties of the oils of one base stock.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ class _Table(BaseModel):
 
 
 class HeatCourseTable(_Table):
-    """Keys of `OilHeat` that say how heat constants follow pressure and temperature."""
+    """Keys of `OilHeat` for the dependence of thermal constants on pressure and temperature."""
 
     expansivity_decay: units.PressureCoefficientOrZero = 0.0
     conductivity_c1: units.PressureCoefficientOrZero = 0.0
@@ -121,7 +121,7 @@ class HeatCourseTable(_Table):
 
 
 class StockTable(_Table):
-    """What of a base stock an oil may have of its own."""
+    """Properties of a base stock that an oil file may replace."""
 
     density_15: units.OilDensity | None = None
     density_coefficient: units.TemperatureCoefficient | None = None
@@ -147,7 +147,7 @@ class StockTable(_Table):
         return self
 
     def own(self) -> dict[str, Any]:
-        """What the file says, as `BaseStock` has it."""
+        """The given properties under the names of `BaseStock`."""
         own = self.model_dump(exclude_unset=True, include=set(StockTable.model_fields))
         if "agma_k" in own:
             own["agma_k"] *= 1e6  # AGMA's law is written in mm2/N
@@ -159,7 +159,7 @@ class StockTable(_Table):
 
 
 class _BaseStockTable(StockTable):
-    """One base stock of the table: everything said, each with its source."""
+    """One base stock of the table: all properties, each with its source."""
 
     density_15: units.OilDensity
     density_coefficient: units.TemperatureCoefficient
@@ -178,7 +178,7 @@ class _BaseStockTable(StockTable):
 
 @cache
 def _stocks() -> dict[Base, BaseStock]:
-    """The table, checked: every oil of it has the viscosity that its grade says."""
+    """The checked table: the viscosity of every oil is within its grade."""
     data = read_toml(_TABLE)
     stocks = {}
     for base in BASES:

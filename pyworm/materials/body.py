@@ -40,7 +40,7 @@ class Body:
     roughness: float | None = None
 
     def __post_init__(self) -> None:
-        """Refuse what no solid has."""
+        """Refuse impossible constants of a solid."""
         positive("youngs_modulus", self.youngs_modulus, "Pa")
         if not -1 < self.poisson_ratio <= 0.5:
             raise ValueError(

@@ -27,7 +27,7 @@ _NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECAS
 
 @dataclass(frozen=True)
 class NamedOil:
-    """An oil known over temperature.
+    """An oil whose properties are known over temperature.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class NamedOil:
         return oil_properties.gold_alpha(nu, self.stock.gold_s, self.stock.gold_t)
 
     def agma_alpha(self, temperature: Values) -> Values:
-        """The same by AGMA's law.
+        """Pressure-viscosity coefficient [1/Pa] at a temperature [K], by AGMA's law.
 
         Raises
         ------
@@ -109,7 +109,7 @@ class NamedOil:
         return oil_properties.conductivity(self.stock.density_15, temperature)
 
     def flow(self, temperature: float) -> FlowLaw:
-        """How the oil shears: Eyring's law up to a limiting stress.
+        """Flow law: Eyring's up to a limiting stress.
 
         Both stresses are constants of the base stock, or follow from its limiting traction coefficient and
         alpha at the temperature [K]. The limit then grows with pressure from the Eyring stress: from zero it

@@ -1,4 +1,4 @@
-"""Oils: viscosity and density under pressure and heat, flow under stress, and how an oil takes heat.
+"""Oils: viscosity and density under pressure and temperature, flow laws, thermal laws.
 
 Two viscosity laws and one density law cover what the kernel simulates; the published variants of each
 differ only in the constants that the constructors here fill in. A constant that no oil has is refused with a
@@ -47,7 +47,7 @@ class Barus:
     alpha: float
 
     def __post_init__(self) -> None:
-        """Refuse what no oil has."""
+        """Refuse impossible constants of an oil."""
         positive("eta0", self.eta0, "Pa s")
         within("alpha", self.alpha, 0, LARGEST_ALPHA, "1/Pa")
 
@@ -79,7 +79,7 @@ class Roelands:
     p0: float = ROELANDS_PRESSURE
 
     def __post_init__(self) -> None:
-        """Refuse what no oil has."""
+        """Refuse impossible constants of an oil."""
         positive("eta0", self.eta0, "Pa s")
         if self.eta0 <= exp(-ROELANDS_POLE_LOG):
             raise ValueError(
@@ -128,7 +128,7 @@ class Density:
     d2: float
 
     def __post_init__(self) -> None:
-        """Refuse what no oil has."""
+        """Refuse impossible constants of an oil."""
         positive("rho0", self.rho0, "kg/m3")
         within("d1, d2", [self.d1, self.d2], 0, inf, "1/Pa")
 
@@ -160,7 +160,7 @@ FlowLawName = Literal["newtonian", "eyring", "bair-winer", "eyring-limited", "ca
 
 @dataclass(frozen=True)
 class FlowLaw:
-    """How fast oil of viscosity eta shears under a stress tau.
+    """Flow law: the shear rate of an oil of viscosity eta under a stress tau.
 
     | law            | shear rate                                                               |
     |----------------|--------------------------------------------------------------------------|
@@ -200,7 +200,7 @@ class FlowLaw:
     exponent: float = 1.0
 
     def __post_init__(self) -> None:
-        """Refuse what no oil has, of the constants that the law reads."""
+        """Refuse impossible values of the constants that the law uses."""
         one_of("law", self.law, get_args(FlowLawName))
         if self.law in ("eyring", "eyring-limited", "carreau"):
             positive("stress", self.stress, "Pa")
@@ -257,16 +257,16 @@ class FlowLaw:
 
     @property
     def thins(self) -> bool:
-        """Whether the oil flows more easily the faster it shears."""
+        """Whether the law thins the oil under shear."""
         return self.law != "newtonian"
 
     @property
     def limited(self) -> bool:
-        """Whether there is a stress that it cannot exceed."""
+        """Whether the law has a limiting stress."""
         return self.law in ("bair-winer", "eyring-limited")
 
     def firmer(self, times: float) -> "FlowLaw":
-        """The law with all its stresses so many times as large."""
+        """The law with all its stresses multiplied by a factor, for stress continuation."""
         return replace(
             self,
             stress=times * self.stress,
@@ -281,7 +281,7 @@ NEWTONIAN = FlowLaw("newtonian")
 
 @dataclass(frozen=True)
 class OilHeat:
-    """How an oil takes heat: the laws of the Appendix of Sharif et al. (2001).
+    """Thermal laws of an oil, those of the Appendix of Sharif et al. (2001).
 
     T0 is the inlet temperature, rho0 and eta0 are density and viscosity there at ambient pressure. Viscosity
     falls by Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138 K)/(T0 - 138 K))^-s0 - 1]}
@@ -321,7 +321,7 @@ class OilHeat:
     heat_capacity_k2: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse what no oil has."""
+        """Refuse impossible constants of an oil."""
         positive("inlet_temperature", self.inlet_temperature, "K")
         positive("conductivity", self.conductivity, "W/(m K)")
         positive("specific_heat", self.specific_heat, "J/(kg K)")
@@ -330,7 +330,7 @@ class OilHeat:
 
 
 def require_kinds(name: str, law: Any, *kinds: type) -> None:
-    """Refuse a law that is none of these classes themselves.
+    """Refuse a law that is not exactly one of these classes.
 
     Raises
     ------
@@ -373,7 +373,7 @@ class Oil:
     supply: float | None = None
 
     def __post_init__(self) -> None:
-        """Refuse laws that the kernel has not, and constants that do not go together."""
+        """Refuse laws unknown to the kernel, and contradictory constants."""
         require_kinds("viscosity", self.viscosity, Barus, Roelands)
         require_kinds("density", self.density, Density)
         require_kinds("flow", self.flow, FlowLaw, type(None))
@@ -400,7 +400,7 @@ class Oil:
         return law.eta0 * exp(span * (warmed - 1))
 
     def warmed(self, rise: float) -> "Oil":
-        """The oil as it is at an inlet warmer by so much [K], by its own laws.
+        """The oil at an inlet temperature higher by some kelvin, by its own laws.
 
         Roelands: ln eta + 9.67 falls as the distance from the pole of temperature to the power -s0, at every
         pressure, so that z stays what it is. Density and heat capacity follow their laws at ambient pressure.

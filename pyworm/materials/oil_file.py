@@ -14,7 +14,7 @@ from pyworm.materials.library import NamedOil, named_oil, oil_from_index, oil_fr
 
 
 def read_oil(path: str | Path) -> NamedOil:
-    """An oil from a TOML file of one's own.
+    """Read an oil from the user's TOML file.
 
     It gives `name`, `base`, `source`, `viscosity_40` with `viscosity_100` or `viscosity_index`, and
     whatever else of its base stock is to be replaced: the keys of a base stock in
@@ -51,7 +51,7 @@ def read_oil(path: str | Path) -> NamedOil:
 
 
 class _OilTable(StockTable):
-    """An oil of one's own."""
+    """Table of a user's oil."""
 
     name: Annotated[str, Field(min_length=1)]
     source: Annotated[str, Field(min_length=1)]

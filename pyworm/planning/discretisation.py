@@ -126,7 +126,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
 
 
 def _refusal(work: Work, film: float, largest: int) -> str | None:
-    """Why a film [m] is not sought on finer grids; None if it is."""
+    """Reason why a film [m] is not solved on finer grids; None if it is."""
     if not work.in_vain:
         return None
     return (

@@ -1,4 +1,4 @@
-"""How much work a solve is expected to be: Newton steps and the nodes of their grids, counted, not timed.
+"""Expected work of a solve: Newton steps and the nodes of their grids.
 
 What a step takes on a machine is measured (`solver.cost.calibration`). Counts and laws are medians and fits
 over the shipped cases and the scenes of `benchmarks/accuracy/asked_accuracy.py`; `docs/evidence/accuracy.md`
@@ -110,7 +110,7 @@ class Stage:
 
 @dataclass(frozen=True)
 class Work:
-    """What a solve is expected to do.
+    """Expected work of a solve, grid by grid.
 
     Attributes
     ----------
@@ -172,7 +172,7 @@ def first_change(
 
 
 def stiffness(heated: bool, moes_l: float) -> float:
-    """How many times as much work as usual the steps of a film are."""
+    """Factor by which the Newton steps of a film exceed the usual number."""
     least, power = (STIFF, STIFF_POWER) if heated else (THICKENING, THICKENING_POWER)
     return max(1.0, moes_l / least) ** power
 
@@ -188,7 +188,7 @@ def expected_work(
     lent: bool = False,
     moving: bool = False,
 ) -> Work:
-    """What a solve is expected to do.
+    """Expected work of a solve, grid by grid.
 
     Parameters
     ----------

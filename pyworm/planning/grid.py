@@ -66,7 +66,7 @@ class Grid:
 
     @property
     def box(self) -> Box:
-        """Its rectangle."""
+        """The rectangle that it spans."""
         return self.west, float(self.x[-1]), self.south, float(self.y[-1])
 
     def mesh(self) -> tuple[np.ndarray, np.ndarray]:
@@ -81,7 +81,7 @@ class Grid:
         )
 
     def window_of(self, fine: "Grid") -> tuple[slice, slice]:
-        """Nodes of this grid that a grid of half the spacing, aligned with it, covers."""
+        """Index ranges of this grid's nodes that an aligned grid of half the spacing covers."""
         first_x = round((fine.west - self.west) / self.dx)
         first_y = round((fine.south - self.south) / self.dy)
         return (

@@ -9,7 +9,7 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class Model:
-    """What the kernel simulates of a contact.
+    """Model of a contact: levels across the film, heat.
 
     Attributes
     ----------

@@ -123,7 +123,7 @@ def plan(
             raise ValueError(f"quantities: {quantity} is none of {', '.join(QUANTITIES)}")
         if quantity not in known:
             raise ValueError(
-                f"quantities: {quantity} cannot be told, give [oil.shear] or [oil.heat]"
+                f"quantities: {quantity} cannot be found without [oil.shear] or [oil.heat]"
             )
     wanted = known if quantities is None else tuple(quantities)
     named = beside_auto(effects)
@@ -146,7 +146,7 @@ def planned(
     asked: str | None = None,
     kept: frozenset[str] = frozenset(),
 ) -> Plan:
-    """The plan by a sketch of the contact; effects that are `kept` stay on whatever it says."""
+    """The plan from a prediction of the contact; effects in `kept` stay on."""
     judgements = _judged(scene, accuracy, quantities, seen, asked, kept)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
@@ -160,12 +160,12 @@ def planned(
 
 
 def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGrid, ...]:
-    """The grids that a plan would have if it were one of this scene."""
+    """The grids that the plan would have for this scene."""
     return PLANS[type(scene)](scene, plan.accuracy, plan.model).grids
 
 
 def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
-    """The figures that tell what is asked for, as far as the model has them."""
+    """The figures of the quantities asked for, as far as the model has them."""
     figures = {
         FILM: FILMS,
         FRICTION: ("friction_coefficient",) * rubs,
@@ -176,7 +176,7 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
-    """The plan judged again by solved figures, by name; effects that are on stay on.
+    """The plan with its effects judged again by solved figures; effects that are on stay on.
 
     Only where effects come in is anything else of it planned anew.
     """
@@ -194,13 +194,13 @@ def _judged(
     asked: str | None,
     kept: frozenset[str],
 ) -> tuple[Judgement, ...]:
-    """The effects, judged as of `planned`."""
+    """The effects judged for `planned`."""
     names = None if asked is None else chosen(scene, asked)
     return judge(scene, accuracy, quantities, seen, names, kept)
 
 
 def _known(scene: Scene | LineScene) -> tuple[str, ...]:
-    """What can be asked of a scene by what is known of its oil."""
+    """Quantities that can be asked for, given the oil's data."""
     oil = scene.oil
     known = {FILM: True, FRICTION: oil.flow or oil.heat, TEMPERATURE: oil.heat}
     return tuple(quantity for quantity in QUANTITIES if known[quantity])

@@ -1,4 +1,4 @@
-"""What closed forms say of a contact before it is solved, and what its solution says afterwards.
+"""Prediction of a contact by closed forms, updated by solved figures.
 
 Effects are judged by these numbers and by nothing else, so that they can be judged again from a solution.
 Friction and temperatures are estimated together: oil that shears warms, and warm oil shears more easily.
@@ -35,7 +35,7 @@ INLET_HEAT = 100.0
 
 @dataclass(frozen=True)
 class Sketch:
-    """A contact in a few numbers.
+    """A contact in a few numbers, predicted or solved.
 
     Attributes
     ----------
@@ -87,12 +87,12 @@ class Sketch:
 
     @property
     def age(self) -> float:
-        """Time since that oil came in, or the contact's mesh cycle began [s]."""
+        """Time since that oil entered, or since the contact's mesh cycle began [s]."""
         return min(self.transit, self.scene.past.seconds)
 
     @cached_property
     def before(self) -> "Sketch | None":
-        """The contact as it was then; None where there was nothing."""
+        """The contact at that time; None before the mesh cycle began."""
         then = self.scene.past.back([self.age]) if self.age > 0 else []
         return sketch(then[0].contact) if then else None
 
@@ -108,7 +108,7 @@ class Sketch:
 
     @property
     def beta(self) -> float:
-        """-d ln eta/dT at the mean pressure and the inlet's temperature [1/K]; 0 where it is not known."""
+        """-d ln eta/dT at the mean pressure and the inlet's temperature [1/K]; 0 where it is unknown."""
         return -log(self.oil.eta(self.pressure_mean, 1.0) / self.oil.eta(self.pressure_mean))
 
     @property
@@ -131,7 +131,7 @@ class Sketch:
         return law.stress_at(newtonian, self.pressure_mean)
 
     def surface_rise(self, heat: float) -> float:
-        """Largest rise of the surfaces that a heat for each area [W/m2] gives [K].
+        """Largest temperature rise [K] of the surfaces by a heat flux [W/m2].
 
         A strip of half-width b that moves at Peclet numbers above a few warms by 2 q sqrt(2 b/(pi k rho c U))
         (Jaeger 1942; Carslaw and Jaeger 1959, section 10.7), a slower one by no more than 3 q b/(2 k); the
@@ -148,12 +148,12 @@ class Sketch:
 
     @property
     def wall_warmth(self) -> float:
-        """Difference of ln eta between the surfaces if half of the heat went into each [-]."""
+        """Difference of ln eta between the surfaces if each took half of the heat [-]."""
         first, second = self._resistances
         return self.beta * self.heat / 2 * abs(first - second)
 
     def film_rise(self, heat: float) -> float:
-        """Largest rise of the film over its walls that a heat for each area [W/m2] gives [K]: q h/8k."""
+        """Largest temperature rise [K] of the film above its walls by a heat flux [W/m2], q h/8k."""
         return heat * self.film_central / (8 * self._conductivity)
 
     @property
@@ -164,7 +164,7 @@ class Sketch:
     def hot_stress(
         self, surfaces: bool = True, film: bool = True, flow: FlowLaw | None = None
     ) -> float:
-        """Shear stress [Pa] of oil that surfaces, film or both have warmed, at peace with their heat."""
+        """Shear stress [Pa] of oil warmed by surfaces, film or both, consistent with its heat."""
         cold = self.stress(flow)
         if self.oil.heat is None or cold == 0:
             return cold
@@ -178,7 +178,7 @@ class Sketch:
 
     @property
     def heat(self) -> float:
-        """Heat of shearing for each area [W/m2], as known or as estimated."""
+        """Heat of shearing for each area [W/m2], solved or estimated."""
         return self.hot_stress() * self.sliding if self.work is None else self.work
 
     @property
@@ -202,7 +202,7 @@ class Sketch:
 
     @property
     def rolling_warmth(self) -> float:
-        """Fall of ln eta by that [-]."""
+        """Fall of ln eta by that temperature rise [-]."""
         return self.beta * self.rolling_rise
 
     @property
@@ -213,7 +213,7 @@ class Sketch:
 
     @property
     def warmest(self) -> float:
-        """Largest temperature above the inlet's [K], as known or as estimated."""
+        """Largest temperature above the inlet's [K], solved or estimated."""
         if self.rise_film is not None:
             return self.rise_film
         sheared = self.surface_rise(self.heat) + self.film_rise(self.heat)
@@ -221,13 +221,13 @@ class Sketch:
 
     @property
     def warmth(self) -> float:
-        """The same in units of what influences on temperature are told in (`Influence`) [-]."""
+        """Largest temperature rise relative to the reference of influences (`Influence`) [-]."""
         if self.oil.heat is None:
             return 0.0
         return min(1.0, self.warmest * self.inlet_beta)
 
     def seen(self, figures: Mapping[str, float]) -> "Sketch":
-        """The same with solved figures (`solver.error_estimate`), by name, in place of closed forms."""
+        """The prediction with solved figures (`solver.error_estimate`), by name, in place of closed forms."""
         changes = {name: figures[name] for name in ("pressure_max", "film_central", "film_min")}
         if "friction_coefficient" in figures:
             friction = abs(figures["friction_coefficient"])
@@ -241,7 +241,7 @@ class Sketch:
 
 
 def sketch(scene: Scene | LineScene) -> Sketch:
-    """What closed forms say of a contact.
+    """Predict a contact by closed forms.
 
     Raises
     ------
@@ -252,7 +252,7 @@ def sketch(scene: Scene | LineScene) -> Sketch:
 
 
 def _flowing(pressure: float, oil: Oil) -> float:
-    """A pressure [Pa], or the largest at which the oil still flows."""
+    """A pressure [Pa], limited to the largest at which the oil flows."""
     alpha = oil.viscosity.alpha
     return min(pressure, SOLID / alpha) if alpha > 0 else pressure
 

@@ -1,4 +1,4 @@
-"""How much of the tangent plane a scene needs: far enough out that the oil supply is not felt to end."""
+"""Windows of a scene: the part of the tangent plane that leaves its inlet flooded."""
 
 from dataclasses import dataclass
 
@@ -24,7 +24,7 @@ OUTFLOW_SHARE = 0.5
 
 @dataclass(frozen=True)
 class Reach:
-    """How high above the film the undeformed gap must have risen at a window's sides.
+    """Height of the undeformed gap at a window's sides, in film thicknesses.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Reach:
 
     @classmethod
     def around(cls, inlet: float) -> "Reach":
-        """Exit a fifth as far out, in gap, as the inlet.
+        """A reach whose exit is a fifth of the inlet's, in gap.
 
         Far from a circular contact the pressure c(phi) / r^3 ends not abeam of it, as the exact solution
         without rupture does, but where c'' = 9 c + cos phi ends with c = c' = 0: 18 degrees behind.
@@ -47,7 +47,7 @@ class Reach:
         return cls(inlet, inlet / 5)
 
     def doubled(self) -> "Reach":
-        """Twice as high a gap: the next larger window, for its influence."""
+        """The reach to twice the gap: the next larger window, for the error of the window."""
         return Reach(2 * self.inlet, 2 * self.exit)
 
 
@@ -74,7 +74,7 @@ def near_reach(size: Scales) -> Reach:
 
 
 def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
-    """Smallest rectangles around the contact on whose sides the gap is as high as each of some reaches asks.
+    """Smallest rectangles around the contact on whose sides the gap has the height of each reach.
 
     The gap counts from the surface that a dry contact would flatten to: Hertz's approach above the least
     gap around the contact point, where relieved tips leave some tens of micrometres. Where the teeth end a
@@ -104,7 +104,7 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
 
 
 def grown(scene: Scene, inner: Box, wider: Box) -> Box:
-    """A window that is a step of growth larger than an inner one on all sides on which teeth do not end.
+    """A window one step larger than an inner one on all sides where the teeth continue.
 
     Beside a thin film the gap may rise beyond both reaches within one step, on one side or on all.
     """
@@ -116,14 +116,14 @@ def grown(scene: Scene, inner: Box, wider: Box) -> Box:
 
 
 def _least(scene: Scene, box: Array) -> float:
-    """Least gap in a rectangle [m]; 0 where no surfaces are."""
+    """Least gap in a rectangle [m]; 0 without surfaces."""
     x, y = np.linspace(box[0], box[1], SAMPLES), np.linspace(box[2], box[3], SAMPLES)
     gap, covered = scene.gap(*np.meshgrid(x, y, indexing="ij"))
     return float(gap[covered].min()) if covered.any() else 0.0
 
 
 def _lowest(scene: Scene, boxes: Array) -> Array:
-    """Least gap along the sides of rectangles, (boxes, sides) [m]; infinite where no surfaces are."""
+    """Least gap along the sides of rectangles, (boxes, sides) [m]; infinite without surfaces."""
     west, east, south, north = (np.tile(place, (SAMPLES, 1)) for place in boxes.T)
     x, y = np.linspace(west[0], east[0], SAMPLES), np.linspace(south[0], north[0], SAMPLES)
     gap, covered = scene.gap(np.array([west, east, x, x]).T, np.array([y, y, south, north]).T)

@@ -1,4 +1,4 @@
-"""Pictures drawn one by one, so that one that fails costs no other."""
+"""Pictures drawn one by one, so that a failure does not affect the others."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -11,7 +11,7 @@ from pyworm.plots.layout import write
 
 
 class PicturesError(RuntimeError):
-    """Some pictures could not be drawn, the others are there; the message is one sentence.
+    """Some pictures could not be drawn, the others exist; the message is one sentence.
 
     Attributes
     ----------
@@ -20,14 +20,14 @@ class PicturesError(RuntimeError):
     """
 
     def __init__(self, message: str, drawn: list[Path]) -> None:
-        """What failed and why, and what did not."""
+        """From the reasons of failures and the pictures drawn."""
         super().__init__(message)
         self.drawn = drawn
 
 
 @dataclass
 class Attempts:
-    """What came of drawing some pictures.
+    """Pictures drawn and reasons of failures.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class Attempts:
     failed: dict[str, str] = field(default_factory=dict)
 
     def draw(self, path: Path, figure: Callable[[], Figure | None]) -> None:
-        """Draw a picture into a file, unless there is nothing to draw; whatever goes wrong is the reason."""
+        """Draw a picture into a file, if there is anything to draw; an exception becomes the reason."""
         try:
             made = figure()
             if made is not None:
@@ -51,7 +51,7 @@ class Attempts:
             path.unlink(missing_ok=True)
 
     def add(self, others: "Attempts") -> None:
-        """Take over what came of others."""
+        """Add the outcome of other attempts."""
         self.drawn += others.drawn
         self.failed |= others.failed
 

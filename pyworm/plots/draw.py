@@ -101,7 +101,7 @@ def draw(
 def _scene_pictures(
     result: Result, directory: Path, executor: Executor | None
 ) -> Iterator[Attempts]:
-    """What came of the pictures of each scene; a process that ends meanwhile costs those of its scene."""
+    """Pictures of each scene and their failures; a process that dies loses only those of its scene."""
     picture = partial(_draw_scene, result.case_name, directory)
     if executor is None:
         yield from map(picture, range(len(result.solutions)), result.solutions)
@@ -125,5 +125,5 @@ def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution
 
 
 def _stem(number: int) -> str:
-    """What names of a scene's pictures begin with."""
+    """Prefix of the names of a scene's pictures."""
     return f"scene_{number:03d}"

@@ -1,4 +1,4 @@
-"""What all pictures share: the window they show, their panels, headings and overlays."""
+"""Common parts of all pictures: window, panels, headings."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -245,7 +245,7 @@ def _stretch_note(stretch: float) -> str:
 
 
 def heading(case_name: str, solution: Solution) -> str:
-    """Case, phase or else scene, load; a warning where it did not converge, and what was left out."""
+    """Heading: case, phase or scene, load; a warning where it did not converge; effects left out."""
     parts = [case_name]
     if solution.phase is not None:
         parts.append(str(Place.of(solution)))
@@ -259,7 +259,7 @@ def heading(case_name: str, solution: Solution) -> str:
 
 
 def result_heading(result: Result, what: str) -> str:
-    """Case, what is drawn of all its contacts, and what that does not hold."""
+    """Heading: case, subject of the picture, effects left out."""
     return joined(result.case_name, what, of_all(result.solutions).note)
 
 

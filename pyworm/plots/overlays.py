@@ -1,4 +1,4 @@
-"""What pictures of a contact lay over a field: dry outline, tooth edges, arrows, marked points."""
+"""Overlays of a contact's fields: dry outline, tooth edges, arrows, marked points."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""The work-precision picture: errors of a contact's figures against the time that they take."""
+"""The work-precision picture: errors of a contact's figures against processor time."""
 
 from textwrap import fill
 
@@ -116,7 +116,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
 
 
 def _draw_rung(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) -> Line2D:
-    """One rung: its error, the part that finer grids take away, and the level that they leave."""
+    """One model: its error, the discretisation error, and the plateau."""
     colour = COLOURS[curve.name]
     panel.plot(*zip(*drawn, strict=True), "o-", color=colour, markersize=4.5, zorder=5)
     label = curve.name
@@ -147,7 +147,7 @@ def _knob_style(study: Study, curve: Curve) -> tuple[str, str]:
 
 
 def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> None:
-    """Formulas and knobs, and how to read the lines."""
+    """Legend of formulas, numerical parameters and line styles."""
     handles = [
         Line2D(
             [],
@@ -175,7 +175,7 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
             color="0.3",
             marker="o",
             markersize=4.5,
-            label="a rung of the ladder on finer grids",
+            label="a model on finer grids",
         )
     )
     handles.append(

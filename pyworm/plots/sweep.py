@@ -1,4 +1,4 @@
-"""Figures of a sweep against what varies: lines, maps or, where values are drawn or many vary, clouds."""
+"""Figures of a sweep against the varied quantities: lines, maps or, for random or many values, clouds."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ MOST_COLUMNS = 6
 
 @dataclass(frozen=True)
 class _Axis:
-    """One thing that varies.
+    """One varied quantity.
 
     Attributes
     ----------
@@ -72,13 +72,13 @@ class _Axis:
 
     @property
     def logarithmic(self) -> bool:
-        """Whether its values span so much that their logarithms are shown."""
+        """Whether its range asks for a logarithmic scale."""
         return _is_wide(self.values)
 
 
 @dataclass(frozen=True)
 class _Shown:
-    """A figure of all scenes, in the unit shown, its errors, and whether zero means none of it."""
+    """A figure of all scenes in the unit shown, its errors, and whether its scale begins at zero."""
 
     label: str
     values: np.ndarray
@@ -110,7 +110,7 @@ def sweep_figure(result: SweepResult) -> Figure:
 
 
 def _axes(result: SweepResult) -> list[_Axis]:
-    """What varies: the sweep's axes, and the places of its cases."""
+    """Varied quantities: the sweep's axes, and the places of its cases."""
     table = result.table
     axes = []
     for keys in result.axes:
@@ -127,7 +127,7 @@ def _axes(result: SweepResult) -> list[_Axis]:
 
 
 def _joint(names: Sequence[str]) -> str:
-    """What variables that go together are called."""
+    """Common name of variables that vary together."""
     first, *others = names
     return f"{first} and {len(others)} more" if len(others) > 1 else " and ".join(names)
 
@@ -167,7 +167,7 @@ def _draw_lines(
     figures: list[_Shown],
     converged: np.ndarray,
 ) -> Figure:
-    """A panel a figure, a line a value of the second axis."""
+    """One panel for each figure, one line for each value of the second axis."""
     picture = new_figure(8, 2.8 * len(figures) + 0.8, _heading(result))
     panels = picture.subplots(len(figures), sharex=True, squeeze=False)[:, 0]
     members = [None] if family is None else list(family.distinct)
@@ -207,7 +207,7 @@ def _draw_lines(
 def _draw_maps(
     result: SweepResult, along: _Axis, across: _Axis, figures: list[_Shown], converged: np.ndarray
 ) -> Figure:
-    """A panel a figure: a cell a scene."""
+    """One panel for each figure, one cell for each scene."""
     rows = -(-len(figures) // 2)
     note = "" if converged.all() else "  ·  crosses: not converged"
     picture = new_figure(10.5, 3.6 * rows + 0.8, _heading(result) + note)
@@ -243,7 +243,7 @@ def _draw_maps(
 def _draw_clouds(
     result: SweepResult, axes: list[_Axis], figures: list[_Shown], converged: np.ndarray
 ) -> Figure:
-    """A row a figure, a column a thing that varies, a dot a scene."""
+    """One row for each figure, one column for each varied quantity, one dot for each scene."""
     axes = axes[:MOST_COLUMNS]
     picture = new_figure(max(3.0 * len(axes) + 1, 6), 2.5 * len(figures) + 0.8, _heading(result))
     panels = picture.subplots(len(figures), len(axes), sharex="col", sharey="row", squeeze=False)
@@ -284,7 +284,7 @@ def _scale(panel: Axes, axis: _Axis, figure: _Shown) -> None:
 
 
 def _ticks(side: MatplotlibAxis, axis: _Axis) -> None:
-    """Names where there are names, plain numbers on a logarithmic axis."""
+    """Tick labels: names for texts, plain numbers on a logarithmic axis."""
     if axis.names:
         side.set_ticks(range(len(axis.names)), axis.names)
     elif axis.logarithmic:

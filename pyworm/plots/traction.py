@@ -29,7 +29,7 @@ def draw_traction(result: Result) -> Figure:
 
 
 def traction_curve(result: Result) -> list[Solution]:
-    """The solutions of a result that make a traction curve; none if it is no sweep of slide-roll ratios."""
+    """The solutions of a traction curve; none if the result has no slide-roll ratios."""
     return [
         solution
         for solution in result.solutions

@@ -1,4 +1,4 @@
-"""The lowest rung: what published formulas say of a contact, and in what time."""
+"""The cheapest models: published formulas for a contact, with their processor time."""
 
 from collections.abc import Callable
 from time import process_time
@@ -59,7 +59,7 @@ def _estimate(scene: Scene | LineScene) -> dict[str, float]:
 
 
 def _timed(work: Callable[[], object]) -> tuple:
-    """What work gives, and its processor time [s]."""
+    """The result of a function, and its processor time [s]."""
     started = process_time()
     for _ in range(REPEATS):
         with np.errstate(all="ignore"):  # a formula far outside its range may overflow

@@ -1,4 +1,4 @@
-"""Where a figure goes as grids are refined, how fast, and how sure that is."""
+"""Extrapolation of figures over grids: limit, observed order, uncertainty."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Limit:
 
 
 def observed_order(values: Sequence[float]) -> float | None:
-    """Order by the last three of values on grids of halving spacing; None where they do not come together."""
+    """Observed order from the last three values on grids of halving spacing; None where they diverge."""
     if len(values) < 3:
         return None
     before, last = values[-2] - values[-3], values[-1] - values[-2]

@@ -1,4 +1,4 @@
-"""What a rung's grids give, and what each of them costs."""
+"""Figures and cost of a model on a series of grids."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -27,7 +27,7 @@ LEAST_ERROR = 5e-4
 
 @dataclass(frozen=True)
 class Point:
-    """One grid of a rung, or one setting of a knob.
+    """One grid of a model, or one value of a numerical parameter.
 
     Attributes
     ----------
@@ -62,24 +62,24 @@ class Point:
 
     @property
     def convolutions(self) -> float:
-        """The same cost in convolutions on the grid; 0 of a formula."""
+        """The cost in convolutions on the grid; 0 for a formula."""
         return self.seconds / self.unit if self.unit else 0.0
 
     @property
     def label(self) -> str:
-        """What people read."""
+        """Label of the point in tables and pictures."""
         return self.setting or " x ".join(str(points) for points in self.shape)
 
 
 class _Stopwatch:
-    """Processor time of a climb, without what is done between its points."""
+    """Processor time of a grid series, without the work between its points."""
 
     def __init__(self) -> None:
         self.seconds = 0.0
         self._since = process_time()
 
     def stop(self) -> float:
-        """All of it so far [s]."""
+        """Accumulated processor time [s]."""
         self.seconds += process_time() - self._since
         return self.seconds
 
@@ -88,12 +88,12 @@ class _Stopwatch:
 
 
 def _wanted(number: int) -> float:
-    """Error that a grid of a climb is settled for."""
+    """Error to which the algebra of a grid is converged."""
     return max(FIRST_ERROR / FALL**number, LEAST_ERROR)
 
 
 def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
-    """The grids of a rung, each of half the spacing; who has seen enough stops asking.
+    """The grids of a model, each of half the spacing, solved one after another on demand.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
 
 
 def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) -> Iterator[Point]:
-    """One grid, settled to smaller and smaller residuals.
+    """One grid, converged to smaller and smaller residuals.
 
     Parameters
     ----------
@@ -159,13 +159,13 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
 
 
 def on_grid(fidelity: Fidelity, halvings: int, setting: str) -> Point:
-    """The point of one of a rung's grids, under another name."""
+    """The point of one of a model's grids, under another name."""
     point = next(islice(climb(fidelity), halvings, None))
     return replace(point, setting=setting)
 
 
 def settled_row(points: Sequence[Point]) -> list[Point]:
-    """The finest grids, one after another, on which the equations are met."""
+    """The finest consecutive grids whose equations converged."""
     settled = [point.settled for point in points]
     if not any(settled):
         return []
@@ -175,11 +175,11 @@ def settled_row(points: Sequence[Point]) -> list[Point]:
 
 
 def read(rung: Rung) -> dict[str, float]:
-    """The figures of a rung; a film that does not warm has the inlet's temperature."""
+    """The figures on a grid; an isothermal film has the inlet's temperature."""
     found = {"temperature_max_film": 0.0} | rung.read().figures
     return {name: float(found[name]) for name in FIGURES if name in found}
 
 
 def step_of(plan: Plan) -> float:
-    """How many times dearer than all before the next grid is, as a rule, by the directions it refines."""
+    """Cost of the next grid over that of all previous ones, by the number of directions refined."""
     return 4.5 if len(plan.grids[-1].shape) == 2 else 2.2

@@ -1,4 +1,4 @@
-"""The rungs of the fidelity ladder: one contact, simulated with more and more of its effects."""
+"""The model hierarchy: one contact, simulated with more and more of its effects."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -9,7 +9,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
 ACCURACY = 1e-3
-"""Accuracy that rungs are planned for: it decides the levels across their films and the windows of lines."""
+"""Accuracy that models are planned for: it decides the levels across the film and the windows of lines."""
 
 CONDUCTING = 1e3
 """Conductivity of an oil across which no temperature falls, over the oil's own.
@@ -19,14 +19,14 @@ Ten times less changed films by 0.1 % and temperatures by 0.02 K; three levels t
 
 @dataclass(frozen=True)
 class Fidelity:
-    """One rung.
+    """One model of the hierarchy.
 
     Attributes
     ----------
     name : str
         What tables and pictures call it.
     scene : Scene or LineScene
-        The contact with the rung's effects and no others.
+        The contact with the model's effects and no others.
     plan : Plan
         How that is solved.
     """
@@ -41,7 +41,7 @@ def fidelities(
     quantities: Sequence[str] | None = None,
     accuracy: float = ACCURACY,
 ) -> tuple[tuple[Fidelity, ...], dict[str, str]]:
-    """The rungs that a contact has, the most complete one last, and why it has no others.
+    """The models of a contact, the most complete one last, and why it has no others.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def fidelities(
     Returns
     -------
     tuple of Fidelity, dict
-        Rungs; name -> reason of those that there are none of.
+        Models; name -> reason of those that do not exist.
 
     Raises
     ------
@@ -87,14 +87,14 @@ def fidelities(
             lacking[name] = str(error)
             continue
         if any(rung.scene == other.scene for other in rungs):
-            lacking[name] = "the same as the rung before"
+            lacking[name] = "the same as the previous model"
         else:
             rungs.append(rung)
     return tuple(rungs), lacking
 
 
 def conducting(scene: Scene | LineScene) -> Scene | LineScene:
-    """The contact with an oil across which no temperature falls: its surfaces warm, both alike."""
+    """The contact with an oil of uniform temperature across the film, so that only the surfaces warm."""
     heat = scene.oil.heat
     warm = replace(heat, conductivity=CONDUCTING * heat.conductivity)
     return replace(scene, oil=replace(scene.oil, heat=warm))

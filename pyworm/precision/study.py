@@ -1,4 +1,4 @@
-"""A work-precision picture in numbers: its lines, what errors are against, the cheapest for an accuracy."""
+"""A work-precision study: its curves, their reference, the cheapest model for an accuracy."""
 
 from dataclasses import dataclass
 
@@ -6,7 +6,7 @@ from pyworm.precision.extrapolation import Limit
 from pyworm.precision.grid_series import Point
 
 TARGETS = (0.1, 0.05, 0.01, 0.001)
-"""Accuracies for which the cheapest rung and grid are told."""
+"""Accuracies for which the cheapest model and grid are listed."""
 
 
 @dataclass(frozen=True)
@@ -20,9 +20,9 @@ class Curve:
     kind : str
         "formula", "rung" or "knob".
     points : tuple of Point
-        Dearer and dearer; of a rung on grids of halving spacing.
+        Points of increasing cost; those of a model on grids of halving spacing.
     limits : dict
-        Figure -> where it goes on finer grids; of rungs only.
+        Figure -> its limit on finer grids; for models only.
     """
 
     name: str
@@ -33,12 +33,12 @@ class Curve:
 
 @dataclass(frozen=True)
 class Reference:
-    """What errors of a figure are against.
+    """Reference value of a figure, for its errors.
 
     Attributes
     ----------
     value : float
-        The most complete rung's on an infinitely fine grid in an infinitely wide window, in its unit.
+        Value of the most complete model on an infinitely fine grid in an infinite window, in its unit.
     size : float
         What errors are relative to, in the same unit.
     band : float
@@ -52,7 +52,7 @@ class Reference:
 
 @dataclass(frozen=True)
 class Study:
-    """A work-precision picture in numbers.
+    """The data of a work-precision picture.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ class Study:
     references : dict
         Figure -> reference.
     curves : tuple of Curve
-        Formulas, rungs from the simplest to the most complete, knobs.
+        Formulas, models from the simplest to the most complete, numerical parameters.
     left_out : tuple of str
         What is not shown, and why.
     seconds : float
@@ -85,21 +85,21 @@ class Study:
         return abs(point.figures[figure] - reference.value) / reference.size
 
     def model_error(self, curve: Curve, figure: str) -> float | None:
-        """What is left of a rung's error on an infinitely fine grid: its plateau."""
+        """The error of a model on an infinitely fine grid: the plateau of its curve."""
         if figure not in curve.limits:
             return None
         reference = self.references[figure]
         return abs(curve.limits[figure].value - reference.value) / reference.size
 
     def grid_error(self, curve: Curve, point: Point, figure: str) -> float | None:
-        """The part of an error that finer grids take away."""
+        """The discretisation error of a point."""
         if figure not in curve.limits:
             return None
         away = abs(point.figures[figure] - curve.limits[figure].value)
         return away / self.references[figure].size
 
     def cheapest(self, accuracy: float, figures: tuple[str, ...]) -> tuple[Curve, Point] | None:
-        """The cheapest rung and grid with all figures within an accuracy, there and on its finer grids.
+        """The cheapest model and grid whose figures are within an accuracy, there and on finer grids.
 
         The reference's own uncertainty counts as an error.
         """

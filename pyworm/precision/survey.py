@@ -1,4 +1,4 @@
-"""The making of a study: all rungs and knobs of a contact, measured within a budget."""
+"""A work-precision study: all models and numerical parameters of a contact, within a budget."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -20,41 +20,41 @@ from pyworm.solver.cost.expected_time import expectation
 from pyworm.solver.grid_sequence import LADDERS
 
 FINE_ENOUGH = 1e-4
-"""Error of all figures by the grid below which a rung is not refined further."""
+"""Discretisation error of all figures below which a model is not refined further."""
 
 COMPLETE_SHARE, WINDOW_SHARE, RUNGS_SHARE, KNOBS_SHARE = 0.4, 0.2, 0.3, 0.1
-"""Shares of the budget for the most complete rung, for its wider window, for all other rungs and for knobs;
+"""Fractions of the budget for the most complete model, its wider window, all other models and parameters;
 what one does not use goes to the next."""
 
 KNOBS = 8
-"""Settings of knobs that start anew, about."""
+"""Approximate number of parameter values that need a solve from the start."""
 
 TOLERANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)
 
 LEVELS = (5, 7, 9)
-"""Levels across the film, beside the parabola's three and the rung's own."""
+"""Levels across the film, beside the parabola's three and the model's own."""
 
 FINEST = 2e-4
 """Accuracy of solves that end on about the same grids."""
 
 LEAST_GRIDS = 3
-"""Grids of the most complete rung without which there is no reference."""
+"""Smallest number of grids of the most complete model for a reference."""
 
 Progress = Callable[[str, float], None]
 
 
 class BudgetError(ValueError):
-    """A budget that no reference comes out of; the message says what would do."""
+    """A budget too small for a reference; the message names a sufficient one."""
 
 
 class NoReferenceError(RuntimeError):
-    """The most complete rung settles on too few grids to say where it goes."""
+    """The most complete model converges on too few grids for an extrapolation."""
 
 
 def expected_seconds(scene: Scene | LineScene, quantities: tuple[str, ...] | None = None) -> float:
-    """Processor time that a study without a budget is expected to take [s]; arguments as of `study`.
+    """Expected processor time of a study without a budget [s]; arguments as of `study`.
 
-    All rungs and, about as dear as the most complete one, its window and its knobs.
+    All models and, about as expensive as the most complete one, its window and its numerical parameters.
     """
     rungs, _ = fidelities(scene, quantities, FINEST)
     seconds = [expectation(rung.scene, rung.plan).seconds for rung in rungs]
@@ -69,7 +69,7 @@ def study(
     complete_only: bool = False,
     clock: Callable[[], float] = perf_counter,
 ) -> Study:
-    """Measure what accuracy costs in a contact.
+    """Measure error against time for a contact.
 
     Parameters
     ----------
@@ -82,27 +82,27 @@ def study(
     progress : callable, optional
         Told what is being done and which share of the budget is spent.
     complete_only : bool
-        Whether only the most complete rung and its wider window are wanted: all that a reference needs.
+        Whether only the most complete model and its wider window are wanted, as for a reference.
     clock : callable
         Tells the time that the budget is of [s]: by default elapsed time, which a busy machine stretches.
 
     Raises
     ------
     BudgetError
-        The budget ends before the most complete rung has three grids.
+        The budget ends before the most complete model has three grids.
     NoReferenceError
         Less than two of them settle.
     ValueError
         As of `pyworm.plan`.
     KernelError
-        The kernel gives up the most complete rung.
+        The kernel gives up the most complete model.
     """
     making = _Study(scene, quantities, budget, progress or (lambda message, share: None), clock)
     return making.made(complete_only)
 
 
 class _Study:
-    """The making of a study."""
+    """A study in progress."""
 
     def __init__(self, scene, quantities, budget: float, progress: Progress, clock) -> None:
         self._scene = scene
@@ -155,14 +155,14 @@ class _Study:
         )
 
     def _wanted(self, curve: Curve) -> float:
-        """Budget that lets a rung have its least grids [s]."""
+        """Budget needed for the smallest number of grids of a model [s]."""
         more = LEAST_GRIDS - len(curve.points)
         return (
             1.5 * curve.points[-1].seconds * step_of(self._complete.plan) ** more / COMPLETE_SHARE
         )
 
     def _climbed(self, rung: Fidelity, until: float, wide: bool = False) -> Curve:
-        """A rung's grids, until they are fine enough or the next would pass a time since the start [s]."""
+        """The grids of a model, until they are fine enough or the next would end after a time [s]."""
         name = f"{rung.name}, window twice as far" if wide else rung.name
         points = self._taken(name, climb(rung, wide), until, rung)
         return Curve(name, "knob" if wide else "rung", points, {} if wide else _limits(points))
@@ -207,12 +207,12 @@ class _Study:
         self._progress(message, min(share, 1.0))
 
     def _window(self, complete: Curve) -> Curve:
-        """The most complete rung in a window of twice the reach."""
+        """The most complete model in a window of twice the reach."""
         until = self._spent + WINDOW_SHARE * self._budget
         return self._climbed(self._complete, until, wide=True)
 
     def _references(self, complete: Curve, window: Curve) -> dict[str, Reference]:
-        """The most complete rung's limits, by what the window still changes.
+        """The limits of the most complete model, corrected for the error of the window.
 
         A window of twice the reach takes all but a known share s of the error away, so that all of it is the
         change over 1 - s, which is believed to a half.
@@ -245,7 +245,7 @@ class _Study:
         return [figure for figure in complete.limits if figure in self._figures]
 
     def _others(self) -> list[Curve]:
-        """All rungs but the most complete one."""
+        """All models except the most complete one."""
         curves = []
         start, others = self._spent, self._rungs[:-1]
         room = max(RUNGS_SHARE * self._budget, (1 - KNOBS_SHARE) * self._budget - start)
@@ -261,7 +261,7 @@ class _Study:
         return curves
 
     def _knobs(self, complete: Curve) -> list[Curve]:
-        """Tolerance and levels of the most complete rung, on the finest grid that a setting may take."""
+        """Tolerance and levels of the most complete model, on the finest affordable grid."""
         affordable = [
             number
             for number, point in enumerate(complete.points)

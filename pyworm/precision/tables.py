@@ -28,8 +28,8 @@ UNITS = {
 
 
 def cheapest_table(study: Study) -> Table:
-    """The cheapest rung and grid for each accuracy, of each figure and of all together."""
-    table = Table(title="Cheapest rung and grid", title_justify="left", show_lines=True)
+    """The cheapest model and grid for each accuracy, by figure and for all together."""
+    table = Table(title="Cheapest model and grid", title_justify="left", show_lines=True)
     table.add_column("Error", justify="right", no_wrap=True)
     figures = list(study.references)
     for figure in figures:
@@ -71,7 +71,7 @@ def rows(study: Study) -> Iterator[dict[str, Any]]:
 
 
 def as_object(study: Study) -> dict[str, Any]:
-    """All of a study, JSON-able."""
+    """The study as one object for JSON."""
     return {
         "scene": study.scene_name,
         "inlet_temperature_K": study.inlet_temperature,

@@ -1,4 +1,4 @@
-"""Bearings of a case by ISO 281, what the source prints beside."""
+"""Bearings of a case by ISO 281, beside the source's values."""
 
 from math import pi
 from pathlib import Path

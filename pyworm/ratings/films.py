@@ -1,4 +1,4 @@
-"""What each film formula says of one contact, and what heating of its inlet takes from it."""
+"""Films of one contact by every formula, and their reduction by heating of the inlet."""
 
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
@@ -82,7 +82,7 @@ def _both(found: Film) -> tuple[float | None, float | None]:
 
 
 def _groups(groups: PointGroups | LineGroups) -> str:
-    """Where the contact stands among contacts."""
+    """Dimensionless groups of the contact, as a sentence."""
     said = f"Moes' M = {groups.moes_m:.3g}, L = {groups.moes_l:.3g}"
     if isinstance(groups, LineGroups):
         return f"{said}; {line_regime(groups).name}."
@@ -95,7 +95,7 @@ def _groups(groups: PointGroups | LineGroups) -> str:
 
 
 def _heated(seen: Sketch) -> str:
-    """What shear in the inlet leaves of the film; Hsu and Lee's formula is for lines only."""
+    """Fraction of the film left by shear heating of the inlet; Hsu and Lee's formula is for lines only."""
     groups = seen.groups
     loading = thermal_reduction.thermal_loading(
         seen.oil.viscosity.eta0, seen.inlet_beta, seen.speed, seen.oil.heat.conductivity

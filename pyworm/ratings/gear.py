@@ -1,4 +1,4 @@
-"""Gear pairs by AGMA's closed forms: specific film, wear, scuffing, oil flow, the simulation beside."""
+"""Gear pairs by AGMA's closed forms: specific film, wear, scuffing, oil flow, beside the simulation."""
 
 import numpy as np
 

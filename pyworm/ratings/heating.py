@@ -1,4 +1,4 @@
-"""Which loss between the teeth warms a worm drive: the simulated one or, if larger, that of rough teeth."""
+"""Loss between the teeth for the thermal balance: the simulated one or, if larger, that of rough teeth."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +10,7 @@ from pyworm.result.mesh_cycle import DriveCycle
 
 @dataclass(frozen=True)
 class HeatingLoss:
-    """The loss between the teeth for which temperatures are to be struck.
+    """The loss between the teeth for the thermal balance.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
 
 
 def tooth_loss_of(case: Case) -> float:
-    """Loss between the teeth for which a case's temperatures are struck [W]."""
+    """Loss between the teeth assumed in a case's thermal balance [W]."""
     cooling = case.tables.cooling
     sump = case.drive.oil.heat.inlet_temperature
     return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other_loss
@@ -58,7 +58,7 @@ def tooth_loss_of(case: Case) -> float:
 
 @dataclass(frozen=True)
 class Heating:
-    """The loss for which the temperatures of a solved drive were struck, and that which was found.
+    """The loss assumed in the thermal balance of a solved drive, and the loss found.
 
     Attributes
     ----------
@@ -73,18 +73,18 @@ class Heating:
 
     @property
     def words(self) -> str:
-        """Both in a sentence."""
+        """Both losses in a sentence."""
         return f"Temperatures are struck for {self.taken:.4g} W between the teeth; found: {self.found.words}."
 
     def summary(self) -> dict[str, Any]:
-        """Both for programs."""
+        """Both losses as an object for JSON."""
         return {"taken_W": self.taken, "found_W": self.found.power, "by": self.found.by}
 
 
 def heating_of(
     case: Case, cycle: DriveCycle | None, standard: StandardLoss | NoStandard
 ) -> Heating | None:
-    """The heating of a case as solved; None of one whose temperatures are given, or without a loss.
+    """The losses of a solved case; None where temperatures are given, or without a loss.
 
     Parameters
     ----------

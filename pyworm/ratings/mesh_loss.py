@@ -1,4 +1,4 @@
-"""What the simulated friction costs a drive: loss between its teeth and efficiency."""
+"""Loss between the teeth and efficiency of a drive, from the simulated friction."""
 
 from collections.abc import Sequence
 

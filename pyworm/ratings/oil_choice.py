@@ -1,4 +1,4 @@
-"""Which grade of oil a gear drive wants, worked backwards from the specific film, step by step in words.
+"""Choice of the grade of oil for a gear drive, backwards from the specific film, in steps.
 
 A pure function of plain numbers: whoever calls it takes them from a case, from a simulation or from a
 drawing.

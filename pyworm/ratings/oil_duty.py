@@ -1,4 +1,4 @@
-"""What an oil has to do in the drive of a case: from `[oil_choice]` to a `Duty`."""
+"""Requirements of the oil of a drive: from `[oil_choice]` to a `Duty`."""
 
 from pyworm.case.ratings import BearingTable, OilChoiceTable
 from pyworm.drives.duty import GearPairDuty, WormDuty
@@ -11,7 +11,7 @@ from pyworm.ratings.rated_case import Asked
 
 
 def oil_choice(asked: Asked) -> OilChoice:
-    """The oil for the drive of a case, and how it was found.
+    """The oil for the drive of a case, with the steps of the choice.
 
     Raises
     ------
@@ -25,7 +25,7 @@ def oil_choice(asked: Asked) -> OilChoice:
 
 
 def oil_duty(asked: Asked) -> Duty:
-    """What the oil has to do in the drive of a case; ValueError where the case does not say it."""
+    """Requirements of the oil in the drive of a case; ValueError where they are not given."""
     table = asked.tables.oil_choice
     if table is None:
         raise CaseError("[oil_choice] is missing; it says what the oil is to do")
@@ -55,7 +55,7 @@ def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:
 
 
 def _gear_pair(duty: GearPairDuty, table: OilChoiceTable) -> dict:
-    """The thinnest film along the line of action is what counts."""
+    """Requirement of a gear pair, by the thinnest film along the line of action."""
     if duty.composite_roughness is None:
         raise CaseError("bodies.pinion.roughness or bodies.gear.roughness is missing")
     line = duty.line_of_action
@@ -75,7 +75,7 @@ def _gear_pair(duty: GearPairDuty, table: OilChoiceTable) -> dict:
 
 
 def _bearing(bearings: dict[str, BearingTable]) -> dict[str, float]:
-    """The bearing that wants the thickest oil."""
+    """The bearing that needs the highest viscosity."""
     if not bearings:
         return {}
     thirsty = max(

@@ -1,4 +1,4 @@
-"""Viscosity grades compared for a duty: film, friction loss and viscosity needed of each."""
+"""Comparison of viscosity grades: film, friction loss and viscosity needed."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ THICKEST = 9e-3
 
 @dataclass(frozen=True)
 class FilmLaw:
-    """A minimum film as a function of the oil alone, all else being fixed.
+    """A minimum film as a function of the oil alone.
 
     Attributes
     ----------
@@ -120,7 +120,7 @@ def worm_film(
 
 @dataclass(frozen=True)
 class Duty:
-    """What an oil has to do.
+    """Requirements of an oil.
 
     Attributes
     ----------
@@ -176,7 +176,7 @@ class Duty:
     coldest_start: float | None = None
 
     def __post_init__(self) -> None:
-        """Refuse what is no duty."""
+        """Refuse impossible requirements."""
         base_stock(self.base)
         within("composite roughness", self.roughness, 1e-9, 1e-4, "m")
         within("wanted lambda", self.specific_film, 0.01, 20, "")
@@ -198,7 +198,7 @@ class Duty:
 
 @dataclass(frozen=True)
 class GradeRow:
-    """What one grade would do.
+    """Performance of one grade.
 
     Attributes
     ----------
@@ -232,7 +232,7 @@ class GradeRow:
 
 
 def grade_row(duty: Duty, grade: int) -> GradeRow:
-    """What a viscosity grade does in a duty."""
+    """Performance of a viscosity grade under some requirements."""
     oil = named_oil(f"{duty.base} VG {grade}")
     reference = named_oil(f"{duty.base} VG {duty.sump_grade}")
     thickness = float(reference.kinematic_viscosity(duty.sump_temperature))

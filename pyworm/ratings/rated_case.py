@@ -1,4 +1,4 @@
-"""What a case file asks to be rated, and its ratings."""
+"""Ratings that a case file asks for."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -29,7 +29,7 @@ from pyworm.solver.solution import Solution
 
 @dataclass(frozen=True)
 class Asked:
-    """A case file with something to be rated.
+    """A case file with its requests for ratings.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Asked:
 
 
 def _sound(result: Result | None) -> Result | None:
-    """The part of a result that converged; None where nothing did."""
+    """The result with its converged solutions; None where there are none."""
     sound = result and result.sound
     return sound if sound and sound.solutions else None
 
@@ -83,7 +83,7 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
 
 
 def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
-    """What the solved contacts of a case do not hold; without any, the lubrication by closed forms."""
+    """Effects left out of the solved contacts of a case; without any, the lubrication by closed forms."""
     result = _sound(result)
     if result is not None:
         return of_all(result.solutions)
@@ -123,7 +123,7 @@ def load_asked(path: str | Path) -> Asked:
 
 
 def asked_of(case: Case) -> Asked:
-    """What a case that can be solved asks to be rated; CaseError if nothing can be."""
+    """Requests for ratings of a solvable case; CaseError if nothing can be rated."""
     if not isinstance(case.tables, RatedCase):
         kinds = " and ".join(f'"{kind}"' for kind in RATED)
         raise CaseError(f"only drives of kind {kinds} and bearings are rated")
@@ -167,7 +167,7 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
 
 
 def unconverged(result: Result | None) -> tuple[str, ...]:
-    """What of a result is not shown beside its ratings, a sentence for each contact that did not converge."""
+    """Contacts of a result that did not converge, one sentence each."""
     if result is None:
         return ()
     return tuple(
@@ -177,7 +177,7 @@ def unconverged(result: Result | None) -> tuple[str, ...]:
 
 
 def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
-    """Everything of a case that is not rated, each with the reason: what ratings leave out, and whole ones.
+    """Ratings, and parts of ratings, that a case leaves out, each with the reason.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A rating: figures of one thing by closed forms, side by side with others of the same figures."""
+"""A rating: figures of one object by closed forms, in columns beside other values of them."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -36,7 +36,7 @@ class RatedFigure:
     unit: str = ""
 
     def shown(self, column: int) -> str:
-        """The value of a column as people read it."""
+        """The value of a column as text."""
         value = self.values[column] if column < len(self.values) else None
         if value is None:
             return ""
@@ -47,7 +47,7 @@ class RatedFigure:
 
 @dataclass(frozen=True)
 class Rating:
-    """Figures of one thing.
+    """Rating of one object.
 
     Attributes
     ----------
@@ -81,12 +81,12 @@ class Rating:
 
     @property
     def titled(self) -> str:
-        """The title for people, with what its simulated figures do not hold."""
+        """The title, with the effects left out of the simulated figures."""
         return self.left_out.titled(self.title)
 
     @property
     def headings(self) -> tuple[str, ...]:
-        """The columns for people."""
+        """Headings of the columns."""
         return tuple(
             self.left_out.headed(column.capitalize())
             if column == SIMULATION

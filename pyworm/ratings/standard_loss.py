@@ -37,14 +37,14 @@ class StandardLoss:
 
     @property
     def words(self) -> str:
-        """All of it as people read it."""
+        """Friction, loss and efficiency as a sentence."""
         return (
             f"Rough teeth by the {self.source}: efficiency {self.efficiency * 100:.3g} %, "
             f"loss {self.power:.4g} W, friction {self.friction:.3g}."
         )
 
     def summary(self) -> dict[str, Any]:
-        """All of it for programs."""
+        """Friction, loss and efficiency as an object for JSON."""
         return {
             "friction": self.friction,
             "efficiency": self.efficiency,
@@ -55,7 +55,7 @@ class StandardLoss:
 
 @dataclass(frozen=True)
 class NoStandard:
-    """Why a case has no loss by a standard.
+    """Reason why a case has no loss by a standard.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class NoStandard:
         return f"No friction, loss and efficiency by a standard: {self.reason}."
 
     def summary(self) -> dict[str, str]:
-        """The reason for programs."""
+        """The reason as an object for JSON."""
         return {"reason": self.reason}
 
 
@@ -90,7 +90,7 @@ def standard_loss(case: Case) -> StandardLoss | NoStandard:
 
 
 def standard_of_result(result: Result) -> StandardLoss | NoStandard:
-    """The same for the case that a result keeps."""
+    """The loss by a standard for the case stored in a result."""
     try:
         return standard_loss(case_again(result.case))
     except CaseError as error:

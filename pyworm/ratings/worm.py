@@ -1,4 +1,4 @@
-"""Worm gears by the standards' methods, what the simulation of the same drive says beside."""
+"""Worm gears by the standards' methods, beside the simulation of the same drive."""
 
 from pathlib import Path
 
@@ -25,7 +25,7 @@ MEAN_TO_RMS = 0.8
 
 
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
-    """What `[worm_gear]` says; ValueError if it is no worm gear."""
+    """The worm gear of `[worm_gear]`; ValueError if it is none."""
     return WormDuty(
         gear=WormGear(
             table.centre_distance,
@@ -44,7 +44,7 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
 
 
 def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> WormRating:
-    """The worm gear by the standards, the oil as warm as the wheel's flanks.
+    """The worm gear by the standards, with the oil at the temperature of the wheel's flanks.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Verdicts on a worm gear rated by the standards: self-locking, failures, and what is not rated and why."""
+"""Verdicts on a worm gear rated by the standards: self-locking, failures, ratings left out."""
 
 from math import atan, degrees
 
@@ -61,7 +61,7 @@ def failures(gear: WormGear, rated: WormRating) -> tuple[str, ...]:
 
 
 def left_unrated(table: WormRatingTable, rated: WormRating) -> tuple[str, ...]:
-    """What of a worm gear is not rated, each with what is missing."""
+    """Ratings of a worm gear that are left out, each with the missing data."""
     missing = {
         key: f"worm_rating.{key} is missing"
         for key in ("life", "wheel_material", "temperature_limit")

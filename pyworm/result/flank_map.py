@@ -1,4 +1,4 @@
-"""What each place of the wheel's flank goes through in a mesh cycle.
+"""Extremes over a mesh cycle at each place of the wheel's flank.
 
 Solutions are fields over the tangent planes of some phases. Between neighbouring phases fields and the
 places of the flank that they lie over change smoothly, so they are blended there, and the contact sweeps
@@ -90,7 +90,7 @@ def flank_map(result: Result) -> xr.Dataset | None:
 def _neighbours(
     solved: list[Solution], layers: list[dict[str, Array]], gaps: list[float]
 ) -> Iterator[tuple[dict[str, Array], dict[str, Array]]]:
-    """Layers between which fields are blended; each by itself where a phase between did not converge."""
+    """Solutions between which fields are interpolated; separated where a phase between did not converge."""
     for (first, before), (last, after) in pairwise(zip(solved, layers, strict=True)):
         if any(first.phase < gap < last.phase for gap in gaps):
             yield before, before

@@ -1,4 +1,4 @@
-"""What a whole mesh cycle comes to: extremes over its phases, and loss and efficiency of the drive.
+"""Figures of a whole mesh cycle: extremes over its phases, loss and efficiency of the drive.
 
 Read from a result and nothing else.
 """
@@ -86,7 +86,7 @@ class DriveCycle:
     left_out: LeftOut = field(default_factory=LeftOut)
 
     def summary(self) -> dict:
-        """All of it as one object, units in the keys."""
+        """The figures as one object, units in the keys."""
         loss = self.loss
         return {
             "left_out": self.left_out.influence,
@@ -134,7 +134,7 @@ def _told(one: Extreme, unit: str) -> dict:
 
 
 def drive_cycle(result: Result) -> DriveCycle | None:
-    """The mesh cycle of a drive whose tooth pairs share its load; None where there is no such thing."""
+    """The mesh cycle of a drive whose tooth pairs share its load; None for other results."""
     cycle = result.mesh_cycle
     if cycle is None or "tooth_load" not in cycle:
         return None
@@ -175,7 +175,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
 
 
 def _lifted(cycle: xr.Dataset, good: list[Solution]) -> tuple[float, float]:
-    """Largest share by which lifts moved the load of a phase solved, and that phase."""
+    """Largest relative change of the load of a solved phase by the lifts, and that phase."""
     phases = np.array([one.phase for one in good])
     loads = (
         np.interp(phases, cycle["load_phase"], cycle[name])
@@ -201,7 +201,7 @@ def _extreme(
 
 
 def _largest_at(solution: Solution) -> tuple[float, float]:
-    """Where the pressure is largest, to a node [m]."""
+    """Node of the largest pressure [m]."""
     pressure = solution.fields["pressure"]
     node = pressure.argmax(dim=("x", "y"))
     return float(pressure["x"][node["x"]]), float(pressure["y"][node["y"]])

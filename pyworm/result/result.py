@@ -1,4 +1,4 @@
-"""A result: the solutions of a case with their provenance, kept in one NetCDF file.
+"""A result: the solutions of a case with their provenance, stored in one NetCDF file.
 
 Layout of the file:
 
@@ -46,7 +46,7 @@ _WORTH, _REPEATED = 1000, 0.1
 
 @dataclass(frozen=True)
 class Result:
-    """Solutions of one case and where they come from.
+    """Solutions of one case and their provenance.
 
     Attributes
     ----------
@@ -70,12 +70,12 @@ class Result:
 
     @property
     def converged(self) -> bool:
-        """Whether every solution is."""
+        """Whether every solution converged."""
         return all(solution.converged for solution in self.solutions)
 
     @property
     def sound(self) -> "Result":
-        """The same with the converged solutions alone, of which extremes, means and curves are made."""
+        """The result with the converged solutions only, used for extremes, means and curves."""
         return replace(self, solutions=tuple(one for one in self.solutions if one.converged))
 
     @property
@@ -84,7 +84,7 @@ class Result:
         return tuple(one for one in self.solutions if not one.converged)
 
     def save(self, path: str | os.PathLike) -> Path:
-        """Write one NetCDF file; an interrupted write leaves neither a new file nor a torn one."""
+        """Write one NetCDF file, atomically."""
         path = Path(path)
         content = _as_netcdf(_groups(self))
         with whole_file(path) as partial:
@@ -121,7 +121,7 @@ def open_result(path: str | os.PathLike) -> Result:
         return _read(groups)
     except Exception as error:  # whatever is missing or of another kind
         why = " ".join(str(error).split())
-        raise ValueError(f"{path} is damaged: what should be in it is not ({why})") from error
+        raise ValueError(f"{path} is damaged: expected content is missing ({why})") from error
 
 
 def _load(path: Path) -> dict[str, xr.Dataset]:
@@ -159,7 +159,7 @@ def _read(groups: dict[str, xr.Dataset]) -> Result:
 
 
 def case_in(path: Path) -> dict | None:
-    """The case of a results file, without reading what came out; None if there is no such file."""
+    """The case of a results file, without reading the solutions; None if there is no such file."""
     try:
         with xr.open_dataset(path, engine="netcdf4") as root:
             known = root.attrs.get("format") == FORMAT
@@ -170,7 +170,7 @@ def case_in(path: Path) -> dict | None:
 
 @contextmanager
 def readable(path: Path) -> Iterator[None]:
-    """Say in one sentence that a results file holds what its readers stumble over.
+    """Turn errors of reading a results file into one message.
 
     Raises
     ------
@@ -254,7 +254,7 @@ def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
 
 
 def _storage(values: np.ndarray) -> dict[str, Any]:
-    """How values are kept: of those that do not repeat, compression saves a tenth for most of the time."""
+    """Storage options: values that do not repeat are not compressed, which would save only a tenth."""
     if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
         return {}
     return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}

@@ -1,4 +1,4 @@
-"""Whether a result is of a case: by what decides its contacts, not by its name."""
+"""Whether a result belongs to a case, by the physics and not by the name."""
 
 import argparse
 from pathlib import Path
@@ -20,7 +20,7 @@ MOST_TOLD = 6
 
 
 def differences(case: Case, result: "Result") -> tuple[str, ...]:
-    """What a case says otherwise than the one a result was solved with, each with both values.
+    """Differences between a case and the one that a result was solved with, each with both values.
 
     Titles, comparisons, accuracy, lists of places and what is only rated do not count, nor what the case
     leaves open for its solution to find. Of a gap's file its name counts.
@@ -60,7 +60,7 @@ def _shown(tables: CaseTable, key: str) -> str:
 
 
 def as_solved(case: Case, result: "Result") -> Case:
-    """A case with what its solution found of it: friction, lifts of films, loss between the teeth."""
+    """A case with the values that its solution found: friction, lifts, loss between the teeth."""
     kept = case_again(result.case).tables
     return case.with_found(
         {
@@ -72,25 +72,25 @@ def as_solved(case: Case, result: "Result") -> Case:
 
 
 def add_case(command: argparse.ArgumentParser) -> None:
-    """Options of a command on a result: the case that it is to be of."""
+    """Option of a command on a result: the case to compare it with."""
     command.add_argument(
         "--case",
         type=Path,
         metavar="CASE.toml",
-        help="take the result as one of this case, if it is",
+        help="check the result against this case",
     )
     add_anyway(command)
 
 
 def add_anyway(command: argparse.ArgumentParser) -> None:
-    """The option that takes a result of a case that has changed."""
+    """Option that accepts a result of a case that has changed."""
     command.add_argument(
         "--anyway", action="store_true", help="take the result even if the case has changed since"
     )
 
 
 def case_for(path: Path, result: "Result", anyway: bool) -> tuple[Case, str | None]:
-    """A case file whose result this is, as it was solved; and how they differ where that is taken anyway.
+    """The case file of a result, as solved, and the differences where `--anyway` accepts them.
 
     Raises
     ------

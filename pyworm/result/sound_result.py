@@ -1,4 +1,4 @@
-"""Whether what a results file holds can be a result: types, fields and figures that make sense.
+"""Validation of a results file: types, fields and figures.
 
 Files may be damaged, edited or made by others. What passes here is what the solver writes: fields of numbers
 over the right directions, and in a converged solution finite ones, no negative pressure, and film, pressure
@@ -98,7 +98,7 @@ def _made(kind: Any, value: dict[str, Any], name: str) -> Any:
 
 
 def check(solution: Solution) -> None:
-    """Refuse a solution that the solver cannot have written; ValueError with what is wrong first."""
+    """Refuse a solution that the solver cannot have written; ValueError with the first error."""
     for flaw in _flaws(solution):
         raise ValueError(flaw)
 
@@ -114,7 +114,7 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
     figures = solution.figures
     for axis in axes:
         if axis not in fields.coords or not _rises(fields[axis]):
-            yield f"its fields have no {axis} that rises"
+            yield f"its fields have no increasing {axis}"
     needed = NEEDED[solution.kind]
     needed += _SHEAR * (figures.friction_coefficient is not None)
     needed += _HEAT * (figures.temperature_max_film is not None)
@@ -139,11 +139,11 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
 
 
 def _flaws_of_parts(solution: Solution) -> Iterator[str]:
-    """What is wrong with the history, and with the profile across a hot film."""
+    """Errors in the convergence history and in the profile across a hot film."""
     wanted = [(solution.history, ("residual", "load_error", "krylov", "points_x"), "history")]
     if solution.figures.temperature_max_film is not None:
         if solution.profile is None or solution.inlet_temperature is None:
-            yield "it tells temperatures, but no profile or none of the inlet"
+            yield "it has temperatures, but no profile or no inlet temperature"
             return
         wanted.append((solution.profile, _ACROSS, "profile"))
     for part, names, what in wanted:

@@ -1,4 +1,4 @@
-"""The table of a sweep: a row a scene, with what varies, its place, its figures and how it ended.
+"""The table of a sweep: for each scene its varied values, place, figures and status.
 
 Layout of the file: variables over `scene`; those that vary are named in the attribute `axes` (JSON: the keys
 that go together in one list) and have the unit they were written with, the others are the scalars of
@@ -35,7 +35,7 @@ LEFT_OUT = "left_out_"
 
 @dataclass(frozen=True)
 class SweepResult:
-    """What a sweep came to.
+    """Result of a sweep.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class SweepResult:
 
     @cached_property
     def left_out(self) -> LeftOut:
-        """What its figures do not hold, at the worst of the scenes that converged."""
+        """Effects left out of the figures, at the worst of the converged scenes."""
         told = {
             str(name): column.values[self.converged].tolist()
             for name, column in self.table.items()
@@ -88,7 +88,7 @@ class SweepResult:
         return path
 
     def save_csv(self, path: str | os.PathLike) -> Path:
-        """Write the table as comma-separated values, units of what varies in brackets."""
+        """Write the table as comma-separated values, units of varied keys in brackets."""
         path = Path(path)
         columns = self.table.data_vars.values()
         heads = [
@@ -133,12 +133,12 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
         _check(result)
     except (ValueError, LookupError, TypeError, RecursionError) as error:
         why = " ".join(str(error).split())
-        raise ValueError(f"{path} is damaged: what should be in it is not ({why})") from error
+        raise ValueError(f"{path} is damaged: expected content is missing ({why})") from error
     return result
 
 
 def _loaded(path: Path) -> xr.Dataset | None:
-    """What a NetCDF file holds; None if it is none, or too large for any table."""
+    """The content of a NetCDF file; None if it is none, or too large for a table."""
     try:
         with xr.open_dataset(path, engine="netcdf4", decode_times=False) as table:
             return table.load() if table.nbytes <= LARGEST else None
@@ -147,7 +147,7 @@ def _loaded(path: Path) -> xr.Dataset | None:
 
 
 def _check(result: SweepResult) -> None:
-    """Refuse what no sweep can have come to; ValueError with what is wrong first."""
+    """Refuse an impossible table; ValueError with the first error."""
     table = result.table
     if not table.sizes.get("scene"):
         raise ValueError("it has no scenes")
@@ -195,7 +195,7 @@ def sweep_table(
 
 
 def _left_out(row: Mapping[str, float | str]) -> LeftOut:
-    """What the figures of a scene do not hold, from its row; what a file has of no sense is left out."""
+    """Effects left out of the figures of a scene, from its row; invalid entries are ignored."""
     numbers = {name: of for name, of in row.items() if isinstance(of, float) and not np.isnan(of)}
     influence = {
         name.removeprefix(LEFT_OUT): of for name, of in numbers.items() if name.startswith(LEFT_OUT)
@@ -234,7 +234,7 @@ def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _column(values: list[Any]) -> np.ndarray:
-    """One value a scene; what a scene lacks is NaN or an empty text."""
+    """One value for each scene; a missing one is NaN or an empty text."""
     if any(isinstance(value, str) for value in values):
         return np.array(["" if value is None else value for value in values], dtype=object)
     return np.array([np.nan if value is None else value for value in values], dtype=float)
@@ -251,7 +251,7 @@ def columns(result: SweepResult, axis: list[str]) -> list[str]:
 
 
 def telling(result: SweepResult, axis: list[str]) -> list[str]:
-    """Those variables of keys that go together by which their scenes are told apart.
+    """Variables of keys that vary together which distinguish their scenes.
 
     Most often the first, as of both bodies' velocities; errors of assembly, one at a time, take all.
     """

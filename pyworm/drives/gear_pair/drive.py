@@ -97,7 +97,7 @@ class GearPairDrive(Drive):
         """The rule of load sharing, and that nothing bends."""
         return (
             f"Load sharing by the rule '{self.load_sharing}'; load factor {self.load_factor:g}.",
-            "Shafts and teeth do not bend, but for the contact itself; no dynamic loads but by the load "
+            "Shafts and teeth do not deform except in the contact; no dynamic loads but by the load "
             "factor.",
         )
 

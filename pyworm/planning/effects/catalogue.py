@@ -1,4 +1,4 @@
-"""All effects that a plan judges, those that cost most first: what accuracy allows is spent on them."""
+"""Catalogue of effects, the most expensive first: these are left out first."""
 
 from pyworm.planning.effects.effect import Effect
 from pyworm.planning.effects.geometry import (

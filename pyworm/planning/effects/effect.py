@@ -1,4 +1,4 @@
-"""What an effect is to a plan: how it is judged, and what a scene is without it."""
+"""An effect: its indicator, its influence, and the scene without it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Contact = Scene | LineScene
 
 @dataclass(frozen=True)
 class Influence:
-    """How much leaving an effect out changes what is asked of a contact.
+    """Relative change of film, friction and temperature by leaving an effect out.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class Influence:
     temperature: float = 0.0
 
     def on(self, quantities: tuple[str, ...]) -> float:
-        """The largest on some quantities."""
+        """The largest influence on some quantities."""
         return max((getattr(self, quantity) for quantity in quantities), default=0.0)
 
 

@@ -1,4 +1,4 @@
-"""Effects of shape and motion: bending, ends, the real gap, velocities that vary over the contact."""
+"""Geometric effects: deflection, second dimension, real gap, velocities that vary over the contact."""
 
 from dataclasses import replace
 from math import hypot, inf, pi, sqrt
@@ -26,7 +26,7 @@ def _same_all_along(scene: Contact) -> str | None:
 
 
 def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
-    """Places on the outline of Hertz's contact."""
+    """Points on the outline of Hertz's contact."""
     if isinstance(scene, LineScene):
         raise TypeError("a line contact has no outline")
     contact = hertz(*scene.radii, scene.load, scene.reduced_modulus)
@@ -38,7 +38,7 @@ def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
 
 
 def _deflection(sketch: Sketch) -> float:
-    """Deflection over the film, by the mean pressure over all the film that carries load."""
+    """Deflection over film thickness, by the mean pressure over the film that carries load."""
     spread = hypot(sketch.half_width, sqrt(2 * sketch.groups.radius * sketch.film_central))
     pressure = sketch.pressure_mean * sketch.half_width / spread
     return 2 * spread * pressure / sketch.scene.reduced_modulus / sketch.film_min
@@ -68,7 +68,7 @@ ELASTIC_DEFLECTION = Effect(
 
 
 def _axis(scene: Scene) -> int | None:
-    """The axis of the contact that entrainment and sliding keep to; None if there is none."""
+    """The axis of the contact along which entrainment and sliding lie; None if there is none."""
     origin = np.zeros(())
     for axis in (0, 1):
         velocities = [of(origin, origin) for of in (scene.entrainment, scene.sliding)]
@@ -84,7 +84,7 @@ def _slenderness(sketch: Sketch) -> float:
 
 
 def _side_flow(sketch: Sketch) -> Influence:
-    """What a line contact of the same largest pressure is off by.
+    """Relative error of a line contact of the same largest pressure.
 
     Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction
     5 to 11 % higher, since most slices of an ellipse bear less pressure than the middle one
@@ -103,7 +103,7 @@ def _side_flow(sketch: Sketch) -> Influence:
 
 
 def as_line(scene: Contact) -> Contact:
-    """The line contact of a long one's middle: the same largest dry pressure and curvature.
+    """The line contact in the middle of a long contact: same largest dry pressure and curvature.
 
     Raises
     ------
@@ -160,7 +160,7 @@ less, by the gap there."""
 
 
 def departure(sketch: Sketch) -> float:
-    """How far the gap is off the paraboloid's, over that, on outlines about the contact."""
+    """Relative departure of the gap from its paraboloid, on outlines around the contact."""
     scene = sketch.scene
     if isinstance(scene, LineScene):
         outline = (np.array([-1.0, 1.0]) * sketch.half_width,)

@@ -1,4 +1,4 @@
-"""Effects of heat: warm surfaces, warm oil, and oil that is not equally warm across the film."""
+"""Thermal effects: heating of the surfaces, of the film, and variation of viscosity across it."""
 
 from dataclasses import replace
 from math import asinh, exp, expm1, sqrt
@@ -12,7 +12,7 @@ from pyworm.planning.prediction import Sketch
 
 
 def _unknown(scene: Contact) -> str | None:
-    return "how the oil takes heat is not given" if scene.oil.heat is None else None
+    return "[oil.heat] is not given" if scene.oil.heat is None else None
 
 
 def _cold(scene: Contact) -> Contact:
@@ -20,7 +20,7 @@ def _cold(scene: Contact) -> Contact:
 
 
 def _temperature(sketch: Sketch, rise: float) -> float:
-    """A rise in the measure of influences."""
+    """A temperature rise relative to the reference of influences."""
     if rise == 0:
         return 0.0
     return rise / max(sketch.warmest, 1 / sketch.inlet_beta if sketch.inlet_beta > 0 else 0.0)
@@ -67,7 +67,7 @@ def _inlet_loading(sketch: Sketch) -> float:
 
 
 def _inlet_reduction(sketch: Sketch) -> float:
-    """What shear in the inlet takes of the film (Wilson and Sheu 1983)."""
+    """Relative reduction of the film by shear heating of the inlet (Wilson and Sheu 1983)."""
     slide_roll_ratio = min(sketch.sliding / sketch.speed, 2.0)  # beyond it nothing is known
     return 1 - float(wilson_sheu(_inlet_loading(sketch), slide_roll_ratio))
 
@@ -84,7 +84,7 @@ def _film(sketch: Sketch) -> Influence:
 
 
 def _by_heat(sketch: Sketch) -> Influence:
-    """Surfaces and film warm together or not at all."""
+    """Influence shared by surface and film heating, which are simulated together."""
     if sketch.carried_by_heat:
         return EVERYTHING
     surfaces, film = _surfaces(sketch), _film(sketch)
@@ -128,7 +128,7 @@ MOST_WARMTH = 50.0
 
 
 def _parabola_error(warmth: float) -> float:
-    """Relative error of the friction of sheared oil by one viscosity, that of its mean temperature.
+    """Relative error of the friction with one viscosity across the film, that of its mean temperature.
 
     Exact for a film between walls of one temperature, of viscosity eta1 exp(-beta dT): with x^2 = e^w - 1,
     w = beta times the rise in the middle, friction is asinh(x)/(x sqrt(1 + x^2)) of the cold one's (Couette

@@ -1,4 +1,4 @@
-"""Which effects a contact calls for: every entry of the catalogue judged against the accuracy."""
+"""Choice of effects: every entry of the catalogue judged against the accuracy."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -10,7 +10,7 @@ from pyworm.planning.prediction import Sketch
 
 @dataclass(frozen=True)
 class Judgement:
-    """One effect in a plan.
+    """Decision of a plan about one effect.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ def _settled(
 
 
 def simplified(scene: Contact, on: frozenset[str]) -> Contact:
-    """The contact, and what it was, without the effects that are not on."""
+    """The contact, and its past, without the effects that are off."""
     for effect in EFFECTS:
         if effect.without is not None and effect.name not in on:
             scene = effect.without(scene)
@@ -134,7 +134,7 @@ def _percent(share: float) -> str:
 
 
 def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:
-    """Switch on what an effect that is on cannot do without, and what eases it."""
+    """Switch on the effects that an effect needs, and those that ease its solution."""
     if not judgements[effect.name].on:
         return
     for verb, names in (("goes with", effect.together), ("eases", effect.eased_by)):

@@ -1,4 +1,4 @@
-"""Effects of the oil at one temperature: thickening and compression under pressure, flow under stress."""
+"""Isothermal effects of the oil: pressure-viscosity, compressibility, shear thinning, limiting stress."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -75,13 +75,13 @@ and the gap somewhat wider than the film."""
 
 
 def _inlet_stress(sketch: Sketch) -> float:
-    """Newtonian shear stress where the film is formed [Pa]."""
+    """Newtonian shear stress in the inlet [Pa]."""
     speed = sketch.speed + sketch.sliding
     return INLET_THICKENING * sketch.oil.viscosity.eta0 * speed / sketch.film_central
 
 
 def _inlet_pressure(sketch: Sketch) -> float:
-    """Pressure at which oil of the inlet is several times thicker than outside [Pa]."""
+    """Pressure at which the inlet's oil is several times as viscous as outside [Pa]."""
     alpha = sketch.oil.viscosity.alpha
     return min(2 / alpha, sketch.pressure_mean) if alpha > 0 else 0.0
 
@@ -95,7 +95,7 @@ HOT_FRICTION = 2.0
 
 
 def unlike(sketch: Sketch, other: FlowLaw) -> Influence:
-    """Change of what is asked by another flow law than the oil's."""
+    """Influence of replacing the oil's flow law by another one."""
     own = sketch.oil.flow
 
     def change(newtonian: float, pressure: float) -> float:
@@ -117,7 +117,7 @@ UNREACHED = 1e12
 
 
 def unthinned(flow: FlowLaw) -> FlowLaw:
-    """What is left of a flow law without thinning."""
+    """A flow law without its thinning."""
     return replace(flow, stress=UNREACHED) if flow.law == "eyring-limited" else NEWTONIAN
 
 
@@ -128,7 +128,7 @@ def _unlimited(flow: FlowLaw) -> FlowLaw:
 
 
 def _flowing(by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]):
-    """A contact whose oil flows by what another law leaves of its own, if it has what that takes away."""
+    """The contact with a simpler flow law, if its own has the property removed."""
 
     def without(scene: Contact) -> Contact:
         flow = scene.oil.flow

@@ -1,4 +1,4 @@
-"""The effects that a user asks for in words."""
+"""Effects named by the user."""
 
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.effect import Contact
@@ -25,7 +25,7 @@ GROUPS = ("all", "isothermal")
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The words of a choice; after "auto", effects that are simulated only where they are named.
+    """The names of a choice; after "auto", only effects that are simulated on request.
 
     Raises
     ------
@@ -52,7 +52,7 @@ def words(text: str) -> tuple[str, ...]:
 
 
 def beside_auto(text: str) -> frozenset[str] | None:
-    """Names of the effects that are asked for beside "auto"; None of a choice without it.
+    """Names of the effects requested together with "auto"; None for a choice without it.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def _understood(text: str) -> tuple[str, ...]:
 
 
 def chosen(scene: Contact, text: str) -> frozenset[str]:
-    """Names of the effects that words choose.
+    """Names of the effects that a choice selects.
 
     Parameters
     ----------
@@ -106,5 +106,5 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
 
 
 def _with_dependents(name: str) -> set[str]:
-    """An effect and those that go only with it."""
+    """An effect and those that depend on it."""
     return {name, *(effect.name for effect in EFFECTS if name in effect.together)}

@@ -1,4 +1,4 @@
-"""The effect of time: films of contacts that change while oil passes through them."""
+"""Squeeze: films of contacts that change while oil passes through them."""
 
 from dataclasses import replace
 from math import cos, inf, isfinite, log, sin
@@ -21,7 +21,7 @@ def lag(sketch: Sketch) -> float:
 
 
 def spread(sketch: Sketch) -> float:
-    """What a contact that grows or shrinks gains or loses in area, over what oil sweeps: u + da/dt for u."""
+    """Area gained or lost by the contact over the area swept by the oil: u + da/dt in place of u."""
     then = sketch.before
     passed = sketch.speed * sketch.age
     if isinstance(sketch.scene, LineScene):

@@ -1,4 +1,4 @@
-"""Effects that the kernel does not simulate; their influence is told all the same, as far as it is known."""
+"""Effects that the kernel does not simulate, with their estimated influence."""
 
 from math import exp
 
@@ -12,7 +12,7 @@ STARVATION_POWER = 2.0
 
 
 def _supply(sketch: Sketch) -> float:
-    """Oil that arrives, over the film that would leave it."""
+    """Thickness of the arriving oil over that of a flooded film."""
     return sketch.oil.supply / sketch.film_central
 
 

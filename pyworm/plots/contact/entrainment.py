@@ -1,4 +1,4 @@
-"""Where the oil is drawn: streamlines of the entrainment."""
+"""Streamlines of the entrainment."""
 
 import numpy as np
 from matplotlib.figure import Figure

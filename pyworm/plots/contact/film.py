@@ -1,4 +1,4 @@
-"""Film maps: contours clipped near three central films, and what an interferometer would show."""
+"""Film maps: contours up to three central films, and a synthetic interferogram."""
 
 import numpy as np
 import xarray as xr
@@ -79,7 +79,7 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
 
 
 def interferogram(fields: xr.Dataset, window: Window) -> np.ndarray:
-    """Light (row, column, colour), 0 to 1, that a camera over the window would see.
+    """Intensity (row, column, colour), 0 to 1, of a camera image of the window.
 
     The reflections of two surfaces a film h apart differ in phase by 4 pi n h / wavelength, with
     half a turn at one of them, so no film is dark. A pixel averages the fringes within it, which
@@ -97,7 +97,7 @@ def interferogram(fields: xr.Dataset, window: Window) -> np.ndarray:
 
 
 def _pixel_average(phase_step: np.ndarray) -> np.ndarray:
-    """Contrast left of fringes that turn by a phase across a pixel; none from a full turn on."""
+    """Contrast of fringes whose phase changes across a pixel; zero from a full period on."""
     return np.sinc(np.minimum(np.abs(phase_step) / (2 * np.pi), 1))
 
 

@@ -1,4 +1,4 @@
-"""A roller's way through both sections: film, load, motion; and what its film is sensitive to."""
+"""Film, load and motion along a roller's path through both sections, and sensitivities of its film."""
 
 import numpy as np
 import xarray as xr
@@ -19,7 +19,7 @@ RPM = 30 / np.pi
 def draw_roller_cycle(result: Result) -> Figure:
     """Film, load, velocities and specific film over the wheel angle of a roller."""
     cycle = result.mesh_cycle
-    figure = new_figure(9, 11, result_heading(result, "a roller's way through both sections"))
+    figure = new_figure(9, 11, result_heading(result, "path of a roller through both sections"))
     axes = figure.subplots(4, sharex=True)
     _draw_film(axes[0], cycle, result.solutions)
     _draw_load(axes[1], cycle)
@@ -161,7 +161,7 @@ PARAMETERS = (
 def draw_roller_sensitivity(result: Result) -> Figure:
     """Least film at entry and exit of both sections over roller radius, throat and tilt."""
     cycle = result.mesh_cycle
-    figure = new_figure(11, 4.2, f"{result.case_name}  ·  what the film is sensitive to")
+    figure = new_figure(11, 4.2, f"{result.case_name}  ·  sensitivity of the film")
     for number, axes in enumerate(figure.subplots(1, 3, sharey=True)):
         label, factor = PARAMETERS[number]
         value = cycle["varied_value"].isel(parameter=number) * factor
@@ -186,8 +186,6 @@ CYCLE_PICTURES = {
         "Regimes of lubrication over the mesh cycle", draw_roller_regimes
     ),
     "mesh_cycle": CyclePicture("Mesh cycle", draw_roller_cycle),
-    "mesh_cycle_sensitivity": CyclePicture(
-        "What the film is sensitive to", draw_roller_sensitivity
-    ),
+    "mesh_cycle_sensitivity": CyclePicture("Sensitivity of the film", draw_roller_sensitivity),
 }
 """File name -> picture of the mesh cycle."""

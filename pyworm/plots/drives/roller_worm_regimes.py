@@ -1,4 +1,4 @@
-"""The way of a roller over Hooke's chart of regimes, from entry to exit of either section."""
+"""The path of a roller over Hooke's chart of regimes, from entry to exit of each section."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,7 +12,7 @@ from pyworm.result.result import Result
 
 
 def draw_roller_regimes(result: Result) -> Figure:
-    """The chart with the way of the middle of the contact line; beside it the four formulas' films."""
+    """The chart with the path of the middle of the contact line; beside it the films by the four formulas."""
     cycle = result.mesh_cycle
     figure = new_figure(11, 5.2, f"{result.case_name}  ·  regimes of lubrication")
     chart, films = figure.subplots(1, 2)
@@ -39,7 +39,7 @@ def _draw_chart(axes: Axes, middle) -> None:
 
 
 def _draw_films(axes: Axes, middle) -> None:
-    """What each regime's formula gives, and which of them holds."""
+    """Film by the formula of each regime, and the regime that holds."""
     for section in SECTION_COLOURS:
         way = middle.sel(section=section)
         angle = np.degrees(way["wheel_angle"])

@@ -1,4 +1,4 @@
-"""The wheel's flank after a mesh cycle: what the engineer holds against a worn tooth."""
+"""The wheel's flank over a mesh cycle, for comparison with a worn tooth."""
 
 import numpy as np
 import xarray as xr

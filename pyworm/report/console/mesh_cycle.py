@@ -1,4 +1,4 @@
-"""Tables of a whole mesh cycle, for people; they read a result's cycle, or its figures, and nothing else."""
+"""Tables on the console: the whole mesh cycle of a result."""
 
 import xarray as xr
 from rich.table import Table

@@ -1,4 +1,4 @@
-"""Tables for people: what a scene is, what is planned for it, and what came out, in workshop units."""
+"""Tables on the console: scene, plan and solution, in workshop units."""
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
@@ -105,7 +105,7 @@ HOT_PLACES = {"body_1": "body 1", "body_2": "body 2", "film": "the film"}
 def figures_table(
     scene: Scene | LineScene, summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Table:
-    """Figures of one solved scene, with what the source prints beside them.
+    """Figures of one solved scene, beside the published values.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def figures_table(
 
 
 def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
-    """The figures by which scenes are compared, a row a scene; the specific film where roughness is known.
+    """Figures for comparing scenes, one row each; the specific film where roughness is known.
 
     Of a scene that did not converge nothing simulated is shown.
 
@@ -191,7 +191,7 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
 
 
 def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
-    """Friction, and temperatures where heat was simulated, a row a scene; arguments as `scenes_table`.
+    """Friction, and temperatures where heat was simulated, by scene; arguments as `scenes_table`.
 
     The error bar of the temperatures is the largest of the three.
     """
@@ -223,7 +223,7 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
 
 
 def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:
-    """What the figures of scenes do not hold, at the worst of those that converged."""
+    """Effects left out of the figures of scenes, at the worst of the converged ones."""
     good = [values for values in summaries if values["converged"]] or summaries
     return worst([LeftOut.read(values) for values in good])
 
@@ -240,7 +240,7 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
 
 
 def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
-    """What tells scenes of one case apart: what it is, and that of each."""
+    """Kind of place that distinguishes the scenes of a case, and the place of each."""
     names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
     if not names:
         return "Scene", [scene.name for scene in scenes]
@@ -254,7 +254,7 @@ def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
 def published_for(
     summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Mapping[str, PublishedValue]:
-    """What a case's source prints for a scene: all of it, unless it names another place in the sweep."""
+    """Published values for a scene: all of the case's, except those of other places."""
     for place in PLACE_NAMES:
         if place in published and published[place].value != summary[place]:
             return {}
@@ -262,7 +262,7 @@ def published_for(
 
 
 def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> Table:
-    """A scene, how it is to be solved, and what that is expected to take."""
+    """A scene, its plan, and the expected time."""
     summary = scene_summary(scene)
     words = expected_to_leave_out(scene, plan).words
     table = Table(title="\n".join(filter(None, (_title(scene), words))), title_justify="left")
@@ -285,7 +285,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
 
 
 def effects_table(effects: Sequence[Judgement], title: str) -> Table:
-    """Every effect, whether it is simulated, what leaving it out changes, and why it is on or off."""
+    """Every effect: on or off, influence of leaving it out, reason."""
     table = Table(
         title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True
     )
@@ -311,7 +311,7 @@ QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Tem
 
 
 def influence_share(share: float | None) -> str:
-    """What leaving an effect out changes; nothing where that is not known."""
+    """Influence of leaving an effect out as text; empty where it is not known."""
     if share is None:
         return ""
     return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"

@@ -1,4 +1,4 @@
-"""Tables for people: the rows of a sweep, in workshop units."""
+"""Tables on the console: the rows of a sweep, in workshop units."""
 
 from collections import Counter
 from pathlib import Path
@@ -29,7 +29,7 @@ _FIGURES = (
 
 
 def show(result: SweepResult, directory: Path) -> None:
-    """Print what a sweep came to, and where its figures are."""
+    """Print the table of a sweep and the paths of its files."""
     console = Console()
     data = result.table
     if sentence := result.left_out.sentence:
@@ -43,13 +43,13 @@ def show(result: SweepResult, directory: Path) -> None:
 
 
 def rows(result: SweepResult) -> list[dict[str, Any]]:
-    """The table, an object a scene."""
+    """The table as a list of objects, one for each scene."""
     named = {str(name): column.values.tolist() for name, column in result.table.items()}
     return [dict(zip(named, row, strict=True)) for row in zip(*named.values(), strict=True)]
 
 
 def rows_table(result: SweepResult) -> Table:
-    """A row a scene."""
+    """The table with one row for each scene."""
     data = result.table
     varied = [name for axis in result.axes for name in telling(result, axis)]
     varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]

@@ -1,4 +1,4 @@
-"""What a result takes for granted: the effects left out, and what its drive assumes."""
+"""Assumptions of a result: effects left out, and assumptions of its drive."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,7 @@ ONE_CONTACT = "One contact, with the curvature, velocities and load given."
 
 
 def plan_section(result: Result) -> Section | None:
-    """Which effects were simulated and why, once for all contacts that agree; None where none is told."""
+    """Effects simulated and reasons, once for all contacts that agree; None where none is recorded."""
     solutions = [of for of in result.solutions if of.effects]
     if not solutions:
         return None
@@ -54,12 +54,12 @@ def _influence(effects: Sequence[Judgement]) -> str:
 
 
 def assumptions_section(case: Case, result: Result) -> Section:
-    """What was assumed: numbers that the source does not give, and what the models take for granted."""
+    """Assumptions: values that the source does not give, and those of the models."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     items.append("Smooth flanks and an inlet full of oil.")
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
     if "squeeze" not in on:
-        items.append("A steady film (the table of effects says what squeeze may change).")
+        items.append("A steady film (the table of effects estimates the influence of squeeze).")
     items += [ONE_CONTACT] if case.drive is None else case.drive.assumptions
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:
@@ -85,7 +85,7 @@ PROVENANCE = (
 
 
 def provenance_section(result: Result) -> Section:
-    """Versions, time, cost: what is needed to repeat the run."""
+    """Versions, time and cost, for repeating the run."""
     said = result.provenance
     rows = [(key.replace("_", " "), str(said[key])) for key in PROVENANCE if key in said]
     rows.append(("case", result.case_name))

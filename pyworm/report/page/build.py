@@ -28,7 +28,7 @@ from pyworm.solver.left_out import LeftOut, of_all, opening
 
 
 def build_report(result: Result, case: Case | None = None, differ: str | None = None) -> Report:
-    """Everything a report says of a result.
+    """The content of the report on a result.
 
     Parameters
     ----------
@@ -82,14 +82,14 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
 
 
 def _noted(left_out: LeftOut, section: Section | None) -> Section | None:
-    """The section with what its figures do not hold ahead of them."""
+    """The section, preceded by the effects left out of its figures."""
     if section is None or not left_out.note:
         return section
     return replace(section, blocks=(Words(f"{left_out.note.capitalize()}."), *section.blocks))
 
 
 def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, ...]]:
-    """The ratings of a case, and what is not rated for which reason."""
+    """The ratings of a case, and those left out with the reason."""
     if case.drive is None:
         return (), ()
     if not isinstance(case.tables, RatedCase):
@@ -104,7 +104,7 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
 
 
 def _ratings_section(made: tuple[Rating, ...], unrated: tuple[str, ...]) -> Section | None:
-    """The ratings that the case asks for, and what is not rated; None of a contact without a drive."""
+    """The ratings that the case asks for, and those left out; None for a contact without a drive."""
     if not made and not unrated:
         return None
     blocks = [block for rating in made for block in _rating_blocks(rating)]

@@ -1,4 +1,4 @@
-"""What a report says, as data: sections of paragraphs, lists, tables and pictures."""
+"""Content of a report: sections of paragraphs, lists, tables and pictures."""
 
 from dataclasses import dataclass
 

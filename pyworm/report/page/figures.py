@@ -37,14 +37,14 @@ def composite_roughness(result: Result) -> float | None:
 
 
 def place_of(solution: Solution) -> str:
-    """Which contact it is, in words."""
+    """Name of a contact: its place in the cycle."""
     return str(Place.of(solution)) or solution.name
 
 
 def glance_section(
     case: Case, result: Result, made: tuple[Rating, ...], standard: StandardLoss | NoStandard
 ) -> Section:
-    """The few figures that decide, each at the contact where it is worst; ratings in `DECIDE`.
+    """The decisive figures, each at its worst contact, and the ratings in `DECIDE`.
 
     The result has solutions that converged alone; without any, only ratings decide. Where roughness carries
     load the standard's loss stands beside the simulated one.
@@ -93,7 +93,7 @@ def glance_section(
 
 
 def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
-    """Figures of ratings that are told at a glance."""
+    """Decisive figures of ratings."""
     return tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
         for rating in made
@@ -183,7 +183,7 @@ def film_section(case: Case, result: Result) -> Section:
 
 
 def _without_empty(table: Table) -> Table:
-    """The table without columns that say nothing."""
+    """The table without empty columns."""
     said = [n for n, name in enumerate(table.head) if n == 0 or any(row[n] for row in table.rows)]
 
     def kept(cells: tuple[str, ...]) -> tuple[str, ...]:
@@ -200,7 +200,7 @@ def _load(solution: Solution) -> str:
 
 
 def _scene_summary(case: Case, solution: Solution) -> dict[str, Any]:
-    """What the scene alone says of itself; nothing of a gap, whose file the result does not keep."""
+    """Figures of the scene alone; none for a sampled gap, whose file the result does not contain."""
     if isinstance(case.tables, GapCase):
         return {}
     return scene_summary(case.scene(**Place.of(solution).given))
@@ -252,7 +252,7 @@ def heat_section(case: Case, result: Result) -> Section | None:
 
 
 def printed_section(case: Case, result: Result) -> Section | None:
-    """What the source prints beside what came out; None where they share no figure."""
+    """Published values beside the computed ones; None where they share no figure."""
     blocks = []
     for solution in result.solutions:
         if not _is_meant(case.published, solution):
@@ -274,7 +274,7 @@ def printed_section(case: Case, result: Result) -> Section | None:
 
 
 def _printed(text: str) -> str:
-    """A quantity as written in a case file, as print has it."""
+    """A quantity of a case file, typeset."""
     return text.replace("degC", "°C").replace("degF", "°F").replace("uin", "µin")
 
 

@@ -1,4 +1,4 @@
-"""A report as one page of HTML that needs nothing else: no script, no file beside it, no network."""
+"""A report as one self-contained page of HTML, without script or network."""
 
 from base64 import b64encode
 from html import escape

@@ -53,7 +53,7 @@ def cycle_section(result: Result) -> Section | None:
 
 
 def contact_section(result: Result) -> Section:
-    """Regimes of all; all pictures of that with the thinnest film, the most telling of the others."""
+    """Pictures: regimes of all contacts, all of the thinnest contact, the most important of the others."""
     solutions = result.solutions
     thin = min(result.sound.solutions or solutions, key=lambda of: of.figures.film_min.value)
     shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
@@ -77,7 +77,7 @@ def _picture(case_name: str, solution: Solution, name: str) -> Picture | Words |
 
 
 def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words | None:
-    """A picture, or why it failed, which costs nothing else; None where there is nothing to draw."""
+    """A picture, or the reason why it failed; None where there is nothing to draw."""
     try:
         figure = draw()
         return None if figure is None else Picture(caption, png(figure))
@@ -86,7 +86,7 @@ def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words |
 
 
 def _captioned(caption: str, left_out: LeftOut) -> str:
-    """A caption with what the picture does not hold."""
+    """A caption with the effects left out."""
     return f"{caption}; {left_out.words}" if left_out.words else caption
 
 

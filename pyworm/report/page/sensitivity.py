@@ -1,4 +1,4 @@
-"""How film and pressure answer to oil grade, temperature and misalignment, by closed forms.
+"""Sensitivity of film and pressure to oil grade, temperature and misalignment, by closed forms.
 
 Each variation changes the closed-form film of every solved contact; the simulated film is taken to change by
 the same share. Nothing is solved again.
@@ -31,7 +31,7 @@ Contact = Scene | LineScene
 
 @dataclass(frozen=True)
 class Variation:
-    """One thing changed.
+    """Variation of one input.
 
     Attributes
     ----------
@@ -112,7 +112,7 @@ def _lambda(film: float, roughness: float | None) -> tuple[str, ...]:
 
 
 def sensitivity(case: Case, result: Result) -> Sensitivity:
-    """Film and pressure of every variation that the case knows enough for."""
+    """Film and pressure of every variation for which the case has the data."""
     films = tuple(of.figures.film_min.value for of in result.solutions)
     solved = _Solved(tuple(case.scene(**Place.of(of).given) for of in result.solutions), films)
     if case.drive is None:

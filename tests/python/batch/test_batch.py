@@ -86,7 +86,7 @@ def test_a_task_that_kills_its_process_costs_no_other(reference, tmp_path):
     assert store.missing([*tasks, deadly]) == [deadly]
 
 
-def test_a_process_that_died_is_made_anew():
+def test_a_process_that_died_is_replaced():
     with WorkerPool(1) as pool:
         first = pool.submit(os.getpid).result()
         assert pool.submit(os.getpid).result() == first
@@ -113,7 +113,7 @@ def test_workers_have_one_thread_each(monkeypatch):
     assert "OPENBLAS_NUM_THREADS" not in os.environ
 
 
-def test_what_goes_wrong_with_one_scene_is_told_and_costs_no_other(reference, tmp_path):
+def test_a_failing_scene_is_reported_and_costs_no_other(reference, tmp_path):
     tasks, _ = reference
     bad = Task(tasks[0].case, tasks[0].place, accuracy=2.0)
     store = Store(tmp_path / "scenes", fields=True)
@@ -123,7 +123,7 @@ def test_what_goes_wrong_with_one_scene_is_told_and_costs_no_other(reference, tm
     assert store.missing([bad, tasks[0]]) == [bad]
 
 
-def test_scalars_alone_are_kept_as_they_are(reference, tmp_path):
+def test_stored_scalars_are_unchanged(reference, tmp_path):
     tasks, _ = reference
     full, lean = (Store(tmp_path / name, fields=name == "full") for name in ("full", "lean"))
     for store in (full, lean):
@@ -139,7 +139,7 @@ def test_scalars_alone_are_kept_as_they_are(reference, tmp_path):
     assert not lean.directory.exists()
 
 
-def test_a_key_tells_what_decides_a_solution_and_nothing_else(tmp_path):
+def test_a_key_depends_on_what_decides_a_solution_and_nothing_else(tmp_path):
     text = TRACTION.read_text()
 
     def key(place=Place(slide_roll_ratio=0.5), accuracy=0.01, effects="auto", **changes):  # noqa: B008
@@ -169,7 +169,7 @@ def test_a_key_tells_what_decides_a_solution_and_nothing_else(tmp_path):
     assert len({*alike, *unlike}) == 1 + len(unlike)
 
 
-def test_a_key_tells_the_program_down_to_the_compiled_kernel(tmp_path, monkeypatch):
+def test_a_key_depends_on_the_program_down_to_the_compiled_kernel(tmp_path, monkeypatch):
     kernel = tmp_path / "core"
     digests = []
     for content in (b"one build", b"another", b"one build"):
@@ -179,7 +179,7 @@ def test_a_key_tells_the_program_down_to_the_compiled_kernel(tmp_path, monkeypat
     assert digests[0] == digests[2] != digests[1]
 
 
-def test_a_key_tells_what_a_gap_file_holds(tmp_path):
+def test_a_key_depends_on_the_content_of_a_gap_file(tmp_path):
     for name in ("gap_example.toml", "gap_example.npz"):
         (tmp_path / name).write_bytes((CASES / name).read_bytes())
     path = tmp_path / "gap_example.toml"
@@ -248,7 +248,7 @@ def assert_same_scenes(result, expected):
 
 @pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs Linux's /proc")
 @pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGINT, signal.SIGTERM])
-def test_a_run_that_is_stopped_goes_on_from_there(tmp_path, capsys, whole_run, end):
+def test_a_stopped_run_continues_where_it_ended(tmp_path, capsys, whole_run, end):
     process = started(tmp_path)
     workers = children(process.pid)
     assert len(workers) == 2
@@ -258,7 +258,7 @@ def test_a_run_that_is_stopped_goes_on_from_there(tmp_path, capsys, whole_run, e
     if end != signal.SIGKILL:
         assert process.returncode == 128 + end
         assert said == (
-            "pyworm: stopped; scenes already solved are kept, the same command goes on from there\n"
+            "pyworm: stopped; scenes already solved are kept, the same command continues from there\n"
         )
     assert not (tmp_path / "result.nc").exists()
     while any(Path(f"/proc/{pid}").exists() for pid in workers):

@@ -132,20 +132,20 @@ def test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept
     said = process.communicate(timeout=60)[1]
     assert said == (
         f"pyworm: --scheduler {address}: was lost; scenes already solved are kept, "
-        "the same command goes on from there\n"
+        "the same command continues from there\n"
     )
     assert process.returncode == FAILED
     assert 0 < len(list(out.glob("scenes/[!.]*.json"))) < 20
 
 
-def test_workers_lost_are_told_and_waited_for_and_an_interrupt_ends_that(cluster, tmp_path):
+def test_lost_workers_are_reported_and_waited_for_until_an_interrupt(cluster, tmp_path):
     address, workers, _ = cluster
     process = sweeping(tmp_path, address, tmp_path / "out")
     for worker in workers:
         worker.kill()
     assert process.stderr.readline() == (
         f"pyworm: --scheduler {address}: has no workers, waiting for some; scenes already solved are kept, "
-        "the same command goes on from there\n"
+        "the same command continues from there\n"
     )
     process.terminate()
     sent = time.monotonic()
@@ -168,7 +168,7 @@ def test_a_worker_of_another_build_fails_its_scenes_with_the_reason(tmp_path, mo
     assert store.missing([task]) == [task]
 
 
-def test_no_scheduler_is_told(tmp_path, capsys, monkeypatch):
+def test_a_missing_scheduler_is_reported(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("pyworm.batch.cluster.PATIENCE", 0.5)
     path = tmp_path / "friction.toml"
     path.write_text(SWEEP)

@@ -241,7 +241,7 @@ def _case_is_no_table(groups):
         (_case_is_no_table, "case is [1, 2]"),
     ],
 )
-def test_a_result_that_no_solver_wrote_is_told_by_what_is_wrong(
+def test_a_result_that_no_solver_wrote_is_refused_with_its_error(
     tmp_path, refusal, result_file, damage, sentence
 ):
     file = tmp_path / "result.nc"
@@ -346,7 +346,7 @@ def with_room_for(size, command):
     )
 
 
-def test_a_full_disk_is_told_and_costs_no_earlier_result(tmp_path, result_file):
+def test_a_full_disk_is_reported_and_costs_no_earlier_result(tmp_path, result_file):
     _, command = whole_result(tmp_path)
     before = (tmp_path / "out" / "result.nc").read_bytes()
     more = [*command[: command.index("0")], "0", "1", *command[command.index("0") + 1 :]]
@@ -373,7 +373,7 @@ print(pyworm.solve(scene, pyworm.plan(scene, accuracy=0.05)).cost.convolutions)
 """A solve under a batch system's limit, by which Linux tells processor time in ticks of milliseconds."""
 
 
-def test_a_clock_that_ticks_slowly_still_tells_the_cost():
+def test_a_clock_of_low_resolution_still_gives_the_cost():
     line = str(CASES / "line_m20_l10.toml")
     command = [sys.executable, "-c", LIMITED, line]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -439,7 +439,7 @@ def test_an_interrupted_run_keeps_what_is_finished(tmp_path):
     said = process.communicate()[1]
     assert process.returncode == 128 + signal.SIGINT
     assert said == (
-        "pyworm: stopped; scenes already solved are kept, the same command goes on from there\n"
+        "pyworm: stopped; scenes already solved are kept, the same command continues from there\n"
     )
     kept = list(out.glob("scenes/*"))
     assert kept and all(open_result(path).converged for path in kept)

@@ -48,7 +48,7 @@ def checkout(tmp_path, monkeypatch):
     origin.origin.cache_clear()
 
 
-def test_sources_changed_since_their_commit_are_told(checkout):
+def test_sources_changed_since_their_commit_are_marked(checkout):
     clean = origin.origin()["commit"]
     assert len(clean) == 40
     checkout.write_text("changed = True\n")
@@ -56,7 +56,7 @@ def test_sources_changed_since_their_commit_are_told(checkout):
     assert origin.origin()["commit"] == f"{clean}, changed since"
 
 
-def test_without_git_no_commit_is_told(checkout, monkeypatch):
+def test_without_git_there_is_no_commit(checkout, monkeypatch):
     monkeypatch.setenv("PATH", "")
     assert "commit" not in origin.origin()
 

@@ -161,7 +161,7 @@ def test_scenes_that_another_run_took_into_its_result_are_read_there(tmp_path, m
     assert len(open_result(out / "result.nc").solutions) == 1
 
 
-def test_an_earlier_result_that_cannot_be_used_is_told(tmp_path, capsys, monkeypatch):
+def test_an_earlier_result_that_cannot_be_used_is_reported(tmp_path, capsys, monkeypatch):
     command = [*RUN, "--slide-roll-ratio", "0", "--out", str(tmp_path)]
     monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
     (tmp_path / "result.nc").write_text("no result")
@@ -171,7 +171,7 @@ def test_an_earlier_result_that_cannot_be_used_is_told(tmp_path, capsys, monkeyp
     assert said.endswith("its scenes are solved again\n") and said.count("\n") == 1
 
 
-def test_a_key_that_names_another_scene_is_not_believed(tmp_path, solved):
+def test_a_file_of_another_scene_is_not_used(tmp_path, solved):
     (first, result), (second, _) = solved
     store = Store(tmp_path, fields=True)
     store.keep(first, replace(result, provenance=result.provenance | {"keys": [second.key]}))
@@ -179,7 +179,7 @@ def test_a_key_that_names_another_scene_is_not_believed(tmp_path, solved):
 
 
 @pytest.mark.parametrize("fields", [True, False], ids=["nc", "json"])
-def test_what_did_not_converge_is_kept_whatever_it_holds(tmp_path, solved, fields):
+def test_scenes_that_did_not_converge_are_stored(tmp_path, solved, fields):
     """Such as a solve that ended before its first step, of films that no law of the oil bears."""
     task, result = solved[0]
     (solution,) = result.solutions

@@ -348,7 +348,7 @@ def made_up(axes, pairs):
 CROSSED = [["oil.a"], ["oil.b"]]
 
 
-def test_errors_one_at_a_time_are_told_apart():
+def test_errors_one_at_a_time_are_distinguished():
     sweep = made_up([["oil.a", "oil.b"]], [(0, 0), (-1, 0), (1, 0), (0, -2), (0, 2)])
     assert {"oil.a", "oil.b"} <= {panel.get_xlabel() for panel in sweep_figure(sweep).axes}
     table = rows_table(sweep)

@@ -80,7 +80,7 @@ def test_heat_goes_where_it_is_made(swept):
         assert abs(solution.figures.heat_balance) < 0.01
 
 
-def test_check_shows_every_ratio(capsys):
+def test_check_shows_every_slide_roll_ratio(capsys):
     assert main(["check", CASE, "--slide-roll-ratio", *RATIOS, "--json"]) == CONVERGED
     scenes = json.loads(capsys.readouterr().out)["scenes"]
     assert [scene["slide_roll_ratio"] for scene in scenes] == [-0.5, 0, 0.5]

@@ -257,7 +257,7 @@ def test_a_body_may_have_a_bulk_temperature_of_its_own(tmp_path):
     assert [body.bulk_temperature for body in scene.bodies] == pytest.approx([328.15, 313.15])
 
 
-def test_without_heat_nothing_is_said_of_temperatures():
+def test_a_case_without_heat_has_no_temperatures():
     scene = load(CASES / "point_m20_l10.toml").scene()
     assert scene.oil.heat is None
     assert [body.bulk_temperature for body in scene.bodies] == [None, None]

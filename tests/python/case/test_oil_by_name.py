@@ -157,7 +157,7 @@ def test_one_sentence_for_bad_input(tmp_path, capsys, text, sentence):
     assert said.count("\n") == 1
 
 
-def test_bodies_owe_a_named_oil_their_heat(tmp_path, capsys):
+def test_bodies_need_thermal_constants_for_a_named_oil(tmp_path, capsys):
     text = CASE.read_text().replace('conductivity = "52 W/(m K)"\n', "", 1)
     (tmp_path / "case.toml").write_text(text)
     assert main(["check", str(tmp_path / "case.toml")]) == BAD_INPUT

@@ -79,7 +79,7 @@ def case(base, old, new):
         ("zi", 'length = "4 mm"', 'length = "40 mm"', ["tip_relief_length is 40 mm", "18.98 mm"]),
     ],
 )
-def test_what_cannot_be_is_refused(base, old, new, sentences):
+def test_impossible_contacts_are_refused(base, old, new, sentences):
     with pytest.raises(CaseError) as caught:
         case(base, old, new)
     for sentence in sentences:
@@ -102,7 +102,7 @@ def test_what_cannot_be_is_refused(base, old, new, sentences):
         ("point", '"2 m/s"', '"2000 m/s"', ["motion.mean_velocity[0]", "at most 300 m/s"]),
     ],
 )
-def test_what_seldom_is_is_told_once(base, old, new, sentences):
+def test_unusual_values_give_one_warning(base, old, new, sentences):
     warnings = case(base, old, new).warnings
     told = [warning for warning in warnings if all(of in warning for of in sentences)]
     assert len(told) == 1, warnings
@@ -110,12 +110,12 @@ def test_what_seldom_is_is_told_once(base, old, new, sentences):
 
 
 @pytest.mark.parametrize("path", sorted(CASES.glob("*.toml")), ids=lambda path: path.stem)
-def test_nothing_is_unusual_in_the_cases_of_the_literature(path):
+def test_cases_of_the_literature_give_no_warning(path):
     if "drive" in (tables := tomllib.loads(path.read_text())) or "contact" in tables:
         assert pyworm.load(path).warnings == ()
 
 
-def test_a_contact_off_the_listed_places_is_judged_too():
+def test_contacts_at_other_places_are_checked_too():
     """A load that is too much at a slide-roll ratio that the file does not list is refused there."""
     made = case("point", '"41.33 N"', '"41.33 N"')
     heavy = made.tables.contact.model_copy(update={"load": 1e6})
@@ -152,7 +152,7 @@ def test_warnings_go_to_standard_error_json_result_and_report(tmp_path, capsys):
     assert SAID in build_report(result).warnings
 
 
-def test_ratings_tell_what_is_unusual_too(tmp_path, capsys):
+def test_ratings_give_the_same_warnings(tmp_path, capsys):
     text = (CASES / "oil_zi.toml").read_text()
     assert '"0.3 um"' in text
     (tmp_path / "case.toml").write_text(text.replace('"0.3 um"', '"9 um"'))
@@ -165,7 +165,7 @@ def test_ratings_tell_what_is_unusual_too(tmp_path, capsys):
     assert said.err == f"pyworm: warning: {warning}\n"
 
 
-def test_a_film_hotter_than_oils_stand_is_told():
+def test_a_film_hotter_than_oils_withstand_gives_a_warning():
     films = [
         {"name": name, "temperature_max_C": {"film": celsius}}
         for name, celsius in (("phase 0.1", 310.0), ("phase 0.5", 431.0), ("phase 0.9", 120.0))
@@ -175,7 +175,7 @@ def test_a_film_hotter_than_oils_stand_is_told():
     assert overheated(films[2:]) == overheated([{"name": "isothermal"}]) == ()
 
 
-def test_a_run_tells_of_a_film_that_is_too_hot(tmp_path, capsys):
+def test_a_run_warns_of_a_film_that_is_too_hot(tmp_path, capsys):
     """After the solve, where it is known."""
     out = ("--json", "--accuracy", "30%", "--slide-roll-ratio", "3", "--out", str(tmp_path / "out"))
     with pytest.MonkeyPatch.context() as patch:

@@ -135,7 +135,7 @@ def test_a_published_figure_stands_beside_the_computed_one(tmp_path, capsys, sol
     assert "209.3 nm" in capsys.readouterr().out
 
 
-def test_heat_is_told_where_it_was_simulated(tmp_path, capsys, solve_at_once):
+def test_temperatures_are_printed_where_heat_was_simulated(tmp_path, capsys, solve_at_once):
     hot = make_hot_worm(0.4, points=(33, 17))
     parts = ("figures", "fields", "inlet_temperature", "profile", "phase")
     solve_at_once(**{part: getattr(hot, part) for part in parts})
@@ -219,7 +219,7 @@ def test_a_result_that_could_not_be_written_leaves_what_was_solved(
     assert sorted(path.name for path in out.iterdir()) == ["mark.png", "result.nc"]
 
 
-def test_a_kernel_that_gives_up_is_told_in_one_sentence(tmp_path, capsys, monkeypatch):
+def test_a_kernel_that_gives_up_is_reported_in_one_sentence(tmp_path, capsys, monkeypatch):
     def give_up(scene, plan, progress):
         raise KernelError(6)
 

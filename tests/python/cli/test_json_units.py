@@ -115,30 +115,30 @@ def said(capsys, *command):
 @pytest.mark.parametrize(
     "solution", [make_hot_worm(), line_with_heat(make_line_solution())], ids=["point", "line"]
 )
-def test_a_scene(solution):
+def test_a_scene_has_its_units_in_the_keys(solution):
     agree_with_their_keys(solution.summary())
 
 
-def test_a_cycle():
+def test_a_cycle_has_its_units_in_the_keys():
     agree_with_their_keys(drive_cycle(cycle_result(PHASES)).summary())
 
 
 @pytest.mark.parametrize("name", RATED)
-def test_ratings(capsys, name):
+def test_ratings_have_their_units_in_the_keys(capsys, name):
     for rating in said(capsys, "rate", CASES / f"{name}.toml")["ratings"]:
         for column in rating.values():
             if isinstance(column, dict):
                 agree_with_their_keys(column)
 
 
-def test_oils(capsys):
+def test_oils_have_their_units_in_the_keys(capsys):
     for oil in said(capsys, "oil", "show", "PAG VG 460", "mineral VG 220", "PAO VG 46")["oils"]:
         agree_with_their_keys(oil)
     agree_with_their_keys(said(capsys, "oil", "choose", CASES / "oil_zi.toml"))
 
 
 @pytest.mark.parametrize("name", ["mourier_2006", "line_m20_l10"])
-def test_a_plan(capsys, name):
+def test_a_plan_has_its_units_in_the_keys(capsys, name):
     for scene in said(capsys, "check", CASES / f"{name}.toml")["scenes"]:
         inner = ("plan", "effects")  # the planner's own objects, in SI without units in their keys
         agree_with_their_keys({key: of for key, of in scene.items() if key not in inner})

@@ -81,7 +81,7 @@ def test_a_signal_in_the_first_seconds_ends_all_at_once(tmp_path, end, delay):
 
 
 @pytest.mark.parametrize("then", ["while True: pass", "raise SystemExit(0)"])
-def test_what_hangs_after_a_signal_is_ended(then):
+def test_a_hanging_process_is_ended_after_a_signal(then):
     process = started("-c", WAITS.format(then=then))
     process.stdout.readline()
     process.terminate()

@@ -261,7 +261,7 @@ def test_gears_that_do_not_mesh_are_refused(change, sentence):
     assert sentence in str(refusal.value)
 
 
-def test_interference_is_told_apart_from_undercut():
+def test_interference_is_distinguished_from_undercut():
     """A gear of long teeth digs below where the involute of a small pinion begins, not into its root."""
     system = ToothSystem(4e-3, radians(20))
     with pytest.raises(ValueError, match=r"gear.addendum .* \(interference\)"):

@@ -231,7 +231,7 @@ def test_right_and_left_section_are_mirrored():
         assert one.point[0] == pytest.approx(-other.point[0], rel=1e-12)
 
 
-def test_undercut_is_told_and_is_real():
+def test_undercut_is_reported_and_real():
     part = section(tilt=pi / 2, inner=10.0)
     with pytest.raises(ValueError, match=r"left section's flank is undercut by .* of wheel angle"):
         part.check()

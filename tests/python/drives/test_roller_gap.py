@@ -70,7 +70,7 @@ def test_heights_lie_on_the_surfaces():
         assert abs(least.fun) < 1e-11
 
 
-def test_the_crown_opens_the_ends_and_the_ends_are_told():
+def test_the_crown_opens_the_ends_and_the_ends_are_known():
     plain, _ = frame()
     crowned, _ = frame(crown=CROWN)
     y = np.array([0.0, 3.9e-3, 5.5e-3, 6.5e-3])

@@ -74,7 +74,7 @@ def test_approach_and_load_of_a_slice_are_each_other_s_inverse(load, curvature, 
     assert compliance.load(approach, curvature, 6.5e-3, length) == pytest.approx(load, rel=1e-9)
 
 
-def test_the_cylinder_s_part_of_the_approach_is_johnson_s():
+def test_the_approach_of_a_cylinder_is_johnson_s():
     """A rigid thread: what a cylinder yields between contact and axis, by quadrature of the stress there.
 
     Johnson (1985), chapter 5.6: stresses of the Hertz pressure less the uniform stress of the free

@@ -124,7 +124,7 @@ def test_without_stations_the_contact_line_is_solved_with_its_ends():
     assert list(covered) == [True, True, False]
 
 
-def test_the_command_says_section_and_phase_of_every_scene(tmp_path, capsys):
+def test_the_command_prints_section_and_phase_of_every_scene(tmp_path, capsys):
     path = CASES / "roller_ref.toml"
     options = ["--phase", "0", "1", "--station", "0.5", "--json", "--out", str(tmp_path / "out")]
     assert main(["run", str(path), *options]) == 0
@@ -177,7 +177,7 @@ def test_closed_forms_go_without_roughness(case):
     assert np.isnan(unloaded.specific_film).all()
 
 
-def test_the_table_of_a_cycle_without_roughness_tells_nothing_of_it(cycle):
+def test_the_table_of_a_cycle_without_roughness_has_no_lambda(cycle):
     said = printed(ends_table(cycle))
     assert "Specific film lambda" in said and "mixed" in said
     assert "…" not in said
@@ -264,7 +264,7 @@ def test_free_rollers_need_a_flow_law(tmp_path):
         ({"phase": -1}, "phase -1: must lie between 0 and 1"),
     ],
 )
-def test_places_that_there_are_not(case, place, sentence):
+def test_places_outside_the_mesh_are_refused(case, place, sentence):
     with pytest.raises(CaseError, match=sentence):
         case.scene(**place)
 

@@ -135,7 +135,7 @@ def test_the_worm_s_power_less_the_loss_is_the_wheel_s(drive):
     assert cycle["power_loss_W"] == pytest.approx(cycle["friction"] * 4e3 / ARM * sliding, rel=0.04)
 
 
-def test_the_cycle_says_what_its_phases_say(drive):
+def test_the_cycle_agrees_with_its_phases(drive):
     result, said = drive
     cycle, figures = said["cycle"], [one.figures for one in result.solutions]
     assert cycle["phases"] == [float(phase) for phase in PHASES]

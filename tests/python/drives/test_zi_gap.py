@@ -23,7 +23,7 @@ def window(half_x, half_y, count):
 
 
 @pytest.mark.parametrize("phase", PHASES)
-def test_frame(phase):
+def test_the_contact_frame_is_right_handed_along_the_normal(phase):
     contact = sharif().contact(phase)
     np.testing.assert_allclose(contact.axes @ contact.axes.T, np.eye(3), rtol=0, atol=1e-14)
     assert np.linalg.det(contact.axes) == pytest.approx(1)
@@ -185,7 +185,7 @@ def test_tip_relief_is_taken_off_towards_the_tips():
     assert relieved.gap(relieved.contact(0.5))(0.0, 0.0)[0] < 1e-15
 
 
-def test_gap_goes_on_beyond_the_teeth():
+def test_the_gap_is_continued_beyond_the_teeth():
     scene = sharif().scene(0.5)
     x, y = window(0.06, 0.04, 81)
     gap, covered = scene.gap(x, y)
@@ -198,7 +198,7 @@ def test_gap_goes_on_beyond_the_teeth():
     assert np.max(np.abs(steps)) < 500
 
 
-def test_what_was_found_is_kept_while_there_is_room():
+def test_heights_are_cached_while_there_is_room():
     kept, asked = Kept(10), []
 
     def ask(count, value):
@@ -216,7 +216,7 @@ def test_what_was_found_is_kept_while_there_is_room():
 
 
 @pytest.mark.parametrize("phase", (-0.2, 0.3, 1.1))
-def test_a_flank_goes_on_along_rays_without_a_jump(phase):
+def test_a_flank_is_continued_along_rays_without_a_jump(phase):
     """Newton's method from afar must find the part of the flank that the contact lies on."""
     contact = sharif().cycle.contact(phase)
     angle = np.linspace(0, 2 * np.pi, 37)[:, None]

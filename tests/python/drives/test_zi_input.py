@@ -75,7 +75,7 @@ def other_lead(by):
 
 
 @pytest.mark.parametrize("by", [0.2 * MM, -0.15 * MM])
-def test_a_hob_of_another_base_pitch_is_told_in_micrometres(by):
+def test_a_hob_of_another_base_pitch_gives_a_warning_in_micrometres(by):
     """The normal base pitch is lead x cos(base lead angle) over the threads."""
     hob = other_lead(by)
     worm_pitch = WORM.lead / 3 * np.cos(np.arctan(WORM.lead / (2 * np.pi * WORM.base_radius)))

@@ -156,7 +156,7 @@ def test_a_pair_that_only_its_film_reaches_carries(paraboloids):
     assert shares(paraboloids, (0.0, 3e-6), ahead).forces[1] > 50
 
 
-def test_lifts_stay_what_they_are_beyond_the_phases_known():
+def test_lifts_are_constant_beyond_the_phases_given():
     load = Transmission(TORQUE, "wheel", lifts=((0.1, 2e-6), (0.5, 3e-6), (0.9, 1e-6)))
     np.testing.assert_allclose(
         load.lift(np.array([-0.2, 0.1, 0.5, 0.9, 1.2])), [2e-6, 2e-6, 3e-6, 1e-6, 1e-6]

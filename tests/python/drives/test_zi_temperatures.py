@@ -53,7 +53,7 @@ def test_oil_of_the_sump_is_the_oil_warmed_by_its_own_laws(case):
 
 
 @pytest.mark.parametrize("fall", (-0.2, -1.0, -3.0))
-def test_the_loss_is_found_that_agrees_with_its_own_temperatures(case, monkeypatch, tmp_path, fall):
+def test_the_loss_found_agrees_with_its_own_temperatures(case, monkeypatch, tmp_path, fall):
     """Teeth that lose less the warmer the oil: found = 1100 W + fall (assumed - 1000 W)."""
     ran, said = [], []
 

@@ -131,7 +131,7 @@ def test_thrust_bearings_are_radial_ones_with_a_share_of_the_load_ratio(elements
     assert thrust == pytest.approx(life_modification(0.8, 0.3 / share, elements))
 
 
-def test_caps():
+def test_the_life_modification_factor_is_capped():
     assert life_modification(4, 5, "ball") == LARGEST_MODIFICATION
     assert life_modification(3, 100, "roller") == LARGEST_MODIFICATION
     assert life_modification(9, 0.1, "ball") == life_modification(4, 0.1, "ball")

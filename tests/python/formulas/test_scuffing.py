@@ -111,7 +111,7 @@ def test_thicker_oils_and_additives_bear_more(viscosity, more):
     assert scuffing_temperature(viscosity, True) == pytest.approx(plain + 55)
 
 
-def test_words_of_risk():
+def test_the_risk_of_scuffing_in_words():
     assert [risk(p) for p in (0, 0.1, 0.2, 0.3, 0.31, 1)] == [
         "low", "low", "moderate", "moderate", "high", "high",
     ]  # fmt: skip

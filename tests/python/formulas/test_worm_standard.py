@@ -160,7 +160,7 @@ def test_efficiencies_by_the_forces_on_the_thread(lead, friction):
 
 
 @given(leads, frictions)
-def test_what_locks_cannot_be_driven_backwards(lead, friction):
+def test_a_self_locking_gear_cannot_be_driven_backwards(lead, friction):
     margin, efficiency = self_locking_margin(lead, friction), backward_efficiency(lead, friction)
     if abs(margin - 1) > 1e-9:
         assert (margin > 1) == (efficiency < 0)
@@ -220,7 +220,7 @@ def test_rating_agrees_with_its_formulas_and_with_energy():
     assert rating.bulk_temperature > 353.15
 
 
-def test_what_is_not_given_is_not_rated():
+def test_ratings_without_their_data_are_left_out():
     rating = rate_worm(REFERENCE_GEAR, **DUTY)
     assert rating.pitting_safety is rating.bulk_temperature is rating.temperature_safety is None
     worn = rate_worm(REFERENCE_GEAR, **{**DUTY, "oil": "mineral"}, life=1000)

@@ -72,7 +72,7 @@ def test_a_byte_order_mark_is_no_part_of_a_case(tmp_path):
     ],
     ids=lambda of: None if len(of) > 100 else of,
 )
-def test_a_file_that_asks_for_trouble_is_refused_at_once(refusal, content, wanted):
+def test_a_hostile_file_is_refused_at_once(refusal, content, wanted):
     assert wanted in refusal(content)
 
 
@@ -114,7 +114,7 @@ def write(path, members):
             archive.writestr(f"{name}.npy", content)
 
 
-def test_arrays_that_are_not_asked_for_are_not_read(tmp_path):
+def test_other_arrays_are_not_read(tmp_path):
     write(tmp_path / "gap.npz", {**GOOD, "notes": b"no array at all", "raw": array_file((10**7,))})
     assert read_gap(tmp_path / "gap.npz").gap.shape == BOWL.shape
 

@@ -85,7 +85,7 @@ def test_content_is_on_disk_before_it_is_renamed(tmp_path, monkeypatch, kind):
     assert done == [(inode, "on disk"), (inode, "renamed")]
 
 
-def test_what_a_killed_process_left_goes_with_the_next_write_and_what_is_in_work_stays(tmp_path):
+def test_the_next_write_removes_files_of_killed_processes_only(tmp_path):
     out = tmp_path / "out"
     ended = subprocess.run([sys.executable, "-c", KILLED, str(out)], check=False)
     assert ended.returncode == -signal.SIGKILL

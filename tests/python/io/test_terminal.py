@@ -79,7 +79,7 @@ def test_a_terminal_without_letters_gets_ascii(tmp_path, env):
     assert "spacing" in text and " um" in text and "| Load" in text
 
 
-def test_so_does_standard_error(tmp_path):
+def test_standard_error_gets_ascii_too(tmp_path):
     code, _, said = ended(["check", tmp_path / "µ.toml"], env={"PYTHONIOENCODING": "ascii"})
     assert code == BAD_INPUT
     assert "u.toml: no such file" in said.decode("ascii")
@@ -92,7 +92,7 @@ def test_a_terminal_with_letters_keeps_them(tmp_path):
 
 
 @pytest.mark.parametrize(("text", "shown"), [("é", "é"), ("µ²", "µ²"), ("→漢", "->?")])
-def test_what_an_encoding_has_is_kept(text, shown):
+def test_characters_of_an_encoding_are_kept(text, shown):
     class Stream:
         encoding = "latin-1"
 
@@ -113,7 +113,7 @@ def shell(script, *arguments):
 
 
 @pytest.mark.parametrize("arguments", [("check", BALL), ("oil", "list", "--json")])
-def test_output_to_head_is_quiet_and_no_failure(arguments):
+def test_a_closed_pipe_is_quiet_and_no_failure(arguments):
     """A reader who leaves after the first byte; in the pipe there would be room for all of it."""
     gone = '"$@" | head -c 1 >/dev/null; exit ${PIPESTATUS[0]}'
     assert shell(gone, *arguments) == (0, "", "")
@@ -121,7 +121,7 @@ def test_output_to_head_is_quiet_and_no_failure(arguments):
     assert shell(closed, *arguments) == (0, "", "")
 
 
-def test_help_to_no_one_is_quiet():
+def test_help_into_a_closed_pipe_is_quiet():
     assert shell('"$@" > >(exec <&-); exit $?', "run", "--help") == (0, "", "")
 
 
@@ -136,7 +136,7 @@ def test_closed_streams_cost_nothing(tmp_path):
     assert shell('exec 2>&- >&- <&-; exec "$@"', "check", tmp_path / "none.toml")[0] == BAD_INPUT
 
 
-def test_a_full_device_is_told():
+def test_a_full_device_is_reported():
     code, _, said = shell('exec "$@" >/dev/full', "check", BALL)
     assert code == 1
     assert said.startswith("pyworm: ") and said.count("\n") == 1 and "No space left" in said

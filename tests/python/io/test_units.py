@@ -103,7 +103,7 @@ def test_what_does_not_measure_the_right_thing_is_refused(value, kind):
         ("-1 1/GPa", PER_PRESSURE, "zero or more"),
     ],
 )
-def test_a_wrong_sign_is_told(text, kind, wanted):
+def test_a_wrong_sign_is_refused(text, kind, wanted):
     with pytest.raises(ValueError, match=wanted):
         parse(text, kind)
 

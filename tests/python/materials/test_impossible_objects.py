@@ -77,7 +77,7 @@ def line():
         (lambda: Body(207e9, 0.3, conductivity=0.0), "conductivity = 0 W"),
     ],
 )
-def test_a_constant_that_there_is_not_is_refused(make, sentence):
+def test_an_impossible_constant_is_refused(make, sentence):
     with pytest.raises(ValueError, match=sentence):
         make()
 
@@ -126,12 +126,12 @@ class Odd(Body):
         (lambda: Oil(VISCOSITY, DENSITY, flow=Sticky("eyring", 3e6)), "flow is a Sticky"),
     ],
 )
-def test_a_law_of_ones_own_that_the_kernel_would_ignore_is_refused(make, sentence):
+def test_a_law_unknown_to_the_kernel_is_refused(make, sentence):
     with pytest.raises(ValueError, match=sentence):
         make()
 
 
-def test_an_oil_or_a_body_of_ones_own_is_refused_by_every_scene(scene, line):
+def test_a_subclass_of_oil_or_body_is_refused_by_every_scene(scene, line):
     for one in (scene, line):
         with pytest.raises(
             ValueError, match="oil is a Cold: the kernel computes Oil from its const"
@@ -162,7 +162,7 @@ def test_radii_of_a_line_and_of_a_sampled_gap_must_be_its_own(line):
         replace(sampled, radii=sampled.radii[::-1])
 
 
-def test_a_gap_that_knows_no_radii_takes_those_given(scene):
+def test_a_gap_without_radii_takes_those_given(scene):
     def gap(x, y):
         return (x**2 + y**2) / 0.02, np.ones(x.shape, dtype=bool)
 

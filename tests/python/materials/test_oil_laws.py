@@ -271,7 +271,7 @@ def test_every_number_of_a_base_stock_has_a_source():
         assert all(sources.values())
 
 
-def test_own_oil_from_two_viscosities():
+def test_a_user_s_oil_from_two_viscosities():
     oil = oil_from_viscosities("mine", "pao", 225 * MM2, 27 * MM2)
     assert oil.kinematic_viscosity(40 + C) == pytest.approx(225 * MM2, rel=1e-9)
     assert oil.kinematic_viscosity(100 + C) == pytest.approx(27 * MM2, rel=1e-9)
@@ -288,7 +288,7 @@ viscosity_40 = "225 mm^2/s"
 """
 
 
-def test_own_oil_from_a_file(tmp_path):
+def test_a_user_s_oil_from_a_file(tmp_path):
     path = tmp_path / "oil.toml"
     path.write_text(OWN + 'viscosity_100 = "27 mm^2/s"\ndensity_15 = "861 kg/m^3"\n')
     oil = read_oil(path)
@@ -298,7 +298,7 @@ def test_own_oil_from_a_file(tmp_path):
     assert oil.stock.gold_s == base_stock("PAO").gold_s
 
 
-def test_own_stresses_replace_those_of_the_base_stock(tmp_path):
+def test_a_user_s_stresses_replace_those_of_the_base_stock(tmp_path):
     path = tmp_path / "oil.toml"
     path.write_text(
         OWN + 'viscosity_index = 150\neyring_stress = "5 MPa"\nlimiting_stress = "80 MPa"\n'
@@ -330,7 +330,7 @@ def test_a_wrong_oil_file_is_refused_in_one_sentence(tmp_path, lines, sentence):
 
 
 @pytest.mark.parametrize("name", ["PAG VG 461", "PAG 460 VG", "olive oil", "VG 220"])
-def test_unknown_oils_are_refused_with_what_there_is(name):
+def test_unknown_oils_are_refused_with_a_list_of_known_ones(name):
     with pytest.raises(ValueError, match='such as "PAG VG 460"'):
         named_oil(name)
 

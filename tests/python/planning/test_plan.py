@@ -49,7 +49,7 @@ def test_names_are_unique_and_refer_to_each_other():
         assert effect.part_of is None or order.index(effect.part_of) < order.index(effect.name)
 
 
-def test_every_effect_is_judged_and_says_why():
+def test_every_effect_is_judged_with_a_reason():
     plan = pyworm.plan(TRIALS["worm, phase 0.5"].scene(), 0.01)
     assert list(judged(plan)) == list(BY_NAME)
     assert all(judgement.reason for judgement in plan.effects)
@@ -137,7 +137,7 @@ def test_flow_laws_lose_what_is_left_out_of_them():
     assert neither.oil.flow in (None, NEWTONIAN)
 
 
-def test_what_is_asked_decides():
+def test_the_quantities_asked_for_decide():
     """Thinning hardly touches the film of glass that slides a little, but makes its friction."""
     motions = RigidMotion(0.052, 0.0), RigidMotion(0.048, 0.0)
     scene = replace(TRIALS["glass, sliding a little"].scene(), motions=motions)
@@ -219,7 +219,7 @@ def test_squeeze_of_a_faster_film_is_its_growth_while_oil_passes():
     assert squeezed(after, before).indicator == pytest.approx(told.indicator)
 
 
-def test_squeeze_of_a_gap_that_departs_from_its_radii_is_told():
+def test_squeeze_of_a_gap_that_departs_from_its_radii_is_estimated():
     """Radii, load and speed stay; the contact reached an edge while oil passed."""
     plain = ball()
     bent = replace(plain, gap=lambda x, y: ((x**2 + y**2) / 0.04 * (1 + 20 * x), y < 1))
@@ -250,7 +250,7 @@ def test_squeeze_of_a_growing_load_is_that_of_the_contact_s_edges(kind, power, e
     assert 0.7 * told.indicator < told.influence["film"] < told.indicator
 
 
-def test_what_is_not_simulated_is_told_all_the_same():
+def test_effects_that_are_not_simulated_are_judged_all_the_same():
     rough = TRIALS["very rough"].scene()
     roughness = judged(pyworm.plan(rough, 0.05))["roughness"]
     assert not roughness.on

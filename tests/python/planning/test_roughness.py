@@ -91,7 +91,7 @@ def test_a_worm_drive_s_roughness_is_judged_too(tmp_path):
     assert "0.5831 µm" in printed(plan_table(scene, plan, Expectation(1.0, 100.0)))
 
 
-def test_without_roughness_nothing_is_said_of_it():
+def test_without_roughness_there_is_no_lambda():
     scene = pyworm.load(CASES / "line_m20_l10.toml").scene()
     plan = pyworm.plan(scene)
     assert judged(plan).reason == "roughness not given"
@@ -106,7 +106,7 @@ def test_without_roughness_nothing_is_said_of_it():
 
 
 @pytest.mark.parametrize("make", [make_line_solution, make_solution])
-def test_a_solution_tells_its_film_over_the_roughness(make, tmp_path):
+def test_a_solution_has_its_film_over_the_roughness(make, tmp_path):
     solution = replace(make(), composite_roughness=0.5e-6)
     summary = solution.summary()
     film = solution.figures.film_min
@@ -136,13 +136,13 @@ def test_tables_show_the_specific_film_beside_what_is_published():
     assert "lambda" not in said
 
 
-def test_a_film_that_is_not_resolved_is_told_all_the_same():
+def test_a_film_that_is_not_resolved_has_its_lambda_all_the_same():
     figures = replace(make_line_solution().figures, film_min=Estimate(-1e-9, inf))
     lost = replace(make_line_solution(), figures=figures, composite_roughness=0.5e-6)
     assert lost.summary()["specific_film"] == pytest.approx(-2e-3)
 
 
-def test_a_run_tells_the_specific_film_of_line_and_point(tmp_path, capsys):
+def test_a_run_prints_the_specific_film_of_line_and_point(tmp_path, capsys):
     spur = ["run", str(CASES / "spur_pair.toml"), "--phase", "0.5", "--json"]
     assert main([*spur, "--out", str(tmp_path / "spur"), "--effects", "isothermal"]) == 0
     (line,) = json.loads(capsys.readouterr().out)["scenes"]

@@ -113,9 +113,7 @@ def test_figures_and_table_come_first_and_the_exit_code_is_theirs(
     assert main(["plot", str(out / "result.nc")]) == FAILED
 
 
-def test_a_scene_that_did_not_converge_is_still_told_by_the_exit_code(
-    tmp_path, monkeypatch, capsys
-):
+def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monkeypatch, capsys):
     solved = {}
 
     def unconverged(scene, plan, progress):
@@ -199,7 +197,7 @@ def test_a_tooth_whose_gap_is_unknown_shows_that_of_the_grid():
     assert np.array_equal(*levels)
 
 
-def test_a_gap_that_is_nothing_has_no_contours():
+def test_a_gap_of_zero_has_no_contours():
     worm = make_worm_solution()
     flat = replace(worm, fields=worm.fields.assign(gap=0 * worm.fields["gap"]))
     axes = draw_gap("case", flat).axes[0]

@@ -1,4 +1,4 @@
-"""What accuracy costs: limits, rungs, the choice of the cheapest, the cost that is expected, the command."""
+"""Work-precision studies: limits, models, the choice of the cheapest, the expected cost, the command."""
 
 import csv
 import json
@@ -69,7 +69,7 @@ def test_one_grid_has_no_limit_and_standing_changes_no_order():
 # -------------------------------------------------------------------------------------------- rungs
 
 
-def test_a_sliding_contact_that_warms_has_every_rung():
+def test_a_heated_sliding_contact_has_every_model():
     rungs, lacking = fidelities(scene("traction_steel", slide_roll_ratio=0.5))
     assert [rung.name for rung in rungs] == [
         "line contact",
@@ -83,7 +83,7 @@ def test_a_sliding_contact_that_warms_has_every_rung():
     assert rungs[-1].plan.on == chosen(scene("traction_steel", slide_roll_ratio=0.5), "all")
 
 
-def test_rungs_that_a_contact_does_not_have_are_told():
+def test_models_that_a_contact_does_not_have_are_listed_with_reasons():
     rungs, lacking = fidelities(scene("ellipse10_oblique"))
     assert [rung.name for rung in rungs] == ["isothermal Newtonian point"]
     assert "one axis" in lacking["line contact"]
@@ -127,12 +127,12 @@ def test_what_is_left_of_an_error_is_split_into_model_and_grid():
         (0.041, 0.005, "good", 16.0),  # what is not known of the reference counts
     ],
 )
-def test_the_cheapest_rung_and_grid(accuracy, band, name, seconds):
+def test_the_cheapest_model_and_grid(accuracy, band, name, seconds):
     curve, point = a_study(GOOD, SIMPLE, band=band).cheapest(accuracy, ("film_min",))
     assert (curve.name, point.seconds) == (name, seconds)
 
 
-def test_no_rung_is_good_enough():
+def test_no_model_is_accurate_enough():
     assert a_study(GOOD, SIMPLE).cheapest(1e-3, ("film_min",)) is None
 
 
@@ -151,12 +151,12 @@ def test_a_grid_that_is_right_by_chance_is_not_the_cheapest():
         ((False, False), ()),
     ],
 )
-def test_limits_are_of_the_finest_grids_in_a_row_that_settled(settled, row):
+def test_limits_are_of_the_finest_consecutive_converged_grids(settled, row):
     points = [a_point(1.0 + number, 1.0, one) for number, one in enumerate(settled)]
     assert settled_row(points) == [points[number] for number in row]
 
 
-def test_what_did_not_settle_and_knobs_are_not_offered():
+def test_unconverged_points_and_numerical_parameters_are_not_offered():
     unsettled = Curve("unsettled", "rung", (a_point(0.1, 1.0, settled=False),), {})
     knob = Curve("knob", "knob", (a_point(0.1, 1.0),), {})
     curve, _ = a_study(unsettled, knob, GOOD).cheapest(0.05, ("film_min",))
@@ -188,7 +188,7 @@ def test_grids_of_a_line_come_near_at_second_order_and_cost_more(of_a_line):
     assert all(2 <= first / second <= 6 for first, second in pairwise(errors))
 
 
-def test_formulas_stand_beside_the_rungs(of_a_line):
+def test_formulas_stand_beside_the_models(of_a_line):
     formulas = {
         curve.name: curve.points[0] for curve in of_a_line.curves if curve.kind == "formula"
     }
@@ -197,12 +197,12 @@ def test_formulas_stand_beside_the_rungs(of_a_line):
     assert "film_min" not in formulas["Dowson-Toyoda"].figures
 
 
-def test_knobs_have_lines_of_their_own(of_a_line):
+def test_numerical_parameters_have_lines_of_their_own(of_a_line):
     knobs = [curve.name for curve in of_a_line.curves if curve.kind == "knob"]
     assert any("window" in name for name in knobs) and any("tolerance" in name for name in knobs)
 
 
-def test_a_budget_that_leaves_no_reference_says_what_would_do():
+def test_a_budget_that_leaves_no_reference_names_a_sufficient_one():
     with pytest.raises(BudgetError, match="3 grids of the most complete model"):
         study(scene("point_m100_l10"), budget=1e-6)
 
@@ -254,7 +254,7 @@ def test_seconds_are_entries_and_steps():
     assert a_calibration().convolution("point", 1600.0) == pytest.approx(16.0)
 
 
-def test_a_pace_is_told_from_two_grids():
+def test_the_time_of_a_step_follows_from_two_grids():
     few, many = ((n, PACE.entry(n), PACE.steps(1, n)) for n in (100.0, 900.0))
     found = Pace.by(few, many)
     assert all(
@@ -314,7 +314,7 @@ def test_a_budget_too_small_is_refused_in_one_sentence(tmp_path, capsys):
     assert not out.exists()
 
 
-def test_check_tells_seconds(capsys):
+def test_check_shows_the_expected_time(capsys):
     assert main(["check", str(LINE), "--json"]) == 0
     (contact,) = json.loads(capsys.readouterr().out)["scenes"]
     assert np.isfinite(contact["expected_seconds"]) and contact["expected_seconds"] > 0

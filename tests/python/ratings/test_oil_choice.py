@@ -49,7 +49,7 @@ def test_errichellos_speed_increaser():
 
 
 @pytest.mark.parametrize("duty", [ZI_WORM, ERRICHELLO], ids=lambda duty: duty.base)
-def test_a_page_is_a_page(duty):
+def test_the_choice_fits_on_one_page(duty):
     lines = page(choose_oil(duty)).splitlines()
     assert len(lines) < 70 and max(map(len, lines)) <= 100
     assert sum(line.endswith("<-") for line in lines) == 1
@@ -126,7 +126,7 @@ def test_the_grade_is_the_thinnest_that_will_do(wanted, share):
 
 @settings(max_examples=20)
 @given(st.floats(0.0, 0.8), st.floats(0.01, 0.1))
-def test_churning_eats_the_film_of_thick_oil(share, more):
+def test_churning_thins_the_film_of_thick_oil(share, more):
     less, much = (
         choose_oil(replace(ZI_WORM, churning_share=s)) for s in (share, min(share + more, 0.9))
     )
@@ -150,7 +150,7 @@ def test_grades_that_overheat_the_sump_are_not_chosen():
         choose_oil(replace(ZI_WORM, sump_limit=310.0))
 
 
-def test_bearings_are_told():
+def test_bearings_are_rated_with_the_chosen_oil():
     choice = choose_oil(replace(ZI_WORM, bearing_diameter=0.085))
     assert row_of(choice, 460).kappa == pytest.approx(213.6 / 12.6, rel=0.01)
     assert "which is enough" in next(s for s in choice.steps if s.title == "Bearings").text

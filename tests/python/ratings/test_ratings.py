@@ -88,7 +88,7 @@ def test_shipped_cases_are_rated(capsys, name, keys):
 
 
 @pytest.mark.parametrize("name", ["oil_zi", "errichello_speed_increaser"])
-def test_what_is_assumed_is_told_with_its_value_and_reason(capsys, name):
+def test_assumptions_are_shown_with_value_and_reason(capsys, name):
     assumed = said(capsys, "rate", CASES / f"{name}.toml")["assumed"]
     assert len(assumed) > 10 and all(assumed.values())
     assert main(["rate", str(CASES / f"{name}.toml")]) == 0
@@ -200,7 +200,7 @@ def test_the_drives_profile_shift_is_in_its_rating(tmp_path, capsys):
         (1, 30, 60, "Self-locking, running and at rest"),
     ],
 )
-def test_self_locking_is_told_running_and_at_rest(tmp_path, capsys, threads, factor, rpm, verdict):
+def test_self_locking_is_rated_running_and_at_rest(tmp_path, capsys, threads, factor, rpm, verdict):
     """Lead angle against friction angles: a worm may hold a load at rest that it lets go once it runs."""
     distance = (factor + 41) * 2
     text = changed(
@@ -364,7 +364,7 @@ def test_the_simulation_stands_beside_the_standard(worm_case):
     assert beside["efficiency_back"] == pytest.approx((output - loss) / output, rel=1e-4)
 
 
-def test_what_was_not_simulated_is_not_told(worm_case):
+def test_quantities_not_simulated_are_not_shown(worm_case):
     result = worm_result(worm_case)
     cold = replace(result, solutions=tuple(map(without_heat, result.solutions)))
     assert "surface_temperature_max_C" in simulated(worm_case, result)
@@ -534,7 +534,7 @@ def test_wrong_ratings_are_refused_in_one_sentence(refuse, text, old, new, sente
     assert sentence in refuse(changed(text, (old, new)))
 
 
-def test_rate_says_what_it_misses(refuse):
+def test_rate_names_missing_data(refuse):
     sphere = (CASES / "point_m20_l10.toml").read_text()
     assert 'drives of kind "zi-worm" and "gear-pair" and bearings are rated' in refuse(sphere)
     assert "[drive], [bearings.NAME] or [worm_gear]" in refuse('title = "?"\nsource = "?"')
@@ -550,7 +550,7 @@ def test_worms_of_unknown_flanks_are_not_rated(refuse):
     assert "bodies.wheel.roughness is missing; the standards' friction" in refuse(smooth)
 
 
-def test_nothing_can_be_solved_of_ratings_alone(refuse):
+def test_a_file_of_ratings_alone_cannot_be_solved(refuse):
     assert "ratings only; pyworm rate shows them" in refuse(BEARING, "run")
 
 

@@ -55,7 +55,7 @@ def printed(table):
     return console.file.getvalue()
 
 
-def test_temperatures_are_told_in_celsius_with_errors_in_kelvin(hot):
+def test_temperatures_are_shown_in_celsius_with_errors_in_kelvin(hot):
     summary = hot.summary()
     assert INLET == 333.15
     assert summary["inlet_temperature_C"] == pytest.approx(60)
@@ -77,7 +77,7 @@ def test_friction_power_and_shear_rate_have_error_bars(hot):
     assert json.loads(json.dumps(summary)) == summary
 
 
-def test_what_was_not_simulated_has_no_key(hot):
+def test_quantities_not_simulated_have_no_key(hot):
     assert set(hot.summary()) >= SHEAR_KEYS | HEAT_KEYS
     sheared = set(without_heat(hot).summary())
     assert sheared >= SHEAR_KEYS and not sheared & HEAT_KEYS
@@ -105,7 +105,7 @@ def test_the_table_of_a_scene_shows_heat_beside_what_is_published(hot, drive):
         assert value in row and published in row
 
 
-def test_the_table_of_a_scene_without_heat_is_silent_about_it(drive):
+def test_the_table_of_a_scene_without_heat_has_no_temperatures(drive):
     said = printed(figures_table(drive.scene(0.5), make_solution().summary(), drive.published))
     assert "temperature" not in said and "Friction" not in said
     line = line_with_heat(make_line_solution())

@@ -87,7 +87,7 @@ def test_without_a_converged_phase_only_closed_forms_are_rated(case):
 
 
 @pytest.mark.parametrize("bad", [(0.9,), PHASES], ids=["one", "all"])
-def test_rate_and_report_tell_it_and_end_well(case, tmp_path, monkeypatch, capsys, bad):
+def test_rate_and_report_name_it_and_succeed(case, tmp_path, monkeypatch, capsys, bad):
     monkeypatch.chdir(tmp_path)
     path = result(case, bad).save("result.nc")
     command = ["rate", str(CASES / "zi_sharif_2001.toml"), "--result", str(path)]
@@ -167,7 +167,7 @@ def test_the_flank_map_is_not_blended_across_a_phase_that_failed():
     assert "phase 0.5 not converged and left out" in title
 
 
-def test_extremes_of_the_cycle_leave_it_out():
+def test_extremes_of_the_cycle_leave_out_what_did_not_converge():
     whole = cycle_result(PHASES)
     torn = replace(
         whole,
@@ -178,13 +178,13 @@ def test_extremes_of_the_cycle_leave_it_out():
     assert cycle.film_min.value > 0 and cycle.pressure_max.value < 4e9
 
 
-def test_no_lambda_is_told_of_what_did_not_converge(torn):
+def test_no_lambda_is_given_where_a_film_did_not_converge(torn):
     told = [one.summary() for one in torn.solutions]
     assert all("specific_film" in one for one in told[:-1]) and "specific_film" not in told[-1]
 
 
 @pytest.mark.parametrize("kind", ["point", "line"])
-def test_a_load_on_a_sharp_edge_is_told_from_one_within_the_surfaces(kind):
+def test_a_load_on_a_sharp_edge_is_distinguished_from_one_within_the_surfaces(kind):
     x = np.linspace(-1, 1, 41)
     hertz = np.sqrt(np.maximum(1 - (x / 0.6) ** 2, 0))
     fields = {

@@ -190,7 +190,7 @@ def test_bad_input_is_refused_in_one_sentence(tmp_path, monkeypatch, capsys, arg
 # ------------------------------------------------------------------------------------- what it says
 
 
-def test_a_glance_tells_the_worst_of_every_figure(worm):
+def test_the_summary_shows_the_worst_of_every_figure(worm):
     result, report = worm
     glance = rows(report, "At a glance")
     thin = min(result.solutions, key=lambda of: of.figures.film_min.value)
@@ -233,7 +233,7 @@ def test_printed_figures_stand_beside_those_of_their_phase(worm):
     assert "phase 0.25" not in words(worm[1], "Beside the source's figures")
 
 
-def test_ratings_and_what_is_not_rated_are_told(worm, increaser):
+def test_ratings_and_those_left_out_are_shown(worm, increaser):
     text = words(worm[1], "Ratings: gears, scuffing, bearings")
     for said in ("Mean minimum film h_min,m", "kappa", "DIN 3996", "ISO 281", "Scuffing: "):
         assert said in text
@@ -246,7 +246,7 @@ def test_ratings_and_what_is_not_rated_are_told(worm, increaser):
     assert glance["Probability of scuffing"][0] == "56.88 %"  # 429 degF against 418
 
 
-def test_what_was_assumed_is_told_with_values(worm, increaser):
+def test_assumptions_are_shown_with_values(worm, increaser):
     text = words(increaser[1], "What was assumed")
     assert "drive.module = 5.08 mm: normal diametral pitch 5" in text
     assert "operation.load_factor = 2.25" in text
@@ -257,13 +257,13 @@ def test_what_was_assumed_is_told_with_values(worm, increaser):
     assert "Oil enters at 60 °C; bulk temperatures given, not found" in text
 
 
-def test_the_plan_tells_what_was_left_out(worm):
+def test_the_plan_shows_what_was_left_out(worm):
     plan = rows(worm[1], SECTIONS[9])
     assert plan["film-heating"] == ("on", "more than 2 %", "film >99 %, friction 40 %")
     assert plan["squeeze"] == ("off", "not simulated", "film 2.4 %, friction 1 %")
 
 
-def test_where_contacts_differ_the_plan_tells_the_weightiest_reason():
+def test_where_contacts_differ_the_plan_shows_the_weightiest_reason():
     quiet = replace(EFFECTS[0], on=False, influence={"film": 0.001}, reason="within 2 %")
     first, second = worm_result().solutions
     result = result_of(
@@ -282,7 +282,7 @@ def test_inputs_are_in_workshop_units(increaser):
     assert not re.search(r"\d um\b|degC", text)
 
 
-def test_a_hob_of_another_base_pitch_is_told_before_all_else(tmp_path, capsys):
+def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
     text = (CASES / "zi_sharif_2001.toml").read_text()
     for old, new in (
         ('"85.97 mm"', '"86.3 mm"'),
@@ -306,7 +306,7 @@ def test_a_hob_of_another_base_pitch_is_told_before_all_else(tmp_path, capsys):
     assert err == f"pyworm: warning: {told}\n"
 
 
-def test_what_did_not_converge_is_told_before_all_else():
+def test_scenes_that_did_not_converge_are_shown_first():
     solution = make_solution("point_m20_l10", converged=False)
     failed = {"phase 0.9": "no contact"}
     report = build_report(result_of("point_m20_l10", [solution], failed=failed))
@@ -332,7 +332,7 @@ def test_contacts_without_a_drive_are_reported_too():
 # ---------------------------------------------------------------------------------- sensitivity
 
 
-def test_gears_answer_to_oil_and_misalignment(increaser):
+def test_sensitivities_of_gears_to_oil_and_misalignment(increaser):
     """Film as Moes' line formula, which near here goes with viscosity as Dowson and Higginson's power 0.7."""
     result = increaser[0]
     case = case_again(result.case)
@@ -369,7 +369,7 @@ def test_uneven_load_balances_the_tilt_of_the_flank_lines(increaser, share):
     assert uneven.pressure_ratio == pytest.approx(((low + tilt[-1]) / mean) ** 0.5, rel=1e-3)
 
 
-def test_worms_answer_to_their_mounting():
+def test_sensitivities_of_worms_to_assembly_errors():
     """At mid-mesh: pressure by Brewe and Hamrock's fit of the radii told, films by Chittenden's formula."""
     result = worm_result()
     middle = replace(result, solutions=result.solutions[1:])

@@ -100,7 +100,7 @@ def test_the_worst_of_several_contacts_counts():
     assert not worst([full, LeftOut()]).rough
 
 
-def test_a_film_that_did_not_converge_tells_no_lubrication():
+def test_a_film_that_did_not_converge_has_no_lubrication():
     lost = rough_worm(converged=False)
     assert lost.left_out.lubrication == "unknown" and lost.left_out.lambda_min is None
     good = rough_worm()
@@ -111,7 +111,7 @@ def test_a_film_that_did_not_converge_tells_no_lubrication():
 # ---------------------------------------------------------------------------------------- what is said first
 
 
-def test_a_scene_s_json_begins_with_it_and_a_saved_result_keeps_it(rough, tmp_path):
+def test_a_scene_s_json_begins_with_what_was_left_out_and_a_saved_result_keeps_it(rough, tmp_path):
     summary = rough.solutions[0].summary()
     keys = list(summary)
     assert keys.index("left_out") < keys.index("lubrication") < keys.index("film_min_m")
@@ -137,7 +137,7 @@ def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
     assert opening(smooth, "unsaid") == []
 
 
-def test_tables_begin_with_it_and_head_friction_as_if_smooth(case):
+def test_tables_begin_with_what_was_left_out_and_head_friction_as_if_smooth(case):
     solution = rough_worm()
     scene, summary = case.scene(phase=0.5), solution.summary()
     for table in (
@@ -153,7 +153,7 @@ def test_tables_begin_with_it_and_head_friction_as_if_smooth(case):
     assert "\n" not in plain.title and "Friction coefficient" in plain.columns[0].cells
 
 
-def test_pictures_and_reports_say_it(rough):
+def test_pictures_and_reports_show_what_was_left_out(rough):
     assert WORDS.replace(" %", "\N{NO-BREAK SPACE}%") in heading("case", rough.solutions[0])
     report = build_report(rough)
     assert "mixed lubrication" in report.warnings[0] and WORDS in report.warnings[1]
@@ -188,7 +188,7 @@ def test_rate_opens_with_the_lubrication(capsys):
     assert said["lubrication"] == "mixed" and 1 < said["lambda_central"] < 3
 
 
-def test_check_says_what_the_plan_leaves_out(capsys):
+def test_check_shows_what_the_plan_leaves_out(capsys):
     line = ["check", str(CASES / "zi_sharif_2001.toml"), "--phase", "0.5"]
     assert main(line) == 0
     shown = capsys.readouterr().out
@@ -207,7 +207,7 @@ def test_check_says_what_the_plan_leaves_out(capsys):
     assert {"roughness", "squeeze"} <= set(scene["left_out"])
 
 
-def test_a_run_opens_with_it(tmp_path, capsys):
+def test_a_run_opens_with_what_was_left_out(tmp_path, capsys):
     text = (CASES / "ball_pag_460.toml").read_text()
     for before, after in (("0.02 um", "0.5 um"), ("0.05 um", "0.5 um")):
         assert f'roughness = "{before}"' in text
@@ -225,7 +225,7 @@ def test_a_run_opens_with_it(tmp_path, capsys):
 # ------------------------------------------------------------------------------------ the table of a sweep
 
 
-def test_a_sweep_s_table_tells_the_worst_of_its_scenes():
+def test_a_sweep_s_table_shows_the_worst_of_its_scenes():
     def row(roughness, **changes):
         return rough_worm(roughness=roughness, **changes).summary()
 

@@ -222,7 +222,7 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     assert moved[0] < 0.005 < 0.02 < moved[1]
 
 
-def test_lifts_found_at_a_glance_share_the_load(tmp_path, monkeypatch):
+def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, monkeypatch):
     """The solver is replaced by one whose films lift the teeth by 1 to 3 micrometres."""
     case = pyworm.load(CASES / "zi_drive.toml")
     places = [place for place in case.places() if place.phase in (0.1, 0.34, 0.82)]

@@ -41,7 +41,7 @@ def film_error(*films, order=2.0):
     return LARGE * grid_errors(readings, SECOND | {"film_min": order})["film_min"]
 
 
-def test_one_grid_tells_nothing():
+def test_one_grid_gives_no_error_bar():
     assert film_error(1.0) == np.inf
 
 
@@ -59,11 +59,11 @@ def test_two_grids_give_the_larger_change_of_both_films_to_all():
         ((1.0, 1.0, 1.0), 0.0),
     ],
 )
-def test_the_fall_of_the_changes_promises_the_error(films, error):
+def test_the_ratio_of_changes_gives_the_error(films, error):
     assert film_error(*films) == pytest.approx(SAFETY * error)
 
 
-def test_a_fall_too_steep_to_believe_in_is_that_of_the_order():
+def test_the_ratio_of_changes_is_bounded_by_the_order():
     assert film_error(17.0, 3.0, 1.0) == pytest.approx(14 / 4 / 3)
 
 
@@ -76,7 +76,7 @@ def test_a_fall_too_steep_to_believe_in_is_that_of_the_order():
         ((5.0, 1.0, 1.0), 1.0),
     ],
 )
-def test_changes_of_either_sign_and_those_small_by_chance_promise_nothing(films, error):
+def test_changes_of_alternating_sign_or_small_by_chance_give_no_order(films, error):
     assert film_error(*films) == pytest.approx(error)
     assert film_error(*(-film for film in films)) == pytest.approx(error)
 
@@ -96,7 +96,7 @@ def test_bars_hold_on_grids_where_changes_flip_their_sign():
             assert error > abs(films[-1] / films[count - 1] - 1)
 
 
-def test_the_steepest_fall_believed_is_the_order():
+def test_the_largest_ratio_of_changes_is_that_of_the_order():
     assert film_error(9.0, 3.0, 1.0) == pytest.approx(SAFETY * 1.0)
     assert film_error(9.0, 3.0, 1.0, order=1.0) == pytest.approx(SAFETY * 2.0)
 
@@ -134,7 +134,7 @@ def test_a_film_hottest_at_the_tip_of_a_spike_says_how_narrow_it_is():
     assert hot_spike(reading(1.0)) is None  # of a film that does not warm
 
 
-def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
+def test_the_window_error_is_a_multiple_of_the_change_in_a_wider_one():
     none = dict.fromkeys(FIGURES, 0.0)
     limits = dict.fromkeys(FIGURES, 1.5)
     errors = domain_errors(reading(1.0), reading(1.1), limits, none)
@@ -155,6 +155,6 @@ def test_a_window_is_off_by_a_multiple_of_what_a_wider_one_changes():
         (1.0, 0.03, 0.03),  # from nothing: no series yet
     ],
 )
-def test_algebra_left_is_what_further_steps_would_change(before, last, error):
+def test_the_algebraic_error_is_the_change_by_further_steps(before, last, error):
     changes = (dict.fromkeys(FIGURES, of) for of in (before, last))
     assert algebra_errors(*changes) == pytest.approx(dict.fromkeys(FIGURES, error))

@@ -114,7 +114,7 @@ def test_no_node_is_beyond_the_extremum_however_many_valleys_compete(seed):
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, np.pi / 4, 1.1])
 @pytest.mark.parametrize("width", [5.0, 10.0, 16.0])
-def test_the_width_of_a_ridge_is_told_in_nodes_whichever_way_it_runs(width, angle):
+def test_the_width_of_a_ridge_in_nodes_does_not_depend_on_its_direction(width, angle):
     across = np.cos(angle) * (Y - 9.8) - np.sin(angle) * (X - 12.3)
     ridge = 1 - 0.5 * (2 * across / width) ** 2
     found = peak(ridge, True, maximum(ridge))
@@ -135,7 +135,7 @@ def test_a_spike_lower_than_the_middle_is_seen_if_it_may_be_higher():
     assert peak(spiky, True, 1.0) == peak(pressure, True, 1.0)
 
 
-def test_where_surfaces_end_no_spike_is_made_up():
+def test_the_end_of_a_surface_is_no_spike():
     covered = X <= 14
     pressure = np.where(covered, 1 - 0.002 * (X - 13.0) ** 2, 0.0)
     assert peak(pressure, covered, maximum(pressure, covered)).nodes > 20
@@ -163,7 +163,7 @@ def test_a_minimum_beside_what_does_not_count_is_read_across_one_cell():
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_fields_that_are_no_fields_have_no_finite_minimum(bad):
+def test_fields_that_are_not_finite_have_no_finite_minimum(bad):
     film = np.where(X == 3, bad, 1.0)
     value, _ = minimum(film, X == 3, EVERYWHERE)
     assert not np.isfinite(value)

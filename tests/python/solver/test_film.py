@@ -254,7 +254,7 @@ def test_a_gap_that_is_not_a_number_is_refused():
         pyworm.solve(scene, pyworm.plan(scene))
 
 
-def test_progress_is_told_and_rises():
+def test_progress_is_reported_and_rises():
     shares = []
     scene = circular(20, 10)
     pyworm.solve(

@@ -22,7 +22,7 @@ def reading(film_min, film_central=1.0):
 
 
 @pytest.mark.parametrize("films", [(0.5, 0.9), (-3.0, -0.1), (-1.0, 0.01), (0.2, 0.2)])
-def test_no_further_grid_leaves_less_than_foretold(films):
+def test_no_further_grid_leaves_less_than_predicted(films):
     """Whatever film the next grid shows."""
     before = [reading(film) for film in films]
     least = least_errors(before, ORDERS)["film_min"]

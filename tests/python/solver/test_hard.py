@@ -99,7 +99,7 @@ def thermal_ladder(number, seed, directory):
     return one.plan, PointLadder(one.plan.simplified(one.scene), one.plan)
 
 
-def test_heat_goes_on_where_no_step_of_the_film_helps(tmp_path):
+def test_heat_continues_where_no_film_step_helps(tmp_path):
     """The sheared film is at rest when heat begins: the first sweep makes another of it, no step does."""
     plan, ladder = thermal_ladder(0, 12, tmp_path)
     rung, _ = ladder.enter(plan.grids)
@@ -109,7 +109,7 @@ def test_heat_goes_on_where_no_step_of_the_film_helps(tmp_path):
     assert settled.reading.figures["temperature_max_film"] > 1.0
 
 
-def test_a_step_after_which_heat_no_longer_settles_is_the_last(tmp_path):
+def test_a_step_after_which_heat_does_not_converge_is_the_last(tmp_path):
     plan, ladder = thermal_ladder(0, 12, tmp_path)
     rung, _ = ladder.enter(plan.grids)
     taken = [stride(rung)]
@@ -118,7 +118,7 @@ def test_a_step_after_which_heat_no_longer_settles_is_the_last(tmp_path):
     assert stride(rung) is None  # its warming is what it was
 
 
-def test_an_extrapolated_film_that_no_oil_bears_is_no_start(tmp_path):
+def test_an_extrapolated_film_that_no_oil_bears_is_no_initial_guess(tmp_path):
     """Its gradients ask for more stress than the limit: slip without bound, a residual of 1e18."""
     plan, ladder = thermal_ladder(11, 12, tmp_path)
     rung, _ = ladder.enter(plan.grids)
@@ -156,7 +156,7 @@ def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path, nu
     assert solution.figures.temperature_max_film.value > one.scene.oil.heat.inlet_temperature + 10
 
 
-def test_a_film_started_anew_keeps_its_outline_and_carries_its_load():
+def test_a_restarted_film_keeps_its_outline_and_carries_its_load():
     scene = stability.scene_of(ISOTHERMAL["M200-L20"])
     size = scales(scene)
     a = size.hertz.semi_axis_x

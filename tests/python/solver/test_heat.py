@@ -1,5 +1,6 @@
 """Sheared and heated point contacts: limits, balances and symmetries."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -101,7 +102,7 @@ def test_friction_against_load_is_what_the_stress_adds_up_to(hot):
     assert work < figures.power_loss.value < 1.08 * work
 
 
-def test_the_contact_does_not_know_north(hot):
+def test_a_rotated_contact_has_the_rotated_film(hot):
     """Turned by 30 degrees it has the same film, friction and temperatures within its error bars."""
     turned = solved(ball(turn=np.pi / 6)).figures
     inlet = 273.15 + 60
@@ -125,7 +126,7 @@ def test_bodies_exchanged_give_the_film_mirrored_across(hot):
     )
 
 
-def test_the_cheap_rung_is_near_the_full_model(hot):
+def test_a_parabola_of_temperature_is_near_the_full_model(hot):
     cheap = solved(ball(), effects="all,-viscosity-across").figures
     assert cheap.film_central.value == pytest.approx(hot.figures.film_central.value, rel=0.05)
     assert cheap.friction_coefficient.value == pytest.approx(
@@ -177,7 +178,7 @@ def test_bulk_temperatures_apart(hot):
     assert figures.film_central.value < hot.figures.film_central.value
 
 
-def test_opposite_sliding_holds_a_film_by_heat_alone():
+def test_opposite_sliding_has_a_film_by_heat_alone():
     """Mirrored bodies, no entrainment: two side lobes, both surfaces equally hot (Guo, Yang and Qu 2001)."""
     solution = solved(pyworm.load(CASES / "opposite_sliding.toml").scene(), accuracy=0.1)
     figures, film = solution.figures, solution.fields.film
@@ -200,11 +201,11 @@ def test_opposite_sliding_without_heat_is_refused():
     ("oil", "effects", "said"),
     [
         ({"flow": None, "heat": None}, "shear-thinning", "no flow law is given"),
-        ({"heat": None}, "all,film-heating", "how the oil takes heat is not given"),
+        ({"heat": None}, "all,film-heating", "[oil.heat] is not given"),
     ],
 )
 def test_effects_that_an_oil_is_not_known_well_enough_for(oil, effects, said):
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(ValueError, match=re.escape(said)):
         pyworm.plan(ball(**oil), effects=effects)
 
 

@@ -265,7 +265,7 @@ def test_a_tooth_edge_carries_no_pressure_beyond_it():
     assert pressure.max() > 1.1 * hertz.pressure_max
 
 
-def test_a_climb_that_ends_early_is_marked():
+def test_a_grid_sequence_that_ends_early_is_marked():
     scene = line(200, 10)
     plan = replace(pyworm.plan(scene, accuracy=0.001), largest_grid=600)
     solution = pyworm.solve(scene, plan)
@@ -279,7 +279,7 @@ def test_a_solve_is_the_same_to_the_last_bit_again():
     assert np.array_equal(first.pressure, second.pressure)
 
 
-def test_a_solution_says_what_it_is():
+def test_the_summary_of_a_line_contact():
     scene = line(20, 10)
     solution = solved(scene)
     summary = solution.summary()

@@ -90,7 +90,7 @@ def test_a_newtonian_oil_of_one_temperature_is_the_isothermal_film():
     assert sheared.figures.film_min.value == pytest.approx(plain.figures.film_min.value, rel=1e-6)
 
 
-def test_heat_that_changes_nothing_leaves_the_sheared_film():
+def test_heat_without_influence_leaves_the_sheared_film():
     """Viscosity and density do not depend on temperature; both films in one window."""
     indifferent = replace(HEAT, viscosity_exponent=0.0, expansivity=0.0)
     scene = replace(SCENE, oil=replace(OIL, heat=indifferent))
@@ -190,7 +190,7 @@ def test_levels_across_the_film_suffice():
         assert one.value == pytest.approx(other.value, rel=one.error + other.error + 2e-3), name
 
 
-def test_a_fast_film_is_led_to_its_speed():
+def test_a_fast_film_is_found_by_continuation_in_speed():
     """Cold, it would be thrice as thick, and its pressure would heat it without bound."""
     fast = replace(SCENE, velocities=(36.0, 30.0))
     cold, hot = (solved(fast, effects).figures for effects in ("isothermal", "all"))
@@ -228,16 +228,16 @@ def test_a_body_at_rest_has_no_steady_temperature(velocities, body):
     assert solved(scene, "all,-film-heating").figures.friction_coefficient.value > 0
 
 
-def test_what_is_not_known_of_the_oil_is_not_simulated():
+def test_effects_without_oil_data_are_not_simulated():
     plain = replace(SCENE, oil=Oil(Barus(0.04, 2e-8), Density.incompressible(870.0)))
     assert pyworm.plan(plain, effects="all").model == Model()
     sheared = pyworm.plan(replace(SCENE, oil=replace(OIL, heat=None)), effects="all").model
     assert sheared.levels > 0
     assert not sheared.heated
-    with pytest.raises(ValueError, match="how the oil takes heat is not given"):
+    with pytest.raises(ValueError, match=r"\[oil.heat\] is not given"):
         pyworm.plan(plain, effects="film-heating")
 
 
-def test_the_inlet_temperature_is_told(heated):
+def test_the_inlet_temperature_is_in_the_summary(heated):
     assert heated.inlet_temperature == INLET
     assert heated.summary()["inlet_temperature_C"] == pytest.approx(INLET - ZERO_CELSIUS)

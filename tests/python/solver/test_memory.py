@@ -65,7 +65,7 @@ def test_the_estimate_is_what_a_film_takes(levels, heated):
     assert int(ended.stdout) == pytest.approx(memory.needed(321**2, Model(levels, heated)), rel=0.3)
 
 
-def test_a_finer_grid_that_will_not_fit_ends_the_climb_with_what_was_reached(monkeypatch):
+def test_a_finer_grid_beyond_memory_ends_the_grid_sequence(monkeypatch):
     scene = pyworm.load(CASE).scene()
     plan = replace(pyworm.plan(scene, 0.001, "isothermal"), wider_grids=())
     enough = memory.needed(3 * plan.grids[-1].finer().nodes, plan.model)
@@ -81,7 +81,7 @@ def test_a_finer_grid_that_will_not_fit_ends_the_climb_with_what_was_reached(mon
     assert fits[0] > reached["x"] and fits[1] > reached["y"]
 
 
-def test_a_wider_window_that_will_not_fit_does_too(monkeypatch):
+def test_a_wider_window_beyond_memory_ends_the_grid_sequence(monkeypatch):
     scene = pyworm.load(CASE).scene()
     plan = pyworm.plan(scene, 0.001, "isothermal")
     wider = max(grid.nodes for grid in plan.wider_grids)
@@ -91,7 +91,7 @@ def test_a_wider_window_that_will_not_fit_does_too(monkeypatch):
     assert "GB of memory" in solution.stop_reason
 
 
-def test_first_grids_that_will_not_fit_are_refused(tmp_path, monkeypatch, capsys):
+def test_first_grids_beyond_memory_are_refused(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(memory, "available", lambda: 1e6)
     scene = pyworm.load(CASE).scene()
     with pytest.raises(
@@ -118,5 +118,5 @@ def test_a_scene_without_memory_costs_no_other(tmp_path, monkeypatch, capsys):
     assert "could not be solved" in capsys.readouterr().out
 
 
-def test_what_is_free_is_told():
+def test_free_memory_is_estimated():
     assert memory.available() > 1e6

@@ -35,7 +35,7 @@ def storing(rung, store):
     return rung
 
 
-def test_a_film_in_axes_that_it_moves_through_is_that_of_its_own():
+def test_a_film_in_moving_axes_is_that_in_its_own_axes():
     """A ball that runs at 0.2 m/s into oil of 1.2 m/s has the film of 1 m/s."""
     grid = pyworm.plan(ball(1.0), 0.05, "isothermal", ("film",)).grids[-1]
     own, fast = (film_of(ball(speed), grid) for speed in (1.0, 1.2))
@@ -59,7 +59,7 @@ def line_of(scene, grid, store=None):
     return storing(first_rung(scene, line_scales(scene), grid, line_scales(scene).film), store)
 
 
-def test_so_is_that_of_a_line_contact():
+def test_a_line_film_in_moving_axes_is_that_in_its_own_axes():
     own, fast = (as_line(ball(speed)) for speed in (1.0, 1.2))
     (grid,) = pyworm.plan(own, 0.01, "isothermal", ("film",)).grids
     steady = [line_of(scene, grid) for scene in (own, fast)]
@@ -78,7 +78,7 @@ def test_so_is_that_of_a_line_contact():
 
 
 @pytest.mark.parametrize("wrong", ["not finite", "another grid"])
-def test_what_makes_no_sense_is_not_stored(wrong):
+def test_impossible_transient_terms_are_refused(wrong):
     grid = pyworm.plan(ball(1.0), 0.05, "isothermal", ("film",)).grids[-1]
     line = as_line(ball(1.0))
     (axis,) = pyworm.plan(line, 0.05, "isothermal", ("film",)).grids

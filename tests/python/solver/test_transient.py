@@ -39,14 +39,14 @@ TURN = 0.5
 
 
 @pytest.mark.parametrize("turn", [0.0, TURN, -TURN])
-def test_what_was_always_the_same_is_steady_in_axes_that_turn_too(turn):
+def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
     rate = turn / sketch(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(angle=-rate * back), -rate * back))
     marched = solved(replace(ball(), past=past), "isothermal,squeeze", accuracy=0.03)
     assert films(marched) == pytest.approx(films(solved(ball(), accuracy=0.03)), rel=0.004)
 
 
-def test_what_a_contact_was_long_ago_is_forgotten():
+def test_the_start_of_a_transient_is_forgotten():
     transit = sketch(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(1.0 if back < 1.5 * transit else 0.8)))
     marched = solved(replace(ball(), past=past), "isothermal,squeeze")
@@ -119,7 +119,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
     assert now[1] - now[0] == pytest.approx(then[0] - now[0], rel=within)
 
 
-def test_a_past_whose_film_is_not_found_says_so():
+def test_a_past_whose_film_is_not_found_is_reported():
     """Oil before the inlet alone carries more than so little."""
     past = Past(AGES, lambda back: Earlier(back, as_line(replace(ball(), load=50e-6))))
     marched = solved(replace(as_line(ball()), past=past), "isothermal,squeeze")
@@ -153,7 +153,7 @@ def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
     )
 
 
-def test_error_bars_of_a_tooth_pair_s_film_in_motion_hold():
+def test_error_bars_of_a_tooth_pair_s_transient_film_hold():
     scene = pyworm.load("cases/zi_drive.toml").scene(phase=0.5)
     rough, fine = (solved(scene, "isothermal,squeeze", accuracy) for accuracy in (0.15, 0.05))
     assert films(rough) != pytest.approx(films(solved(scene, accuracy=0.15)), rel=0.05)
