@@ -49,12 +49,30 @@ GREASE = FlowLaw("carreau", stress=0.05e6, exponent=0.8)
 def point(name, radii, load, velocities, bodies, oil, **more) -> Scene:
     """A paraboloid, both surfaces translating."""
     motions = tuple(RigidMotion(*velocity) for velocity in velocities)
-    return Scene(name, Paraboloid(*radii), radii, motions, load, bodies, oil, **more)
+    return Scene(
+        name=name,
+        gap=Paraboloid(*radii),
+        radii=radii,
+        motions=motions,
+        load=load,
+        bodies=bodies,
+        oil=oil,
+        **more,
+    )
 
 
 def line(name, radius, load, velocities, bodies, oil, **more) -> LineScene:
     """A cylinder on a plane."""
-    return LineScene(name, Parabola(radius), radius, velocities, load, bodies, oil, **more)
+    return LineScene(
+        name=name,
+        gap=Parabola(radius),
+        radius=radius,
+        velocities=velocities,
+        load=load,
+        bodies=bodies,
+        oil=oil,
+        **more,
+    )
 
 
 def worm(phase: float) -> Callable[[], Scene]:

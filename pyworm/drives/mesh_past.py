@@ -8,7 +8,8 @@ import numpy as np
 
 from pyworm.scene.line import LineScene
 from pyworm.scene.past import Earlier, Past
-from pyworm.scene.point import Array, Scene
+from pyworm.scene.contact import Array
+from pyworm.scene.point import Scene
 
 
 def unturned(phase: float) -> Array:

@@ -1,4 +1,4 @@
-"""The one door to the compiled kernel: arrays in Fortran order go in, status numbers become exceptions."""
+"""A film on one grid as the kernel holds it, of a point or of a line contact."""
 
 import weakref
 from dataclasses import dataclass, replace
@@ -59,6 +59,63 @@ class Step:
     balance: Balance
     krylov: int
     share: float
+
+
+@dataclass(frozen=True)
+class Shear:
+    """Shear of a film at the nodes.
+
+    Attributes
+    ----------
+    stress : tuple of numpy.ndarray
+        Shear stress at the middle of the film along each direction of the grid, along the velocity of body 2
+        relative to body 1 [Pa].
+    friction : numpy.ndarray
+        Heat of shearing [W/m2].
+    rate : numpy.ndarray
+        Largest shear rate across the film [1/s].
+    """
+
+    stress: tuple[np.ndarray, ...]
+    friction: np.ndarray
+    rate: np.ndarray
+
+
+@dataclass(frozen=True)
+class ShearFields(Shear):
+    """Shear of a film, and its flow by that.
+
+    Attributes
+    ----------
+    along, across : numpy.ndarray
+        Flow factors D and C of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)].
+    slip : numpy.ndarray
+        Where the film slips: 1 at body 1, 2 at body 2, 3 at both.
+
+    Notes
+    -----
+    The other attributes are those of `Shear`.
+    """
+
+    along: np.ndarray
+    across: np.ndarray
+    slip: np.ndarray
+
+
+@dataclass(frozen=True)
+class HeatFields:
+    """Heat of a film at the nodes, as of its last sweep.
+
+    Attributes
+    ----------
+    flux : numpy.ndarray
+        Heat flux into both bodies [W/m2], the last index.
+    carried : numpy.ndarray
+        Heat that the oil carries away, less what compression gives it [W/m2].
+    """
+
+    flux: np.ndarray
+    carried: np.ndarray
 
 
 LEAST_RISE = 10.0
@@ -125,22 +182,22 @@ class Film:
         """Starts from the present pressure and rigid film, in which something else has changed."""
         return self.start(self.pressure, self.rigid_film)
 
-    def store(self, renewal: float, squeeze) -> None:
-        """Lets the oil that the film stores change; it is to be started before it steps.
+    def set_transient_term(self, implicit: float, explicit) -> None:
+        """Sets d(rho h)/dt of the Reynolds equation; the film is to be started before it steps.
 
         Parameters
         ----------
-        renewal : float
-            Change by what the film holds, for each rho h [1/s].
-        squeeze : array_like
-            Change by what else is known of it, at the nodes [m/s].
+        implicit : float
+            Its part proportional to the film's present rho h, over that [1/s].
+        explicit : array_like
+            Its part by rho h at earlier times, at the nodes [m/s].
 
         Raises
         ------
         KernelError
             If they are not finite, or of another grid.
         """
-        check_status(core.bindings.film_store(self._handle, renewal, self._on_nodes(squeeze)))
+        check_status(core.bindings.film_store(self._handle, implicit, self._on_nodes(explicit)))
 
     def step(self, forcing: float) -> Step:
         """One Newton step, and where heat is simulated one sweep of it at the new pressure.
@@ -203,8 +260,24 @@ class Film:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
         return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
-    def _shear(self, law: FlowLaw, levels: int, sliding_x, sliding_y) -> None:
-        """Lets the oil flow by a law, body 1 moving over body 2 with the nodal sliding (x, y) [m/s]."""
+    def shear(self, law: FlowLaw, levels: int, sliding) -> None:
+        """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
+
+        Parameters
+        ----------
+        law : FlowLaw
+            The oil's law.
+        levels : int
+            Levels across the film, walls included.
+        sliding : tuple of array_like
+            Velocity of body 1 relative to body 2 at the nodes along each direction of the grid [m/s].
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a velocity is not finite.
+        """
+        sliding_x, sliding_y = (*sliding, np.zeros(self._shape))[:2]
         check_status(
             core.bindings.film_shear(
                 self._handle,
@@ -229,22 +302,50 @@ class Film:
         self.heated = True
         self._warming = np.inf
 
-    def _nodal_shear(self, factors: bool) -> list[np.ndarray]:
-        """Stresses along x and y, friction, shear rate, flow factors D and C, and slip at the nodes."""
+    def shear_fields(self, factors: bool = False) -> ShearFields:
+        """Shear of a film whose oil flows by a law, with its flow factors or with zeros in their place.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
         *fields, status = core.bindings.film_shear_fields(self._handle, factors, *self._nodes)
         check_status(status)
-        return [self._on_grid(field) for field in fields]
+        x, y, *others = (self._on_grid(field) for field in fields)
+        return ShearFields((x, y)[: len(self._shape)], *others)
 
-    def _heat_flux(self) -> list[np.ndarray]:
-        """Heat flux into the bodies [W/m2], and what oil carries away less what compression gives it."""
+    def present_shear(self) -> Shear:
+        """Shear of a film whose oil flows by a law, in its present state."""
+        return self.shear_fields()
+
+    def heat_fields(self) -> HeatFields:
+        """Heat of a film that warms, as of its last sweep of heat."""
         fields = core.bindings.film_heat_fields(self._handle, *self._nodes)
-        return [self._on_grid(field) for field in fields]
+        return HeatFields(*(self._on_grid(field) for field in fields))
 
-    def _velocities(self, i: int, j: int, u1: float, v1: float) -> tuple[np.ndarray, np.ndarray]:
-        """Velocity (u, v) [m/s] at the levels above a node, counted from 0."""
-        u, v, status = core.bindings.film_profile(self._handle, i + 1, j + 1, u1, v1, self.levels)
+    def profile(self, node: tuple[int, ...], velocity) -> tuple[np.ndarray, ...]:
+        """Velocity [m/s] at the levels above an inner node along each direction of the grid.
+
+        Parameters
+        ----------
+        node : tuple of int
+            Number of the node along each direction, counted from 0.
+        velocity : sequence of float
+            Velocity of body 1's surface there along each direction [m/s].
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice.
+        """
+        i, j = (*node, 0)[:2]
+        u1, v1 = (*velocity, 0.0)[:2]
+        *velocities, status = core.bindings.film_profile(
+            self._handle, i + 1, j + 1, u1, v1, self.levels
+        )
         check_status(status)
-        return u, v
+        return tuple(velocities[: len(self._shape)])
 
 
 def heat_numbers(oil: Oil) -> np.ndarray:

@@ -6,7 +6,8 @@ import numpy as np
 
 from pyworm.formulas.film import point_asymptotes
 from pyworm.planning.grid import Box
-from pyworm.scene.point import Array, Scene
+from pyworm.scene.contact import Array
+from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales
 
 SAMPLES = 65

@@ -8,7 +8,7 @@ from scipy.interpolate import RectBivariateSpline
 from scipy.sparse import diags_array, eye_array, kron, vstack
 from scipy.sparse.linalg import spsolve
 
-from pyworm.scene.point import Array
+from pyworm.scene.contact import Array
 
 SMALLEST = 5
 """Fewest samples along each side: a cubic spline and the second differences of the filling need them."""

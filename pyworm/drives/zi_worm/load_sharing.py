@@ -26,7 +26,7 @@ from scipy.interpolate import PchipInterpolator
 
 from pyworm.drives.torque_sharing import Sharing, rising_root
 from pyworm.drives.zi_worm.tooth_compliance import ToothSprings
-from pyworm.scene.point import Array
+from pyworm.scene.contact import Array
 
 Shaft = Literal["worm", "wheel"]
 

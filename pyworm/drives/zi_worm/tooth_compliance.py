@@ -10,7 +10,8 @@ from scipy.interpolate import PchipInterpolator
 
 from pyworm import kernel
 from pyworm.formulas.hertz import hertz
-from pyworm.scene.point import Array, Gap
+from pyworm.scene.contact import Array
+from pyworm.scene.point import Gap
 
 BEYOND = 0.24
 """Phases before and after the mesh cycle in which a loaded pair may still touch at an edge of a tooth."""

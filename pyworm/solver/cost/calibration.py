@@ -232,10 +232,26 @@ def _point() -> Scene:
     """A steel ball on a plane, 1 GPa, sliding."""
     motions = (RigidMotion(3.0, 0.0), RigidMotion(2.0, 0.0))
     radii = (0.01, 0.01)
-    return Scene("", Paraboloid(*radii), radii, motions, 40.0, (_STEEL, _STEEL), _oil())
+    return Scene(
+        name="",
+        gap=Paraboloid(*radii),
+        radii=radii,
+        motions=motions,
+        load=40.0,
+        bodies=(_STEEL, _STEEL),
+        oil=_oil(),
+    )
 
 
 def _line() -> LineScene:
     """Teeth of a gear near their tips."""
     radius = 0.009
-    return LineScene("", Parabola(radius), radius, (3.2, 1.1), 1.2e5, (_STEEL, _STEEL), _oil())
+    return LineScene(
+        name="",
+        gap=Parabola(radius),
+        radius=radius,
+        velocities=(3.2, 1.1),
+        load=1.2e5,
+        bodies=(_STEEL, _STEEL),
+        oil=_oil(),
+    )

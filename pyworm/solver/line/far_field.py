@@ -16,7 +16,8 @@ from math import log1p
 import numpy as np
 
 from pyworm.planning.line_grid import LineGrid
-from pyworm.scene.line import Array, LineScene
+from pyworm.scene.contact import Array
+from pyworm.scene.line import LineScene
 
 POINTS = 24
 """Points of Gauss and Legendre over the reciprocal distance, in which the integrands are smooth."""

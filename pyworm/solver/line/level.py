@@ -11,7 +11,8 @@ from pyworm.materials.oil import NEWTONIAN, Barus, Roelands
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.model import Model
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.line import Array, LineScene
+from pyworm.scene.contact import Array
+from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.extremum import line_minimum

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyworm.planning.grid import Grid
-from pyworm.scene.point import Array, Scene
+from pyworm.scene.contact import Array
+from pyworm.scene.point import Scene
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,97 @@
+"""What every lubricated contact has, whether its film varies along one direction or two."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from pyworm.materials.body import Body, composite_roughness, reduced_modulus
+from pyworm.materials.oil import Oil, require_kinds
+from pyworm.scene.past import Past
+
+Array = np.ndarray
+
+SAME = 0.01
+"""Largest relative difference between the radii of a contact and those of its gap."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """One lubricated contact at one instant.
+
+    Attributes
+    ----------
+    name : str
+        Name in tables and pictures.
+    gap : callable
+        Undeformed gap and where both surfaces exist.
+    load : float
+        Normal load [N], of a line contact that for each length [N/m].
+    bodies : tuple of Body
+        Body 1 and body 2.
+    oil : Oil
+        The oil at its inlet temperature.
+    phase : float or None
+        Place in the mesh cycle, 0 to 1; None outside a drive.
+    slide_roll_ratio : float or None
+        Place on a traction curve: sliding over entrainment [-]; None outside one.
+    section, station : str or None, float or None
+        Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
+    past : Past or None
+        The contact at earlier times, as the drive turns; None where nothing changes.
+    rigid : bool
+        Whether the bodies keep their shape under the film.
+
+    Raises
+    ------
+    ValueError
+        The oil or a body is of a class that the kernel does not know.
+    """
+
+    name: str
+    gap: Callable[..., tuple[Array, Array]]
+    load: float
+    bodies: tuple[Body, Body]
+    oil: Oil
+    phase: float | None = None
+    slide_roll_ratio: float | None = None
+    section: str | None = None
+    station: float | None = None
+    past: Past[Any] | None = None
+    rigid: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse an oil or a body whose formulas the kernel would ignore."""
+        require_kinds("oil", self.oil, Oil)
+        for body in self.bodies:
+            require_kinds("a body", body, Body)
+
+    @property
+    def bending_modulus(self) -> float:
+        """Reduced modulus by which the bodies bend under the film [Pa]; infinite of rigid ones."""
+        return inf if self.rigid else self.reduced_modulus
+
+    @property
+    def reduced_modulus(self) -> float:
+        """Reduced modulus E' of the two bodies [Pa]."""
+        return reduced_modulus(*self.bodies)
+
+    @property
+    def composite_roughness(self) -> float | None:
+        """Root mean square height of both surfaces together [m]; None if it is not known."""
+        return composite_roughness(*self.bodies)
+
+
+def require_radii(radii: tuple[float, ...], of_gap: tuple[float, ...]) -> None:
+    """Refuse radii that are not those of the gap: window, far field and grids follow from them.
+
+    Raises
+    ------
+    ValueError
+        One differs.
+    """
+    if any(abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)):
+        given, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))
+        raise ValueError(f"radii {given} m contradict the gap, whose radii are {own} m; give these")
