@@ -33,7 +33,7 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.precision.extrapolation import limit
 from pyworm.scene.index import Place
 from pyworm.solver.error_estimate import Reading
-from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.newton import ALGEBRA_SHARE, settle
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
@@ -77,18 +77,18 @@ def climbed(
     scene: pyworm.Scene, plan: Plan, grids: Sequence[Grid], spacing: float, most: float
 ) -> dict[int, Reading]:
     """Readings on grids of halving spacing by number, the last ones on which the equations are met."""
-    ladder = LADDERS[type(scene)](scene, plan)
-    rung, _ = ladder.enter(grids)
+    solver = SOLVERS[type(scene)](scene, plan)
+    level, _ = solver.begin(grids)
     readings: dict[int, Reading] = {}
     for number in count():
-        settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
-        if rung.film.balance.worst > 10 * plan.tolerance or settled.reading.film_min <= 0:
+        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+        if level.film.balance.worst > 10 * plan.tolerance or settled.reading.film_min <= 0:
             readings = {}
         else:
             readings[number] = settled.reading
-        if rung.grid.dx <= spacing or rung.grid.finer().nodes > most:
+        if level.grid.dx <= spacing or level.grid.finer().nodes > most:
             return readings
-        rung, _ = ladder.higher(rung)
+        level, _ = solver.refined(level)
 
 
 def farther(plan: Plan) -> Iterator[tuple[Grid, ...]]:

@@ -29,7 +29,7 @@ from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import sketch
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.newton import settle
 from pyworm.solver.solution import Solution
 
@@ -54,13 +54,13 @@ class Numbers:
 def on_one_grid(scene, plan: Plan) -> Numbers:
     """The figures of a plan on a grid that does not depend on how well they are known."""
     simple = plan.simplified(scene)
-    ladder = LADDERS[type(simple)](simple, plan)
-    rung, _ = ladder.enter(plan.grids)
+    solver = SOLVERS[type(simple)](simple, plan)
+    level, _ = solver.begin(plan.grids)
     for _ in range(FINER):
-        settle(rung, plan.tolerance, plan.aim, 0.1 * plan.accuracy)
-        rung, _ = ladder.higher(rung)
-    settle(rung, plan.tolerance / 10, plan.aim, 0.01 * plan.accuracy)
-    figures = rung.read().figures
+        settle(level, plan.tolerance, plan.aim, 0.1 * plan.accuracy)
+        level, _ = solver.refined(level)
+    settle(level, plan.tolerance / 10, plan.aim, 0.01 * plan.accuracy)
+    figures = level.read().figures
     return Numbers(
         (figures["film_min"], figures["film_central"]),
         figures.get("friction_coefficient"),

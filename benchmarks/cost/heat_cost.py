@@ -27,7 +27,7 @@ from film import PARTS, refined
 import pyworm
 from pyworm.scene.point import Scene
 from pyworm.solver.newton import lead
-from pyworm.solver.point.contact import PointLadder
+from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.solution import Solution
 
 HALVINGS = 2
@@ -117,16 +117,16 @@ def climb(name: str) -> dict[str, float | str]:
     """Elapsed times [s] with this process's threads, and a digest of pressure and temperature."""
     scene = remembering(SCENES[name]())
     plan = refined(scene, HALVINGS)
-    PointLadder(scene, plan).enter(plan.grids)  # samples the scene, most of it
-    ladder = PointLadder(scene, plan)
+    PointContactSolver(scene, plan).begin(plan.grids)  # samples the scene, most of it
+    solver = PointContactSolver(scene, plan)
     started = perf_counter()
-    rung, _ = ladder.enter(plan.grids)
+    level, _ = solver.begin(plan.grids)
     for _ in range(HALVINGS):
-        lead(rung, TOLERANCES[0])
-        rung, _ = ladder.higher(rung)
-    lead(rung, TOLERANCES[0])
+        lead(level, TOLERANCES[0])
+        level, _ = solver.refined(level)
+    lead(level, TOLERANCES[0])
     whole = perf_counter() - started
-    film = rung.film
+    film = level.film
     held = np.concatenate([film.pressure.ravel(), film.rise().ravel()])
     digest = hashlib.sha256(held.tobytes()).hexdigest()
     convolution = least(film.convolve)

@@ -8,7 +8,8 @@ module cubic_refinement
 
 contains
 
-  !> Cubic interpolation in both directions, (nx, ny) to (2 nx - 1, 2 ny - 1), nx and ny at least 4.
+  !> Cubic interpolation in both directions, (nx, ny) to (2 nx - 1, 2 ny - 1), nx and ny at least 4; along x
+  !> alone where ny is 1.
   pure subroutine interpolate_cubic(coarse, fine)
     real(wp), intent(in) :: coarse(:, :)
     real(wp), intent(out) :: fine(:, :)
@@ -23,6 +24,7 @@ contains
         coarse(4:, j))
       fine(2*nx - 2, 2*j - 1) = at_end(coarse(nx, j), coarse(nx - 1, j), coarse(nx - 2, j), coarse(nx - 3, j))
     end do
+    if (ny == 1) return
     fine(:, 2) = at_end(fine(:, 1), fine(:, 3), fine(:, 5), fine(:, 7))
     do j = 4, 2*ny - 4, 2
       fine(:, j) = between(fine(:, j - 3), fine(:, j - 1), fine(:, j + 1), fine(:, j + 3))

@@ -6,9 +6,9 @@ from math import atan2
 
 import numpy as np
 
+from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.past import Earlier, Past
-from pyworm.scene.contact import Array
 from pyworm.scene.point import Scene
 
 

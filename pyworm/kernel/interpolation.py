@@ -12,10 +12,13 @@ def level_positions(levels: int) -> np.ndarray:
 
 
 def prolong(field) -> np.ndarray:
-    """A field on the grid of half the spacing, by cubic interpolation."""
-    return core.bindings.prolong_cubic(fortran_array(field))
+    """A field along one direction or two on the grid of half the spacing, by cubic interpolation."""
+    field = fortran_array(field)
+    if field.ndim == 1:
+        return core.bindings.prolong_cubic(field[:, np.newaxis])[:, 0]
+    return core.bindings.prolong_cubic(field)
 
 
 def prolong_levels(fields) -> np.ndarray:
     """The same for fields at levels across the film, the last index."""
-    return np.stack([prolong(level) for level in np.moveaxis(fields, 2, 0)], axis=2)
+    return np.stack([prolong(level) for level in np.moveaxis(fields, -1, 0)], axis=-1)

@@ -4,12 +4,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, hypot, pi, sin, sqrt
 
-from pyworm.planning.expected_work import LENT_CHANGE, Work, expected_work, first_change, stiffness
+from pyworm.planning.expected_work import (
+    AUXILIARY_CHANGE,
+    Work,
+    expected_work,
+    first_change,
+    stiffness,
+)
 from pyworm.planning.grid import Box, Grid, nest
 from pyworm.planning.line_grid import LineGrid, first_grids
 from pyworm.planning.model import Model
 from pyworm.planning.window import FAR, grown, near_reach, windows
-from pyworm.scene.entrainment_continuation import lent
+from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales, line_scales, scales
@@ -52,7 +58,7 @@ class _Numerics:
 
 
 def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
-    drawn = lent(scene) if model.heated else scene
+    drawn = with_auxiliary_entrainment(scene) if model.heated else scene
     size = scales(drawn)
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
     nested = slice(None) if drawn is scene else slice(-1, None)
@@ -62,7 +68,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     grids = _grids(scene, size, inner, outer)[nested]
     wider_grids = _grids(scene, size, wider, *far)[nested]
     half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
-    change = LENT_CHANGE
+    change = AUXILIARY_CHANGE
     if drawn is scene:
         change = first_change(
             grids[-1].spacing,
@@ -80,7 +86,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         LARGEST_GRID,
         full=model.levels > 0,
         stiffness=stiffness(model.heated, size.groups.moes_l),
-        lent=drawn is not scene,
+        auxiliary=drawn is not scene,
         moving=scene.past is not None,
     )
     return _Numerics(

@@ -22,7 +22,7 @@ rises by a film h, whichever direction gives more, and k the length of a contact
 its width, or 1 if that is less: slender contacts entrained along have thin side lobes. A fit to 56 contacts,
 M 4 to 1000 and L 1 to 20, from which they scatter by 1.7."""
 
-LEAST_CHANGE, LENT_CHANGE = 5e-3, 0.1
+LEAST_CHANGE, AUXILIARY_CHANGE = 5e-3, 0.1
 """The least, and that of a film that heat alone carries, which no formula knows."""
 
 LOG_CHANGE = tuple(log(share) for share in (0.15, 0.65, 7.7, 31.0, 123.0, 1970.0))
@@ -76,7 +76,7 @@ THICKENING, THICKENING_POWER = 10.0, 0.7
 STIFF, STIFF_POWER = 15.0, 2.5
 """The same for the steps of a film that warms."""
 
-INSTANTS = (10, 24, 58)
+TIME_STEPS = (10, 24, 58)
 """Steps of time in the first march of a film in motion, and in those on finer grids (`solver.transient`)."""
 
 MARCHED_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
@@ -85,7 +85,7 @@ MARCHED_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
 FINEST_MARCH = 0.06
 """Accuracy from which on the last of these marches is likely."""
 
-LENT_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
+AUXILIARY_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
 """Those of a film that heat alone carries."""
 
 
@@ -185,7 +185,7 @@ def expected_work(
     largest: float,
     full: bool,
     stiffness: float = 1.0,
-    lent: bool = False,
+    auxiliary: bool = False,
     moving: bool = False,
 ) -> Work:
     """Expected work of a solve, grid by grid.
@@ -206,19 +206,19 @@ def expected_work(
         Whether more than a Newtonian oil of one temperature is simulated.
     stiffness : float
         How many times as much work as usual the steps are (`stiffness`).
-    lent : bool
-        Whether heat alone carries the film.
+    auxiliary : bool
+        Whether heat alone carries the film, found with auxiliary entrainment.
     moving : bool
         Whether it is marched through its past.
     """
-    steps = LENT_STEPS if lent else STEPS[kind]
+    steps = AUXILIARY_STEPS if auxiliary else STEPS[kind]
     cold = 1.0 if full else stiffness
     stages = []
     for nest in nests:
         stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
         stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
-    marches = INSTANTS[: len(INSTANTS) - (accuracy > FINEST_MARCH)] if moving else ()
+    marches = TIME_STEPS[: len(TIME_STEPS) - (accuracy > FINEST_MARCH)] if moving else ()
     for level, instants in enumerate(marches):
         count = stiffness * MARCHED_STEPS[kind] * instants
         nodes = nests[0][-1] * growth ** (level - (kind == "point"))

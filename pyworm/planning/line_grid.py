@@ -66,6 +66,19 @@ class LineGrid:
         """Spacing along x [m]."""
         return (self.dx,)
 
+    @property
+    def cell(self) -> float:
+        """Length of a cell [m]."""
+        return self.dx
+
+    def mesh(self) -> tuple[np.ndarray]:
+        """Positions of all nodes [m]."""
+        return (self.x,)
+
+    def place(self, node: tuple[float]) -> tuple[float]:
+        """Position of a node, or of a place between nodes, by its number [m]."""
+        return (self.dx * (self.first + node[0]),)
+
     def finer(self) -> "LineGrid":
         """The grid of half the spacing over the same interval."""
         return LineGrid(self.dx / 2, 2 * self.first, 2 * self.nodes - 1)

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 from pyworm.formulas.film import LineGroups, PointGroups
 from pyworm.materials.body import Body
 from pyworm.materials.oil import NEWTONIAN, FlowLaw, Oil
-from pyworm.scene.entrainment_continuation import lent
+from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales, scales
@@ -267,7 +267,7 @@ def _resistance(body: Body, speed: float, half_width: float) -> float:
 
 
 def _point(scene: Scene) -> Sketch:
-    fed = lent(scene)
+    fed = with_auxiliary_entrainment(scene)
     size = scales(fed)
     origin = np.zeros(())
     ax, ay = size.hertz.semi_axis_x, size.hertz.semi_axis_y

@@ -7,8 +7,8 @@ from time import process_time
 
 from pyworm.planning.plan import Plan
 from pyworm.precision.models import Fidelity
-from pyworm.solver.grid_sequence import LADDERS
-from pyworm.solver.level import Rung
+from pyworm.solver.grid_sequence import SOLVERS
+from pyworm.solver.level import Level
 from pyworm.solver.newton import ALGEBRA_SHARE, lead, settle
 from pyworm.solver.timing import convolution_seconds
 
@@ -98,7 +98,7 @@ def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     Parameters
     ----------
     fidelity : Fidelity
-        The rung.
+        The level.
     wide : bool
         Whether the window has twice the reach.
 
@@ -109,23 +109,23 @@ def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     """
     plan = fidelity.plan
     watch = _Stopwatch()
-    ladder = LADDERS[type(fidelity.scene)](fidelity.scene, plan)
-    rung, _ = ladder.enter(plan.wider_grids if wide else plan.grids)
+    solver = SOLVERS[type(fidelity.scene)](fidelity.scene, plan)
+    level, _ = solver.begin(plan.wider_grids if wide else plan.grids)
     for number in count():
         error = _wanted(number)
         tolerance = plan.tolerance / plan.accuracy * error
-        settle(rung, tolerance, plan.aim, ALGEBRA_SHARE * error)
-        figures = read(rung)
+        settle(level, tolerance, plan.aim, ALGEBRA_SHARE * error)
+        figures = read(level)
         seconds = watch.stop()
         yield Point(
-            tuple(rung.grid.shape),
+            tuple(level.grid.shape),
             seconds,
-            convolution_seconds(rung.film),
+            convolution_seconds(level.film),
             figures,
-            rung.film.balance.worst <= tolerance and figures["film_min"] > 0,
+            level.film.balance.worst <= tolerance and figures["film_min"] > 0,
         )
         watch.go()
-        rung, _ = ladder.higher(rung)
+        level, _ = solver.refined(level)
 
 
 def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) -> Iterator[Point]:
@@ -134,7 +134,7 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
     Parameters
     ----------
     fidelity : Fidelity
-        The rung.
+        The level.
     halvings : int
         How much finer the grid is than the first one.
     tolerances : tuple of float
@@ -142,19 +142,19 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
     """
     plan = fidelity.plan
     watch = _Stopwatch()
-    ladder = LADDERS[type(fidelity.scene)](fidelity.scene, plan)
-    rung, _ = ladder.enter(plan.grids)
+    solver = SOLVERS[type(fidelity.scene)](fidelity.scene, plan)
+    level, _ = solver.begin(plan.grids)
     for number in range(halvings):
         error = _wanted(number)
-        settle(rung, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_SHARE * error)
-        rung, _ = ladder.higher(rung)
+        settle(level, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_SHARE * error)
+        level, _ = solver.refined(level)
     for tolerance in tolerances:
-        lead(rung, tolerance)
-        figures = read(rung)
+        lead(level, tolerance)
+        figures = read(level)
         seconds = watch.stop()
-        settled = rung.film.balance.worst <= tolerance
-        unit = convolution_seconds(rung.film)
-        yield Point(tuple(rung.grid.shape), seconds, unit, figures, settled, f"{tolerance:.0e}")
+        settled = level.film.balance.worst <= tolerance
+        unit = convolution_seconds(level.film)
+        yield Point(tuple(level.grid.shape), seconds, unit, figures, settled, f"{tolerance:.0e}")
         watch.go()
 
 
@@ -174,9 +174,9 @@ def settled_row(points: Sequence[Point]) -> list[Point]:
     return list(row)[::-1]
 
 
-def read(rung: Rung) -> dict[str, float]:
+def read(level: Level) -> dict[str, float]:
     """The figures on a grid; an isothermal film has the inlet's temperature."""
-    found = {"temperature_max_film": 0.0} | rung.read().figures
+    found = {"temperature_max_film": 0.0} | level.read().figures
     return {name: float(found[name]) for name in FIGURES if name in found}
 
 

@@ -17,7 +17,7 @@ from pyworm.precision.study import Curve, Reference, Study
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.cost.expected_time import expectation
-from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.grid_sequence import SOLVERS
 
 FINE_ENOUGH = 1e-4
 """Discretisation error of all figures below which a model is not refined further."""
@@ -218,7 +218,7 @@ class _Study:
         change over 1 - s, which is believed to a half.
         """
         rung = self._complete
-        shares = LADDERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_shares
+        shares = SOLVERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_shares
         pairs = [
             (here, wider)
             for here, wider in zip(complete.points, window.points, strict=False)

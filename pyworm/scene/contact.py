@@ -68,6 +68,18 @@ class Contact:
         for body in self.bodies:
             require_kinds("a body", body, Body)
 
+    def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+        """Velocity [m/s] of body 1's and of body 2's surface at places [m], along each direction."""
+        raise NotImplementedError
+
+    def entrainment_at(self, *places: Array) -> tuple[Array, ...]:
+        """Mean surface velocity [m/s] at places [m], along each direction."""
+        return tuple((u1 + u2) / 2 for u1, u2 in zip(*self.velocities_at(*places), strict=True))
+
+    def sliding_at(self, *places: Array) -> tuple[Array, ...]:
+        """Velocity of body 1 relative to body 2 [m/s] at places [m], along each direction."""
+        return tuple(u1 - u2 for u1, u2 in zip(*self.velocities_at(*places), strict=True))
+
     @property
     def bending_modulus(self) -> float:
         """Reduced modulus by which the bodies bend under the film [Pa]; infinite of rigid ones."""

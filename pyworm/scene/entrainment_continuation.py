@@ -1,8 +1,8 @@
-"""Entrainment lent to a film that heat alone can hold.
+"""Auxiliary entrainment for a film that heat alone can hold, removed by continuation.
 
 Surfaces that slide without entraining oil carry load by the wedge of viscosity across the film that unequal
-heat makes (Guo, Yang and Qu 2001). No isothermal film leads there: one that is entrained a little does, while
-what was lent is taken back bit by bit.
+heat makes (Guo, Yang and Qu 2001). No isothermal film leads there: one with some auxiliary entrainment does,
+while that is removed bit by bit.
 """
 
 from dataclasses import dataclass, replace
@@ -10,16 +10,17 @@ from math import hypot
 
 import numpy as np
 
-from pyworm.scene.point import Array, Motion, Scene
+from pyworm.scene.contact import Array
+from pyworm.scene.point import Motion, Scene
 
 SCARCE = 0.02
-"""Entrainment over sliding speed at the contact point below which some is lent."""
+"""Entrainment over sliding speed at the contact point below which auxiliary entrainment is added."""
 
-LENT = 0.1
-"""What is lent, along the sliding, over its speed."""
+AUXILIARY = 0.1
+"""Auxiliary entrainment, along the sliding, over the sliding speed."""
 
-TAKEN_BACK = (0.5, 0.25, 0.1, 0.0)
-"""Shares of it that are left, one after another."""
+FRACTIONS_LEFT = (0.5, 0.25, 0.1, 0.0)
+"""Fractions of it that are left, one after another."""
 
 
 @dataclass(frozen=True)
@@ -34,14 +35,14 @@ class _Carried:
         return u + self.velocity[0], v + self.velocity[1]
 
 
-def lent(scene: Scene, share: float = 1.0) -> Scene:
-    """The scene with a share of what it needs lent; itself if it entrains enough, or does not slide."""
+def with_auxiliary_entrainment(scene: Scene, fraction: float = 1.0) -> Scene:
+    """The scene with a fraction of its auxiliary entrainment; itself where none is needed."""
     entrained, slid = (
         [float(component) for component in of(np.array(0.0), np.array(0.0))]
         for of in (scene.entrainment, scene.sliding)
     )
     if hypot(*entrained) >= SCARCE * hypot(*slid):
         return scene
-    velocity = (share * LENT * slid[0], share * LENT * slid[1])
+    velocity = (fraction * AUXILIARY * slid[0], fraction * AUXILIARY * slid[1])
     body_1, body_2 = scene.motions
     return replace(scene, motions=(_Carried(body_1, velocity), _Carried(body_2, velocity)))

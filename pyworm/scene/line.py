@@ -75,3 +75,7 @@ class LineScene(Contact):
     def sliding(self) -> float:
         """Velocity of body 1 relative to body 2 [m/s]."""
         return self.velocities[0] - self.velocities[1]
+
+    def velocities_at(self, x: Array) -> tuple[tuple[Array], tuple[Array]]:
+        """Velocity [m/s] of body 1's and of body 2's surface, the same at each x."""
+        return tuple((np.full(np.shape(x), velocity),) for velocity in self.velocities)

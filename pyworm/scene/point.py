@@ -99,12 +99,10 @@ class Scene(Contact):
         super().__post_init__()
         require_radii(self.radii, getattr(self.gap, "radii", self.radii))
 
-    def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Mean surface velocity components [m/s] at (x, y)."""
-        (u1, v1), (u2, v2) = (motion(x, y) for motion in self.motions)
-        return (u1 + u2) / 2, (v1 + v2) / 2
+    def velocities_at(self, x: Array, y: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+        """Velocity components [m/s] of body 1's and of body 2's surface at (x, y)."""
+        body_1, body_2 = self.motions
+        return body_1(x, y), body_2(x, y)
 
-    def sliding(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Velocity components of body 1 relative to body 2 [m/s] at (x, y)."""
-        (u1, v1), (u2, v2) = (motion(x, y) for motion in self.motions)
-        return u1 - u2, v1 - v2
+    entrainment = Contact.entrainment_at
+    sliding = Contact.sliding_at

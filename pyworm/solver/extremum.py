@@ -26,20 +26,22 @@ DIP = 0.25
 along one of them a parabola reaches 1/8, this surface 0.15."""
 
 
-def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[float, float]]:
-    """Smallest value of the surface through a field, and its place in nodes along x and y.
+def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[float, ...]]:
+    """Smallest value of the surface, or curve, through a field, and its place in nodes along each direction.
 
     The surface counts in cells whose corners are all usable and one of them within, beside it nodes within.
 
     Parameters
     ----------
     field : numpy.ndarray
-        Values, shape (nx, ny).
+        Values, shape (nx, ny), or (n,) along a line.
     within : numpy.ndarray
         Nodes about which the minimum is searched; infinite without any.
     usable : numpy.ndarray
         Nodes whose values belong to the field; the surface goes on from them to others.
     """
+    if field.ndim == 1:
+        return _line_minimum(field, within, usable)
     nodal = np.where(within, field, np.inf)
     lowest = np.unravel_index(np.argmin(nodal), nodal.shape)
     if not np.isfinite(nodal[lowest]):
@@ -54,8 +56,8 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     return min(found, key=lambda one: one[0])
 
 
-def line_minimum(field: Array, within: Array, usable: Array) -> tuple[float, float]:
-    """Smallest value of the curve through a field along a line, and its place in nodes; as `minimum`."""
+def _line_minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[float]]:
+    """As `minimum`, of the curve through a field along a line."""
     known = np.pad(np.where(usable, field, np.nan), 2, constant_values=np.nan)
     before, left, right, behind = known[1:-3], known[2:-2], known[3:-1], known[4:]
     # what is lacking on one side follows from the other
@@ -72,8 +74,8 @@ def line_minimum(field: Array, within: Array, usable: Array) -> tuple[float, flo
     nodal = np.where(within, field, np.inf)
     cell, node = int(np.argmin(between)), int(np.argmin(nodal))
     if between[cell] < nodal[node]:
-        return float(between[cell]), float(cell + s[cell])
-    return float(nodal[node]), float(node)
+        return float(between[cell]), (float(cell + s[cell]),)
+    return float(nodal[node]), (float(node),)
 
 
 def _lowest_about(field: Array) -> Array:

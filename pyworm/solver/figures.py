@@ -7,46 +7,43 @@ from scipy.interpolate import RectBivariateSpline
 from scipy.optimize import minimize_scalar
 
 from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.error_estimate import Peak
-from pyworm.solver.extremum import line_minimum, minimum
+from pyworm.solver.extremum import minimum
 
 Array = np.ndarray
 
 
 def film_minimum(
-    grid: Grid, film: Array, pressurised: Array, covered: Array
-) -> tuple[float, tuple[float, float]]:
-    """Smallest film [m] and its place (x, y) [m], between nodes.
+    grid: Grid | LineGrid, film: Array, pressurised: Array, covered: Array
+) -> tuple[float, tuple[float, ...]]:
+    """Smallest film [m] and its place [m] along each direction of the grid, between nodes.
 
     Parameters
     ----------
-    grid : Grid
+    grid : Grid or LineGrid
         Where the film is.
     film : numpy.ndarray
-        Film [m], shape (nx, ny).
+        Film [m] at its nodes.
     pressurised : numpy.ndarray
         Nodes about which the film counts.
     covered : numpy.ndarray
         Where both surfaces exist.
     """
-    value, (i, j) = minimum(film, pressurised, covered)
-    return value, (grid.west + grid.dx * i, grid.south + grid.dy * j)
+    value, node = minimum(film, pressurised, covered)
+    return value, grid.place(node)
 
 
 def maximum(field: Array, covered: Array | bool = True) -> float:
     """Largest value of a field, between nodes, where both surfaces exist."""
     counted = np.broadcast_to(covered, field.shape)
+    if field.ndim == 1:
+        return -minimum(-field, counted, counted)[0]
     lowest = np.min(field, where=counted, initial=np.inf)
     highest = np.max(field, where=counted, initial=-np.inf)
     # only the upper half has peaks to look for: a pressure is flat, at zero, in most places
     upper = counted & ~(field < (lowest + highest) / 2)
     return -minimum(-field, upper, counted)[0]
-
-
-def line_maximum(field: Array, covered: Array | bool = True) -> float:
-    """Largest value of a field along a line, between nodes, where both surfaces exist."""
-    counted = np.broadcast_to(covered, field.shape)
-    return -line_minimum(-field, counted, counted)[0]
 
 
 def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
@@ -113,7 +110,7 @@ def maximum_across(field: Array, positions: Array, within: Array) -> float:
     about = tuple(slice(max(at - ABOUT, 0), at + ABOUT + 1) for at in node)
     between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
     columns = (field[about] @ between.T).max(axis=-1)
-    return (maximum if within.ndim == 2 else line_maximum)(columns, within[about])
+    return maximum(columns, within[about])
 
 
 def _lagrange(nodes: Array, places: Array) -> Array:
@@ -163,8 +160,10 @@ ON_NODE = 1e-6
 """Distance from a node, in spacings, that is none."""
 
 
-def value_at_origin(grid: Grid, field: Array) -> float:
+def value_at_origin(grid: Grid | LineGrid, field: Array) -> float:
     """Value of a field at the contact point: the node there, else splines through the nodes nearest to it."""
+    if isinstance(grid, LineGrid):
+        return float(field[-grid.first])
     i, j = -grid.west / grid.dx, -grid.south / grid.dy
     if max(abs(i - round(i)), abs(j - round(j))) < ON_NODE:
         return float(field[round(i), round(j)])

@@ -1,18 +1,29 @@
 """A film on one grid: what point and line contacts share."""
 
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from math import hypot
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
-from pyworm.kernel.line_film import LineFilm
-from pyworm.kernel.point_film import PointFilm
-from pyworm.solver.error_estimate import Reading
+from pyworm import kernel
+from pyworm.kernel.film import Shear
+from pyworm.materials.oil import NEWTONIAN
+from pyworm.planning.target import HEAT_FIGURES
+from pyworm.scene.contact import Array, Contact
+from pyworm.solver import figures
+from pyworm.solver.error_estimate import Peak, Reading
+from pyworm.solver.newtonian_shear import newtonian_shear
 
-FLOOR_SHARE = 1e-3
-"""Film, as a share of the expected central film, below which mobility falls no further."""
+FLOOR = 1e-3
+"""Film over the expected central film below which mobility falls no further."""
 
 TRACE = 1e-6
-"""Pressure that a film starts with outside its dry contact, over the largest dry pressure."""
+"""Pressure that a film starts with outside its dry contact, over the largest dry pressure.
+
+A rupture line that starts too far out is found in a few Newton steps, one that starts too near moves by a
+cell a step."""
 
 CONTACT_PRESSURE = 0.01
 """Pressure over the largest down to which friction and the film's temperature count as the contact's. Oil
@@ -20,36 +31,178 @@ farther out is dragged along too, but its friction falls with the gap alone, so 
 the bodies'. Where opposite surfaces turn it round, its temperature is that of a recirculation that ends with
 the window."""
 
+LOST = 1e-2
+"""Residual or load error beyond which a grid's film is no start for a finer grid: Newton's iteration
+led nowhere on it, as happens where a grid is far too coarse for the film, and from there it leads nowhere
+on finer ones either."""
 
-Array = np.ndarray
 
-
-class Storage(Protocol):
-    """How the oil that a film stores changes."""
+class TransientTerm(Protocol):
+    """d(rho h)/dt of the Reynolds equation."""
 
     def on(self, grid: Any) -> tuple[float, Array]:
-        """Renewal [1/s] and squeeze [m/s] at nodes of a grid, as `kernels.PointFilm.store` takes them."""
+        """Implicit [1/s] and explicit part [m/s] at nodes of a grid, as of `Film.set_transient_term`."""
 
 
-class Rung(Protocol):
+@dataclass(frozen=True)
+class InitialGuess:
+    """Where a film begins, or ended.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        Pressure [Pa] at the nodes.
+    rigid_film : float
+        Rigid film [m].
+    rise : numpy.ndarray or None
+        Temperature above the inlet's at the levels of a heated film [K], the last index.
+    """
+
+    pressure: Array
+    rigid_film: float
+    rise: Array | None = None
+
+    def finer(self, window=np.s_[...]) -> "InitialGuess":
+        """The same on nodes of half the spacing within a window."""
+        return InitialGuess(
+            np.maximum(kernel.prolong(self.pressure[window]), 0.0),
+            self.rigid_film,
+            None if self.rise is None else kernel.prolong_levels(self.rise[window]),
+        )
+
+    def onward(self, before: "InitialGuess", fraction: float) -> "InitialGuess":
+        """Linear extrapolation by a fraction of the way from the state before."""
+        moved = self.pressure + fraction * np.where(
+            self.pressure > 0, self.pressure - before.pressure, 0.0
+        )
+        return InitialGuess(
+            np.maximum(moved, 0.0),
+            self.rigid_film + fraction * (self.rigid_film - before.rigid_film),
+            None if self.rise is None else self.rise + fraction * (self.rise - before.rise),
+        )
+
+    def beyond(self, coarser: "InitialGuess") -> "InitialGuess":
+        """Richardson's extrapolation to half the spacing at second order, from twice the spacing's state."""
+        pressure = (
+            self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
+        )
+        rise = self.rise
+        if rise is not None and coarser.rise is not None:
+            rise = rise + (rise - coarser.rise) / 4
+        return InitialGuess(
+            np.maximum(pressure, 0.0),
+            self.rigid_film + (self.rigid_film - coarser.rigid_film) / 4,
+            rise,
+        )
+
+
+@dataclass(frozen=True)
+class Level(ABC):
     """A film on one grid.
 
     Attributes
     ----------
-    grid : object
-        The grid, with its `shape`, its number of `nodes` and the `finer()` one of half its spacing.
-    film : kernels.PointFilm or kernels.LineFilm
+    scene : Contact
+        The contact.
+    grid : Grid or LineGrid
+        The grid.
+    gap : numpy.ndarray
+        Undeformed gap [m] at its nodes.
+    covered : numpy.ndarray
+        Where both surfaces exist.
+    film : PointFilm or LineFilm
         The kernel's film, in its present state.
+    transient_term : TransientTerm or None
+        d(rho h)/dt; None of a steady film.
     forcing : float
-        Share of the residual to which each Newton step solves its linear system.
+        Residual, over the present one, to which each Newton step solves its linear system.
     """
 
-    grid: Any
-    film: PointFilm | LineFilm
     forcing: ClassVar[float]
+
+    scene: Contact
+    grid: Any
+    gap: Array
+    covered: Array
+    film: kernel.PointFilm | kernel.LineFilm
+    transient_term: TransientTerm | None
+
+    @abstractmethod
+    def model_errors(self) -> dict[str, float]:
+        """Relative error of figures by the models of the bodies' conduction."""
 
     def read(self) -> Reading:
         """The film's figures in its present state."""
+        film, pressure = self.film.thickness(), self.film.pressure
+        film_min, at = figures.film_minimum(self.grid, film, pressure > 0, self.covered)
+        pressure_max = figures.maximum(pressure, self.covered)
+        temperatures, peaks = self._temperatures()
+        return Reading(
+            film_min,
+            figures.value_at_origin(self.grid, film),
+            pressure_max,
+            at,
+            {"pressure_max": figures.peak(pressure, self.covered, pressure_max)} | peaks,
+            self._shear_figures() | temperatures,
+        )
 
-    def model_errors(self) -> dict[str, float]:
-        """Relative error of figures by the models that they come from, as far as it is known."""
+    def contact(self) -> Array:
+        """Nodes where pressure makes the contact, of which friction and the film's temperature are read."""
+        return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+
+    def state(self) -> InitialGuess:
+        """Pressure, rigid film and temperature at present."""
+        film = self.film
+        return InitialGuess(film.pressure, film.rigid_film, film.rise() if film.heated else None)
+
+    def lost(self) -> bool:
+        """Whether its film is no start for a finer grid."""
+        balance = self.film.balance
+        return not max(balance.residual, abs(balance.load_error)) <= LOST
+
+    def _shear(self) -> Shear | None:
+        """Shear of the film; None where the oil's flow law is not known."""
+        if self.film.levels:
+            return self.film.present_shear()
+        if self.scene.oil.flow != NEWTONIAN:
+            return None
+        pressure = self.film.pressure
+        slopes = np.gradient(pressure, *self.grid.spacing)
+        return newtonian_shear(
+            self.scene.oil.viscosity(pressure),
+            self.film.thickness(),
+            self.scene.sliding_at(*self.grid.mesh()),
+            (slopes,) if pressure.ndim == 1 else slopes,
+        )
+
+    def _shear_figures(self) -> dict[str, float]:
+        shear = self._shear()
+        if shear is None:
+            return {}
+        within = self.contact()
+        force = [float(stress[within].sum()) * self.grid.cell for stress in shear.stress]
+        # along the sliding at the contact point; without any friction has no direction, and no size
+        origin = [np.array(0.0) for _ in force]
+        sliding = [float(component) for component in self.scene.sliding_at(*origin)]
+        speed = hypot(*sliding)
+        friction = -float(np.dot(force, sliding)) / speed if speed > 0 else 0.0
+        return {
+            "friction_coefficient": friction / self.scene.load,
+            "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
+            "shear_rate_max": float(shear.rate[within].max()),
+        }
+
+    def _temperatures(self) -> tuple[dict[str, float], dict[str, Peak]]:
+        """Largest temperatures above the inlet's [K], and how well the grid resolves them."""
+        if not self.film.heated:
+            return {}, {}
+        rise, contact = self.film.rise(), self.contact()
+        of = dict(zip(HEAT_FIGURES, (rise[..., 0], rise[..., -1], rise.max(axis=-1)), strict=True))
+        counted = dict(zip(HEAT_FIGURES, (True, True, contact), strict=True))
+        largest = {name: figures.maximum(field, counted[name]) for name, field in of.items()}
+        largest["temperature_max_film"] = figures.maximum_across(
+            rise, kernel.level_positions(self.film.levels), contact
+        )
+        return largest, {
+            name: figures.peak(field, counted[name], largest[name]) for name, field in of.items()
+        }

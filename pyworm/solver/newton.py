@@ -7,7 +7,7 @@ import numpy as np
 from pyworm.kernel.core import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError
 from pyworm.planning.target import Aim
 from pyworm.solver.error_estimate import Reading, algebra_errors, change
-from pyworm.solver.level import Rung
+from pyworm.solver.level import Level
 
 MOST_STEPS = 60
 """Newton steps on a grid of the figures before it is given up: oil that slips in places slows them."""
@@ -16,16 +16,16 @@ MOST_LEADING = 30
 """Newton steps on one that only leads to others."""
 
 HOPELESS = 1e6
-"""Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law was asked
-for what its oil cannot bear."""
+"""Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law is
+evaluated for what its oil cannot bear."""
 
 
 ALGEBRA_SHARE = 0.1
-"""Error of the figures by unfinished algebra that is left on a grid, as a share of the accuracy."""
+"""Error of the figures by unfinished algebra that is left on a grid, as a fraction of the accuracy."""
 
 
 @dataclass(frozen=True)
-class Stride:
+class NewtonStep:
     """One Newton step.
 
     Attributes
@@ -38,7 +38,7 @@ class Stride:
         GMRES iterations.
     work : dict
         What was done on the grid since the step before, or since the film was made
-        (`kernels.PointFilm.work`).
+        (`kernel.PointFilm.work`).
     """
 
     points: tuple[int, ...]
@@ -54,7 +54,7 @@ class Settled:
 
     Attributes
     ----------
-    strides : tuple of Stride
+    steps : tuple of NewtonStep
         Its steps.
     reading : Reading
         The figures at its end.
@@ -62,49 +62,51 @@ class Settled:
         Relative error of each figure that further steps would mend.
     """
 
-    strides: tuple[Stride, ...]
+    steps: tuple[NewtonStep, ...]
     reading: Reading
     algebra: dict[str, float]
 
 
-def stride(rung: Rung) -> Stride | None:
-    """One Newton step, or none but heat on its way; None if neither helps."""
-    if not rung.film.balance.residual <= HOPELESS:
+def newton_step(level: Level) -> NewtonStep | None:
+    """One Newton step and a sweep of heat, or the sweep alone; None if neither helps."""
+    if not level.film.balance.residual <= HOPELESS:
         return None
-    warming = rung.film.balance.warming
+    warming = level.film.balance.warming
     krylov = 0
     try:
-        krylov = rung.film.step(rung.forcing).krylov
+        krylov = level.film.step(level.forcing).krylov
     except KernelError as error:
         if error.status not in (NO_DESCENT, NOT_FINITE, NOT_CONVERGED):
             raise
         # a sweep of heat follows even where no step helps, and another film may belong to its temperatures
-        if error.status != NO_DESCENT or not 0 < rung.film.balance.warming <= warming / 2:
+        if error.status != NO_DESCENT or not 0 < level.film.balance.warming <= warming / 2:
             return None
-    balance = rung.film.balance
-    return Stride(rung.grid.shape, balance.residual, balance.load_error, krylov, rung.film.work())
+    balance = level.film.balance
+    return NewtonStep(
+        level.grid.shape, balance.residual, balance.load_error, krylov, level.film.work()
+    )
 
 
-def lead(rung: Rung, tolerance: float, warming: float | None = None) -> list[Stride]:
+def lead(level: Level, tolerance: float, warming: float | None = None) -> list[NewtonStep]:
     """Newton steps on a grid that only leads to others, until its equations are met within a tolerance.
 
-    Its temperatures may be off by another share, `warming`, of their largest rise.
+    Its temperatures may still change by another fraction, `warming`, of their largest rise.
     """
-    strides: list[Stride] = []
-    while len(strides) < MOST_LEADING and not rung.film.balance.within(tolerance, warming):
-        taken = stride(rung)
+    steps: list[NewtonStep] = []
+    while len(steps) < MOST_LEADING and not level.film.balance.within(tolerance, warming):
+        taken = newton_step(level)
         if taken is None:
             break
-        strides.append(taken)
-    return strides
+        steps.append(taken)
+    return steps
 
 
-def settle(rung: Rung, tolerance: float, aim: Aim, algebra_wanted: float) -> Settled:
+def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> Settled:
     """Newton steps until the film's figures are settled, or no step helps any more.
 
     Parameters
     ----------
-    rung : Rung
+    level : Level
         The film.
     tolerance : float
         Residual and load error wanted.
@@ -113,20 +115,20 @@ def settle(rung: Rung, tolerance: float, aim: Aim, algebra_wanted: float) -> Set
     algebra_wanted : float
         Relative error of them wanted; it takes at least two steps to see it.
     """
-    strides: list[Stride] = []
-    reading = rung.read()
+    steps: list[NewtonStep] = []
+    reading = level.read()
     changes: list[dict[str, float]] = []
     algebra = dict.fromkeys(reading.figures, np.inf)
-    while len(strides) < MOST_STEPS and (
-        rung.film.balance.worst > tolerance
+    while len(steps) < MOST_STEPS and (
+        level.film.balance.worst > tolerance
         or not aim.worst(algebra, reading.figures) <= algebra_wanted
     ):
-        taken = stride(rung)
+        taken = newton_step(level)
         if taken is None:
             break
-        strides.append(taken)
-        last, reading = reading, rung.read()
+        steps.append(taken)
+        last, reading = reading, level.read()
         changes.append(change(last, reading))
         if len(changes) > 1:
             algebra = algebra_errors(*changes[-2:])
-    return Settled(tuple(strides), reading, algebra)
+    return Settled(tuple(steps), reading, algebra)

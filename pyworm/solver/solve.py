@@ -36,16 +36,16 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         the first grids (`memory.NoMemoryError`); for finer ones it ends the climb.
     """
     tell = _rising(progress)
-    foot, spent = None, Cost(0.0, 0.0)
+    warm_start, spent = None, Cost(0.0, 0.0)
     while True:
-        solution, foot = solve_on_grids(plan.simplified(scene), plan, tell, foot)
+        solution, warm_start = solve_on_grids(plan.simplified(scene), plan, tell, warm_start)
         spent = solution.cost.after(spent)
-        seen = reviewed(scene, plan, solution.figures.values()) if solution.converged else plan
-        if plan.asked is not None or seen.on <= plan.on:
-            return replace(solution, effects=seen.effects, cost=spent)
-        missed = ", ".join(sorted(seen.on - plan.on))
+        updated = reviewed(scene, plan, solution.figures.values()) if solution.converged else plan
+        if plan.asked is not None or updated.on <= plan.on:
+            return replace(solution, effects=updated.effects, cost=spent)
+        missed = ", ".join(sorted(updated.on - plan.on))
         tell(f"{scene.name}: calls for {missed} too", 0.0)
-        plan = seen
+        plan = updated
 
 
 def _rising(progress: Progress | None) -> Progress:

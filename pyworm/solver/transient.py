@@ -1,10 +1,10 @@
-"""How the film of a contact changes while oil passes through it.
+"""The transient term of a contact that changes while oil passes through it.
 
-Reynolds' equation has d(rho h)/dt. Oil that is under pressure now came to the contact some time ago, when
-load, curvature and edges were others, and the film is what it was there then: it has to be marched through
-the past, as far back as oil stays. What a march tells is the rate of change at present, which films on all
-grids of the figures then take. A march from farther back, on grids of half the spacing and in shorter steps
-of time, shows how good that is.
+The Reynolds equation has d(rho h)/dt. Oil under pressure now entered the contact some time ago, when load,
+curvature and edges were others, and its film is that of then: the equation is integrated in time, from as far
+back as oil stays in the contact. The result is the rate of change at present, which the films on all grids of
+the figures then take. Integrating from farther back, on grids of half the spacing and in shorter time steps,
+shows the error of that rate.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,29 +15,30 @@ import numpy as np
 from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 from pyworm.kernel.core import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
-from pyworm.planning.expected_work import INSTANTS
+from pyworm.planning.expected_work import TIME_STEPS
 from pyworm.planning.grid import Grid, coarsened
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan, first_grids_of
 from pyworm.planning.prediction import Sketch, sketch
+from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.past import Earlier
-from pyworm.scene.point import Array, Scene
-from pyworm.solver.contact import Ladder
+from pyworm.scene.point import Scene
+from pyworm.solver.contact import ContactSolver
 from pyworm.solver.error_estimate import Reading, grid_errors
-from pyworm.solver.level import Rung
+from pyworm.solver.level import Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.newton import ALGEBRA_SHARE, lead, settle
 
 TRANSITS = 1.5, 2.0, 2.7
-"""How far back films are marched from at each level, in the time that oil takes to pass through the contact's
-middle."""
+"""Start of the integration at each refinement, before the present, in transit times of oil through the
+middle of the contact."""
 
 LEAST = 4
-"""Least steps of time in a shorter past."""
+"""Least number of time steps in a shorter past."""
 
-SHARE = 0.5
-"""Error of the figures by a march that asks for no finer one, as a share of the accuracy."""
+FRACTION = 0.5
+"""Error of the figures by the integration in time that needs no finer one, as a fraction of the accuracy."""
 
 SHORTENING = 1.5
 """Power by which steps shorten towards the present: oil that came late is all over the contact, and what came
@@ -59,8 +60,8 @@ OUTGROWN = 1.6
 
 
 @dataclass(frozen=True)
-class Instant:
-    """What a film held at one time.
+class TimeLevel:
+    """rho h of a film at one time.
 
     Attributes
     ----------
@@ -80,58 +81,60 @@ class Instant:
 
 
 @dataclass(frozen=True)
-class Change:
-    """d(rho h)/dt of a film at one time, a `ladder.Storage`.
+class RateOfChange:
+    """d(rho h)/dt of a film at one time, a `solver.level.TransientTerm`.
 
     Attributes
     ----------
-    renewal : float
-        Its change by what the film holds [1/s].
+    implicit : float
+        Weight of the film's present rho h [1/s].
     films : tuple
-        Weights [1/s] of what it held at other times, and that.
+        Weights [1/s] of its rho h at other times, and these.
     angle : float
         Angle of its x axis [rad], as of `past.Earlier`.
     """
 
-    renewal: float
-    films: tuple[tuple[float, Instant], ...]
+    implicit: float
+    films: tuple[tuple[float, TimeLevel], ...]
     angle: float = 0.0
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
-        """Renewal [1/s] and squeeze [m/s] at nodes of a grid."""
-        return self.renewal, sum(
+        """Implicit [1/s] and explicit part [m/s] at nodes of a grid."""
+        return self.implicit, sum(
             weight * film.content(grid, self.angle) for weight, film in self.films
         )
 
 
 @dataclass(frozen=True)
-class History:
-    """What a contact's past makes of its film.
+class Transient:
+    """The transient term of a contact at present.
 
     Attributes
     ----------
-    storage : Change or None
-        How what the film stores changes at present; None where that was not found.
-    rung : Rung
-        The film that changes so, on the plan's first grid of the figures.
+    rate : RateOfChange or None
+        d(rho h)/dt at present; None where a film on the way was not found.
+    level : Level
+        The film with that rate, on the plan's first grid of the figures.
     errors : dict
-        Relative error of its figures by the grids, the steps and the start of the march.
+        Relative error of its figures by the grids, the time steps and the start of the integration.
     flaw : str or None
-        Why none of it is to be trusted.
+        Why the rate is not to be trusted.
     """
 
-    storage: Change | None
-    rung: Rung
+    rate: RateOfChange | None
+    level: Level
     errors: dict[str, float]
     flaw: str | None
 
 
 class LostError(Exception):
-    """A film on the way was not found; the message says which, and why if that is known."""
+    """No converged film at some time before the present; the message gives the time and the reason."""
 
 
-def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) -> History:
-    """March a film through its past, ever more finely until that changes it little enough.
+def transient(
+    scene: Scene | LineScene, plan: Plan, solver_type: Callable[..., ContactSolver]
+) -> Transient:
+    """Integrate a contact's film in time, ever more finely until the error is small enough.
 
     Parameters
     ----------
@@ -139,94 +142,113 @@ def marched(scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder]) 
         The contact, with a past.
     plan : Plan
         Its plan.
-    climb : callable
-        The climb of this kind of contact: scene, plan, storage -> `ladder.Ladder`.
+    solver_type : callable
+        Solver of this kind of contact: scene, plan, transient term -> `contact.ContactSolver`.
     """
-    ladder = climb(scene, plan)
-    rung, _ = ladder.enter(plan.grids)
-    errors = dict.fromkeys(rung.read().figures, inf)
+    solver = solver_type(scene, plan)
+    level, _ = solver.begin(plan.grids)
+    errors = dict.fromkeys(level.read().figures, inf)
     readings: list[Reading] = []
-    storage = flaw = None
+    rate = flaw = None
     try:
-        for level in range(len(INSTANTS)):
-            storage = _march(scene, plan, climb, level)
-            rung, now = _changing(scene, plan, climb, storage, rung)
-            readings.append(now)
-            errors = grid_errors(readings, ladder.convergence.orders)
-            left = plan.aim.worst(errors, now.figures)
-            if left <= SHARE * plan.accuracy:
+        for refinement in range(len(TIME_STEPS)):
+            rate = _integrated(scene, plan, solver_type, refinement)
+            level = solver_type(scene, plan, rate).at_next_time((level,), 0.0)
+            # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
+            settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+            readings.append(settled.reading)
+            errors = grid_errors(readings, solver.convergence.orders)
+            left = plan.aim.worst(errors, settled.reading.figures)
+            if left <= FRACTION * plan.accuracy:
                 break
         if not left <= plan.accuracy:  # finer grids of the present film would not mend that
-            flaw = f"the march through the contact's past leaves an error of {left:.1%}"
+            flaw = f"the transient solve through the contact's past leaves an error of {left:.1%}"
     except LostError as lost:
         flaw = str(lost)
         errors = dict.fromkeys(errors, inf)
-    return History(storage, rung, errors, flaw)
+    return Transient(rate, level, errors, flaw)
 
 
-def _changing(
-    scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], storage: Change, rung: Rung
-) -> tuple[Rung, Reading]:
-    """The film that changes so, on the grid of a rung and from its film, and its figures."""
-    rung = climb(scene, plan, storage).follow((rung,), 0.0)
-    # at least two steps: a march that changes little leaves less than the tolerance, but not nothing
-    settled = settle(rung, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
-    return rung, settled.reading
-
-
-def _march(
-    scene: Scene | LineScene, plan: Plan, climb: Callable[..., Ladder], level: int
-) -> Change:
-    """How a film changes at present, from as far back and as finely as the level says; else LostError."""
-    transit = sketch(scene).transit
-    whole = TRANSITS[level] * transit
-    span = min(whole, scene.past.seconds)
-    steps = max(LEAST, round(INSTANTS[level] * (span / whole) ** (1 / SHORTENING)))
-    times = [span * (k / steps) ** SHORTENING for k in range(steps + 1)]
-    shortest = times[1] / transit
-    tolerances = TOLERANCE * shortest, WARMING * shortest
-    moments = [Earlier(0.0, scene), *scene.past.back(times[1:])]
-    nest = _nest(moments, plan, level)
+def _integrated(
+    scene: Scene | LineScene,
+    plan: Plan,
+    solver_type: Callable[..., ContactSolver],
+    refinement: int,
+) -> RateOfChange:
+    """Rate of change at present by an integration from farther back the finer it is; else LostError."""
+    moments, shortest = _moments(scene, refinement)
+    nest = _nest(moments, plan, refinement)
     short = shortage(nest[-1], plan.model)
     if short is not None:
         raise LostError(short)
-    films: list[Instant] = []
-    rungs: list[Rung] = []
+    films: list[TimeLevel] = []
+    levels: list[Level] = []
     for moment in reversed(moments):
-        ladder = climb(moment.contact, plan, _backwards(moment, films))
-        where = f"the film of {moment.seconds:.2g} s before, which it comes from, was not found"
         try:
-            if rungs:
-                rung = ladder.follow(rungs, _onward(films, moment))
-                lead(rung, *tolerances)
-            if not rungs or not rung.film.balance.worst <= LOST:
-                # steady at first: on the way to these grids nothing is known of what the film held
-                rung, _ = climb(moment.contact, plan).enter(nest)
-                if rungs:
-                    rung = ladder.follow((rung,), 0.0)
-                lead(rung, *tolerances)
+            level = _levelat(moment, plan, solver_type, nest, films, levels, shortest)
         except KernelError as error:
             if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
                 raise
-            raise LostError(f"{where}: {error}") from error
-        if not rung.film.balance.worst <= LOST:
-            raise LostError(where)
-        rungs = [rung, *rungs[:1]]
-        films = [_instant(moment, rung), *films[:ORDER]]
+            raise LostError(f"{_failed(moment)}: {error}") from error
+        if not level.film.balance.worst <= LOST:
+            raise LostError(_failed(moment))
+        levels = [level, *levels[:1]]
+        films = [_time_level(moment, level), *films[:ORDER]]
     weights = _rate([film.seconds for film in films])
-    return Change(0.0, tuple(zip(weights, films, strict=True)))
+    return RateOfChange(0.0, tuple(zip(weights, films, strict=True)))
 
 
-def _backwards(moment: Earlier, films: Sequence[Instant]) -> Change | None:
-    """What the film of a moment stores, by itself and those before it; None of the first, which is steady."""
+def _moments(scene: Scene | LineScene, refinement: int) -> tuple[list[Earlier], float]:
+    """The contact at the times of the integration, the present first, and the shortest step in transits."""
+    transit = sketch(scene).transit
+    whole = TRANSITS[refinement] * transit
+    span = min(whole, scene.past.seconds)
+    count = max(LEAST, round(TIME_STEPS[refinement] * (span / whole) ** (1 / SHORTENING)))
+    times = [span * (k / count) ** SHORTENING for k in range(count + 1)]
+    return [Earlier(0.0, scene), *scene.past.back(times[1:])], times[1] / transit
+
+
+def _levelat(
+    moment: Earlier,
+    plan: Plan,
+    solver_type: Callable[..., ContactSolver],
+    nest: Sequence[Grid | LineGrid],
+    films: Sequence[TimeLevel],
+    levels: Sequence[Level],
+    shortest: float,
+) -> Level:
+    """The film of a moment, from those of the times before it, the latest first; the first one is steady."""
+    solver = solver_type(moment.contact, plan, _backwards(moment, films))
+    tolerances = TOLERANCE * shortest, WARMING * shortest
+    if levels:
+        level = solver.at_next_time(levels, _onward(films, moment))
+        lead(level, *tolerances)
+        if level.film.balance.worst <= LOST:
+            return level
+    # steady at first: on the way to these grids nothing is known of what the film held
+    level, _ = solver_type(moment.contact, plan).begin(nest)
+    if levels:
+        level = solver.at_next_time((level,), 0.0)
+    lead(level, *tolerances)
+    return level
+
+
+def _failed(moment: Earlier) -> str:
+    if moment.seconds == 0:
+        return "the transient solve found no converged film at present"
+    return f"the transient solve found no converged film {moment.seconds:.2g} s before the present"
+
+
+def _backwards(moment: Earlier, films: Sequence[TimeLevel]) -> RateOfChange | None:
+    """d(rho h)/dt of a moment by its own film and those before it; None of the first, which is steady."""
     if not films:
         return None
     before = films[:ORDER]
     weights = _rate([moment.seconds, *(film.seconds for film in before)])
-    return Change(weights[0], tuple(zip(weights[1:], before, strict=True)), moment.angle)
+    return RateOfChange(weights[0], tuple(zip(weights[1:], before, strict=True)), moment.angle)
 
 
-def _onward(films: Sequence[Instant], moment: Earlier) -> float:
+def _onward(films: Sequence[TimeLevel], moment: Earlier) -> float:
     """Time from the last film to a moment over that between the last two; 0 where there is but one."""
     if len(films) == 1:
         return 0.0
@@ -234,8 +256,8 @@ def _onward(films: Sequence[Instant], moment: Earlier) -> float:
     return (latest - moment.seconds) / (before - latest)
 
 
-def _nest(moments: Sequence[Earlier], plan: Plan, level: int) -> tuple[Grid | LineGrid, ...]:
-    """Grids to march on at a level: the plan's, or those of the largest contact if they do not hold it."""
+def _nest(moments: Sequence[Earlier], plan: Plan, refinement: int) -> tuple[Grid | LineGrid, ...]:
+    """Grids of the integration: the plan's, or those of the largest contact where it outgrows them."""
     now, *earlier = (sketch(moment.contact) for moment in moments)
     largest = max(earlier, key=_size, default=now)
     grids = plan.grids
@@ -243,7 +265,7 @@ def _nest(moments: Sequence[Earlier], plan: Plan, level: int) -> tuple[Grid | Li
         grids = first_grids_of(largest.scene, plan)
     if isinstance(grids[-1], Grid):  # those of lines cost next to nothing
         grids = coarsened(grids)
-    for _ in range(level):
+    for _ in range(refinement):
         grids = *grids, grids[-1].finer()
     return grids
 
@@ -266,9 +288,9 @@ def _rate(times: Sequence[float]) -> list[float]:
     return [-sum(weights), *weights]
 
 
-def _instant(moment: Earlier, rung: Rung) -> Instant:
-    film, density, _ = rung.film.fields()
-    return Instant(moment.seconds, moment.angle, _between(rung.grid, density * film))
+def _time_level(moment: Earlier, level: Level) -> TimeLevel:
+    film, density, _ = level.film.fields()
+    return TimeLevel(moment.seconds, moment.angle, _between(level.grid, density * film))
 
 
 def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:

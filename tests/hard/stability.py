@@ -21,8 +21,8 @@ from pyworm.scene.point import Paraboloid, Scene
 from pyworm.scene.scales import scales
 from pyworm.solver.error_estimate import Reading, grid_errors
 from pyworm.solver.newton import settle
-from pyworm.solver.point.contact import ORDERS, PointLadder
-from pyworm.solver.point.level import Rung, anew
+from pyworm.solver.point.contact import ORDERS, PointContactSolver
+from pyworm.solver.point.level import PointLevel, restart
 from pyworm.solver.solution import Solution
 
 Tell = Callable[[str], None]
@@ -122,16 +122,16 @@ on a fine grid."""
 
 
 def climb(
-    scene: Scene, plan: Plan, start: Callable[[Rung], None] | None = None
+    scene: Scene, plan: Plan, start: Callable[[PointLevel], None] | None = None
 ) -> Iterator[Reading]:
     """Readings of a scene on the plan's last grid and on ever finer ones; `start` changes the first guess."""
-    ladder = PointLadder(scene, plan)
-    rung, _ = ladder.enter(plan.grids)
+    solver = PointContactSolver(scene, plan)
+    level, _ = solver.begin(plan.grids)
     if start is not None:
-        start(rung)
+        start(level)
     while True:
-        yield settle(rung, plan.tolerance, plan.aim, SETTLED).reading
-        rung, _ = ladder.higher(rung)
+        yield settle(level, plan.tolerance, plan.aim, SETTLED).reading
+        level, _ = solver.refined(level)
 
 
 def resolved(scene: Scene, plan: Plan) -> list[Reading]:
@@ -146,7 +146,7 @@ def resolved(scene: Scene, plan: Plan) -> list[Reading]:
 
 
 def fixed(
-    scene: Scene, plan: Plan, grids: int, start: Callable[[Rung], None] | None = None
+    scene: Scene, plan: Plan, grids: int, start: Callable[[PointLevel], None] | None = None
 ) -> np.ndarray:
     """Films on the last of so many grids [m]: the same grids whatever the scene."""
     reading = next(islice(climb(scene, plan, start), grids - 1, None))
@@ -188,22 +188,23 @@ def first_guesses(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
             yield f"{name}: three first guesses lead to films of {np.array(reached).tolist()} m"
 
 
-def guesses(scene: Scene, plan: Plan) -> Iterator[Callable[[Rung], None]]:
-    """What starts a rung from each guess."""
+def guesses(scene: Scene, plan: Plan) -> Iterator[Callable[[PointLevel], None]]:
+    """What starts a level from each guess."""
     size = scales(scene)
     here, fast = (
-        PointLadder(of, plan).enter(plan.grids)[0] for of in (scene, nudges(scene)["speed"](2.0))
+        PointContactSolver(of, plan).begin(plan.grids)[0]
+        for of in (scene, nudges(scene)["speed"](2.0))
     )
-    for rung in (here, fast):
-        settle(rung, plan.tolerance, plan.aim, SETTLED)
+    for level in (here, fast):
+        settle(level, plan.tolerance, plan.aim, SETTLED)
 
-    def started(pressure: np.ndarray, rigid_film: float) -> Callable[[Rung], None]:
+    def started(pressure: np.ndarray, rigid_film: float) -> Callable[[PointLevel], None]:
         # on the outline it is the grid's boundary value, the same for all
         guess, met = pressure.copy(order="F"), here.film.pressure
         guess[[0, -1], :], guess[:, [0, -1]] = met[[0, -1], :], met[:, [0, -1]]
-        return lambda rung: rung.film.start(guess, rigid_film)
+        return lambda level: level.film.start(guess, rigid_film)
 
-    yield lambda rung: anew(scene, size, rung)
+    yield lambda level: restart(scene, size, level)
     yield started(here.film.pressure / 2, here.film.rigid_film + 2 * size.film)
     yield started(fast.film.pressure, fast.film.rigid_film)
 

@@ -7,7 +7,7 @@ from pyworm.planning.effects.effect import Contact, Effect, Influence
 from pyworm.planning.effects.geometry import SPEED_POWER, departure
 from pyworm.planning.prediction import Sketch
 from pyworm.planning.prediction import sketch as sketch_of
-from pyworm.scene.entrainment_continuation import lent
+from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 
@@ -26,7 +26,10 @@ def spread(sketch: Sketch) -> float:
     passed = sketch.speed * sketch.age
     if isinstance(sketch.scene, LineScene):
         return abs(sketch.half_width - then.half_width) / passed
-    size, was = scales(lent(sketch.scene)), scales(lent(then.scene))
+    size, was = (
+        scales(with_auxiliary_entrainment(sketch.scene)),
+        scales(with_auxiliary_entrainment(then.scene)),
+    )
     a_x, a_y = size.hertz.semi_axis_x, size.hertz.semi_axis_y
     gained = abs(a_x - was.hertz.semi_axis_x) * a_y + abs(a_y - was.hertz.semi_axis_y) * a_x
     return gained / (passed * (abs(cos(size.angle)) * a_y + abs(sin(size.angle)) * a_x))

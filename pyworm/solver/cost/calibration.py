@@ -23,7 +23,7 @@ from pyworm.planning.model import Model
 from pyworm.planning.plan import Plan, plan
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
-from pyworm.solver.grid_sequence import LADDERS
+from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.newton import settle
 from pyworm.solver.timing import convolution_seconds
 
@@ -195,24 +195,24 @@ def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
     planned = plan(scene, CALIBRATION_ACCURACY, words)
     planned = replace(planned, model=replace(planned.model, levels=levels))
     simple = simplified(scene, planned.on)
-    ladder = LADDERS[type(simple)](simple, planned)
-    rung, _ = ladder.enter(planned.grids)
-    settled(rung, planned)
+    solver = SOLVERS[type(simple)](simple, planned)
+    level, _ = solver.begin(planned.grids)
+    settled(level, planned)
     times, convolutions = [], []
     for _ in range(CALIBRATION_HALVINGS[kind]):
         started = process_time()
-        rung, _ = ladder.higher(rung)
+        level, _ = solver.refined(level)
         entered = process_time()
-        taken = settled(rung, planned)
-        times.append((rung.grid.nodes, entered - started, (process_time() - entered) / taken))
-        convolutions.append((rung.grid.nodes, convolution_seconds(rung.film)))
+        taken = settled(level, planned)
+        times.append((level.grid.nodes, entered - started, (process_time() - entered) / taken))
+        convolutions.append((level.grid.nodes, convolution_seconds(level.film)))
     return Pace.by(times[0], times[-1]), (convolutions[0], convolutions[-1])
 
 
-def settled(rung, planned: Plan) -> int:
-    """Steps in which a rung settled."""
-    taken = settle(rung, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
-    return max(len(taken.strides), 1)
+def settled(level, planned: Plan) -> int:
+    """Steps in which a level settled."""
+    taken = settle(level, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
+    return max(len(taken.steps), 1)
 
 
 _STEEL = Body(210e9, 0.3, 7850.0, 47.0, 450.0, 333.15)

@@ -1,45 +1,33 @@
-"""A line contact as the solver sees it."""
+"""A line contact solved by nested iteration."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
-import xarray as xr
 
-from pyworm import kernel
-from pyworm.io.variables import describe
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
+from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import line_scales
-from pyworm.solver.contact import Outcome
+from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
 from pyworm.solver.error_estimate import Convergence
-from pyworm.solver.level import Storage
-from pyworm.solver.line.level import (
-    LineRung,
-    first_rung,
-    next_rung,
-    supplied,
-    with_heat,
-    with_shear,
-)
-from pyworm.solver.newton import Stride, lead
-
-FIRST_TOLERANCE = 1e-4
-"""Residual to which a film is solved that only says what oil comes to its inlet."""
+from pyworm.solver.level import InitialGuess, TransientTerm
+from pyworm.solver.line.level import LineLevel, first_level, next_level
+from pyworm.solver.newton import NewtonStep, lead
 
 SUPPLIES = 2
 """Times that the oil before the inlet is found from a film on the first grid.
 
 After one its error hid what the window changes; a third changed nothing that is seen."""
 
-SPEEDS = tuple(1.5**-power for power in range(7, -1, -1))
-"""Shares of the velocities over which a film is led to them that Newton's iteration and heat did not settle.
+SPEED_FRACTIONS = tuple(1.5**-power for power in range(7, -1, -1))
+"""Fractions of the velocities, one after another, where Newton's iteration and heat do not settle at once.
 
-Fast films are: at 50 m/s heat takes two thirds of the film, and the cold one's pressure would heat it without
-bound. From grid to grid and from speed to speed temperature is carried over."""
+Fast films need them: at 50 m/s heat takes two thirds of the film, and the cold one's pressure would heat it
+without bound. From grid to grid and from speed to speed temperature is carried over."""
 
 LIFTS = (1.0, 1.5, 2.25)
 """Films to start from, over the expected one, one after another until Newton's iteration settles.
@@ -67,197 +55,116 @@ CONVERGENCE = Convergence(ORDERS, dict.fromkeys(ORDERS, 1.7), dict.fromkeys(ORDE
 HEATED_CONVERGENCE = Convergence(ORDERS, dict.fromkeys(ORDERS, 2.0), dict.fromkeys(ORDERS, 0.5))
 
 
-class LineLadder:
-    """The climb of a line contact.
-
-    Parameters
-    ----------
-    scene : LineScene
-        The contact.
-    plan : Plan
-        What of it is simulated.
-    storage : Storage, optional
-        What its film stores as it changes; without it is steady.
-    """
+class LineContactSolver(ContactSolver):
+    """Films of a line contact; parameters and attributes as of `pyworm.solver.contact.ContactSolver`."""
 
     kind: ClassVar[str] = "line"
-    rungs: ClassVar[type] = LineRung
+    level_type: ClassVar[type] = LineLevel
+    shear_tolerance: ClassVar[float] = COARSE_TOLERANCE
 
-    def __init__(self, scene: LineScene, plan: Plan, storage: Storage | None = None):
-        self._scene = scene
-        self._storage = storage
-        self._model = plan.model
-        self.convergence = HEATED_CONVERGENCE if plan.model.heated else CONVERGENCE
+    def __init__(self, scene: LineScene, plan: Plan, transient_term: TransientTerm | None = None):
+        super().__init__(scene, plan, transient_term)
+        self.convergence = HEATED_CONVERGENCE if self._model.heated else CONVERGENCE
         self._size = line_scales(scene)
-        self.origins = (
-            dict.fromkeys(HEAT_FIGURES, scene.oil.heat.inlet_temperature)
-            if self._model.heated
-            else {}
-        )
 
-    def enter(self, grids: Sequence[LineGrid]) -> tuple[LineRung, list[Stride]]:
-        """Up the grids. What lies before the first one's inlet follows from a film, and that from it."""
+    def begin(self, grids: Sequence[LineGrid]) -> tuple[LineLevel, list[NewtonStep]]:
+        """Nested iteration over the grids; the oil before the first one's inlet follows from a film on it."""
         grid, *finer = grids
-        rung, strides = self._warmed(self._scene, grid)
-        if self._model.levels and not rung.film.balance.worst <= FIRST_TOLERANCE:
-            slowest, *faster = (
-                replace(self._scene, velocities=tuple(share * u for u in self._scene.velocities))
-                for share in SPEEDS
-            )
-            rung, further = self._warmed(slowest, grid)
-            strides += further
-            for scene in faster:
-                rung = self._like(rung, supplied(scene, line_scales(scene), rung, self._storage))
-                strides += lead(rung, FIRST_TOLERANCE)
-        rung = self._supplied(rung)
+        level, steps = self._first(grid)
+        if self._model.levels and not level.film.balance.worst <= COARSE_TOLERANCE:
+            level, further = self._sped_up(grid)
+            steps += further
+        level = self._supplied(level)
         for _ in finer:
-            strides += lead(rung, FIRST_TOLERANCE)
-            rung, _ = self.higher(rung)
-        return rung, strides
+            steps += lead(level, COARSE_TOLERANCE)
+            level, further = self.refined(level)
+            steps += further
+        return level, steps
 
-    def _supplied(self, rung: LineRung) -> LineRung:
-        """The contact on the grid of a rung, from its film, shear and heat."""
-        return self._like(rung, supplied(self._scene, self._size, rung, self._storage))
+    def at_next_time(self, earlier: Sequence[LineLevel], fraction: float) -> LineLevel:
+        """The contact on the grid of its levels at earlier times, from the latest one's film."""
+        return self._supplied(earlier[0])
 
-    def _warmed(self, scene: LineScene, grid: LineGrid) -> tuple[LineRung, list[Stride]]:
+    def warm_started(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
+        """The grid of a level, from its film."""
+        again = self._newly_supplied(level)
+        steps = self._add_shear_and_heat(again) + lead(again, COARSE_TOLERANCE)
+        return self._supplied(again), steps
+
+    def _first(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
         """A film on the first grid, step by step: of a Newtonian oil of one temperature, sheared, heated.
 
         In the film of a Newtonian oil stresses may be so far beyond what the oil bears that their heat is
         without bound.
         """
-        size = line_scales(scene)
         for lift in LIFTS:
-            rung = first_rung(scene, size, grid, lift * size.film, self._storage)
-            strides = lead(rung, FIRST_TOLERANCE)
-            if rung.film.balance.worst <= FIRST_TOLERANCE:
+            height = lift * self._size.film
+            level = first_level(self._scene, self._size, grid, height, self._transient_term)
+            steps = lead(level, COARSE_TOLERANCE)
+            if level.film.balance.worst <= COARSE_TOLERANCE:
                 break
         for _ in range(SUPPLIES - 1):
-            rung = supplied(scene, size, rung, self._storage)
-            strides += lead(rung, FIRST_TOLERANCE)
-        return rung, strides + self._complete(scene, rung)
-
-    def _complete(self, scene: LineScene, rung: LineRung) -> list[Stride]:
-        """Shear, then heat, for a Newtonian film of one temperature."""
-        strides: list[Stride] = []
+            level = self._newly_supplied(level)
+            steps += lead(level, COARSE_TOLERANCE)
         if self._model.levels:
-            with_shear(scene, self._model, rung)
-            strides += lead(rung, FIRST_TOLERANCE)
-        if self._model.heated:
-            with_heat(scene, rung)
-            strides += lead(rung, FIRST_TOLERANCE)
-        return strides
+            steps += self._add_shear_and_heat(level) + lead(level, COARSE_TOLERANCE)
+        return level, steps
 
-    def follow(self, earlier: Sequence[LineRung], share: float) -> LineRung:
-        """The contact on the grid of its rungs at earlier times, from the latest one's film."""
-        return self._supplied(earlier[0])
-
-    def resume(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
-        """The grid of a rung, from its film."""
-        again = supplied(self._scene, self._size, rung, self._storage)
-        strides = self._complete(self._scene, again)
-        return self._supplied(again), strides
-
-    def higher(self, rung: LineRung) -> tuple[LineRung, list[Stride]]:
-        """Half the spacing."""
-        return self._like(rung, next_rung(self._scene, self._size, rung)), []
-
-    def _like(self, before: LineRung, rung: LineRung) -> LineRung:
-        """A rung that was entered from one before, with the shear and the heat that one has."""
-        if self._model.levels:
-            with_shear(self._scene, self._model, rung)
-        if self._model.heated:
-            with_heat(self._scene, rung, before)
-        return rung
-
-    def outcome(self, rung: LineRung) -> Outcome:
-        """Groups, the mass balance and the fields."""
-        figures: dict[str, Any] = {
-            "moes_m": self._size.groups.moes_m,
-            "moes_l": self._size.groups.moes_l,
-            "mass_error": self._mass_error(rung),
-            "heat_balance": _heat_balance(rung) if self._model.heated else None,
-        }
-        return Outcome(
-            figures, self._fields(rung), profile=self._profile(rung) if self._model.heated else None
+    def _sped_up(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
+        """The film at the contact's velocities from that at lower ones (continuation)."""
+        slowest, *faster = (
+            LineContactSolver(self._at(fraction), self._plan, self._transient_term)
+            for fraction in SPEED_FRACTIONS
         )
+        level, steps = slowest._first(grid)
+        for solver in faster:
+            level = solver._supplied(level)
+            steps += lead(level, COARSE_TOLERANCE)
+        return level, steps
 
-    def _mass_error(self, rung: LineRung) -> float:
+    def _at(self, fraction: float) -> LineScene:
+        """The contact at a fraction of its velocities."""
+        velocities = tuple(fraction * velocity for velocity in self._scene.velocities)
+        return replace(self._scene, velocities=velocities)
+
+    def _newly_supplied(self, level: LineLevel) -> LineLevel:
+        """The same grid and pressure without shear or heat, oil before its inlet as the film lets it come."""
+        guess = level.state()
+        return next_level(self._scene, self._size, level, level.grid, guess, self._transient_term)
+
+    def _supplied(self, level: LineLevel) -> LineLevel:
+        """The contact on the grid of a level, from its film, shear and heat."""
+        again = self._newly_supplied(level)
+        self._shear_and_warm(again, level.state())
+        return again
+
+    def _guesses(self, level: LineLevel) -> Iterator[InitialGuess]:
+        yield level.state().finer()
+
+    def _continued(self, level: LineLevel, guess: InitialGuess) -> LineLevel:
+        grid, term = level.grid.finer(), self._transient_term
+        finer = next_level(self._scene, self._size, level, grid, guess, term)
+        self._shear_and_warm(finer, guess)
+        return finer
+
+    def _begun_again(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
+        return self.begin([level.grid.finer()])
+
+    def _warm(self, level: LineLevel, rise: Array | None) -> None:
+        level.film.heat(self._scene.oil, self._scene.bodies, self._scene.velocities, rise)
+
+    def _mass_error(self, level: LineLevel) -> float:
         """Net outflow of the pressurised film over the flow past its end, where pressure and slope vanish."""
-        film, density, imbalance = rung.film.fields()
-        inside = np.flatnonzero(rung.film.pressure > 0)
+        film, density, imbalance = level.film.fields()
+        inside = np.flatnonzero(level.film.pressure > 0)
         end = inside[-1 if self._scene.entrainment > 0 else 0]
         through = abs(self._scene.entrainment) * density[end] * film[end]
-        return float(abs(imbalance[inside].sum()) * rung.grid.dx / through)
+        return float(abs(imbalance[inside].sum()) * level.grid.dx / through)
 
-    def _fields(self, rung: LineRung) -> xr.Dataset:
-        variables = {
-            "gap": rung.gap,
-            "covered": rung.covered.astype(np.int8),
-            "pressure": rung.film.pressure,
-            "film": rung.film.fields()[0],
-            "entrainment_x": np.full(rung.grid.nodes, self._scene.entrainment),
-            "sliding_x": np.full(rung.grid.nodes, self._scene.sliding),
-            **self._shear_fields(rung),
-            **self._heat_fields(rung),
-        }
-        return describe(
-            xr.Dataset(
-                {name: ("x", values) for name, values in variables.items()},
-                coords={"x": rung.grid.x},
-                attrs={
-                    "radius_m": self._scene.radius,
-                    "load_per_length_N_m": self._scene.load,
-                    "reduced_modulus_Pa": self._scene.reduced_modulus,
-                },
-            )
-        )
-
-    def _shear_fields(self, rung: LineRung) -> dict[str, np.ndarray]:
-        if not self._model.levels:
-            return {}
-        shear = rung.film.shear_fields()
+    @property
+    def _attributes(self) -> dict[str, float]:
         return {
-            "shear_stress_x": shear.stress,
-            "friction_power": shear.friction,
-            "shear_rate": shear.rate,
-            "slip": shear.slip.astype(np.int8),
-            "flow_factor_sliding": shear.factor,
+            "radius_m": self._scene.radius,
+            "load_per_length_N_m": self._scene.load,
+            "reduced_modulus_Pa": self._scene.reduced_modulus,
         }
-
-    def _heat_fields(self, rung: LineRung) -> dict[str, np.ndarray]:
-        if not self._model.heated:
-            return {}
-        temperature = self._scene.oil.heat.inlet_temperature + rung.film.rise()
-        return {
-            "temperature_body_1": temperature[:, 0],
-            "temperature_body_2": temperature[:, -1],
-            "temperature_middle": temperature[:, self._model.levels // 2],
-        }
-
-    def _profile(self, rung: LineRung) -> xr.Dataset:
-        """Across the film where it is hottest in the contact."""
-        rise = rung.film.rise()
-        node = int(np.argmax(np.where(rung.contact(), rise.max(axis=1), -np.inf)))
-        return describe(
-            xr.Dataset(
-                {
-                    "profile_temperature": (
-                        "level",
-                        self._scene.oil.heat.inlet_temperature + rise[node],
-                    ),
-                    "profile_velocity_x": (
-                        "level",
-                        rung.film.profile(node, self._scene.velocities[0]),
-                    ),
-                    "profile_x": rung.grid.x[node],
-                },
-                coords={"level_position": ("level", kernel.level_positions(rise.shape[1]))},
-            )
-        )
-
-
-def _heat_balance(rung: LineRung) -> float:
-    """What both bodies take up and oil carries away, less the heat of shearing, over that."""
-    flux, carried = rung.film.heat_fields()
-    friction = rung.film.shear_fields().friction
-    return float((flux.sum() + carried.sum() - friction.sum()) / friction.sum())

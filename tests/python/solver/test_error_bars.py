@@ -24,7 +24,7 @@ from pyworm.scene.index import Place
 from pyworm.scene.scales import scales
 from pyworm.solver.error_estimate import domain_errors
 from pyworm.solver.newton import settle
-from pyworm.solver.point.contact import PointLadder
+from pyworm.solver.point.contact import PointContactSolver
 
 
 def task(accuracy, radii, load, modulus, velocity, spin, viscosity, density):
@@ -145,17 +145,17 @@ def test_the_window_s_bar_of_a_contact_that_warms_little_holds():
     size = scales(scene)
     far = [reach.doubled().doubled().doubled() for reach in (near_reach(size), FAR)]
     farthest = nest(*windows(scene, size, *far), *plan.grids[-1].spacing)
-    ladder = PointLadder(scene, plan)
+    solver = PointContactSolver(scene, plan)
     aim = replace(plan.aim, warmth=0.0)
 
     def read(grids):
-        rung, _ = ladder.enter(grids)
-        return settle(rung, 1e-3, aim, 1e-3).reading
+        level, _ = solver.begin(grids)
+        return settle(level, 1e-3, aim, 1e-3).reading
 
     near, wide, whole = (read(grids) for grids in (plan.grids, plan.wider_grids, farthest))
     settled = dict.fromkeys(near.figures, 0.0)
-    errors = domain_errors(near, wide, ladder.convergence.window_limits, settled)
-    left = ladder.convergence.wider_shares
+    errors = domain_errors(near, wide, solver.convergence.window_limits, settled)
+    left = solver.convergence.wider_shares
     for name in HEAT_FIGURES:
         true = whole.figures[name]
         assert abs(near.figures[name] / true - 1) < errors[name]

@@ -5,10 +5,9 @@ import pytest
 
 from pyworm import kernel
 from pyworm.planning.grid import Grid
-from pyworm.solver.extremum import line_minimum, minimum
+from pyworm.solver.extremum import minimum
 from pyworm.solver.figures import (
     exit_minimum,
-    line_maximum,
     maximum,
     maximum_across,
     outline_imbalance,
@@ -109,7 +108,7 @@ def test_no_node_is_beyond_the_extremum_however_many_valleys_compete(seed):
     film[2:10, 3:6] = np.maximum(film[2:10, 3:6], film.min())
     assert minimum(film, EVERYWHERE, EVERYWHERE)[0] <= film.min()
     assert maximum(-film) >= (-film).max()
-    assert line_maximum(-film[:, 4]) >= (-film[:, 4]).max()
+    assert maximum(-film[:, 4]) >= (-film[:, 4]).max()
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, np.pi / 4, 1.1])
@@ -176,11 +175,11 @@ def test_along_a_line_the_curve_is_that_of_the_surface():
     for bottom in (7.0, 7.3, 7.5, 0.2, 28.9):
         film = np.sqrt(1 + 0.3 * (x - bottom) ** 2 + 0.01 * (x - bottom) ** 3)
         usable = np.ones(30, dtype=bool)
-        value, place = line_minimum(film, usable, usable)
+        value, place = minimum(film, usable, usable)
         strip = [np.stack([of] * 3, axis=1) for of in (film, usable, usable)]
         assert value == pytest.approx(minimum(*strip)[0], abs=1e-5)
         assert place == pytest.approx(minimum(*strip)[1][0], abs=0.01)
-    value, place = line_minimum(np.where(x > 6, np.nan, (x - 6.4) ** 2), x <= 6, x <= 6)
+    value, place = minimum(np.where(x > 6, np.nan, (x - 6.4) ** 2), x <= 6, x <= 6)
     assert (value, place) == (pytest.approx(0.16), 6.0)
 
 

@@ -22,10 +22,10 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
-from pyworm.solver.grid_sequence import ACCURATE
-from pyworm.solver.newton import settle, stride
+from pyworm.solver.stop_reason import ACCURATE
+from pyworm.solver.newton import newton_step, settle
 from pyworm.solver.point import level
-from pyworm.solver.point.contact import PointLadder
+from pyworm.solver.point.contact import PointContactSolver
 
 
 @pytest.mark.parametrize("name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22"])
@@ -93,43 +93,43 @@ def test_a_grid_on_which_newton_is_lost_costs_only_itself():
     assert solution.history.residual.max() < 20
 
 
-def thermal_ladder(number, seed, directory):
-    """A drawn scene's plan at the suite's accuracy, and its ladder."""
+def thermal_solver(number, seed, directory):
+    """A drawn scene's plan at the suite's accuracy, and its solver."""
     one = trial(DRAWS["thermal"](number, seed).tables, "drawn", directory, "all")
-    return one.plan, PointLadder(one.plan.simplified(one.scene), one.plan)
+    return one.plan, PointContactSolver(one.plan.simplified(one.scene), one.plan)
 
 
 def test_heat_continues_where_no_film_step_helps(tmp_path):
     """The sheared film is at rest when heat begins: the first sweep makes another of it, no step does."""
-    plan, ladder = thermal_ladder(0, 12, tmp_path)
-    rung, _ = ladder.enter(plan.grids)
-    settled = settle(rung, plan.tolerance, plan.aim, 0.5)
-    assert rung.film.balance.worst <= plan.tolerance
-    assert settled.strides[0].krylov == 0
+    plan, solver = thermal_solver(0, 12, tmp_path)
+    film_level, _ = solver.begin(plan.grids)
+    settled = settle(film_level, plan.tolerance, plan.aim, 0.5)
+    assert film_level.film.balance.worst <= plan.tolerance
+    assert settled.steps[0].krylov == 0
     assert settled.reading.figures["temperature_max_film"] > 1.0
 
 
 def test_a_step_after_which_heat_does_not_converge_is_the_last(tmp_path):
-    plan, ladder = thermal_ladder(0, 12, tmp_path)
-    rung, _ = ladder.enter(plan.grids)
-    taken = [stride(rung)]
-    rung.film.step = Mock(side_effect=KernelError(NO_DESCENT))
+    plan, solver = thermal_solver(0, 12, tmp_path)
+    film_level, _ = solver.begin(plan.grids)
+    taken = [newton_step(film_level)]
+    film_level.film.step = Mock(side_effect=KernelError(NO_DESCENT))
     assert taken[0] is not None
-    assert stride(rung) is None  # its warming is what it was
+    assert newton_step(film_level) is None  # its warming is what it was
 
 
 def test_an_extrapolated_film_that_no_oil_bears_is_no_initial_guess(tmp_path):
     """Its gradients ask for more stress than the limit: slip without bound, a residual of 1e18."""
-    plan, ladder = thermal_ladder(11, 12, tmp_path)
-    rung, _ = ladder.enter(plan.grids)
-    settle(rung, plan.tolerance, plan.aim, 0.5)
-    rung, _ = ladder.higher(rung)
-    settle(rung, plan.tolerance, plan.aim, 0.5)
-    rung, strides = ladder.higher(rung)
-    assert strides == []  # entered as it is, with its heat
-    assert rung.film.balance.residual < 0.1
-    settle(rung, plan.tolerance, plan.aim, 0.5)
-    assert rung.film.balance.worst <= plan.tolerance
+    plan, solver = thermal_solver(11, 12, tmp_path)
+    film_level, _ = solver.begin(plan.grids)
+    settle(film_level, plan.tolerance, plan.aim, 0.5)
+    film_level, _ = solver.refined(film_level)
+    settle(film_level, plan.tolerance, plan.aim, 0.5)
+    film_level, steps = solver.refined(film_level)
+    assert steps == []  # entered as it is, with its heat
+    assert film_level.film.balance.residual < 0.1
+    settle(film_level, plan.tolerance, plan.aim, 0.5)
+    assert film_level.film.balance.worst <= plan.tolerance
 
 
 def test_a_film_hottest_in_a_spike_ends_with_all_else_accurate(tmp_path):
@@ -161,15 +161,15 @@ def test_a_restarted_film_keeps_its_outline_and_carries_its_load():
     size = scales(scene)
     a = size.hertz.semi_axis_x
     grid = Grid(-3 * a, -2 * a, a / 8, a / 8, 41, 33)
-    rung = level.first_rung(scene, scene, size, grid)
-    before = rung.film.pressure.copy()
-    rung.film.start(before / 3, 5 * size.film)
-    level.anew(scene, size, rung)
+    film_level = level.first_level(scene, scene, size, grid)
+    before = film_level.film.pressure.copy()
+    film_level.film.start(before / 3, 5 * size.film)
+    level.restart(scene, size, film_level)
     outline = np.ones(grid.shape, dtype=bool)
     outline[1:-1, 1:-1] = False
-    assert np.array_equal(rung.film.pressure[outline], before[outline] / 3)
-    assert rung.film.pressure.sum() * grid.cell == pytest.approx(rung.load, rel=1e-3)
-    assert rung.film.thickness().min() > 0.5 * size.film
+    assert np.array_equal(film_level.film.pressure[outline], before[outline] / 3)
+    assert film_level.film.pressure.sum() * grid.cell == pytest.approx(film_level.load, rel=1e-3)
+    assert film_level.film.thickness().min() > 0.5 * size.film
 
 
 @pytest.mark.parametrize("name", ["coarse-grid-lost"])

@@ -12,7 +12,7 @@ from pyworm.materials.oil import NEWTONIAN, FlowLaw
 from pyworm.planning.model import Model
 from pyworm.scene.point import RigidMotion
 from pyworm.solver.newton import lead
-from pyworm.solver.point.contact import PointLadder
+from pyworm.solver.point.contact import PointContactSolver
 
 CASES = Path(__file__).parents[3] / "cases"
 COARSE = 0.05
@@ -44,9 +44,9 @@ def hot():
 def settled(scene, levels):
     """The film of one temperature on the first grid of the figures, to a residual far below any wanted."""
     plan = replace(pyworm.plan(scene, COARSE, "isothermal"), model=Model(levels))
-    rung, _ = PointLadder(scene, plan).enter(plan.grids)
-    lead(rung, 1e-9)
-    return rung.film
+    level, _ = PointContactSolver(scene, plan).begin(plan.grids)
+    lead(level, 1e-9)
+    return level.film
 
 
 def test_a_newtonian_oil_of_one_temperature_has_the_isothermal_film():
@@ -87,11 +87,11 @@ def test_heat_into_the_bodies_is_the_work_of_friction():
     """Of the contact's friction all but what the oil carries out goes into the bodies: to 1 %."""
     scene = ball()
     plan = pyworm.plan(scene, COARSE)
-    ladder = PointLadder(scene, plan)
-    rung, _ = ladder.enter(plan.grids)
-    lead(rung, 1e-4)
-    heat = rung.film.heat_fields()
-    contact = rung.film.pressure > 0.01 * rung.film.pressure.max()
+    solver = PointContactSolver(scene, plan)
+    level, _ = solver.begin(plan.grids)
+    lead(level, 1e-4)
+    heat = level.film.heat_fields()
+    contact = level.film.pressure > 0.01 * level.film.pressure.max()
     into_bodies = heat.flux.sum(axis=2)[contact].sum()
     assert into_bodies == pytest.approx(heat.friction[contact].sum(), rel=0.01)
 

@@ -22,9 +22,9 @@ from pathlib import Path
 import pyworm
 from pyworm.planning.grid import Grid
 from pyworm.solver.point import level
-from pyworm.solver.newton import stride
+from pyworm.solver.newton import newton_step
 from pyworm.planning.model import Model
-from pyworm.solver.point.contact import PointLadder
+from pyworm.solver.point.contact import PointContactSolver
 from pyworm.scene.scales import scales
 from dataclasses import replace
 
@@ -35,14 +35,14 @@ def peak():
 def solved(nodes):
     base = plan.grids[-1]
     grid = Grid(base.west, base.south, *(base.dx * 64 / (nodes - 1),) * 2, nodes, nodes)
-    rung = level.first_rung(scene, scene, scales(scene), grid)
+    rung = level.first_level(scene, scene, scales(scene), grid)
     if plan.model.levels:
         level.with_shear(scene, plan.model, rung)
     if plan.model.heated:
         level.with_heat(scene, scales(scene), rung)
     rung.film.restart()
-    stride(rung), stride(rung)
-    PointLadder(scene, plan).outcome(rung)
+    newton_step(rung), newton_step(rung)
+    PointContactSolver(scene, plan).outcome(rung)
 
 scene = pyworm.load(sys.argv[1]).scene(slide_roll_ratio=0.5)
 plan = replace(pyworm.plan(scene, 0.05, "all"), model=Model(int(sys.argv[2]), sys.argv[3] == "heated"))

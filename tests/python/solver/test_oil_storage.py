@@ -9,7 +9,7 @@ import pyworm
 from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.geometry import as_line
 from pyworm.scene.scales import line_scales, scales
-from pyworm.solver.line.level import first_rung
+from pyworm.solver.line.level import first_level
 from pyworm.solver.newton import lead
 from pyworm.solver.point import level
 
@@ -23,12 +23,12 @@ def ball(speed):
 
 
 def film_of(scene, grid, store=None):
-    return storing(level.first_rung(scene, scene, scales(scene), grid), store)
+    return storing(level.first_level(scene, scene, scales(scene), grid), store)
 
 
 def storing(rung, store):
     if store is not None:
-        rung.film.store(*store)
+        rung.film.set_transient_term(*store)
         rung.film.restart()
     lead(rung, 1e-8)
     assert rung.film.balance.worst <= 1e-8
@@ -56,7 +56,7 @@ def test_a_film_in_moving_axes_is_that_in_its_own_axes():
 
 
 def line_of(scene, grid, store=None):
-    return storing(first_rung(scene, line_scales(scene), grid, line_scales(scene).film), store)
+    return storing(first_level(scene, line_scales(scene), grid, line_scales(scene).film), store)
 
 
 def test_a_line_film_in_moving_axes_is_that_in_its_own_axes():
@@ -86,4 +86,4 @@ def test_impossible_transient_terms_are_refused(wrong):
         shape = np.shape(rung.gap)
         fields = {"not finite": np.full(shape, np.nan), "another grid": np.zeros([3] * len(shape))}
         with pytest.raises(KernelError):
-            rung.film.store(1.0, fields[wrong])
+            rung.film.set_transient_term(1.0, fields[wrong])

@@ -1,0 +1,29 @@
+"""The Newton steps of a solve as a dataset."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+
+from pyworm.io.variables import describe
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.solver.newton import NewtonStep
+
+
+def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> xr.Dataset:
+    """Over iteration: grid points along each direction of a grid, balances, GMRES iterations and work."""
+    columns = {
+        f"points_{axis}": [step.points[number] for step in steps]
+        for number, axis in enumerate("xy"[: len(grid.shape)])
+    }
+    for name in ("residual", "load_error", "krylov"):
+        columns[name] = [getattr(step, name) for step in steps]
+    for name in steps[0].work if steps else ():
+        columns[name] = [step.work[name] for step in steps]
+    return describe(
+        xr.Dataset(
+            {name: ("iteration", np.array(values)) for name, values in columns.items()},
+            coords={"iteration": np.arange(len(steps))},
+        )
+    )

@@ -1,0 +1,73 @@
+"""Figures of a film with their error bars, from its grids, windows and last Newton steps."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pyworm.planning.plan import Plan
+from pyworm.solver.contact import ContactSolver
+from pyworm.solver.error_estimate import (
+    LEAST_PEAK,
+    Reading,
+    grid_errors,
+    hot_spike,
+    peak_errors,
+    unresolved,
+)
+from pyworm.solver.level import Level
+from pyworm.solver.newton import Settled
+from pyworm.solver.solution import Estimate
+from pyworm.solver.stop_reason import film_is_sound
+
+
+def estimates(
+    solver: ContactSolver,
+    level: Level,
+    readings: Sequence[Reading],
+    window_errors: Mapping[str, float],
+    settled: Settled,
+    plan: Plan,
+    transient_errors: Mapping[str, float],
+) -> dict[str, Estimate]:
+    """Figures with their error bars, which are infinite where the equations are not met.
+
+    Parameters
+    ----------
+    solver : ContactSolver
+        Solver of this kind of contact.
+    level : Level
+        The film on the last grid.
+    readings : sequence of Reading
+        Figures on grids of halving spacing, this one last.
+    window_errors : mapping
+        Relative error of each figure by the end of the window; empty where no wider one was solved.
+    settled : Settled
+        Figures and algebraic errors on the last grid.
+    plan : Plan
+        Accuracy and tolerance asked for.
+    transient_errors : mapping
+        Relative error of each figure by the integration in time; empty of a steady contact.
+    """
+    grid = grid_errors(readings or [settled.reading], solver.convergence.orders)
+    grid |= {name: max(grid[name], of) for name, of in peak_errors(settled.reading).items()}
+    reasons = {"pressure_max": unresolved(settled.reading)}
+    if not film_is_sound(level, settled, plan):
+        grid = dict.fromkeys(grid, np.inf)
+    modelled = level.model_errors()
+    found = {
+        name: Estimate(
+            solver.origins.get(name, 0.0) + value,
+            grid[name],
+            window_errors.get(name, np.inf),
+            settled.algebra[name],
+            modelled.get(name, 0.0) + transient_errors.get(name, 0.0),
+            reasons.get(name),
+        )
+        for name, value in settled.reading.figures.items()
+    }
+    spike, name = hot_spike(settled.reading), "temperature_max_film"
+    if spike is not None and found[name].error > plan.accuracy:
+        bar = np.inf if settled.reading.peaks[name].nodes < LEAST_PEAK else grid[name]
+        found[name] = replace(found[name], grid=bar, reason=spike)
+    return found

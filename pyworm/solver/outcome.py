@@ -1,0 +1,145 @@
+"""What the last level of a contact shows: fields, the profile across the film, the balance of heat."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import nan
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from pyworm import kernel
+from pyworm.io.variables import describe
+from pyworm.planning.model import Model
+from pyworm.scene.contact import Array, Contact
+from pyworm.solver.level import Level
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the last level of a contact shows.
+
+    Attributes
+    ----------
+    figures : dict
+        The `solution.Figures` that have no error bars.
+    fields : xarray.Dataset
+        Fields over the grid.
+    flaw : str or None
+        Why they are not to be trusted, whatever the film says.
+    profile : xarray.Dataset or None
+        Temperature and velocity across the film at its hottest point, where heat is simulated.
+    """
+
+    figures: dict[str, Any]
+    fields: xr.Dataset
+    flaw: str | None = None
+    profile: xr.Dataset | None = None
+
+
+def fields(
+    scene: Contact,
+    model: Model,
+    level: Level,
+    dry_pressure: Array | None,
+    attributes: Mapping[str, float],
+) -> xr.Dataset:
+    """All fields over the grid of a level.
+
+    Parameters
+    ----------
+    scene : Contact
+        The contact.
+    model : Model
+        The effects that are simulated.
+    level : Level
+        The film.
+    dry_pressure : numpy.ndarray or None
+        Pressure of the dry contact [Pa]; None where it is Hertz's in closed form.
+    attributes : mapping
+        Radii, load and modulus, by names with their units.
+    """
+    places = level.grid.mesh()
+    variables = {
+        "gap": level.gap,
+        "covered": level.covered.astype(np.int8),
+        **({} if dry_pressure is None else {"dry_pressure": dry_pressure}),
+        "pressure": level.film.pressure,
+        "film": level.film.thickness(),
+        **_along("entrainment", scene.entrainment_at(*places)),
+        **_along("sliding", scene.sliding_at(*places)),
+        **(_shear_fields(level) if model.levels else {}),
+        **(_heat_fields(level, scene.oil.heat.inlet_temperature) if model.heated else {}),
+    }
+    axes = _axes(level)
+    return describe(
+        xr.Dataset(
+            {name: (tuple(reversed(axes)), values.T) for name, values in variables.items()},
+            coords=axes,
+            attrs=attributes,
+        )
+    )
+
+
+def _shear_fields(level: Level) -> dict[str, Array]:
+    shear = level.film.shear_fields(factors=True)
+    across = {"flow_factor_across": shear.across} if level.gap.ndim == 2 else {}
+    return {
+        **_along("shear_stress", shear.stress),
+        "friction_power": shear.friction,
+        "shear_rate": shear.rate,
+        "slip": shear.slip.astype(np.int8),
+        "flow_factor_sliding": shear.along,
+        **across,
+    }
+
+
+def _heat_fields(level: Level, inlet_temperature: float) -> dict[str, Array]:
+    temperature = inlet_temperature + level.film.rise()
+    return {
+        "temperature_body_1": temperature[..., 0],
+        "temperature_body_2": temperature[..., -1],
+        "temperature_middle": temperature[..., level.film.levels // 2],
+    }
+
+
+def profile(scene: Contact, level: Level) -> xr.Dataset:
+    """Temperature and velocity across the film where it is hottest in the contact."""
+    rise = level.film.rise()
+    hottest = np.where(level.contact(), rise.max(axis=-1), -np.inf)
+    node = tuple(int(at) for at in np.unravel_index(np.argmax(hottest), hottest.shape))
+    place = [of[at] for of, at in zip(_axes(level).values(), node, strict=True)]
+    body_1, _ = scene.velocities_at(*(np.array(of) for of in place))
+    velocities = _along(
+        "profile_velocity", level.film.profile(node, [float(component) for component in body_1])
+    )
+    temperature = scene.oil.heat.inlet_temperature + rise[node]
+    return describe(
+        xr.Dataset(
+            {
+                "profile_temperature": ("level", temperature),
+                **{name: ("level", values) for name, values in velocities.items()},
+                **_along("profile", place),
+            },
+            coords={"level_position": ("level", kernel.level_positions(rise.shape[-1]))},
+        )
+    )
+
+
+def heat_balance(level: Level) -> float:
+    """Heat taken up by both bodies and carried away by oil, less the work of friction, over that work."""
+    heat = level.film.heat_fields()
+    friction = level.film.present_shear().friction.sum()
+    if not friction > 0:  # of a film that was cooled down, where heat found none
+        return nan
+    return float((heat.flux.sum() + heat.carried.sum() - friction) / friction)
+
+
+def _along(name: str, components: Sequence[Any]) -> dict[str, Any]:
+    """Components of a vector by the names of their variables."""
+    return {f"{name}_{axis}": of for axis, of in zip("xy", components, strict=False)}
+
+
+def _axes(level: Level) -> dict[str, Array]:
+    """Positions of a grid's nodes along each direction [m]."""
+    return {axis: getattr(level.grid, axis) for axis in "xy"[: level.gap.ndim]}

@@ -1,0 +1,97 @@
+"""When a sequence of grids ends, and why."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from pyworm.planning.plan import Plan
+from pyworm.solver.level import Level
+from pyworm.solver.newton import HOPELESS, Settled
+from pyworm.solver.solution import Estimate
+
+ACCURATE = "the figures are as accurate as asked for"
+"""The stop reason of a converged solution, or how it begins."""
+
+TELLING = 1e-2
+"""Residual beyond which the figures of a grid give no error, unless the tolerance is larger."""
+
+MOST_UNSETTLED = 2
+"""Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
+
+
+def is_converged(reason: str) -> bool:
+    """Whether a stop reason is that of a converged solution."""
+    return reason.startswith(ACCURATE)
+
+
+def film_is_sound(level: Level, settled: Settled, plan: Plan) -> bool:
+    """Whether the equations are met by a film that is positive everywhere."""
+    return level.film.balance.worst <= plan.tolerance and settled.reading.film_min > 0
+
+
+def stop_reason(
+    level: Level,
+    settled: Settled,
+    estimates: Mapping[str, Estimate],
+    unsettled: int,
+    plan: Plan,
+) -> str | None:
+    """Why the sequence ends on a level, or None if a finer grid follows.
+
+    Parameters
+    ----------
+    level : Level
+        The film on the last grid.
+    settled : Settled
+        Figures on it.
+    estimates : mapping
+        The figures with their error bars.
+    unsettled : int
+        Number of grids so far that stayed short of the tolerance.
+    plan : Plan
+        Accuracy, tolerance and largest grid.
+    """
+    figures = settled.reading.figures
+    error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
+    met = level.film.balance.worst <= plan.tolerance
+    resolved = estimates["film_min"].value > 0
+    if met and resolved and error <= plan.accuracy:
+        return ACCURATE
+    domain = plan.aim.worst({name: of.domain for name, of in estimates.items()}, figures)
+    if np.isfinite(domain) and domain > plan.accuracy:
+        return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
+    last = level.grid.finer().nodes > plan.largest_grid
+    if not met and (last or unsettled >= MOST_UNSETTLED):
+        return _not_met(level, plan)
+    if not last:
+        return None
+    if met and resolved and _accurate_but_for_spike(plan, estimates, figures):
+        tip = estimates["temperature_max_film"].reason
+        return f"{ACCURATE} but for the film's largest temperature, the {tip}"
+    if not resolved:
+        return "the largest grid allowed does not resolve the film"
+    if np.isinf(error):
+        return "the largest grid allowed leaves no second grid, or window, to compare with"
+    return f"the largest grid allowed leaves an error of {error:.1%}"
+
+
+def _not_met(level: Level, plan: Plan) -> str:
+    """Which of the equations are not met."""
+    if level.film.unsolved():
+        return f"the shear stress was not found in {level.film.unsolved()} places of the film"
+    worst = level.film.balance.worst
+    if not worst <= HOPELESS:
+        return "no film was found whose stresses and temperatures the laws of the oil bear"
+    return f"the residual stayed at {worst:.1e}, {plan.tolerance:.1e} is wanted"
+
+
+def _accurate_but_for_spike(
+    plan: Plan, estimates: Mapping[str, Estimate], figures: Mapping[str, float]
+) -> bool:
+    """Whether all figures asked for are accurate but the film's largest temperature, the tip of a spike."""
+    if "temperature_max_film" not in estimates or estimates["temperature_max_film"].reason is None:
+        return False
+    others = plan.aim.without("temperature_max_film")
+    return (
+        others.worst({name: of.error for name, of in estimates.items()}, figures) <= plan.accuracy
+    )
