@@ -12,13 +12,13 @@ INLET_FILMS = 12.0
 """Films that Hertz's gap has risen at the inlet end of the grid; beyond it is `solver.line.far_field`."""
 
 INLET_ACCURACY = 1e-3
-"""Accuracy for which that is enough. The error falls with the square of the films (`LineLadder`)."""
+"""Accuracy for which that is enough. The error falls with the square of the films (`solver.line.contact`)."""
 
 HEATED_INLET_FILMS = 48.0
 """The same of a film that warms: oil and bodies are heated far before the contact."""
 
 HEATED_INLET_ACCURACY = 1e-2
-"""Accuracy for which that is enough. The error falls with the films (`LineLadder`)."""
+"""Accuracy for which that is enough. The error falls with the films (`solver.line.contact`)."""
 
 EXIT_FILMS = 1.0
 """The same at the exit end. A rigid film ruptures where the gap has risen by a quarter of the film."""

@@ -75,22 +75,22 @@ def fidelities(
     if scene.oil.heat is not None:
         wanted.append(("+ surface heat", conducting(scene), "all,-viscosity-across"))
         wanted.append(("+ film heat", scene, "all"))
-    rungs: list[Fidelity] = []
+    models: list[Fidelity] = []
     lacking: dict[str, str] = {}
     for name, of, words in wanted:
         try:
             planned = plan(of, accuracy, words, quantities)
-            rung = Fidelity(name, simplified(of, planned.on), planned)
+            model = Fidelity(name, simplified(of, planned.on), planned)
         except ValueError as error:
             if name == wanted[-1][0]:
                 raise
             lacking[name] = str(error)
             continue
-        if any(rung.scene == other.scene for other in rungs):
+        if any(model.scene == other.scene for other in models):
             lacking[name] = "the same as the previous model"
         else:
-            rungs.append(rung)
-    return tuple(rungs), lacking
+            models.append(model)
+    return tuple(models), lacking
 
 
 def conducting(scene: Scene | LineScene) -> Scene | LineScene:

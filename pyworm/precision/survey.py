@@ -56,8 +56,8 @@ def expected_seconds(scene: Scene | LineScene, quantities: tuple[str, ...] | Non
 
     All models and, about as expensive as the most complete one, its window and its numerical parameters.
     """
-    rungs, _ = fidelities(scene, quantities, FINEST)
-    seconds = [expectation(rung.scene, rung.plan).seconds for rung in rungs]
+    models, _ = fidelities(scene, quantities, FINEST)
+    seconds = [expectation(model.scene, model.plan).seconds for model in models]
     return sum(seconds) + seconds[-1]
 
 
@@ -161,14 +161,14 @@ class _Study:
             1.5 * curve.points[-1].seconds * step_of(self._complete.plan) ** more / COMPLETE_SHARE
         )
 
-    def _climbed(self, rung: Fidelity, until: float, wide: bool = False) -> Curve:
+    def _climbed(self, model: Fidelity, until: float, wide: bool = False) -> Curve:
         """The grids of a model, until they are fine enough or the next would end after a time [s]."""
-        name = f"{rung.name}, window twice as far" if wide else rung.name
-        points = self._taken(name, climb(rung, wide), until, rung)
+        name = f"{model.name}, window twice as far" if wide else model.name
+        points = self._taken(name, climb(model, wide), until, model)
         return Curve(name, "knob" if wide else "rung", points, {} if wide else _limits(points))
 
     def _taken(
-        self, name: str, climbing: Iterator[Point], until: float, rung: Fidelity
+        self, name: str, climbing: Iterator[Point], until: float, model: Fidelity
     ) -> tuple[Point, ...]:
         taken: list[Point] = []
         started = self._spent
@@ -176,7 +176,7 @@ class _Study:
             for point in climbing:
                 taken.append(point)
                 self._tell(f"{name}: {point.label}")
-                if _fine_enough(taken, rung.plan.aim.figures):
+                if _fine_enough(taken, model.plan.aim.figures):
                     break
                 if len(taken) > LEAST_GRIDS and not (taken[-2].settled or point.settled):
                     self._left_out.append(
@@ -184,10 +184,10 @@ class _Study:
                     )
                     break
                 last = taken[-2].seconds if len(taken) > 1 else 0.0
-                growth = step_of(rung.plan)
+                growth = step_of(model.plan)
                 further = growth * (point.seconds - last) if last else (growth - 1) * point.seconds
                 further *= max(1.0, (self._spent - started) / point.seconds)  # of a busy machine
-                nodes = rung.plan.largest_grid
+                nodes = model.plan.largest_grid
                 if 0.9 * growth * point.nodes > nodes:
                     self._left_out.append(f"{name}: grids beyond {point.label} (too many nodes)")
                     break
@@ -217,8 +217,8 @@ class _Study:
         A window of twice the reach takes all but a known share s of the error away, so that all of it is the
         change over 1 - s, which is believed to a half.
         """
-        rung = self._complete
-        shares = SOLVERS[type(rung.scene)](rung.scene, rung.plan).convergence.wider_shares
+        model = self._complete
+        shares = SOLVERS[type(model.scene)](model.scene, model.plan).convergence.wider_shares
         pairs = [
             (here, wider)
             for here, wider in zip(complete.points, window.points, strict=False)
@@ -249,15 +249,15 @@ class _Study:
         curves = []
         start, others = self._spent, self._rungs[:-1]
         room = max(RUNGS_SHARE * self._budget, (1 - KNOBS_SHARE) * self._budget - start)
-        for number, rung in enumerate(others):
+        for number, model in enumerate(others):
             until = start + room * (number + 1) / len(others)
             if self._spent > until:
-                self._left_out.append(f"{rung.name}: no time")
+                self._left_out.append(f"{model.name}: no time")
                 continue
             try:
-                curves.append(self._climbed(rung, until))
+                curves.append(self._climbed(model, until))
             except KernelError as error:
-                self._left_out.append(f"{rung.name}: {error}")
+                self._left_out.append(f"{model.name}: {error}")
         return curves
 
     def _knobs(self, complete: Curve) -> list[Curve]:
@@ -269,12 +269,12 @@ class _Study:
             and number < len(complete.points) - 1
         ]
         halvings = min(max(affordable, default=0), len(complete.points) // 2)
-        rung = self._complete
+        model = self._complete
         label = complete.points[halvings].label
         curves = [
-            self._knob(f"tolerance, on {label}", tightened(rung, halvings, TOLERANCES)),
+            self._knob(f"tolerance, on {label}", tightened(model, halvings, TOLERANCES)),
         ]
-        if rung.plan.model.levels:
+        if model.plan.model.levels:
             curves.append(self._knob(f"film levels, on {label}", self._levels(halvings)))
         return curves
 

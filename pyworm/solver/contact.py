@@ -120,11 +120,10 @@ class ContactSolver(ABC):
 
     def refined(self, level: Level) -> tuple[Level, list[NewtonStep]]:
         """Half the spacing over the same window: from the present film, or again from the dry contact."""
-        if not level.lost():
-            for guess in self._guesses(level):
-                finer = self._continued(level, guess)
-                if finer.film.balance.residual <= SENSELESS:
-                    return finer, []
+        for guess in self._guesses(level):
+            finer = self._continued(level, guess)
+            if finer.film.balance.residual <= SENSELESS:
+                return finer, []
         return self._begun_again(level)
 
     def _add_shear_and_heat(self, level: Level) -> list[NewtonStep]:

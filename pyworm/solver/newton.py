@@ -9,11 +9,12 @@ from pyworm.planning.target import Aim
 from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Level
 
-MOST_STEPS = 60
-"""Newton steps on a grid of the figures before it is given up: oil that slips in places slows them."""
+MOST_STEPS = 30
+"""Newton steps on a grid before it is given up."""
 
-MOST_LEADING = 30
-"""Newton steps on one that only leads to others."""
+MOST_SLOW_STEPS, NEAR = 60, 6.0
+"""The same on a grid of the figures whose balance is within so many times the tolerance: oil that slips in
+places slows the last steps."""
 
 HOPELESS = 1e6
 """Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law is
@@ -93,7 +94,7 @@ def lead(level: Level, tolerance: float, warming: float | None = None) -> list[N
     Its temperatures may still change by another fraction, `warming`, of their largest rise.
     """
     steps: list[NewtonStep] = []
-    while len(steps) < MOST_LEADING and not level.film.balance.within(tolerance, warming):
+    while len(steps) < MOST_STEPS and not level.film.balance.within(tolerance, warming):
         taken = newton_step(level)
         if taken is None:
             break
@@ -119,7 +120,7 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
     reading = level.read()
     changes: list[dict[str, float]] = []
     algebra = dict.fromkeys(reading.figures, np.inf)
-    while len(steps) < MOST_STEPS and (
+    while len(steps) < _most_steps(level, tolerance) and (
         level.film.balance.worst > tolerance
         or not aim.worst(algebra, reading.figures) <= algebra_wanted
     ):
@@ -132,3 +133,8 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
         if len(changes) > 1:
             algebra = algebra_errors(*changes[-2:])
     return Settled(tuple(steps), reading, algebra)
+
+
+def _most_steps(level: Level, tolerance: float) -> int:
+    """Newton steps before a grid of the figures is given up."""
+    return MOST_SLOW_STEPS if level.film.balance.worst <= NEAR * tolerance else MOST_STEPS

@@ -88,8 +88,9 @@ class PointContactSolver(ContactSolver):
         return again, self._add_shear_and_heat(again)
 
     def _guesses(self, level: PointLevel) -> Iterator[InitialGuess]:
-        yield guess_on(level, level.grid.finer())
-        yield level.state().finer()
+        if not level.lost():
+            yield guess_on(level, level.grid.finer())
+            yield level.state().finer()
 
     def _continued(self, level: PointLevel, guess: InitialGuess) -> PointLevel:
         finer = next_level(self._scene, self._size, level, level.grid.finer(), guess)

@@ -22,10 +22,10 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
-from pyworm.solver.stop_reason import ACCURATE
 from pyworm.solver.newton import newton_step, settle
 from pyworm.solver.point import level
 from pyworm.solver.point.contact import PointContactSolver
+from pyworm.solver.stop_reason import ACCURATE
 
 
 @pytest.mark.parametrize("name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22"])

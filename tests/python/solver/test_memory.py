@@ -35,14 +35,11 @@ def peak():
 def solved(nodes):
     base = plan.grids[-1]
     grid = Grid(base.west, base.south, *(base.dx * 64 / (nodes - 1),) * 2, nodes, nodes)
-    rung = level.first_level(scene, scene, scales(scene), grid)
-    if plan.model.levels:
-        level.with_shear(scene, plan.model, rung)
-    if plan.model.heated:
-        level.with_heat(scene, scales(scene), rung)
-    rung.film.restart()
-    newton_step(rung), newton_step(rung)
-    PointContactSolver(scene, plan).outcome(rung)
+    solver = PointContactSolver(scene, plan)
+    first = level.first_level(scene, scene, scales(scene), grid)
+    solver._shear_and_warm(first, first.state())
+    newton_step(first), newton_step(first)
+    solver.outcome(first)
 
 scene = pyworm.load(sys.argv[1]).scene(slide_roll_ratio=0.5)
 plan = replace(pyworm.plan(scene, 0.05, "all"), model=Model(int(sys.argv[2]), sys.argv[3] == "heated"))

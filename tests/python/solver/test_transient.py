@@ -123,7 +123,7 @@ def test_a_past_whose_film_is_not_found_is_reported():
     """Oil before the inlet alone carries more than so little."""
     past = Past(AGES, lambda back: Earlier(back, as_line(replace(ball(), load=50e-6))))
     marched = solved(replace(as_line(ball()), past=past), "isothermal,squeeze")
-    assert not marched.converged and "which it comes from, was not found" in marched.stop_reason
+    assert not marched.converged and "found no converged film" in marched.stop_reason
     assert marched.figures.film_min.error == np.inf
 
 
