@@ -111,14 +111,19 @@ class LineContactSolver(ContactSolver):
         return level, steps
 
     def _sped_up(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
-        """The film at the contact's velocities from that at lower ones (continuation)."""
+        """The film at the contact's velocities from that at lower ones (continuation).
+
+        After the slowest, oil is entrained ever faster while it is sheared and heated as at full speed.
+        """
         slowest, *faster = (
             LineContactSolver(self._at(fraction), self._plan, self._transient_term)
             for fraction in SPEED_FRACTIONS
         )
         level, steps = slowest._first(grid)
         for solver in faster:
-            level = solver._supplied(level)
+            guess = level.state()
+            level = solver._newly_supplied(level)
+            self._shear_and_warm(level, guess)
             steps += lead(level, COARSE_TOLERANCE)
         return level, steps
 
