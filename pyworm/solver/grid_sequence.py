@@ -202,10 +202,9 @@ class GridSequence:
         )
         left = solver.convergence.wider_shares
         wider_errors = {name: left[name] * error for name, error in errors.items()}
-        if (
-            plan.aim.worst(wider_errors, figures) > plan.accuracy
-            and self._refinements < MOST_RETRIES
-        ):
+        may_refine = self._level.grid.finer().nodes <= plan.largest_grid
+        too_large = plan.aim.worst(wider_errors, figures) > plan.accuracy
+        if too_large and may_refine and self._refinements < MOST_RETRIES:
             return None  # to be compared on the next grid, which resolves the film better
         if plan.aim.worst(errors, figures) > DOMAIN_SHARE * plan.accuracy:
             errors = wider_errors
