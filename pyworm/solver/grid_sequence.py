@@ -38,6 +38,9 @@ SOLVERS: dict[type, type[ContactSolver]] = {
 DOMAIN_SHARE = 0.3
 """Error of the films by the window beyond which the wider one is taken, as a fraction of the accuracy."""
 
+NO_WIDER_FILM = "no film was found in the wider window, which shows the error by the end of this one"
+"""The stop reason where nothing bounds that error."""
+
 MOST_RETRIES = 2
 """Grids of the figures that may be too coarse for a thin film to show the error by the window."""
 
@@ -194,7 +197,7 @@ class GridSequence:
         except KernelError as error:
             return _lack_of_memory(error)
         if not film_is_sound(wider, settled, plan):
-            return None
+            return None if self._refinements < MOST_RETRIES else NO_WIDER_FILM
         algebra = {name: of + settled.algebra[name] for name, of in self._settled.algebra.items()}
         figures = self._settled.reading.figures
         errors = domain_errors(
