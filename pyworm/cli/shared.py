@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from pyworm.case.case import Case
 from pyworm.io.atomic import whole
 from pyworm.io.input_error import CaseError
+from pyworm.io.reason import reason_of
 from pyworm.io.terminal import say
 from pyworm.io.units import SHARE, parse
 from pyworm.scene.index import PLACE_NAMES
@@ -57,6 +58,9 @@ def drawn_pictures(
                 drawn, complete = error.drawn, False
     except OSError as error:
         say(f"no pictures: {error}")
+        return [], False
+    except MemoryError as error:
+        say(f"no pictures: {reason_of(error)}")
         return [], False
     return [path.name for path in drawn], complete
 

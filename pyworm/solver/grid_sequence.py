@@ -38,7 +38,9 @@ SOLVERS: dict[type, type[ContactSolver]] = {
 DOMAIN_SHARE = 0.3
 """Error of the films by the window beyond which the wider one is taken, as a fraction of the accuracy."""
 
-NO_WIDER_FILM = "no film was found in the wider window, which shows the error by the end of this one"
+NO_WIDER_FILM = (
+    "no film was found in the wider window, which shows the error by the end of this one"
+)
 """The stop reason where nothing bounds that error."""
 
 MOST_RETRIES = 2
