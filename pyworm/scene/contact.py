@@ -1,5 +1,6 @@
 """What every lubricated contact has, whether its film varies along one direction or two."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
@@ -18,7 +19,7 @@ SAME = 0.01
 
 
 @dataclass(frozen=True, kw_only=True)
-class Contact:
+class Contact(ABC):
     """One lubricated contact at one instant.
 
     Attributes
@@ -68,9 +69,9 @@ class Contact:
         for body in self.bodies:
             require_kinds("a body", body, Body)
 
+    @abstractmethod
     def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
         """Velocity [m/s] of body 1's and of body 2's surface at places [m], along each direction."""
-        raise NotImplementedError
 
     def entrainment_at(self, *places: Array) -> tuple[Array, ...]:
         """Mean surface velocity [m/s] at places [m], along each direction."""

@@ -125,7 +125,7 @@ class GridSequence:
 
     def settle(self) -> str | None:
         """Settle the film on its grid and estimate the errors; why the sequence ends here, or None."""
-        plan, balance = self._plan, self._level.film.balance
+        plan = self._plan
         self._settled = self._settled_on(self._level)
         self._steps += self._settled.steps
         balance = self._level.film.balance

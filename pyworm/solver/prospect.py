@@ -1,4 +1,4 @@
-"""Whether the largest grid allowed can still bring the accuracy, told before it is climbed."""
+"""Whether the largest grid allowed can still bring the accuracy, estimated before it is solved."""
 
 from collections.abc import Mapping, Sequence
 

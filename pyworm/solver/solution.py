@@ -23,14 +23,14 @@ class Estimate:
     value : float
         The figure in SI units.
     grid : float
-        Error by the grid, from the climb over grids of halving spacing [-].
+        Error by the grid, from grids of halving spacing [-].
     domain : float
         Error by the end of the window, from one of twice the reach [-].
     algebra : float
         Error by stopping the Newton iteration [-].
     model : float
         Error of a temperature by the model of conduction in the bodies (`fortran/heat/conduction_model.f90`),
-        and of all figures of a film in motion by the march through its past (`pyworm.solver.transient`) [-].
+        and of all figures of a film in motion by the integration in time (`pyworm.solver.transient`) [-].
     reason : str or None
         Why this figure alone has an infinite error bar.
     """

@@ -33,7 +33,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     ------
     KernelError
         If the scene makes no sense to the kernel (values that are not finite) or memory does not suffice for
-        the first grids (`memory.NoMemoryError`); for finer ones it ends the climb.
+        the first grids (`memory.NoMemoryError`); for finer ones it ends the sequence.
     """
     tell = _rising(progress)
     warm_start, spent = None, Cost(0.0, 0.0)
