@@ -10,7 +10,7 @@ from plan_scenes import STEEL, mineral, point
 from plans import on_one_grid
 
 import pyworm
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 
 RATIOS = (3, 10, 30, 100, 1000)
 THICK, THIN = mineral(0.1, 2e-8), mineral(0.04, 2e-8)
@@ -32,7 +32,7 @@ def main() -> None:
                 on_one_grid(scene, pyworm.plan(scene, 0.02, effects + less))
                 for less in ("", ",-second-dimension")
             )
-            size = sketch(scene)
+            size = predicted(scene)
             apart = [b / a - 1 for a, b in zip(whole.film, line.film, strict=True)]
             if whole.rises:
                 apart.append(line.friction / whole.friction - 1)

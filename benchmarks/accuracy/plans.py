@@ -27,7 +27,7 @@ from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.newton import settle
@@ -105,12 +105,12 @@ def solved(scene, plan: Plan) -> Numbers:
 def difference(scene, whole: Numbers, part: Numbers, quantities) -> dict[str, float]:
     """How far a part is from the whole, in the measure of influences."""
     found = {"film": max(abs(a / b - 1) for a, b in zip(part.film, whole.film, strict=True))}
-    slides = sketch(scene).sliding > 0  # without it friction has no size
+    slides = predicted(scene).sliding > 0  # without it friction has no size
     if "friction" in quantities and slides and part.friction is not None:
         found["friction"] = abs(part.friction / whole.friction - 1)
     if "temperature" in quantities and whole.rises:
         rises = part.rises or (0.0, 0.0, 0.0)
-        size = max(max(whole.rises), 1 / sketch(scene).inlet_beta)
+        size = max(max(whole.rises), 1 / predicted(scene).inlet_beta)
         found["temperature"] = (
             max(abs(a - b) for a, b in zip(rises, whole.rises, strict=True)) / size
         )

@@ -11,7 +11,7 @@ from time import process_time
 
 import pyworm
 from pyworm.planning.effects.squeeze import SQUEEZE, lag, spread
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.solver.solution import Estimate
 
 HEADS = ("ms", "lag", "spread", "told", "central", "least", "friction", "s")
@@ -31,7 +31,7 @@ def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: st
         if lacking is not None:
             print(f"{scene.name:>32} {lacking}")
             continue
-        of = sketch(scene)
+        of = predicted(scene)
         row = [f"{of.transit * 1e3:.2f}"]
         row += [f"{share:.1%}" for share in (lag(of), spread(of), SQUEEZE.influence(of).film)]
         started = process_time()

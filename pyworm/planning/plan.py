@@ -15,7 +15,7 @@ from pyworm.planning.expected_work import Work
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.model import Model, model_for
-from pyworm.planning.prediction import Sketch, sketch
+from pyworm.planning.prediction import Prediction, predicted
 from pyworm.planning.target import FILMS, HEAT_FIGURES, Aim
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -130,7 +130,7 @@ def plan(
     asked = effects if named is None else None
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
-            return planned(scene, accuracy, wanted, sketch(scene), asked, named or frozenset())
+            return planned(scene, accuracy, wanted, predicted(scene), asked, named or frozenset())
     except ArithmeticError as error:
         raise ValueError(
             f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "
@@ -142,20 +142,20 @@ def planned(
     scene: Scene | LineScene,
     accuracy: float,
     quantities: tuple[str, ...],
-    seen: Sketch,
+    prediction: Prediction,
     asked: str | None = None,
     kept: frozenset[str] = frozenset(),
 ) -> Plan:
     """The plan from a prediction of the contact; effects in `kept` stay on."""
-    judgements = _judged(scene, accuracy, quantities, seen, asked, kept)
+    judgements = _judged(scene, accuracy, quantities, prediction, asked, kept)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
     model = model_for(simple, accuracy, on)
     numerics = PLANS[type(simple)](simple, accuracy, model)
     # without sliding friction has no size, and without its flow law it means nothing
     law = model.levels > 0 or asked is None or simple.oil.flow == scene.oil.flow
-    aim = _aim(quantities, model, rubs=law and seen.sliding > 0, beta=seen.inlet_beta)
-    regime = (line_regime if isinstance(scene, LineScene) else point_regime)(seen.groups)
+    aim = _aim(quantities, model, rubs=law and prediction.sliding > 0, beta=prediction.inlet_beta)
+    regime = (line_regime if isinstance(scene, LineScene) else point_regime)(prediction.groups)
     return Plan(accuracy, quantities, asked, judgements, regime, aim, model, **vars(numerics))
 
 
@@ -180,8 +180,8 @@ def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float])
 
     Only where effects come in is anything else of it planned anew.
     """
-    seen = sketch(scene).seen(figures)
-    how = scene, plan.accuracy, plan.quantities, seen, plan.asked, plan.on
+    prediction = predicted(scene).updated(figures)
+    how = scene, plan.accuracy, plan.quantities, prediction, plan.asked, plan.on
     again = replace(plan, effects=_judged(*how))
     return again if again.on == plan.on else planned(*how)
 
@@ -190,13 +190,13 @@ def _judged(
     scene: Scene | LineScene,
     accuracy: float,
     quantities: tuple[str, ...],
-    seen: Sketch,
+    prediction: Prediction,
     asked: str | None,
     kept: frozenset[str],
 ) -> tuple[Judgement, ...]:
     """The effects judged for `planned`."""
     names = None if asked is None else chosen(scene, asked)
-    return judge(scene, accuracy, quantities, seen, names, kept)
+    return judge(scene, accuracy, quantities, prediction, names, kept)
 
 
 def _known(scene: Scene | LineScene) -> tuple[str, ...]:

@@ -34,7 +34,7 @@ INLET_HEAT = 100.0
 
 
 @dataclass(frozen=True)
-class Sketch:
+class Prediction:
     """A contact in a few numbers, predicted or solved.
 
     Attributes
@@ -91,10 +91,10 @@ class Sketch:
         return min(self.transit, self.scene.past.seconds)
 
     @cached_property
-    def before(self) -> "Sketch | None":
+    def before(self) -> "Prediction | None":
         """The contact at that time; None before the mesh cycle began."""
         then = self.scene.past.back([self.age]) if self.age > 0 else []
-        return sketch(then[0].contact) if then else None
+        return predicted(then[0].contact) if then else None
 
     @property
     def oil(self) -> Oil:
@@ -226,7 +226,7 @@ class Sketch:
             return 0.0
         return min(1.0, self.warmest * self.inlet_beta)
 
-    def seen(self, figures: Mapping[str, float]) -> "Sketch":
+    def updated(self, figures: Mapping[str, float]) -> "Prediction":
         """The prediction with solved figures (`solver.error_estimate`), by name, in place of closed forms."""
         changes = {name: figures[name] for name in ("pressure_max", "film_central", "film_min")}
         if "friction_coefficient" in figures:
@@ -240,7 +240,7 @@ class Sketch:
         return replace(self, **changes)
 
 
-def sketch(scene: Scene | LineScene) -> Sketch:
+def predicted(scene: Scene | LineScene) -> Prediction:
     """Predict a contact by closed forms.
 
     Raises
@@ -266,7 +266,7 @@ def _resistance(body: Body, speed: float, half_width: float) -> float:
     return min(still, 2 * sqrt(2 * half_width / (pi * effusivity * speed)))
 
 
-def _point(scene: Scene) -> Sketch:
+def _point(scene: Scene) -> Prediction:
     fed = with_auxiliary_entrainment(scene)
     size = scales(fed)
     origin = np.zeros(())
@@ -274,7 +274,7 @@ def _point(scene: Scene) -> Sketch:
     along, across = (
         1 / hypot(cos(angle) / ax, sin(angle) / ay) for angle in (size.angle, size.angle + pi / 2)
     )
-    return Sketch(
+    return Prediction(
         scene=scene,
         half_width=along,
         half_length=across,
@@ -295,9 +295,9 @@ def _point(scene: Scene) -> Sketch:
     )
 
 
-def _line(scene: LineScene) -> Sketch:
+def _line(scene: LineScene) -> Prediction:
     size = line_scales(scene)
-    return Sketch(
+    return Prediction(
         scene=scene,
         half_width=size.hertz.half_width,
         half_length=inf,

@@ -7,7 +7,7 @@ import numpy as np
 
 from pyworm.formulas import film
 from pyworm.formulas.film import Film
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.precision.grid_series import Point
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -26,7 +26,7 @@ LINE_FORMULAS: dict[str, Callable[..., Film]] = {
     "Dowson-Toyoda": film.dowson_toyoda,
 }
 
-SKETCH = "estimate of plans"
+PREDICTION = "estimate of plans"
 """Friction and temperature by which plans judge effects (`pyworm.planning.prediction`)."""
 
 REPEATS = 20
@@ -46,15 +46,15 @@ def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:
         )
     if scene.oil.flow is not None or scene.oil.heat is not None:
         figures, seconds = _timed(lambda: _estimate(scene))
-        points[SKETCH] = Point((), seconds, 0.0, figures)
+        points[PREDICTION] = Point((), seconds, 0.0, figures)
     return points
 
 
 def _estimate(scene: Scene | LineScene) -> dict[str, float]:
-    seen = sketch(scene)
-    figures = {"friction_coefficient": seen.hot_stress() / seen.pressure_mean}
+    prediction = predicted(scene)
+    figures = {"friction_coefficient": prediction.hot_stress() / prediction.pressure_mean}
     if scene.oil.heat is not None:
-        figures["temperature_max_film"] = seen.warmest
+        figures["temperature_max_film"] = prediction.warmest
     return figures
 
 

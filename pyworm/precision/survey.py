@@ -8,7 +8,7 @@ from time import perf_counter
 from pyworm.io.format import duration
 from pyworm.kernel.core import KernelError
 from pyworm.planning.model import PARABOLA, Model
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.precision.closed_forms import closed_forms
 from pyworm.precision.extrapolation import Limit, limit
 from pyworm.precision.grid_series import Point, climb, on_grid, settled_row, step_of, tightened
@@ -226,7 +226,7 @@ class _Study:
         ]
         if not pairs:
             self._left_out.append("the error by the window, from the band too")
-        beta = sketch(self._scene).inlet_beta
+        beta = predicted(self._scene).inlet_beta
         references = {}
         for figure in self._figures_shown(complete):
             by_window = 0.0

@@ -3,7 +3,7 @@
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
 from pyworm.formulas.regimes import POINT_RANGE, line_regime, point_regime
-from pyworm.planning.prediction import Sketch, sketch
+from pyworm.planning.prediction import Prediction, predicted
 from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
@@ -41,9 +41,9 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
     solution : Solution, optional
         The same contact solved.
     """
-    seen = sketch(scene)
+    prediction = predicted(scene)
     formulas = _LINE if isinstance(scene, LineScene) else _POINT
-    films = {key: (label, formula(seen.groups)) for key, (label, formula) in formulas.items()}
+    films = {key: (label, formula(prediction.groups)) for key, (label, formula) in formulas.items()}
     figures = [
         RatedFigure(f"{key}_m", label, _both(of), 1e6, "µm") for key, (label, of) in films.items()
     ]
@@ -52,7 +52,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         simulated = found.film_central.value, found.film_min.value
         figures.append(RatedFigure("simulated_m", "Simulated", simulated, 1e6, "µm"))
     least = [float(of.minimum) for _, of in films.values() if of.minimum is not None]
-    words = [_groups(seen.groups), "Formulas: isothermal, smooth, fully supplied."]
+    words = [_groups(prediction.groups), "Formulas: isothermal, smooth, fully supplied."]
     roughness = scene.composite_roughness
     if roughness is not None:
         ratios = sorted(one / roughness for one in least)
@@ -60,8 +60,8 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
             f"lambda by the minimum films of the formulas: {ratios[0]:.3g} to {ratios[-1]:.3g} "
             f"(composite roughness {roughness * 1e6:.3g} µm)."
         )
-    if scene.oil.heat is not None and seen.speed > 0:
-        words.append(_heated(seen))
+    if scene.oil.heat is not None and prediction.speed > 0:
+        words.append(_heated(prediction))
     return Rating(
         key="films",
         title=f"Films by formula at {Place.of(scene)}",
@@ -94,16 +94,19 @@ def _groups(groups: PointGroups | LineGroups) -> str:
     return f"{said}; {point_regime(groups).name}."
 
 
-def _heated(seen: Sketch) -> str:
+def _heated(prediction: Prediction) -> str:
     """Fraction of the film left by shear heating of the inlet; Hsu and Lee's formula is for lines only."""
-    groups = seen.groups
+    groups = prediction.groups
     loading = thermal_reduction.thermal_loading(
-        seen.oil.viscosity.eta0, seen.inlet_beta, seen.speed, seen.oil.heat.conductivity
+        prediction.oil.viscosity.eta0,
+        prediction.inlet_beta,
+        prediction.speed,
+        prediction.oil.heat.conductivity,
     )
-    sliding = seen.sliding / seen.speed
+    sliding = prediction.sliding / prediction.speed
     ratio = min(sliding, MOST_SLIDING)
     left = {"Wilson and Sheu": thermal_reduction.wilson_sheu(loading, ratio)}
-    pressed = seen.pressure_max / seen.scene.reduced_modulus
+    pressed = prediction.pressure_max / prediction.scene.reduced_modulus
     if 13.2 * pressed * loading**0.42 < 1:  # beyond it his formula ends
         left["Gupta"] = thermal_reduction.gupta(loading, ratio, pressed)
     if isinstance(groups, LineGroups):

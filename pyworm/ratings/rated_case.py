@@ -12,7 +12,7 @@ from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
 from pyworm.io.input_error import CaseError
 from pyworm.io.toml import read_toml
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.ratings.bearing import rate_bearing_table
 from pyworm.ratings.films import rate_films
 from pyworm.ratings.gear import rate_gear_pair
@@ -79,7 +79,7 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
         solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
         return asked.drive.scene(**Place.of(solution).given), solution
     scenes = [asked.drive.scene(phase) for phase in asked.tables.operation.phases]
-    return min(scenes, key=lambda scene: sketch(scene).film_central), None
+    return min(scenes, key=lambda scene: predicted(scene).film_central), None
 
 
 def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
@@ -89,8 +89,8 @@ def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
         return of_all(result.solutions)
     if asked.drive is not None:
         scene, _ = _thinnest(asked, None)
-        seen = sketch(scene)
-        films = seen.film_central, seen.film_min
+        prediction = predicted(scene)
+        films = prediction.film_central, prediction.film_min
         at_worst = judged((), 0.0, films, scene.composite_roughness)
         return replace(at_worst, contacts=len(asked.tables.operation.phases))
     table = getattr(asked.tables, "worm_rating", None)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Self
 from pyworm.formulas.lubrication import BY_SEVERITY, Lubrication, lubrication
 from pyworm.planning.effects.effect import Contact
 from pyworm.planning.effects.judgement import Judgement
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 
 if TYPE_CHECKING:
     from pyworm.planning.plan import Plan
@@ -135,8 +135,8 @@ def judged(
 
 def expected(scene: Contact, plan: "Plan") -> LeftOut:
     """What a plan leaves out of a contact, by closed forms."""
-    seen = sketch(scene)
-    films = seen.film_central, seen.film_min
+    prediction = predicted(scene)
+    films = prediction.film_central, prediction.film_min
     return judged(plan.effects, plan.accuracy, films, scene.composite_roughness)
 
 

@@ -19,7 +19,7 @@ from pyworm.planning.expected_work import TIME_STEPS
 from pyworm.planning.grid import Grid, coarsened
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan, first_grids_of
-from pyworm.planning.prediction import Sketch, sketch
+from pyworm.planning.prediction import Prediction, predicted
 from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.past import Earlier
@@ -200,7 +200,7 @@ def _integrated(
 
 def _moments(scene: Scene | LineScene, refinement: int) -> tuple[list[Earlier], float]:
     """The contact at the times of the integration, the present first, and the shortest step in transits."""
-    transit = sketch(scene).transit
+    transit = predicted(scene).transit
     whole = TRANSITS[refinement] * transit
     span = min(whole, scene.past.seconds)
     count = max(LEAST, round(TIME_STEPS[refinement] * (span / whole) ** (1 / SHORTENING)))
@@ -258,7 +258,7 @@ def _onward(films: Sequence[TimeLevel], moment: Earlier) -> float:
 
 def _nest(moments: Sequence[Earlier], plan: Plan, refinement: int) -> tuple[Grid | LineGrid, ...]:
     """Grids of the integration: the plan's, or those of the largest contact where it outgrows them."""
-    now, *earlier = (sketch(moment.contact) for moment in moments)
+    now, *earlier = (predicted(moment.contact) for moment in moments)
     largest = max(earlier, key=_size, default=now)
     grids = plan.grids
     if _size(largest) > OUTGROWN * _size(now):
@@ -270,7 +270,7 @@ def _nest(moments: Sequence[Earlier], plan: Plan, refinement: int) -> tuple[Grid
     return grids
 
 
-def _size(contact: Sketch) -> float:
+def _size(contact: Prediction) -> float:
     """Area of a contact [m2], or width [m] of one along a line."""
     return contact.half_width * (contact.half_length if isfinite(contact.half_length) else 1.0)
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
 
-from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import Prediction
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -55,9 +55,9 @@ class Effect:
     source : str
         Where the indicator, or the law of influence, comes from.
     indicator : callable
-        The number that it is judged by, from a sketch [-].
+        The number that it is judged by, from a prediction [-].
     influence : callable
-        The influence of leaving it out, from a sketch.
+        The influence of leaving it out, from a prediction.
     without : callable or None
         A scene without the effect; itself where it lies in the solver's hands; None if it is not simulated.
     lacking : callable
@@ -75,8 +75,8 @@ class Effect:
     name: str
     symbol: str
     source: str
-    indicator: Callable[[Sketch], float]
-    influence: Callable[[Sketch], Influence]
+    indicator: Callable[[Prediction], float]
+    influence: Callable[[Prediction], Influence]
     without: Callable[[Contact], Contact] | None
     lacking: Callable[[Contact], str | None] = lambda scene: None
     together: tuple[str, ...] = ()

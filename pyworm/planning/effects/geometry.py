@@ -7,7 +7,7 @@ import numpy as np
 
 from pyworm.formulas.hertz import hertz
 from pyworm.planning.effects.effect import EVERYTHING, Contact, Effect, Influence
-from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import Prediction
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
@@ -37,17 +37,19 @@ def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
 # ------------------------------------------------------------------------------- elastic deflection
 
 
-def _deflection(sketch: Sketch) -> float:
+def _deflection(prediction: Prediction) -> float:
     """Deflection over film thickness, by the mean pressure over the film that carries load."""
-    spread = hypot(sketch.half_width, sqrt(2 * sketch.groups.radius * sketch.film_central))
-    pressure = sketch.pressure_mean * sketch.half_width / spread
-    return 2 * spread * pressure / sketch.scene.reduced_modulus / sketch.film_min
+    spread = hypot(
+        prediction.half_width, sqrt(2 * prediction.groups.radius * prediction.film_central)
+    )
+    pressure = prediction.pressure_mean * prediction.half_width / spread
+    return 2 * spread * pressure / prediction.scene.reduced_modulus / prediction.film_min
 
 
-def _by_deflection(sketch: Sketch) -> Influence:
-    if sketch.carried_by_heat:
+def _by_deflection(prediction: Prediction) -> Influence:
+    if prediction.carried_by_heat:
         return EVERYTHING
-    change = DEFLECTION_SHARE * _deflection(sketch)
+    change = DEFLECTION_SHARE * _deflection(prediction)
     return Influence(change, change, change)
 
 
@@ -79,24 +81,24 @@ def _axis(scene: Scene) -> int | None:
     return None
 
 
-def _slenderness(sketch: Sketch) -> float:
-    return sketch.half_width / sketch.half_length
+def _slenderness(prediction: Prediction) -> float:
+    return prediction.half_width / prediction.half_length
 
 
-def _side_flow(sketch: Sketch) -> Influence:
+def _side_flow(prediction: Prediction) -> Influence:
     """Relative error of a line contact of the same largest pressure.
 
     Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction
     5 to 11 % higher, since most slices of an ellipse bear less pressure than the middle one
     (`benchmarks/accuracy/line_for_point.py`).
     """
-    if isinstance(sketch.scene, LineScene):
+    if isinstance(prediction.scene, LineScene):
         return Influence()
-    at_rest = sketch.oil.heat is not None and 0 in sketch.velocities
-    crossed = not sketch.carried_by_heat and sketch.half_width < sketch.half_length
-    if _axis(sketch.scene) is None or at_rest or not crossed:
+    at_rest = prediction.oil.heat is not None and 0 in prediction.velocities
+    crossed = not prediction.carried_by_heat and prediction.half_width < prediction.half_length
+    if _axis(prediction.scene) is None or at_rest or not crossed:
         return EVERYTHING
-    share = _slenderness(sketch)
+    share = _slenderness(prediction)
     return Influence(
         film=0.5 * share**2 + 6 * share**4, friction=0.12, temperature=0.01 + 0.13 * share
     )
@@ -159,11 +161,11 @@ RINGS = (1.0, 2.0, 4.0)
 less, by the gap there."""
 
 
-def departure(sketch: Sketch) -> float:
+def departure(prediction: Prediction) -> float:
     """Relative departure of the gap from its paraboloid, on outlines around the contact."""
-    scene = sketch.scene
+    scene = prediction.scene
     if isinstance(scene, LineScene):
-        outline = (np.array([-1.0, 1.0]) * sketch.half_width,)
+        outline = (np.array([-1.0, 1.0]) * prediction.half_width,)
         plain = Parabola(scene.radius)
     else:
         outline, plain = _on_the_rim(scene), Paraboloid(*scene.radii)
@@ -178,10 +180,10 @@ def departure(sketch: Sketch) -> float:
     return worst
 
 
-def _by_departure(sketch: Sketch) -> Influence:
-    if _spins_only(sketch.scene):
+def _by_departure(prediction: Prediction) -> Influence:
+    if _spins_only(prediction.scene):
         return EVERYTHING  # the load of its film comes from all around, far out too
-    change = departure(sketch)
+    change = departure(prediction)
     return Influence(change, change, change)
 
 
@@ -234,9 +236,9 @@ def _variation(scene: Scene, of: str) -> float:
     return change / size if size > 0 else inf
 
 
-def _by_variation(sketch: Sketch) -> Influence:
-    film = SPEED_POWER * _variation(sketch.scene, "entrainment")
-    sliding = _variation(sketch.scene, "sliding")
+def _by_variation(prediction: Prediction) -> Influence:
+    film = SPEED_POWER * _variation(prediction.scene, "entrainment")
+    sliding = _variation(prediction.scene, "sliding")
     return Influence(film, max(film, sliding), sliding)
 
 
@@ -254,7 +256,9 @@ VARYING_VELOCITY = Effect(
     name="varying-velocity",
     symbol="|u - u0| / |u0|, at the rim",
     source="velocities at eight places of the outline of Hertz's contact; h ~ u^0.7",
-    indicator=lambda sketch: max(_variation(sketch.scene, of) for of in ("entrainment", "sliding")),
+    indicator=lambda prediction: max(
+        _variation(prediction.scene, of) for of in ("entrainment", "sliding")
+    ),
     influence=_by_variation,
     without=_translating,
     lacking=_uniform,

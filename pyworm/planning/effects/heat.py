@@ -8,7 +8,7 @@ from scipy.special import lambertw
 from pyworm.formulas.thermal_reduction import wilson_sheu
 from pyworm.planning.effects.effect import EVERYTHING, Contact, Effect, Influence
 from pyworm.planning.effects.rheology import unlike, unthinned
-from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import Prediction
 
 
 def _unknown(scene: Contact) -> str | None:
@@ -19,17 +19,19 @@ def _cold(scene: Contact) -> Contact:
     return replace(scene, oil=replace(scene.oil, heat=None))
 
 
-def _temperature(sketch: Sketch, rise: float) -> float:
+def _temperature(prediction: Prediction, rise: float) -> float:
     """A temperature rise relative to the reference of influences."""
     if rise == 0:
         return 0.0
-    return rise / max(sketch.warmest, 1 / sketch.inlet_beta if sketch.inlet_beta > 0 else 0.0)
+    return rise / max(
+        prediction.warmest, 1 / prediction.inlet_beta if prediction.inlet_beta > 0 else 0.0
+    )
 
 
-def _friction(sketch: Sketch, surfaces: bool, film: bool) -> float:
+def _friction(prediction: Prediction, surfaces: bool, film: bool) -> float:
     """Change of the friction if surfaces or film stay cold."""
-    hot = sketch.hot_stress()
-    return abs(sketch.hot_stress(surfaces, film) / hot - 1) if hot > 0 else 0.0
+    hot = prediction.hot_stress()
+    return abs(prediction.hot_stress(surfaces, film) / hot - 1) if hot > 0 else 0.0
 
 
 # ---------------------------------------------------------------------------------- surface heating
@@ -38,56 +40,56 @@ LOBE_WARMTH = 0.5
 """Change of the minimum film over that of the viscosity where it forms, inside the warm contact."""
 
 
-def _surface_rise(sketch: Sketch) -> float:
-    rise = sketch.rise_bodies
+def _surface_rise(prediction: Prediction) -> float:
+    rise = prediction.rise_bodies
     if rise is None:
-        rise = sketch.surface_rise(sketch.heat) + sketch.bulk
-    return max(rise, sketch.bulk)
+        rise = prediction.surface_rise(prediction.heat) + prediction.bulk
+    return max(rise, prediction.bulk)
 
 
-def _surface_warmth(sketch: Sketch) -> float:
-    return sketch.inlet_beta * _surface_rise(sketch)
+def _surface_warmth(prediction: Prediction) -> float:
+    return prediction.inlet_beta * _surface_rise(prediction)
 
 
-def _surfaces(sketch: Sketch) -> Influence:
-    rise = _surface_rise(sketch)
+def _surfaces(prediction: Prediction) -> Influence:
+    rise = _surface_rise(prediction)
     # bodies of another temperature than the inlet's warm or cool the oil that they bring
-    film = max(LOBE_WARMTH * _surface_warmth(sketch), sketch.inlet_beta * sketch.bulk)
-    friction = _friction(sketch, surfaces=False, film=True)
-    return Influence(film, max(friction, film), _temperature(sketch, rise))
+    film = max(LOBE_WARMTH * _surface_warmth(prediction), prediction.inlet_beta * prediction.bulk)
+    friction = _friction(prediction, surfaces=False, film=True)
+    return Influence(film, max(friction, film), _temperature(prediction, rise))
 
 
 # ------------------------------------------------------------------------------------- film heating
 
 
-def _inlet_loading(sketch: Sketch) -> float:
+def _inlet_loading(prediction: Prediction) -> float:
     """Thermal loading parameter of the inlet, eta0 beta u^2 / k [-]."""
-    oil = sketch.oil
-    return oil.viscosity.eta0 * sketch.inlet_beta * sketch.speed**2 / oil.heat.conductivity
+    oil = prediction.oil
+    return oil.viscosity.eta0 * prediction.inlet_beta * prediction.speed**2 / oil.heat.conductivity
 
 
-def _inlet_reduction(sketch: Sketch) -> float:
+def _inlet_reduction(prediction: Prediction) -> float:
     """Relative reduction of the film by shear heating of the inlet (Wilson and Sheu 1983)."""
-    slide_roll_ratio = min(sketch.sliding / sketch.speed, 2.0)  # beyond it nothing is known
-    return 1 - float(wilson_sheu(_inlet_loading(sketch), slide_roll_ratio))
+    slide_roll_ratio = min(prediction.sliding / prediction.speed, 2.0)  # beyond it nothing is known
+    return 1 - float(wilson_sheu(_inlet_loading(prediction), slide_roll_ratio))
 
 
-def _film_warmth(sketch: Sketch) -> float:
-    return sketch.beta * sketch.film_rise(sketch.heat)
+def _film_warmth(prediction: Prediction) -> float:
+    return prediction.beta * prediction.film_rise(prediction.heat)
 
 
-def _film(sketch: Sketch) -> Influence:
-    film = _inlet_reduction(sketch)
-    friction = _friction(sketch, surfaces=True, film=False)
-    rise = sketch.film_rise(sketch.heat) + sketch.rolling_rise
-    return Influence(film, max(friction, film), _temperature(sketch, rise))
+def _film(prediction: Prediction) -> Influence:
+    film = _inlet_reduction(prediction)
+    friction = _friction(prediction, surfaces=True, film=False)
+    rise = prediction.film_rise(prediction.heat) + prediction.rolling_rise
+    return Influence(film, max(friction, film), _temperature(prediction, rise))
 
 
-def _by_heat(sketch: Sketch) -> Influence:
+def _by_heat(prediction: Prediction) -> Influence:
     """Influence shared by surface and film heating, which are simulated together."""
-    if sketch.carried_by_heat:
+    if prediction.carried_by_heat:
         return EVERYTHING
-    surfaces, film = _surfaces(sketch), _film(sketch)
+    surfaces, film = _surfaces(prediction), _film(prediction)
     return Influence(
         surfaces.film + film.film,
         surfaces.friction + film.friction,
@@ -149,24 +151,26 @@ SHIFT_SHARE = 4.0
 """Change of the minimum film over that of the mean velocity inside the contact, likewise."""
 
 
-def _across(sketch: Sketch) -> Influence:
-    if sketch.carried_by_heat:
+def _across(prediction: Prediction) -> Influence:
+    if prediction.carried_by_heat:
         return EVERYTHING
-    warmth = _film_warmth(sketch)
+    warmth = _film_warmth(prediction)
     friction = _parabola_error(warmth)
-    slip = sketch.sliding / sketch.speed
+    slip = prediction.sliding / prediction.speed
     # unequal viscosities at the walls shift the mean velocity of the oil by (u1 - u2)/12 a unit of ln eta; at
     # the contact's sides the film feels more of it
-    shift = SHIFT_SHARE * slip * sketch.wall_warmth / 12
-    flow = sketch.oil.flow
-    thinned = unlike(sketch, unthinned(flow)).film if flow is not None and flow.stress > 0 else 0.0
+    shift = SHIFT_SHARE * slip * prediction.wall_warmth / 12
+    flow = prediction.oil.flow
+    thinned = (
+        unlike(prediction, unthinned(flow)).film if flow is not None and flow.stress > 0 else 0.0
+    )
     film = (
         PARABOLA_FILM
         + PARABOLA_THINNED * thinned
-        + PARABOLA_ROLLING * sketch.rolling_warmth
+        + PARABOLA_ROLLING * prediction.rolling_warmth
         + shift
     )
-    return Influence(film, max(friction, film), 2 * max(friction, film) * sketch.warmth)
+    return Influence(film, max(friction, film), 2 * max(friction, film) * prediction.warmth)
 
 
 VISCOSITY_ACROSS = Effect(

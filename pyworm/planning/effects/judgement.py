@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, replace
 
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.effect import Contact, Effect
-from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import Prediction
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ def judge(
     scene: Contact,
     accuracy: float,
     quantities: Sequence[str],
-    sketch: Sketch,
+    prediction: Prediction,
     asked: frozenset[str] | None = None,
     kept: frozenset[str] = frozenset(),
 ) -> tuple[Judgement, ...]:
@@ -54,7 +54,7 @@ def judge(
         Relative change allowed [-].
     quantities : sequence of str
         What is asked for.
-    sketch : Sketch
+    prediction : Prediction
         The contact in numbers.
     asked : frozenset of str, optional
         The effects to simulate, whatever the numbers say.
@@ -68,7 +68,7 @@ def judge(
         if lacking is not None:
             judgements[effect.name] = Judgement(effect.name, False, None, {}, lacking)
             continue
-        influence = effect.influence(sketch)
+        influence = effect.influence(prediction)
         worst = influence.on(quantities)
         settled = _settled(effect, asked, kept, judgements)
         if settled is not None:
@@ -82,7 +82,7 @@ def judge(
         judgements[effect.name] = Judgement(
             effect.name,
             on,
-            effect.indicator(sketch),
+            effect.indicator(prediction),
             {quantity: asdict(influence)[quantity] for quantity in quantities},
             reason,
         )

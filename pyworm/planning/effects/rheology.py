@@ -5,17 +5,17 @@ from dataclasses import replace
 
 from pyworm.materials.oil import NEWTONIAN, Barus, Density, FlowLaw
 from pyworm.planning.effects.effect import Contact, Effect, Influence
-from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import Prediction
 
 # -------------------------------------------------------------------------------- pressure-viscosity
 
 
-def _thickening(sketch: Sketch) -> float:
-    return sketch.oil.viscosity.alpha * sketch.pressure_max
+def _thickening(prediction: Prediction) -> float:
+    return prediction.oil.viscosity.alpha * prediction.pressure_max
 
 
-def _by_thickening(sketch: Sketch) -> Influence:
-    change = sketch.oil.eta(sketch.pressure_max) / sketch.oil.eta(0.0) - 1
+def _by_thickening(prediction: Prediction) -> Influence:
+    change = prediction.oil.eta(prediction.pressure_max) / prediction.oil.eta(0.0) - 1
     return Influence(change, change, change)
 
 
@@ -42,14 +42,14 @@ PRESSURE_VISCOSITY = Effect(
 # ---------------------------------------------------------------------------------- compressibility
 
 
-def _compression(sketch: Sketch) -> float:
-    density = sketch.oil.density
-    return density(sketch.pressure_max) / density.rho0 - 1
+def _compression(prediction: Prediction) -> float:
+    density = prediction.oil.density
+    return density(prediction.pressure_max) / density.rho0 - 1
 
 
-def _by_compression(sketch: Sketch) -> Influence:
+def _by_compression(prediction: Prediction) -> Influence:
     # what flows through the middle has the mass that came in: h ~ 1/rho (Venner and Bos 1994)
-    change = _compression(sketch)
+    change = _compression(prediction)
     return Influence(change, change, change)
 
 
@@ -74,16 +74,16 @@ INLET_THICKENING = 4.5
 and the gap somewhat wider than the film."""
 
 
-def _inlet_stress(sketch: Sketch) -> float:
+def _inlet_stress(prediction: Prediction) -> float:
     """Newtonian shear stress in the inlet [Pa]."""
-    speed = sketch.speed + sketch.sliding
-    return INLET_THICKENING * sketch.oil.viscosity.eta0 * speed / sketch.film_central
+    speed = prediction.speed + prediction.sliding
+    return INLET_THICKENING * prediction.oil.viscosity.eta0 * speed / prediction.film_central
 
 
-def _inlet_pressure(sketch: Sketch) -> float:
+def _inlet_pressure(prediction: Prediction) -> float:
     """Pressure at which the inlet's oil is several times as viscous as outside [Pa]."""
-    alpha = sketch.oil.viscosity.alpha
-    return min(2 / alpha, sketch.pressure_mean) if alpha > 0 else 0.0
+    alpha = prediction.oil.viscosity.alpha
+    return min(2 / alpha, prediction.pressure_mean) if alpha > 0 else 0.0
 
 
 LOBE_PRESSURE = 1 / 3
@@ -94,9 +94,9 @@ HOT_FRICTION = 2.0
 """Change of the largest temperatures over that of the mean stress: they are where the stress is largest."""
 
 
-def unlike(sketch: Sketch, other: FlowLaw) -> Influence:
+def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
     """Influence of replacing the oil's flow law by another one."""
-    own = sketch.oil.flow
+    own = prediction.oil.flow
 
     def change(newtonian: float, pressure: float) -> float:
         if newtonian == 0:
@@ -104,12 +104,12 @@ def unlike(sketch: Sketch, other: FlowLaw) -> Influence:
         stresses = [law.stress_at(newtonian, pressure) for law in (own, other)]
         return 1 - min(stresses) / max(stresses)
 
-    lobe = LOBE_PRESSURE * sketch.pressure_mean
-    outflow = change(sketch.oil.eta(lobe) * sketch.sliding / sketch.film_min, lobe)
-    film = max(change(_inlet_stress(sketch), _inlet_pressure(sketch)), outflow)
-    stress = sketch.hot_stress()
-    friction = abs(sketch.hot_stress(flow=other) / stress - 1) if stress > 0 else 0.0
-    return Influence(film, max(friction, film), HOT_FRICTION * friction * sketch.warmth)
+    lobe = LOBE_PRESSURE * prediction.pressure_mean
+    outflow = change(prediction.oil.eta(lobe) * prediction.sliding / prediction.film_min, lobe)
+    film = max(change(_inlet_stress(prediction), _inlet_pressure(prediction)), outflow)
+    stress = prediction.hot_stress()
+    friction = abs(prediction.hot_stress(flow=other) / stress - 1) if stress > 0 else 0.0
+    return Influence(film, max(friction, film), HOT_FRICTION * friction * prediction.warmth)
 
 
 UNREACHED = 1e12
@@ -160,8 +160,8 @@ SHEAR_THINNING = Effect(
     name="shear-thinning",
     symbol="4.5 eta0 (u + us) / h tau0",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
-    indicator=lambda sketch: _inlet_stress(sketch) / sketch.oil.flow.stress,
-    influence=lambda sketch: unlike(sketch, unthinned(sketch.oil.flow)),
+    indicator=lambda prediction: _inlet_stress(prediction) / prediction.oil.flow.stress,
+    influence=lambda prediction: unlike(prediction, unthinned(prediction.oil.flow)),
     without=_flowing(unthinned, _thins),
     lacking=_lacking(_thins, "thinning"),
 )
@@ -170,8 +170,10 @@ LIMITING_STRESS = Effect(
     name="limiting-stress",
     symbol="tau / tauL",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
-    indicator=lambda sketch: sketch.stress() / sketch.oil.flow.limit_at(sketch.pressure_mean),
-    influence=lambda sketch: unlike(sketch, _unlimited(sketch.oil.flow)),
+    indicator=lambda prediction: (
+        prediction.stress() / prediction.oil.flow.limit_at(prediction.pressure_mean)
+    ),
+    influence=lambda prediction: unlike(prediction, _unlimited(prediction.oil.flow)),
     without=_flowing(_unlimited, _limits),
     lacking=_lacking(_limits, "limiting stress"),
     eased_by=("shear-thinning",),  # which rounds the corner of the limit

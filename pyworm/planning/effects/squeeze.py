@@ -5,29 +5,28 @@ from math import cos, inf, isfinite, log, sin
 
 from pyworm.planning.effects.effect import Contact, Effect, Influence
 from pyworm.planning.effects.geometry import SPEED_POWER, departure
-from pyworm.planning.prediction import Sketch
-from pyworm.planning.prediction import sketch as sketch_of
+from pyworm.planning.prediction import Prediction, predicted
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 
 
-def lag(sketch: Sketch) -> float:
+def lag(prediction: Prediction) -> float:
     """Change of the expected film while oil passes through the contact [-]."""
-    then = sketch.before
-    real = abs(departure(sketch) - departure(then))
-    shift = abs(log(sketch.film_central / then.film_central))
+    then = prediction.before
+    real = abs(departure(prediction) - departure(then))
+    shift = abs(log(prediction.film_central / then.film_central))
     return shift + real if isfinite(real) else inf
 
 
-def spread(sketch: Sketch) -> float:
+def spread(prediction: Prediction) -> float:
     """Area gained or lost by the contact over the area swept by the oil: u + da/dt in place of u."""
-    then = sketch.before
-    passed = sketch.speed * sketch.age
-    if isinstance(sketch.scene, LineScene):
-        return abs(sketch.half_width - then.half_width) / passed
+    then = prediction.before
+    passed = prediction.speed * prediction.age
+    if isinstance(prediction.scene, LineScene):
+        return abs(prediction.half_width - then.half_width) / passed
     size, was = (
-        scales(with_auxiliary_entrainment(sketch.scene)),
+        scales(with_auxiliary_entrainment(prediction.scene)),
         scales(with_auxiliary_entrainment(then.scene)),
     )
     a_x, a_y = size.hertz.semi_axis_x, size.hertz.semi_axis_y
@@ -35,22 +34,22 @@ def spread(sketch: Sketch) -> float:
     return gained / (passed * (abs(cos(size.angle)) * a_y + abs(sin(size.angle)) * a_x))
 
 
-def _by_squeeze(sketch: Sketch) -> Influence:
-    change = lag(sketch) + SPEED_POWER * spread(sketch)
+def _by_squeeze(prediction: Prediction) -> Influence:
+    change = lag(prediction) + SPEED_POWER * spread(prediction)
     return Influence(change, change, change)
 
 
 def _lasting(scene: Contact) -> str | None:
     if scene.past is None:
         return "steady"
-    return "nothing before" if sketch_of(scene).before is None else None
+    return "nothing before" if predicted(scene).before is None else None
 
 
 SQUEEZE = Effect(
     name="squeeze",
     symbol="d ln h + da/2b, in 2b/u",
     source="a film is as old as the oil in it; the contact's edge runs to the oil or from it, h ~ u^0.7",
-    indicator=lambda sketch: lag(sketch) + spread(sketch),
+    indicator=lambda prediction: lag(prediction) + spread(prediction),
     influence=_by_squeeze,
     without=lambda scene: replace(scene, past=None),
     lacking=_lasting,

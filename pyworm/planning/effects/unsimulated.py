@@ -3,7 +3,7 @@
 from math import exp
 
 from pyworm.planning.effects.effect import Effect, Influence
-from pyworm.planning.prediction import Sketch
+from pyworm.planning.prediction import Prediction
 
 # ---------------------------------------------------------------------------------------- starvation
 
@@ -11,13 +11,13 @@ STARVATION_POWER = 2.0
 """Exponent g of the law, below the 3 to 5 that were measured: it tells more than there is."""
 
 
-def _supply(sketch: Sketch) -> float:
+def _supply(prediction: Prediction) -> float:
     """Thickness of the arriving oil over that of a flooded film."""
-    return sketch.oil.supply / sketch.film_central
+    return prediction.oil.supply / prediction.film_central
 
 
-def _by_starvation(sketch: Sketch) -> Influence:
-    share = _supply(sketch)
+def _by_starvation(prediction: Prediction) -> Influence:
+    share = _supply(prediction)
     change = 1 - share / (1 + share**STARVATION_POWER) ** (1 / STARVATION_POWER)
     return Influence(change, change, change)
 
@@ -36,14 +36,14 @@ STARVATION = Effect(
 # ----------------------------------------------------------------------------------------- roughness
 
 
-def _thickness(sketch: Sketch) -> float:
+def _thickness(prediction: Prediction) -> float:
     """Specific film: minimum film over the composite roughness."""
-    return sketch.film_min / sketch.scene.composite_roughness
+    return prediction.film_min / prediction.scene.composite_roughness
 
 
-def _by_roughness(sketch: Sketch) -> Influence:
+def _by_roughness(prediction: Prediction) -> Influence:
     # Patir and Cheng (1978), isotropic: the pressure flow factor's 1 - 0.9 exp(-0.56 h/sigma)
-    change = 0.9 * exp(-0.56 * _thickness(sketch))
+    change = 0.9 * exp(-0.56 * _thickness(prediction))
     return Influence(change, change, change)
 
 

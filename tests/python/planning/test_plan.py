@@ -21,7 +21,7 @@ from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.effect import QUANTITIES
 from pyworm.planning.effects.geometry import departure
 from pyworm.planning.plan import planned
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.scene.line import LineScene
 from pyworm.scene.past import Earlier, Past
 from pyworm.scene.point import Paraboloid, RigidMotion
@@ -118,7 +118,7 @@ def test_a_long_contact_becomes_a_line_of_the_same_pressure():
     scene = TRIALS["long roller"].scene()
     simple = pyworm.plan(scene, 0.05, quantities=("film",)).simplified(scene)
     assert isinstance(simple, LineScene)
-    assert sketch(simple).pressure_max == pytest.approx(sketch(scene).pressure_max)
+    assert predicted(simple).pressure_max == pytest.approx(predicted(scene).pressure_max)
     assert simple.velocities == (1.05, 0.95)
 
 
@@ -159,11 +159,11 @@ def test_bodies_of_another_temperature_bring_heat_in():
 
 
 def test_a_solution_adds_what_its_plan_missed():
-    """A sketch that takes the film for a hundred times as thick sees no heat; the solution does."""
+    """A prediction that takes the film for a hundred times as thick sees no heat; the solution does."""
     scene = ball(sliding=0.5)
-    seen = sketch(scene)
+    prediction = predicted(scene)
     fooled = replace(
-        seen, film_central=100 * seen.film_central, sliding=1e-9, velocities=(1e9, 1e9)
+        prediction, film_central=100 * prediction.film_central, sliding=1e-9, velocities=(1e9, 1e9)
     )
     plan = planned(scene, 0.05, QUANTITIES, replace(fooled, speed=1e-6))
     assert "film-heating" not in plan.on
@@ -223,7 +223,7 @@ def test_squeeze_of_a_gap_that_departs_from_its_radii_is_estimated():
     """Radii, load and speed stay; the contact reached an edge while oil passed."""
     plain = ball()
     bent = replace(plain, gap=lambda x, y: ((x**2 + y**2) / 0.04 * (1 + 20 * x), y < 1))
-    assert squeezed(bent, plain).indicator == pytest.approx(departure(sketch(bent)))
+    assert squeezed(bent, plain).indicator == pytest.approx(departure(predicted(bent)))
 
 
 def test_a_cycle_younger_than_the_oil_has_no_earlier_past():

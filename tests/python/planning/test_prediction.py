@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import pyworm
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 
 CASES = Path(__file__).parents[3] / "cases"
 HEAT = 1e7
@@ -23,14 +23,14 @@ def thermal(velocities, **changes):
 def test_fast_surfaces_warm_as_half_spaces_under_a_heat_that_lasts_as_they_pass():
     """2 q sqrt(t/(pi k rho c)) (Carslaw and Jaeger 1959, section 2.9), t the time to pass the contact."""
     scene = thermal((4.0, 4.0))
-    body, seen = scene.bodies[0], sketch(scene)
+    body, prediction = scene.bodies[0], predicted(scene)
     alike = replace(scene, bodies=(body, body))
-    passing = 2 * seen.half_width / 4.0
+    passing = 2 * prediction.half_width / 4.0
     effusivity = body.conductivity * body.density * body.specific_heat
     wanted = 2 * (HEAT / 2) * (passing / (pi * effusivity)) ** 0.5
-    assert sketch(alike).surface_rise(HEAT) == pytest.approx(wanted, rel=1e-9)
+    assert predicted(alike).surface_rise(HEAT) == pytest.approx(wanted, rel=1e-9)
     # a second surface sixteen times as fast takes four times the heat
-    faster = sketch(replace(alike, velocities=(4.0, 64.0)))
+    faster = predicted(replace(alike, velocities=(4.0, 64.0)))
     assert faster.surface_rise(HEAT) == pytest.approx(wanted * 2 / 5, rel=1e-9)
 
 
@@ -38,16 +38,16 @@ def test_surfaces_at_rest_warm_no_more_than_conduction_to_all_sides_lets_them():
     """3 q b/(2 k) each, which both share."""
     scene = thermal((1e-9, 1e-9))
     body = scene.bodies[0]
-    seen = sketch(replace(scene, bodies=(body, body)))
-    wanted = 1.5 * (HEAT / 2) * seen.half_width / body.conductivity
-    assert seen.surface_rise(HEAT) == pytest.approx(wanted, rel=1e-9)
+    prediction = predicted(replace(scene, bodies=(body, body)))
+    wanted = 1.5 * (HEAT / 2) * prediction.half_width / body.conductivity
+    assert prediction.surface_rise(HEAT) == pytest.approx(wanted, rel=1e-9)
 
 
 def test_the_film_warms_over_its_walls_as_a_slab_that_makes_heat():
     """q h/(8 k), k the oil's at the mean pressure."""
     scene = thermal((4.0, 2.0))
-    seen, heat = sketch(scene), scene.oil.heat
-    p = pi / 4 * seen.pressure_max
+    prediction, heat = predicted(scene), scene.oil.heat
+    p = pi / 4 * prediction.pressure_max
     k = heat.conductivity * (1 + heat.conductivity_c1 * p / (1 + heat.conductivity_c2 * p))
-    wanted = HEAT * seen.film_central / (8 * k)
-    assert seen.film_rise(HEAT) == pytest.approx(wanted, rel=1e-9)
+    wanted = HEAT * prediction.film_central / (8 * k)
+    assert prediction.film_rise(HEAT) == pytest.approx(wanted, rel=1e-9)

@@ -17,7 +17,7 @@ import pyworm
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT
 from pyworm.materials.body import Body, composite_roughness
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.report.console.scenes import figures_table, plan_table, scenes_table
 from pyworm.result.result import Result, open_result
 from pyworm.scene.summary import scene_summary
@@ -76,7 +76,7 @@ def test_every_drive_s_scenes_carry_its_roughness_and_plans_judge_it(name, tmp_p
     assert [body.roughness for body in scene.bodies] == pytest.approx(ROUGH[name], rel=1e-12)
     seen = judged(pyworm.plan(scene, 0.02))
     # Patir and Cheng's pressure flow factor of the film that the plan expects
-    ratio = sketch(scene).film_min / hypot(*ROUGH[name])
+    ratio = predicted(scene).film_min / hypot(*ROUGH[name])
     assert seen.indicator == pytest.approx(ratio, rel=1e-12)
     assert seen.influence["film"] == pytest.approx(0.9 * exp(-0.56 * ratio), rel=1e-12)
     assert not seen.on and seen.reason == "not simulated"
@@ -86,7 +86,9 @@ def test_a_worm_drive_s_roughness_is_judged_too(tmp_path):
     scene = pyworm.load(written(tmp_path, "zi_sharif_2001")).scene(phase=0.5)
     assert scene.composite_roughness == pytest.approx(hypot(0.3e-6, 0.5e-6), rel=1e-12)
     plan = pyworm.plan(scene)
-    assert judged(plan).indicator == pytest.approx(sketch(scene).film_min / hypot(0.3e-6, 0.5e-6))
+    assert judged(plan).indicator == pytest.approx(
+        predicted(scene).film_min / hypot(0.3e-6, 0.5e-6)
+    )
     assert scene_summary(scene)["composite_roughness_m"] == scene.composite_roughness
     assert "0.5831 µm" in printed(plan_table(scene, plan, Expectation(1.0, 100.0)))
 

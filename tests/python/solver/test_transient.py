@@ -9,7 +9,7 @@ from plan_scenes import STEEL, mineral, point
 
 import pyworm
 from pyworm.planning.effects.geometry import as_line
-from pyworm.planning.prediction import sketch
+from pyworm.planning.prediction import predicted
 from pyworm.scene.past import Earlier, Past
 from pyworm.solver.transient import _rate
 
@@ -40,14 +40,14 @@ TURN = 0.5
 
 @pytest.mark.parametrize("turn", [0.0, TURN, -TURN])
 def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
-    rate = turn / sketch(ball()).transit
+    rate = turn / predicted(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(angle=-rate * back), -rate * back))
     marched = solved(replace(ball(), past=past), "isothermal,squeeze", accuracy=0.03)
     assert films(marched) == pytest.approx(films(solved(ball(), accuracy=0.03)), rel=0.004)
 
 
 def test_the_start_of_a_transient_is_forgotten():
-    transit = sketch(ball()).transit
+    transit = predicted(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(1.0 if back < 1.5 * transit else 0.8)))
     marched = solved(replace(ball(), past=past), "isothermal,squeeze")
     assert films(marched) == pytest.approx(films(solved(ball())), rel=0.01)
@@ -56,7 +56,7 @@ def test_the_start_of_a_transient_is_forgotten():
 @pytest.mark.parametrize("kind", [lambda scene: scene, as_line])
 def test_oil_carries_its_film_through_the_contact(kind):
     """Each place keeps the film of the speed at which its oil came in: later ones that of a lower speed."""
-    of = sketch(kind(ball()))
+    of = predicted(kind(ball()))
     past = Past(AGES, lambda back: Earlier(back, kind(ball(1 - 0.1 * back / of.transit))))
     middle = {"x": [-of.half_width / 2, 0.0, of.half_width / 2]} | (
         {} if kind is as_line else {"y": 0.0}
@@ -96,7 +96,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
 
     The speed of a contact rises by a tenth while oil passes: what is at a place now was upstream before.
     """
-    of = sketch(kind(ball()))
+    of = predicted(kind(ball()))
     rise = 0.1 / of.transit
     places = {"x": [-of.half_width / 2, of.half_width / 2]} | (
         {} if kind is as_line else {"y": 0.0}
