@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 from plan_scenes import TRIALS, Trial
 
 import pyworm
-from pyworm.io.units import SHARE, parse
+from pyworm.io.quantity import SHARE, parse
 from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.judgement import Judgement

@@ -7,6 +7,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, mod
 from pyworm.case.oil import OilTable
 from pyworm.case.table import Table, Text
 from pyworm.io import units
+from pyworm.io.number_with_unit import parse_any
 
 Quantity = Literal["film", "friction", "temperature"]
 """What a case asks of its contacts."""
@@ -32,7 +33,7 @@ def _published(value: Any, info: ValidationInfo) -> PublishedValue:
         return PublishedValue.model_validate(value)
     if isinstance(value, float | int) and not isinstance(value, bool):
         return PublishedValue(text=f"{value:g}", value=value, unit="")
-    number, unit = units.parse_any(value)
+    number, unit = parse_any(value)
     return PublishedValue(text=value, value=number, unit=unit)
 
 

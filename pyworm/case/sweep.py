@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from pyworm.case.table import Count, Table, Text
-from pyworm.io import units
+from pyworm.io.number_with_unit import parse_in
 
 Value = Any
 """What a case file may have after a key."""
@@ -28,8 +28,8 @@ class _Interval(Table):
         """Both in the unit of the first; None for plain numbers."""
         if all(isinstance(end, int | float) and not isinstance(end, bool) for end in (low, high)):
             return low, high, None
-        first, unit = units.parse_in(low)
-        return first, units.parse_in(high, unit)[0], unit
+        first, unit = parse_in(low)
+        return first, parse_in(high, unit)[0], unit
 
     def _check(self, low: Value, high: Value, names: str, logarithmic: bool) -> None:
         try:

@@ -6,8 +6,8 @@ from typing import Any
 from pydantic import BaseModel
 
 from pyworm.case.workshop_units import kind_of
-from pyworm.io import units
 from pyworm.io.input_error import toml
+from pyworm.io.quantity import Kind, doubt
 
 
 def unusual(file: BaseModel, data: dict[str, Any]) -> tuple[str, ...]:
@@ -22,11 +22,12 @@ def unusual(file: BaseModel, data: dict[str, Any]) -> tuple[str, ...]:
     """
     keys: dict[tuple[str, str], list[str]] = {}
     for key, text, kind in _written(file, data):
-        doubt = units.doubt(text, kind)
-        if doubt is not None:
-            keys.setdefault((text, doubt), []).append(key)
+        warning = doubt(text, kind)
+        if warning is not None:
+            keys.setdefault((text, warning), []).append(key)
     return tuple(
-        f"{' and '.join(named)} = {toml(text)}: {doubt}" for (text, doubt), named in keys.items()
+        f"{' and '.join(named)} = {toml(text)}: {warning}"
+        for (text, warning), named in keys.items()
     )
 
 
@@ -39,7 +40,7 @@ def _written(table: BaseModel, data: dict[str, Any], above: str = "") -> Iterato
             )
 
 
-def _quantities(value: Any, said: Any, kind: units.Kind | None, key: str) -> Iterator[tuple]:
+def _quantities(value: Any, said: Any, kind: Kind | None, key: str) -> Iterator[tuple]:
     if isinstance(value, BaseModel) and isinstance(said, dict):
         yield from _written(value, said, f"{key}.")
     elif isinstance(value, dict) and isinstance(said, dict):

@@ -6,7 +6,8 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from pyworm.case.case_file import FileTable
-from pyworm.io import units
+from pyworm.io import quantity_text
+from pyworm.io.quantity import Kind
 
 
 def shown(value: Any, field: FieldInfo | None = None) -> str:
@@ -29,23 +30,23 @@ def assumptions(file: FileTable) -> dict[str, str]:
     return said
 
 
-def _plain(value: Any, kind: units.Kind | None) -> str:
+def _plain(value: Any, kind: Kind | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float | int):
-        return f"{value:.6g}" if kind is None else units.shown(value, kind)
+        return f"{value:.6g}" if kind is None else quantity_text.shown(value, kind)
     return str(value)
 
 
-def kind_of(field: FieldInfo) -> units.Kind | None:
+def kind_of(field: FieldInfo) -> Kind | None:
     """Kind of quantity of a field; None for plain numbers and texts."""
     return _kind([*field.metadata, field.annotation])
 
 
-def _kind(hints: list[Any]) -> units.Kind | None:
+def _kind(hints: list[Any]) -> Kind | None:
     """Kind of quantity of a field, anywhere in its annotation."""
     for hint in hints:
-        if isinstance(hint, units.Kind):
+        if isinstance(hint, Kind):
             return hint
         found = _kind([*get_args(hint), *getattr(hint, "__metadata__", ())])
         if found is not None:

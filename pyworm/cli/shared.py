@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 from pyworm.case.case import Case
 from pyworm.io.atomic import whole
 from pyworm.io.input_error import CaseError
+from pyworm.io.quantity import SHARE, parse
 from pyworm.io.reason import reason_of
 from pyworm.io.terminal import say
-from pyworm.io.units import SHARE, parse
 from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ import xarray as xr
 from pyworm.case.sweep import Value
 from pyworm.formulas.lubrication import BY_SEVERITY
 from pyworm.io.atomic import whole_file
-from pyworm.io.units import parse_in
+from pyworm.io.number_with_unit import parse_in
 from pyworm.result.result import LARGEST, plain_attributes
 from pyworm.result.sound_result import typed
 from pyworm.solver.left_out import LAMBDAS, LeftOut, worst

@@ -8,7 +8,7 @@ from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import MeshLoss
-from pyworm.io import units
+from pyworm.io.quantity_text import shown_like
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
@@ -262,7 +262,7 @@ def printed_section(case: Case, result: Result) -> Section | None:
             (
                 name.replace("_", " "),
                 _printed(printed.text),
-                _printed(units.shown_like(*known[name], printed.text)),
+                _printed(shown_like(*known[name], printed.text)),
             )
             for name, printed in case.published.items()
             if name in known

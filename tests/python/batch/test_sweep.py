@@ -16,7 +16,7 @@ from pyworm.batch.sweep import load_sweep
 from pyworm.case.sweep import DrawTable, RangeTable
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
-from pyworm.io.units import parse_in
+from pyworm.io.number_with_unit import parse_in
 from pyworm.kernel.core import KernelError
 from pyworm.plots.sweep import sweep_figure
 from pyworm.report.console.sweep import rows_table

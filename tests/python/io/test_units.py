@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pyworm.io.units import SHARE, Kind, parse, parse_any
+from pyworm.io.number_with_unit import parse_any
+from pyworm.io.quantity import SHARE, Kind, parse
 
 FORCE = Kind("a force", "N", "14 kN")
 LENGTH = Kind("a length", "m", "305 mm", "any")

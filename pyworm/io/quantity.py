@@ -1,0 +1,160 @@
+"""Quantities of a known kind: "14 kN" in a case file becomes the force of 14000.0.
+
+Each kind has two ranges. Beyond the possible one a value is refused: nothing is built or flows so, and
+products of powers of such values overflow. Beyond the usual one it is taken, and told.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+from pyworm.io.number_with_unit import base_unit, comma_hint, measure, number_and_unit
+
+_SIGNS = {
+    "positive": (lambda value: value > 0, "greater than zero"),
+    "not negative": (lambda value: value >= 0, "zero or more"),
+    "any": (lambda value: True, "that is finite"),
+}
+
+_SLIPS = {
+    "m": ("mm", "um", "m", "uin"),
+    "N m": ("N m", "N mm", "kN m"),
+    "N": ("N", "kN"),
+    "N/m": ("kN/m", "N/m"),
+    "N/um": ("N/um",),
+    "W": ("W", "kW"),
+    "rad/s": ("rpm", "rad/s"),
+    "Pa": ("MPa", "GPa", "Pa"),
+    "1/Pa": ("1/GPa", "1/Pa"),
+    "Pa s": ("mPa s", "Pa s"),
+    "kg/m^3": ("g/cm^3", "kg/m^3"),
+    "K": ("degC", "K"),
+    "W/(m K)": ("W/(m K)", "mW/(m K)"),
+    "J/(kg K)": ("J/(kg K)", "kJ/(kg K)"),
+    "m^2/s": ("mm^2/s",),
+    "s": ("h", "s"),
+    "rad": ("deg", "rad"),
+}
+"""SI unit -> what is meant where it, or one of its multiples, is a slip."""
+
+Range = tuple[str, str]
+"""Two quantities, smallest and largest size, as they are told."""
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Kind of quantity of a value: its dimension, ranges and the words of messages.
+
+    Attributes
+    ----------
+    noun : str
+        What it is called, article included ("a force").
+    unit : str
+        The SI unit it is kept in; empty for a share.
+    example : str
+        A right value, to be shown beside a wrong one.
+    sign : str
+        Which values are taken: "positive", "not negative" or "any".
+    possible : tuple of str
+        Sizes between which every value lies that is not zero.
+    usual : tuple of str, optional
+        Sizes beyond which a value is told, the smallest empty where none is too small; by default none is.
+    """
+
+    noun: str
+    unit: str
+    example: str
+    sign: Literal["positive", "not negative", "any"] = "positive"
+    possible: Range | None = None
+    usual: Range | None = None
+
+
+SHARE = Kind("a share", "", "1 %", possible=("1e-12 %", "1000 %"))
+
+
+def parse(text: str, kind: Kind) -> float:
+    """Read a quantity such as "14 kN".
+
+    Parameters
+    ----------
+    text : str
+        Number and unit.
+    kind : Kind
+        What it must measure.
+
+    Returns
+    -------
+    float
+        The value in `kind.unit`.
+
+    Raises
+    ------
+    ValueError
+        Not a text, not a number and a unit, of another dimension, not finite, of the wrong sign, or of a size
+        that there is not.
+    """
+    with_unit = f"{kind.noun} with its unit" if kind.unit else kind.noun
+    value = _in_kind(text, kind)
+    if value is None:
+        raise ValueError(f'must be {with_unit}, such as "{kind.example}"{comma_hint(text)}')
+    allowed, wanted = _SIGNS[kind.sign]
+    if not (math.isfinite(value) and allowed(value)):
+        raise ValueError(f'must be {kind.noun} {wanted}, such as "{kind.example}"')
+    if value and kind.possible is not None and not _lies(value, kind, kind.possible):
+        low, high = kind.possible
+        raise ValueError(
+            f'must be {kind.noun} between {low} and {high}, such as "{kind.example}"{_meant(text, kind)}'
+        )
+    return value
+
+
+def doubt(text: str, kind: Kind) -> str | None:
+    """The warning about a possible but unusual value; None for a usual one.
+
+    Parameters
+    ----------
+    text : str
+        The quantity, as of `parse`, which takes it.
+    kind : Kind
+        What it measures.
+    """
+    value = _in_kind(text, kind)
+    if not value or kind.usual is None or _lies(value, kind, kind.usual):
+        return None
+    low, high = kind.usual
+    lies = f"lies between {low} and {high}" if low else f"is at most {high}"
+    return f"unusual, {kind.noun} {lies} as a rule{_meant(text, kind)}"
+
+
+def _in_kind(text: object, kind: Kind) -> float | None:
+    """A text as a number in the unit of a kind; None where its dimension differs."""
+    measured = measure(text, kind.unit) if isinstance(text, str) else None
+    # Units are compared, not dimensions: to pint "3" and "3 deg", "1 Hz" and "1 rad/s" have the same.
+    if measured is None or measured.units != base_unit(kind.unit):
+        return None
+    return float(measured.to(kind.unit).magnitude)
+
+
+def _lies(value: float, kind: Kind, between: Range) -> bool:
+    low, high = (_bound(text, kind) if text else 0.0 for text in between)
+    return low <= abs(value) <= high
+
+
+@cache
+def _bound(text: str, kind: Kind) -> float:
+    value = _in_kind(text, kind)
+    if value is None:
+        raise TypeError(f"{text} is not {kind.noun}")
+    return value
+
+
+def _meant(text: str, kind: Kind) -> str:
+    """The units with which a number would be a usual value, as a question."""
+    number, _ = number_and_unit(text)
+    meant = []
+    for unit in _SLIPS.get(kind.unit, ()):
+        value = _in_kind(f"{number} {unit}", kind)
+        if value and _lies(value, kind, kind.usual or kind.possible):
+            meant.append(f'"{number} {unit}"')
+    return f"; did you mean {' or '.join(meant)}?" if meant else ""
