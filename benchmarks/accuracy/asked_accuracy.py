@@ -1,9 +1,9 @@
-"""Whether the accuracy asked for is kept, and at what price: 20 isothermal and 10 thermal random scenes.
+"""Whether the accuracy asked for is met, and at what price: 20 isothermal and 10 thermal random scenes.
 
 Each is solved as a user would, for 5, 1 and 0.2 %, with the effects that the plan picks. The true error is
-that of the worst figure asked for against the most complete rung extrapolated (`pyworm.precision`); the price
-is told over that of the cheapest grid of that rung that would have done, both without the dry contact and the
-fields. What was solved is kept in results/accuracy/asked.csv, and the next run goes on from there.
+that of the worst figure asked for against the most complete model extrapolated (`pyworm.precision`); the
+price is relative to that of the cheapest sufficient grid of that model, both without the dry contact and the
+fields. Solved scenes are saved in results/accuracy/asked.csv, from where the next run continues.
 """
 
 import csv
@@ -115,9 +115,9 @@ def true_errors(made: Study, solution) -> dict[str, float]:
     return errors
 
 
-def rungs_only(made: Study) -> Study:
+def without_formulas(made: Study) -> Study:
     """A study without its formulas."""
-    return replace(made, curves=tuple(curve for curve in made.curves if curve.kind == "rung"))
+    return replace(made, curves=tuple(curve for curve in made.curves if curve.kind == "model"))
 
 
 def trial(kind: str, scene: Scene, accuracy: float, made: Study) -> dict:
@@ -127,8 +127,8 @@ def trial(kind: str, scene: Scene, accuracy: float, made: Study) -> dict:
     solution = pyworm.solve(scene, plan)
     whole = process_time() - started
     errors = true_errors(made, solution)
-    # the study has no other rung; formulas do not compete
-    cheapest = rungs_only(made).cheapest(accuracy, tuple(made.references))
+    # the study has no other model; formulas do not compete
+    cheapest = without_formulas(made).cheapest(accuracy, tuple(made.references))
     worst = max(errors, key=errors.get)
     return {
         "kind": kind,
@@ -145,7 +145,7 @@ def trial(kind: str, scene: Scene, accuracy: float, made: Study) -> dict:
     }
 
 
-def told(rows: list[dict]) -> list[list[str]]:
+def table_of(rows: list[dict]) -> list[list[str]]:
     """The table: kinds and accuracies."""
     table = [
         [
@@ -182,7 +182,7 @@ def told(rows: list[dict]) -> list[list[str]]:
     return table
 
 
-def keep(rows: list[dict]) -> None:
+def save(rows: list[dict]) -> None:
     """Write what is known so far."""
     OUT.parent.mkdir(parents=True, exist_ok=True)
     with OUT.open("w", newline="") as file:
@@ -191,7 +191,7 @@ def keep(rows: list[dict]) -> None:
         writer.writerows(rows)
 
 
-def kept() -> list[dict]:
+def saved() -> list[dict]:
     """Rows of an earlier run."""
     if not OUT.exists():
         return []
@@ -207,7 +207,7 @@ def kept() -> list[dict]:
 
 
 def main() -> None:
-    rows = kept()
+    rows = saved()
     for kind, scene in scenes():
         if sum(row["scene"] == scene.name for row in rows) == len(ACCURACIES):
             continue
@@ -227,8 +227,8 @@ def main() -> None:
                 f"{'  MISSED' if row['converged'] and row['error'] > accuracy else ''}",
                 flush=True,
             )
-        keep(rows)
-    table = told(rows)
+        save(rows)
+    table = table_of(rows)
     print(markdown(table))
     fill("asked", markdown(table))
 

@@ -73,7 +73,7 @@ FIGURES = {
 OUT = Path("results/error_bars.csv")
 
 
-def climbed(
+def refined(
     scene: pyworm.Scene, plan: Plan, grids: Sequence[Grid], spacing: float, most: float
 ) -> dict[int, Reading]:
     """Readings on grids of halving spacing by number, the last ones on which the equations are met."""
@@ -122,9 +122,9 @@ def truth(
     Nothing where no two grids of the wider window have a film, or none has one in all windows.
     """
     most = MOST_NODES[kind]
-    wide = climbed(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
+    wide = refined(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
     coarse = 1.1 * plan.grids[-1].dx / 2 ** min(wide, default=0)
-    near = climbed(scene, plan, plan.grids, coarse / 2, most)
+    near = refined(scene, plan, plan.grids, coarse / 2, most)
     first = min(wide.keys() & near.keys(), default=None)
     if first is None or len(wide) < 2:
         return {}
@@ -132,7 +132,7 @@ def truth(
     for grids in farther(plan) if plan.model.heated else ():
         if len(ends) < 3 or grids[-1].nodes * 4**first < FAR_NODES:
             coarse = 1.1 * plan.grids[-1].dx / 2**first
-            ends.append(climbed(scene, plan, grids, coarse, most).get(first))
+            ends.append(refined(scene, plan, grids, coarse, most).get(first))
     if None in ends:
         return {}
     found = {}
@@ -172,7 +172,7 @@ def judged(kind: str, drawn: Drawn) -> Iterator[dict]:
         }
 
 
-def kept() -> list[dict]:
+def saved() -> list[dict]:
     """Rows of earlier runs."""
     if not OUT.exists():
         return []
@@ -185,7 +185,7 @@ def kept() -> list[dict]:
         ]
 
 
-def keep(rows: list[dict]) -> None:
+def save(rows: list[dict]) -> None:
     """Write what is known so far."""
     OUT.parent.mkdir(parents=True, exist_ok=True)
     with OUT.open("w", newline="") as file:
@@ -199,17 +199,17 @@ def judgeable(row: dict) -> bool:
     return bool(row["reason"]) or row["unsure"] <= KNOWN * row["bar"] < inf
 
 
-def told(rows: list[dict]) -> list[list[str]]:
+def by_figure(rows: list[dict]) -> list[list[str]]:
     """A row for each figure: how many bars of converged solutions hold, and errors over bars."""
     table = [["figure", "bars", "judged", "hold", "of these no bar", "median error/bar", "largest"]]
     for name, words in FIGURES.items():
         of = [row for row in rows if row["figure"] == name and row["converged"]]
         known = [row for row in of if judgeable(row)]
-        shares = [row["error"] / row["bar"] for row in known if not row["reason"]]
-        if not shares:
+        ratios = [row["error"] / row["bar"] for row in known if not row["reason"]]
+        if not ratios:
             continue
-        without = len(known) - len(shares)
-        held = sum(share <= 1 for share in shares) + without
+        without = len(known) - len(ratios)
+        held = sum(ratio <= 1 for ratio in ratios) + without
         table.append(
             [
                 words,
@@ -217,8 +217,8 @@ def told(rows: list[dict]) -> list[list[str]]:
                 str(len(known)),
                 f"{held} ({held / len(known):.0%})",
                 str(without),
-                f"{median(shares):.2f}",
-                f"{max(shares):.2f}",
+                f"{median(ratios):.2f}",
+                f"{max(ratios):.2f}",
             ]
         )
     return table
@@ -252,15 +252,15 @@ def by_scene(rows: list[dict]) -> list[list[str]]:
 
 def main() -> None:
     number, *seeds = (int(word) for word in sys.argv[1:] or ("15", "1", "2"))
-    rows = kept()
+    rows = saved()
     for seed, kind, place in product(seeds, DRAWS, range(number)):
         scene = f"{kind}:{place} of {seed}"
         if any(row["scene"] == scene for row in rows):
             continue
         rows += [{"scene": scene} | row for row in judged(kind, DRAWS[kind](place, seed))]
-        keep(rows)
+        save(rows)
         print(*by_scene([row for row in rows if row["scene"] == scene])[1], sep="  ", flush=True)
-    print(markdown(told(rows)), markdown(by_scene(rows)), sep="\n\n")
+    print(markdown(by_figure(rows)), markdown(by_scene(rows)), sep="\n\n")
 
 
 if __name__ == "__main__":

@@ -74,7 +74,7 @@ def show(name: str, made: Study) -> None:
     write(draw_precision(made, heading), PICTURES / f"accuracy_{name}.png")
     fill(f"{name} cheapest", markdown(cheapest_rows(made)))
     fill(f"{name} formulas", markdown(point_rows(made, "formula")))
-    fill(f"{name} grids", markdown(point_rows(made, "rung")))
+    fill(f"{name} grids", markdown(point_rows(made, "model")))
     print(f"{name}: {made.seconds:.0f} s", flush=True)
 
 
@@ -104,14 +104,14 @@ def cheapest_rows(made: Study) -> Iterable[Sequence[str]]:
 def point_rows(made: Study, kind: str) -> Iterable[Sequence[str]]:
     """All points of formulas, or of models, with their errors."""
     figures = list(made.references)
-    grid = ["grid", "s", "convolutions"] if kind == "rung" else ["s"]
-    yield [{"rung": "model"}.get(kind, kind), *grid, *(LABELS[figure] for figure in figures)]
+    grid = ["grid", "s", "convolutions"] if kind == "model" else ["s"]
+    yield [kind, *grid, *(LABELS[figure] for figure in figures)]
     for curve in made.curves:
         if curve.kind != kind:
             continue
         for point in curve.points:
             cost = f"{point.seconds:.2g}"
-            where = [point.label, cost, f"{point.convolutions:.0f}"] if kind == "rung" else [cost]
+            where = [point.label, cost, f"{point.convolutions:.0f}"] if kind == "model" else [cost]
             errors = [made.error(point, figure) for figure in figures]
             yield [
                 curve.name,

@@ -33,7 +33,7 @@ from pyworm.solver.solution import Solution
 HALVINGS = 2
 TOLERANCES = (1e-3, 1e-6)
 REPEATS = 15
-"""Times that a part is timed on the finest grid; the least is told, since others use the machine too."""
+"""Times that a part is timed on the finest grid; the least is shown, since others use the machine too."""
 
 
 def worm() -> Scene:
@@ -113,7 +113,7 @@ def least(work: Callable[[], object]) -> float:
     return min(times)
 
 
-def climb(name: str) -> dict[str, float | str]:
+def refine(name: str) -> dict[str, float | str]:
     """Elapsed times [s] with this process's threads, and a digest of pressure and temperature."""
     scene = remembering(SCENES[name]())
     plan = refined(scene, HALVINGS)
@@ -142,7 +142,7 @@ def climb(name: str) -> dict[str, float | str]:
 def with_threads(name: str, threads: int) -> dict[str, float | str]:
     """The same in a process of its own."""
     done = subprocess.run(
-        [sys.executable, __file__, "climb", name],
+        [sys.executable, __file__, "refine", name],
         env=os.environ | {"OMP_NUM_THREADS": str(threads)},
         capture_output=True,
         text=True,
@@ -152,8 +152,8 @@ def with_threads(name: str, threads: int) -> dict[str, float | str]:
 
 
 def main() -> None:
-    if sys.argv[1:2] == ["climb"]:
-        print(json.dumps(climb(sys.argv[2])))
+    if sys.argv[1:2] == ["refine"]:
+        print(json.dumps(refine(sys.argv[2])))
         return
     print(
         f"{'scene':18} {'to':>7} {'model':>10} {'levels':>6} {'grid':>11} {'steps':>5} {'seconds':>7} = "

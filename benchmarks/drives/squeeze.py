@@ -1,4 +1,4 @@
-"""What squeeze does to a drive's films: as plans tell it, and found by marching films through their past.
+"""What squeeze does to a drive's films: as plans estimate it, and by transient films.
 
 Loads are shared dry. Run from the repository's root (it takes eleven minutes):
 
@@ -14,7 +14,7 @@ from pyworm.planning.effects.squeeze import SQUEEZE, lag, spread
 from pyworm.planning.prediction import predicted
 from pyworm.solver.solution import Estimate
 
-HEADS = ("ms", "lag", "spread", "told", "central", "least", "friction", "s")
+HEADS = ("ms", "lag", "spread", "estimate", "central", "least", "friction", "s")
 
 
 def changed(after: Estimate, before: Estimate) -> str:
@@ -33,16 +33,16 @@ def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: st
             continue
         of = predicted(scene)
         row = [f"{of.transit * 1e3:.2f}"]
-        row += [f"{share:.1%}" for share in (lag(of), spread(of), SQUEEZE.influence(of).film)]
+        row += [f"{fraction:.1%}" for fraction in (lag(of), spread(of), SQUEEZE.influence(of).film)]
         started = process_time()
-        steady, marched = (
+        steady, transient = (
             pyworm.solve(scene, pyworm.plan(scene, accuracy, chosen))
             for chosen in (effects, f"{effects},squeeze")
         )
         for name in ("film_central", "film_min", "friction_coefficient"):
-            row.append(changed(getattr(marched.figures, name), getattr(steady.figures, name)))
+            row.append(changed(getattr(transient.figures, name), getattr(steady.figures, name)))
         row.append(f"{process_time() - started:.0f}")
-        failed = "" if steady.converged and marched.converged else " not converged"
+        failed = "" if steady.converged and transient.converged else " not converged"
         print(f"{scene.name:>32} " + " ".join(f"{cell:>12}" for cell in row) + failed, flush=True)
 
 

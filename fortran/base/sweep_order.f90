@@ -1,5 +1,5 @@
-!> Fields as a march with the oil meets them: the nodes of a line side by side in memory, the lines in the order in which
-!> oil comes to them. Lines lie across the main direction of the entrainment.
+!> Fields in the order of a sweep along the oil's flow: the nodes of a line contiguous in memory, the lines in the order in
+!> which oil reaches them. Lines lie across the main direction of the entrainment.
 module sweep_order
   use kinds, only: wp
   implicit none(type, external)
@@ -21,7 +21,7 @@ module sweep_order
 
 contains
 
-  !> A march over nx by ny nodes dx and dy apart.
+  !> Order of a sweep over nx by ny nodes, dx and dy apart [m].
   pure type(sweep_frame) function new_sweep_frame(nx, ny, dx, dy, along_x, backward)
     integer, intent(in) :: nx, ny
     real(wp), intent(in) :: dx, dy
@@ -35,17 +35,17 @@ contains
     new_sweep_frame%per_line = merge(-1, 1, backward)/merge(dx, dy, along_x)
   end function new_sweep_frame
 
-  !> A field of the grid, (nx, ny), as the march meets it, (length, lines).
-  subroutine to_sweep(way, field, marched)
+  !> Copies a field from the grid, (nx, ny), to the order of the sweep, (length, lines).
+  subroutine to_sweep(way, field, swept)
     type(sweep_frame), intent(in) :: way
     real(wp), intent(in) :: field(:, :)
-    real(wp), intent(inout) :: marched(:, :)
+    real(wp), intent(inout) :: swept(:, :)
     integer :: first, nodes, line, node
 
     if (.not. way%along_x) then
       !$omp parallel do schedule(static)
       do line = 1, way%lines
-        marched(:, line) = field(:, place(way, line))
+        swept(:, line) = field(:, place(way, line))
       end do
       return
     end if
@@ -54,24 +54,24 @@ contains
       do nodes = 1, way%length, block
         do line = first, min(first + block - 1, way%lines)
           do node = nodes, min(nodes + block - 1, way%length)
-            marched(node, line) = field(place(way, line), node)
+            swept(node, line) = field(place(way, line), node)
           end do
         end do
       end do
     end do
   end subroutine to_sweep
 
-  !> The way back.
-  subroutine from_sweep(way, marched, field)
+  !> Copies a field from the order of the sweep, (length, lines), to the grid, (nx, ny).
+  subroutine from_sweep(way, swept, field)
     type(sweep_frame), intent(in) :: way
-    real(wp), intent(in) :: marched(:, :)
+    real(wp), intent(in) :: swept(:, :)
     real(wp), intent(inout) :: field(:, :)
     integer :: first, lines, line, node
 
     if (.not. way%along_x) then
       !$omp parallel do schedule(static)
       do line = 1, way%lines
-        field(:, place(way, line)) = marched(:, line)
+        field(:, place(way, line)) = swept(:, line)
       end do
       return
     end if
@@ -80,14 +80,14 @@ contains
       do lines = 1, way%lines, block
         do node = first, min(first + block - 1, way%length)
           do line = lines, min(lines + block - 1, way%lines)
-            field(place(way, line), node) = marched(node, line)
+            field(place(way, line), node) = swept(node, line)
           end do
         end do
       end do
     end do
   end subroutine from_sweep
 
-  !> Index on the grid of a line.
+  !> Index on the grid of a line of the sweep.
   pure integer function place(way, line)
     type(sweep_frame), intent(in) :: way
     integer, intent(in) :: line

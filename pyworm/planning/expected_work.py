@@ -77,13 +77,13 @@ STIFF, STIFF_POWER = 15.0, 2.5
 """The same for the steps of a film that warms."""
 
 TIME_STEPS = (10, 24, 58)
-"""Steps of time in the first march of a film in motion, and in those on finer grids (`solver.transient`)."""
+"""Time steps of the first transient solve of a film, and of those on finer grids (`solver.transient`)."""
 
-MARCHED_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
-"""Newton steps at each of them."""
+TRANSIENT_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
+"""Newton steps of each time step."""
 
-FINEST_MARCH = 0.06
-"""Accuracy from which on the last of these marches is likely."""
+FINEST_TRANSIENT = 0.06
+"""Accuracy from which on the last of these transient solves is likely."""
 
 AUXILIARY_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
 """Those of a film that heat alone carries."""
@@ -209,7 +209,7 @@ def expected_work(
     auxiliary : bool
         Whether heat alone carries the film, found with auxiliary entrainment.
     moving : bool
-        Whether it is marched through its past.
+        Whether the film is transient.
     """
     steps = AUXILIARY_STEPS if auxiliary else STEPS[kind]
     cold = 1.0 if full else stiffness
@@ -218,9 +218,9 @@ def expected_work(
         stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
         stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
-    marches = TIME_STEPS[: len(TIME_STEPS) - (accuracy > FINEST_MARCH)] if moving else ()
-    for level, instants in enumerate(marches):
-        count = stiffness * MARCHED_STEPS[kind] * instants
+    transients = TIME_STEPS[: len(TIME_STEPS) - (accuracy > FINEST_TRANSIENT)] if moving else ()
+    for level, time_steps in enumerate(transients):
+        count = stiffness * TRANSIENT_STEPS[kind] * time_steps
         nodes = nests[0][-1] * growth ** (level - (kind == "point"))
         stages.append(Stage(nodes, count * (not full), count * full))
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))

@@ -29,7 +29,7 @@ COLOURS = {
 
 FORMULA_MARKERS = "^v<>D"
 
-KNOB_STYLES = (("0.35", "--"), ("tab:purple", "--"), ("tab:cyan", "--"))
+PARAMETER_STYLES = (("0.35", "--"), ("tab:purple", "--"), ("tab:cyan", "--"))
 
 FLOOR = 1e-6
 """Least error shown."""
@@ -43,8 +43,8 @@ FOOTER_LETTERS_PER_INCH = 13.5
 def draw_precision(study: Study, heading: str) -> Figure:
     """Errors against seconds, a panel for each figure.
 
-    Solid lines are errors against the reference; of each rung the dotted line is the part that finer grids
-    take away, and the level that is left at the right is the model's own.
+    Solid lines are errors against the reference; the dotted line of each model is its discretisation
+    error, which finer grids remove, and the plateau at its right is the error of the model.
     """
     shown = list(study.references)
     rows, columns = (len(shown) + 1) // 2, min(len(shown), 2)
@@ -92,13 +92,13 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
         if curve.kind == "formula":
             marker = _formula_marker(study, curve)
             panel.plot(*zip(*drawn, strict=True), marker, color="black", fillstyle="none", zorder=4)
-        elif curve.kind == "knob":
-            colour, style = _knob_style(study, curve)
+        elif curve.kind == "parameter":
+            colour, style = _parameter_style(study, curve)
             panel.plot(
                 *zip(*drawn, strict=True), style, marker=".", color=colour, linewidth=1, zorder=3
             )
         else:
-            handles.append(_draw_rung(panel, study, curve, name, drawn))
+            handles.append(_draw_model(panel, study, curve, name, drawn))
     panel.axhspan(FLOOR / 10, max(reference.band, FLOOR), color="0.88", zorder=0)
     handles.append(Patch(color="0.88", label=f"reference: ± {percent(reference.band)}"))
     for target in (0.1, 0.01, 0.001):
@@ -115,7 +115,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     )
 
 
-def _draw_rung(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) -> Line2D:
+def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) -> Line2D:
     """One model: its error, the discretisation error, and the plateau."""
     colour = COLOURS[curve.name]
     panel.plot(*zip(*drawn, strict=True), "o-", color=colour, markersize=4.5, zorder=5)
@@ -131,8 +131,8 @@ def _draw_rung(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) 
         last = drawn[-1][0]
         panel.plot([last, 6 * last], [max(left, FLOOR)] * 2, color=colour, linewidth=0.8)
         order = curve.limits[name].order
-        seen = "no order seen" if order is None else f"order {order:.1f}"
-        label += f"\n   {seen}, then {percent(left)} left"
+        observed = "no order seen" if order is None else f"order {order:.1f}"
+        label += f"\n   {observed}, then {percent(left)} left"
     return Line2D([], [], color=colour, marker="o", markersize=4.5, label=label)
 
 
@@ -141,9 +141,9 @@ def _formula_marker(study: Study, curve: Curve) -> str:
     return FORMULA_MARKERS[formulas.index(curve.name)]
 
 
-def _knob_style(study: Study, curve: Curve) -> tuple[str, str]:
-    knobs = [one.name for one in study.curves if one.kind == "knob"]
-    return KNOB_STYLES[knobs.index(curve.name)]
+def _parameter_style(study: Study, curve: Curve) -> tuple[str, str]:
+    parameters = [one.name for one in study.curves if one.kind == "parameter"]
+    return PARAMETER_STYLES[parameters.index(curve.name)]
 
 
 def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> None:
@@ -162,8 +162,8 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
         if curve.kind == "formula"
     ]
     for curve in study.curves:
-        if curve.kind == "knob":
-            colour, style = _knob_style(study, curve)
+        if curve.kind == "parameter":
+            colour, style = _parameter_style(study, curve)
             label = f"{curve.name}: {curve.points[0].label} to {curve.points[-1].label}"
             handles.append(
                 Line2D([], [], linestyle=style, marker=".", color=colour, linewidth=1, label=label)

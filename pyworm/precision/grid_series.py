@@ -92,7 +92,7 @@ def _wanted(number: int) -> float:
     return max(FIRST_ERROR / FALL**number, LEAST_ERROR)
 
 
-def climb(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
+def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     """The grids of a model, each of half the spacing, solved one after another on demand.
 
     Parameters
@@ -160,7 +160,7 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
 
 def on_grid(fidelity: Fidelity, halvings: int, setting: str) -> Point:
     """The point of one of a model's grids, under another name."""
-    point = next(islice(climb(fidelity), halvings, None))
+    point = next(islice(grid_sequence(fidelity), halvings, None))
     return replace(point, setting=setting)
 
 

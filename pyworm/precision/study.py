@@ -11,14 +11,14 @@ TARGETS = (0.1, 0.05, 0.01, 0.001)
 
 @dataclass(frozen=True)
 class Curve:
-    """One line of the picture.
+    """Figures of one model, formula or numerical parameter at rising cost.
 
     Attributes
     ----------
     name : str
-        What it is called.
+        Name in tables and pictures.
     kind : str
-        "formula", "rung" or "knob".
+        "formula", "model" or "parameter".
     points : tuple of Point
         Points of increasing cost; those of a model on grids of halving spacing.
     limits : dict
@@ -40,9 +40,9 @@ class Reference:
     value : float
         Value of the most complete model on an infinitely fine grid in an infinite window, in its unit.
     size : float
-        What errors are relative to, in the same unit.
+        Reference of relative errors, in the same unit.
     band : float
-        How far the value may be off, relative to the size [-].
+        Uncertainty of the value, relative to the size [-].
     """
 
     value: float
@@ -59,15 +59,15 @@ class Study:
     scene_name : str
         The contact.
     inlet_temperature : float or None
-        What temperatures count from [K].
+        Temperature from which rises are counted [K].
     references : dict
         Figure -> reference.
     curves : tuple of Curve
-        Formulas, models from the simplest to the most complete, numerical parameters.
+        Curves of formulas, models from the simplest to the most complete, numerical parameters.
     left_out : tuple of str
-        What is not shown, and why.
+        Models and grids that are not shown, each with the reason.
     seconds : float
-        Time of it all [s].
+        Time of the study [s].
     """
 
     scene_name: str
@@ -105,7 +105,7 @@ class Study:
         """
         found: list[tuple[Curve, Point]] = []
         for curve in self.curves:
-            if curve.kind == "knob":
+            if curve.kind == "parameter":
                 continue
             good: Point | None = None
             for point in reversed([point for point in curve.points if point.settled]):

@@ -11,7 +11,14 @@ from pyworm.planning.model import PARABOLA, Model
 from pyworm.planning.prediction import predicted
 from pyworm.precision.closed_forms import closed_forms
 from pyworm.precision.extrapolation import Limit, limit
-from pyworm.precision.grid_series import Point, climb, on_grid, settled_row, step_of, tightened
+from pyworm.precision.grid_series import (
+    Point,
+    grid_sequence,
+    on_grid,
+    settled_row,
+    step_of,
+    tightened,
+)
 from pyworm.precision.models import Fidelity, fidelities
 from pyworm.precision.study import Curve, Reference, Study
 from pyworm.scene.line import LineScene
@@ -22,11 +29,11 @@ from pyworm.solver.grid_sequence import SOLVERS
 FINE_ENOUGH = 1e-4
 """Discretisation error of all figures below which a model is not refined further."""
 
-COMPLETE_SHARE, WINDOW_SHARE, RUNGS_SHARE, KNOBS_SHARE = 0.4, 0.2, 0.3, 0.1
+COMPLETE_FRACTION, WINDOW_FRACTION, MODELS_FRACTION, PARAMETERS_FRACTION = 0.4, 0.2, 0.3, 0.1
 """Fractions of the budget for the most complete model, its wider window, all other models and parameters;
 what one does not use goes to the next."""
 
-KNOBS = 8
+PARAMETER_VALUES = 8
 """Approximate number of parameter values that need a solve from the start."""
 
 TOLERANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)
@@ -80,11 +87,11 @@ def study(
     budget : float
         Elapsed time not to be passed [s], but for what a grid takes longer than expected.
     progress : callable, optional
-        Told what is being done and which share of the budget is spent.
+        Called with what is being done and the fraction of the budget that is spent.
     complete_only : bool
         Whether only the most complete model and its wider window are wanted, as for a reference.
     clock : callable
-        Tells the time that the budget is of [s]: by default elapsed time, which a busy machine stretches.
+        Returns the time that the budget limits [s]; by default elapsed time, which a busy machine stretches.
 
     Raises
     ------
@@ -97,7 +104,7 @@ def study(
     KernelError
         The kernel gives up the most complete model.
     """
-    making = _Study(scene, quantities, budget, progress or (lambda message, share: None), clock)
+    making = _Study(scene, quantities, budget, progress or (lambda message, fraction: None), clock)
     return making.made(complete_only)
 
 
@@ -106,8 +113,8 @@ class _Study:
 
     def __init__(self, scene, quantities, budget: float, progress: Progress, clock) -> None:
         self._scene = scene
-        self._rungs, lacking = fidelities(scene, quantities)
-        self._complete = self._rungs[-1]
+        self._models, lacking = fidelities(scene, quantities)
+        self._complete = self._models[-1]
         self._figures = self._complete.plan.aim.figures
         self._budget = budget
         self._progress = progress
@@ -121,7 +128,7 @@ class _Study:
 
     def made(self, complete_only: bool) -> Study:
         """The study."""
-        complete = self._climbed(self._complete, COMPLETE_SHARE * self._budget)
+        complete = self._refined(self._complete, COMPLETE_FRACTION * self._budget)
         if len(complete.points) < LEAST_GRIDS:
             raise BudgetError(
                 f"{LEAST_GRIDS} grids of the most complete model are needed, "
@@ -132,7 +139,7 @@ class _Study:
         window = self._window(complete)
         references = self._references(complete, window)
         others = [] if complete_only else self._others()
-        knobs = [] if complete_only else self._knobs(complete)
+        parameters = [] if complete_only else self._parameters(complete)
         heat = self._scene.oil.heat
         return Study(
             self._scene.name,
@@ -147,7 +154,7 @@ class _Study:
                     *others,
                     complete,
                     window,
-                    *(knob for knob in knobs if knob.points),
+                    *(curve for curve in parameters if curve.points),
                 ]
             ),
             tuple(self._left_out),
@@ -158,24 +165,29 @@ class _Study:
         """Budget needed for the smallest number of grids of a model [s]."""
         more = LEAST_GRIDS - len(curve.points)
         return (
-            1.5 * curve.points[-1].seconds * step_of(self._complete.plan) ** more / COMPLETE_SHARE
+            1.5
+            * curve.points[-1].seconds
+            * step_of(self._complete.plan) ** more
+            / COMPLETE_FRACTION
         )
 
-    def _climbed(self, model: Fidelity, until: float, wide: bool = False) -> Curve:
+    def _refined(self, model: Fidelity, until: float, wide: bool = False) -> Curve:
         """The grids of a model, until they are fine enough or the next would end after a time [s]."""
         name = f"{model.name}, window twice as far" if wide else model.name
-        points = self._taken(name, climb(model, wide), until, model)
-        return Curve(name, "knob" if wide else "rung", points, {} if wide else _limits(points))
+        points = self._taken(name, grid_sequence(model, wide), until, model)
+        return Curve(
+            name, "parameter" if wide else "model", points, {} if wide else _limits(points)
+        )
 
     def _taken(
-        self, name: str, climbing: Iterator[Point], until: float, model: Fidelity
+        self, name: str, series: Iterator[Point], until: float, model: Fidelity
     ) -> tuple[Point, ...]:
         taken: list[Point] = []
         started = self._spent
         try:
-            for point in climbing:
+            for point in series:
                 taken.append(point)
-                self._tell(f"{name}: {point.label}")
+                self._report(f"{name}: {point.label}")
                 if _fine_enough(taken, model.plan.aim.figures):
                     break
                 if len(taken) > LEAST_GRIDS and not (taken[-2].settled or point.settled):
@@ -202,14 +214,14 @@ class _Study:
             self._left_out.append(f"{name}: grids beyond {taken[-1].label} ({error})")
         return tuple(taken)
 
-    def _tell(self, message: str) -> None:
-        share = self._spent / self._budget if isfinite(self._budget) else 0.0
-        self._progress(message, min(share, 1.0))
+    def _report(self, message: str) -> None:
+        fraction = self._spent / self._budget if isfinite(self._budget) else 0.0
+        self._progress(message, min(fraction, 1.0))
 
     def _window(self, complete: Curve) -> Curve:
         """The most complete model in a window of twice the reach."""
-        until = self._spent + WINDOW_SHARE * self._budget
-        return self._climbed(self._complete, until, wide=True)
+        until = self._spent + WINDOW_FRACTION * self._budget
+        return self._refined(self._complete, until, wide=True)
 
     def _references(self, complete: Curve, window: Curve) -> dict[str, Reference]:
         """The limits of the most complete model, corrected for the error of the window.
@@ -247,35 +259,35 @@ class _Study:
     def _others(self) -> list[Curve]:
         """All models except the most complete one."""
         curves = []
-        start, others = self._spent, self._rungs[:-1]
-        room = max(RUNGS_SHARE * self._budget, (1 - KNOBS_SHARE) * self._budget - start)
+        start, others = self._spent, self._models[:-1]
+        room = max(MODELS_FRACTION * self._budget, (1 - PARAMETERS_FRACTION) * self._budget - start)
         for number, model in enumerate(others):
             until = start + room * (number + 1) / len(others)
             if self._spent > until:
                 self._left_out.append(f"{model.name}: no time")
                 continue
             try:
-                curves.append(self._climbed(model, until))
+                curves.append(self._refined(model, until))
             except KernelError as error:
                 self._left_out.append(f"{model.name}: {error}")
         return curves
 
-    def _knobs(self, complete: Curve) -> list[Curve]:
+    def _parameters(self, complete: Curve) -> list[Curve]:
         """Tolerance and levels of the most complete model, on the finest affordable grid."""
         affordable = [
             number
             for number, point in enumerate(complete.points)
-            if point.seconds <= KNOBS_SHARE / KNOBS * self._budget
+            if point.seconds <= PARAMETERS_FRACTION / PARAMETER_VALUES * self._budget
             and number < len(complete.points) - 1
         ]
         halvings = min(max(affordable, default=0), len(complete.points) // 2)
         model = self._complete
         label = complete.points[halvings].label
         curves = [
-            self._knob(f"tolerance, on {label}", tightened(model, halvings, TOLERANCES)),
+            self._parameter(f"tolerance, on {label}", tightened(model, halvings, TOLERANCES)),
         ]
         if model.plan.model.levels:
-            curves.append(self._knob(f"film levels, on {label}", self._levels(halvings)))
+            curves.append(self._parameter(f"film levels, on {label}", self._levels(halvings)))
         return curves
 
     def _levels(self, halvings: int) -> Iterator[Point]:
@@ -285,16 +297,16 @@ class _Study:
             other = replace(plan, model=Model(levels, plan.model.heated))
             yield on_grid(replace(self._complete, plan=other), halvings, f"{levels} levels")
 
-    def _knob(self, name: str, points: Iterator[Point]) -> Curve:
+    def _parameter(self, name: str, points: Iterator[Point]) -> Curve:
         taken: list[Point] = []
         while self._spent < self._budget:
             point = next(points, None)
             if point is None:
-                return Curve(name, "knob", tuple(taken), {})
+                return Curve(name, "parameter", tuple(taken), {})
             taken.append(point)
-            self._tell(f"{name}: {point.label}")
+            self._report(f"{name}: {point.label}")
         self._left_out.append(f"{name}: beyond {taken[-1].label}" if taken else f"{name}: no time")
-        return Curve(name, "knob", tuple(taken), {})
+        return Curve(name, "parameter", tuple(taken), {})
 
 
 def _limits(points: Sequence[Point]) -> dict[str, Limit]:

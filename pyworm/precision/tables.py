@@ -26,6 +26,9 @@ UNITS = {
 }
 """Figure -> its key in CSV and JSON."""
 
+KINDS = {"formula": "formula", "model": "rung", "parameter": "knob"}
+"""Kind of a curve -> its name in CSV and JSON, where it must stay as it is."""
+
 
 def cheapest_table(study: Study) -> Table:
     """The cheapest model and grid for each accuracy, by figure and for all together."""
@@ -38,11 +41,11 @@ def cheapest_table(study: Study) -> Table:
     for accuracy in TARGETS:
         choices = [study.cheapest(accuracy, (figure,)) for figure in figures]
         choices.append(study.cheapest(accuracy, tuple(figures)))
-        table.add_row(f"{accuracy * 100:g} %", *(_told(choice) for choice in choices))
+        table.add_row(f"{accuracy * 100:g} %", *(_shown(choice) for choice in choices))
     return table
 
 
-def _told(choice: tuple[Curve, Point] | None) -> str:
+def _shown(choice: tuple[Curve, Point] | None) -> str:
     if choice is None:
         return "none"
     curve, point = choice
@@ -55,7 +58,7 @@ def rows(study: Study) -> Iterator[dict[str, Any]]:
     for curve in study.curves:
         for point in curve.points:
             row: dict[str, Any] = {
-                "kind": curve.kind,
+                "kind": KINDS[curve.kind],
                 "curve": curve.name,
                 "grid": " x ".join(str(points) for points in point.shape),
                 "setting": point.setting,
@@ -89,7 +92,7 @@ def as_object(study: Study) -> dict[str, Any]:
                 if figure in study.references
             }
             for curve in study.curves
-            if curve.kind == "rung"
+            if curve.kind == "model"
         },
         "cheapest": [_cheapest(study, accuracy) for accuracy in TARGETS],
         "points": list(rows(study)),

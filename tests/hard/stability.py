@@ -112,7 +112,7 @@ def bars(solution: Solution) -> np.ndarray:
 
 
 def steady(scene: Scene, accuracy: float = 0.02) -> Plan:
-    """A plan whose window is taken as it is, solved so far that algebra is not seen."""
+    """A plan with its first window only, solved so tightly that the error of the algebra is negligible."""
     return replace(pyworm.plan(scene, accuracy, "isothermal"), wider_grids=(), tolerance=1e-6)
 
 
@@ -121,7 +121,7 @@ HARD = ("M1000-L10", "M200-L20", "coarse-grid-lost", "alpha-p-60", "ellipse-30-o
 on a fine grid."""
 
 
-def climb(
+def grid_sequence(
     scene: Scene, plan: Plan, start: Callable[[PointLevel], None] | None = None
 ) -> Iterator[Reading]:
     """Readings of a scene on the plan's last grid and on ever finer ones; `start` changes the first guess."""
@@ -137,7 +137,7 @@ def climb(
 def resolved(scene: Scene, plan: Plan) -> list[Reading]:
     """Readings on the plan's last grid and on finer ones, up to the first that resolves both films."""
     readings: list[Reading] = []
-    for reading in climb(scene, plan):
+    for reading in grid_sequence(scene, plan):
         readings.append(reading)
         errors = grid_errors(readings, ORDERS)
         if max(errors[name] for name in FILMS) < RESOLVED:
@@ -149,7 +149,7 @@ def fixed(
     scene: Scene, plan: Plan, grids: int, start: Callable[[PointLevel], None] | None = None
 ) -> np.ndarray:
     """Films on the last of so many grids [m]: the same grids whatever the scene."""
-    reading = next(islice(climb(scene, plan, start), grids - 1, None))
+    reading = next(islice(grid_sequence(scene, plan, start), grids - 1, None))
     return np.array([reading.figures[name] for name in FILMS])
 
 

@@ -66,12 +66,12 @@ def test_one_grid_has_no_limit_and_standing_changes_no_order():
     assert limit([1.0, 2.0, 3.0]).error >= 1 / 3
 
 
-# -------------------------------------------------------------------------------------------- rungs
+# ----------------------------------------------------------------------------------------- models
 
 
 def test_a_heated_sliding_contact_has_every_model():
-    rungs, lacking = fidelities(scene("traction_steel", slide_roll_ratio=0.5))
-    assert [rung.name for rung in rungs] == [
+    models, lacking = fidelities(scene("traction_steel", slide_roll_ratio=0.5))
+    assert [model.name for model in models] == [
         "line contact",
         "isothermal Newtonian point",
         "+ rheology",
@@ -79,16 +79,16 @@ def test_a_heated_sliding_contact_has_every_model():
         "+ film heat",
     ]
     assert not lacking
-    assert [rung.plan.model.heated for rung in rungs] == [False, False, False, True, True]
-    assert rungs[-1].plan.on == chosen(scene("traction_steel", slide_roll_ratio=0.5), "all")
+    assert [model.plan.model.heated for model in models] == [False, False, False, True, True]
+    assert models[-1].plan.on == chosen(scene("traction_steel", slide_roll_ratio=0.5), "all")
 
 
 def test_models_that_a_contact_does_not_have_are_listed_with_reasons():
-    rungs, lacking = fidelities(scene("ellipse10_oblique"))
-    assert [rung.name for rung in rungs] == ["isothermal Newtonian point"]
+    models, lacking = fidelities(scene("ellipse10_oblique"))
+    assert [model.name for model in models] == ["isothermal Newtonian point"]
     assert "one axis" in lacking["line contact"]
-    rungs, _ = fidelities(scene("line_thermal"))
-    assert rungs[0].name == "isothermal Newtonian line"
+    models, _ = fidelities(scene("line_thermal"))
+    assert models[0].name == "isothermal Newtonian line"
 
 
 # ----------------------------------------------------------------------------- errors and the cheapest
@@ -102,13 +102,15 @@ def a_study(*curves, band=0.0):
     return Study("a contact", None, {"film_min": Reference(1.0, 1.0, band)}, curves, (), 1.0)
 
 
-def rung(name, *points):
+def on_grids(name, *points):
     points = tuple(a_point(*point) for point in points)
-    return Curve(name, "rung", points, {"film_min": limit([p.figures["film_min"] for p in points])})
+    return Curve(
+        name, "model", points, {"film_min": limit([p.figures["film_min"] for p in points])}
+    )
 
 
-GOOD = rung("good", (1.0, 1.16), (4.0, 1.04), (16.0, 1.01))
-SIMPLE = rung("simple", (0.1, 1.23), (0.4, 1.08), (1.6, 1.0425))
+GOOD = on_grids("good", (1.0, 1.16), (4.0, 1.04), (16.0, 1.01))
+SIMPLE = on_grids("simple", (0.1, 1.23), (0.4, 1.08), (1.6, 1.0425))
 
 
 def test_what_is_left_of_an_error_is_split_into_model_and_grid():
@@ -137,7 +139,7 @@ def test_no_model_is_accurate_enough():
 
 
 def test_a_grid_that_is_right_by_chance_is_not_the_cheapest():
-    lucky = rung("lucky", (0.1, 1.0), (0.2, 1.3), (0.3, 1.4))
+    lucky = on_grids("lucky", (0.1, 1.0), (0.2, 1.3), (0.3, 1.4))
     curve, _ = a_study(lucky, GOOD).cheapest(0.05, ("film_min",))
     assert curve.name == "good"
 
@@ -157,9 +159,9 @@ def test_limits_are_of_the_finest_consecutive_converged_grids(settled, row):
 
 
 def test_unconverged_points_and_numerical_parameters_are_not_offered():
-    unsettled = Curve("unsettled", "rung", (a_point(0.1, 1.0, settled=False),), {})
-    knob = Curve("knob", "knob", (a_point(0.1, 1.0),), {})
-    curve, _ = a_study(unsettled, knob, GOOD).cheapest(0.05, ("film_min",))
+    unsettled = Curve("unsettled", "model", (a_point(0.1, 1.0, settled=False),), {})
+    parameter = Curve("parameter", "parameter", (a_point(0.1, 1.0),), {})
+    curve, _ = a_study(unsettled, parameter, GOOD).cheapest(0.05, ("film_min",))
     assert curve.name == "good"
 
 
@@ -180,7 +182,7 @@ def test_a_reference_agrees_with_a_solve_of_its_own(of_a_line):
 
 
 def test_grids_of_a_line_come_near_at_second_order_and_cost_more(of_a_line):
-    (complete,) = [curve for curve in of_a_line.curves if curve.kind == "rung"]
+    (complete,) = [curve for curve in of_a_line.curves if curve.kind == "model"]
     assert 1.7 <= complete.limits["film_central"].order <= 2.3
     seconds = [point.seconds for point in complete.points]
     assert seconds == sorted(seconds)
@@ -198,8 +200,8 @@ def test_formulas_stand_beside_the_models(of_a_line):
 
 
 def test_numerical_parameters_have_lines_of_their_own(of_a_line):
-    knobs = [curve.name for curve in of_a_line.curves if curve.kind == "knob"]
-    assert any("window" in name for name in knobs) and any("tolerance" in name for name in knobs)
+    names = [curve.name for curve in of_a_line.curves if curve.kind == "parameter"]
+    assert any("window" in name for name in names) and any("tolerance" in name for name in names)
 
 
 def test_a_budget_that_leaves_no_reference_names_a_sufficient_one():

@@ -1,4 +1,4 @@
-"""Films that the largest grid allowed cannot bring are refused, before it is climbed."""
+"""Films that the largest grid allowed cannot bring are refused before any grid is refined."""
 
 from dataclasses import replace
 

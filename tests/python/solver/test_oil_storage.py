@@ -1,4 +1,4 @@
-"""Films that store oil as they change."""
+"""Transient films, whose thickness and density change with time."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from pyworm.planning.effects.geometry import as_line
 from pyworm.scene.scales import line_scales, scales
 from pyworm.solver.line.level import first_level
 from pyworm.solver.newton import lead
-from pyworm.solver.point import level
+from pyworm.solver.point.level import first_level as first_point_level
 
 THIRD_ORDER = (11 / 6, -3.0, 3 / 2, -1 / 3)
 """Weights of the present and of three equal steps back in a rate of change (Gear's)."""
@@ -22,17 +22,17 @@ def ball(speed):
     return point("ball", (0.02, 0.02), 50.0, velocities, (STEEL, STEEL), mineral(0.09, 2e-8))
 
 
-def film_of(scene, grid, store=None):
-    return storing(level.first_level(scene, scene, scales(scene), grid), store)
+def film_of(scene, grid, term=None):
+    return led(first_point_level(scene, scene, scales(scene), grid), term)
 
 
-def storing(rung, store):
-    if store is not None:
-        rung.film.set_transient_term(*store)
-        rung.film.restart()
-    lead(rung, 1e-8)
-    assert rung.film.balance.worst <= 1e-8
-    return rung
+def led(level, term):
+    if term is not None:
+        level.film.set_transient_term(*term)
+        level.film.restart()
+    lead(level, 1e-8)
+    assert level.film.balance.worst <= 1e-8
+    return level
 
 
 def test_a_film_in_moving_axes_is_that_in_its_own_axes():
@@ -49,14 +49,14 @@ def test_a_film_in_moving_axes_is_that_in_its_own_axes():
         there = x + 0.2 * back * seconds, y
         squeeze = squeeze + weight * (held(*there, grid=False) + ball(1.0).gap(*there)[0])
     moving = film_of(ball(1.2), grid, (present / seconds, squeeze / seconds))
-    films = [rung.read().figures for rung in (own, fast, moving)]
+    films = [level.read().figures for level in (own, fast, moving)]
     for name in ("film_central", "film_min"):
         slow, steady, carried = (film[name] for film in films)
         assert carried - slow == pytest.approx(0.0, abs=0.03 * (steady - slow))
 
 
-def line_of(scene, grid, store=None):
-    return storing(first_level(scene, line_scales(scene), grid, line_scales(scene).film), store)
+def line_of(scene, grid, term=None):
+    return led(first_level(scene, line_scales(scene), grid, line_scales(scene).film), term)
 
 
 def test_a_line_film_in_moving_axes_is_that_in_its_own_axes():
@@ -73,7 +73,7 @@ def test_a_line_film_in_moving_axes_is_that_in_its_own_axes():
         squeeze = squeeze + weight * (lift(there) + own.gap(there)[0])
     moving = line_of(fast, grid, (present / seconds, squeeze / seconds))
     for name in ("film_central", "film_min"):
-        slow, fast_one, carried = (rung.read().figures[name] for rung in (*steady, moving))
+        slow, fast_one, carried = (level.read().figures[name] for level in (*steady, moving))
         assert carried - slow == pytest.approx(0.0, abs=0.03 * (fast_one - slow))
 
 
@@ -82,8 +82,8 @@ def test_impossible_transient_terms_are_refused(wrong):
     grid = pyworm.plan(ball(1.0), 0.05, "isothermal", ("film",)).grids[-1]
     line = as_line(ball(1.0))
     (axis,) = pyworm.plan(line, 0.05, "isothermal", ("film",)).grids
-    for rung in (film_of(ball(1.0), grid), line_of(line, axis)):
-        shape = np.shape(rung.gap)
+    for level in (film_of(ball(1.0), grid), line_of(line, axis)):
+        shape = np.shape(level.gap)
         fields = {"not finite": np.full(shape, np.nan), "another grid": np.zeros([3] * len(shape))}
         with pytest.raises(KernelError):
-            rung.film.set_transient_term(1.0, fields[wrong])
+            level.film.set_transient_term(1.0, fields[wrong])

@@ -42,15 +42,15 @@ TURN = 0.5
 def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
     rate = turn / predicted(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(angle=-rate * back), -rate * back))
-    marched = solved(replace(ball(), past=past), "isothermal,squeeze", accuracy=0.03)
-    assert films(marched) == pytest.approx(films(solved(ball(), accuracy=0.03)), rel=0.004)
+    transient = solved(replace(ball(), past=past), "isothermal,squeeze", accuracy=0.03)
+    assert films(transient) == pytest.approx(films(solved(ball(), accuracy=0.03)), rel=0.004)
 
 
 def test_the_start_of_a_transient_is_forgotten():
     transit = predicted(ball()).transit
     past = Past(AGES, lambda back: Earlier(back, ball(1.0 if back < 1.5 * transit else 0.8)))
-    marched = solved(replace(ball(), past=past), "isothermal,squeeze")
-    assert films(marched) == pytest.approx(films(solved(ball())), rel=0.01)
+    transient = solved(replace(ball(), past=past), "isothermal,squeeze")
+    assert films(transient) == pytest.approx(films(solved(ball())), rel=0.01)
 
 
 @pytest.mark.parametrize("kind", [lambda scene: scene, as_line])
@@ -61,7 +61,7 @@ def test_oil_carries_its_film_through_the_contact(kind):
     middle = {"x": [-of.half_width / 2, 0.0, of.half_width / 2]} | (
         {} if kind is as_line else {"y": 0.0}
     )
-    now, then, marched = (
+    now, then, transient = (
         solved(scene, effects).fields["film"].interp(middle).values
         for scene, effects in (
             (kind(ball()), "isothermal"),
@@ -70,7 +70,7 @@ def test_oil_carries_its_film_through_the_contact(kind):
         )
     )
     # 0.95 is half a passage ago, and so far lie these places apart
-    assert np.diff(now - marched) == pytest.approx(
+    assert np.diff(now - transient) == pytest.approx(
         np.diff(now - then) + (now - then)[1] / 2, rel=0.1
     )
 
@@ -122,9 +122,9 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
 def test_a_past_whose_film_is_not_found_is_reported():
     """Oil before the inlet alone carries more than so little."""
     past = Past(AGES, lambda back: Earlier(back, as_line(replace(ball(), load=50e-6))))
-    marched = solved(replace(as_line(ball()), past=past), "isothermal,squeeze")
-    assert not marched.converged and "found no converged film" in marched.stop_reason
-    assert marched.figures.film_min.error == np.inf
+    transient = solved(replace(as_line(ball()), past=past), "isothermal,squeeze")
+    assert not transient.converged and "found no converged film" in transient.stop_reason
+    assert transient.figures.film_min.error == np.inf
 
 
 def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
