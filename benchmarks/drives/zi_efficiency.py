@@ -10,7 +10,7 @@ import sys
 from math import pi
 
 from pyworm.formulas.worm_gear import WormGear
-from pyworm.formulas.worm_rating import rate_worm
+from pyworm.formulas.worm_rating import WormConditions, rate_worm
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import open_result
 
@@ -36,8 +36,7 @@ def main() -> None:
         f"{loss.efficiency:.2%} +- {loss.efficiency_error:.2%}, other way {loss.reverse_efficiency:.2%}"
     )
     for roughness in ROUGHNESS:
-        rated = rate_worm(
-            GEAR,
+        conditions = WormConditions(
             oil="PAG",
             viscosity=0.227,
             worm_speed=1500 * pi / 30,
@@ -45,6 +44,7 @@ def main() -> None:
             reduced_modulus=170.81e9,
             roughness=roughness,
         )
+        rated = rate_worm(GEAR, conditions)
         print(
             f"standard, Ra {roughness * 1e6:.1f} um: {rated.tooth_loss:.0f} W, friction "
             f"{rated.friction:.4f}, {rated.forward_efficiency:.2%}, other way "

@@ -72,20 +72,7 @@ def run(
     reasons = solve_all(missing, store, executor, progress)
     kept, unread = _collected(tasks, store, earlier, directory / RESULT_NAME)
     reasons = {key: reasons.get(key, why) for key, why in unread.items()}
-    solved = [task for task in tasks if task.key in kept]
-    if not solved:
-        raise NothingSolvedError(reasons[tasks[-1].key])
-    solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
-    plans = {task.key: kept[task.key][1] for task in solved}
-    failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
-    hot = overheated(solution.summary() for solution in solutions)
-    result = Result(
-        case.name,
-        case.resolved,
-        solutions,
-        None if case.drive is None else case.drive.cycle_data(),
-        provenance(plans) | {"failed": failed, "warnings": [*case.warnings, *hot]},
-    )
+    result = _result(case, tasks, kept, reasons)
     result.save(directory / RESULT_NAME)
     store.drop(tasks)
     return result
@@ -93,6 +80,30 @@ def run(
 
 _Kept = dict[str, tuple[Solution, dict[str, Any]]]
 """Solutions with their plans, by the keys of their tasks."""
+
+
+def _result(case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, str]) -> Result:
+    """The result of a case: what of its tasks is solved, and by key why the others are not.
+
+    Raises
+    ------
+    NothingSolvedError
+        Nothing is.
+    """
+    solved = [task for task in tasks if task.key in kept]
+    if not solved:
+        raise NothingSolvedError(reasons[tasks[-1].key])
+    solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
+    plans = {task.key: kept[task.key][1] for task in solved}
+    failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
+    hot = overheated(solution.summary() for solution in solutions)
+    return Result(
+        case.name,
+        case.resolved,
+        solutions,
+        None if case.drive is None else case.drive.cycle_data(),
+        provenance(plans) | {"failed": failed, "warnings": [*case.warnings, *hot]},
+    )
 
 
 def _collected(

@@ -2,18 +2,22 @@
 
 import argparse
 from dataclasses import asdict
-from typing import TYPE_CHECKING
 
 from pyworm.case.case import load
+from pyworm.cli.arguments import add_accuracy_and_effects, add_case
+from pyworm.cli.shared import CONVERGED, planned_tasks, warn_of_unusual
 from pyworm.io.json import print_json
 
-if TYPE_CHECKING:
-    pass
-from pyworm.cli.shared import CONVERGED, planned_tasks, warn_of_unusual
+
+def add_check(commands: argparse._SubParsersAction) -> None:
+    """Add the command `check`."""
+    check = commands.add_parser("check", help="check a case and show the plan")
+    add_case(check)
+    add_accuracy_and_effects(check)
+    check.set_defaults(command=_check)
 
 
-def check_case(options: argparse.Namespace) -> int:
-    """Check a case and show its plan; returns the exit code."""
+def _check(options: argparse.Namespace) -> int:
     case = load(options.case)
     tasks = planned_tasks(case, options)
     warn_of_unusual(case)

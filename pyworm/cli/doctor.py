@@ -1,5 +1,6 @@
 """Check of the installation: one line for each test, with a remedy where it fails."""
 
+import argparse
 import ctypes
 import os
 import platform
@@ -9,8 +10,6 @@ import time
 from collections.abc import Callable
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-
-import numpy as np
 
 from pyworm.io.terminal import put
 
@@ -33,14 +32,14 @@ class _UnsoundError(Exception):
     """A failed check; the message has the finding and the remedy."""
 
 
-def examine() -> int:
-    """Run all checks and print a line for each.
+def add_doctor(commands: argparse._SubParsersAction) -> None:
+    """Add the command `doctor`."""
+    doctor = commands.add_parser("doctor", help="check the installation")
+    doctor.set_defaults(command=_doctor)
 
-    Returns
-    -------
-    int
-        0 if all is well, 1 otherwise.
-    """
+
+def _doctor(options: argparse.Namespace) -> int:
+    """Run all checks and print a line for each; 0 if all is well, 1 otherwise."""
     checks: tuple[tuple[str, Callable[[], str]], ...] = (
         ("Python", _python),
         ("pyworm", _pyworm),
@@ -104,6 +103,8 @@ def _fftw() -> str:
 def _self_check() -> str:
     """Dry contact of a ball against Hertz, through the kernel's convolution."""
     _core_path()
+    import numpy as np
+
     from pyworm.formulas.hertz import hertz
     from pyworm.kernel.dry_contact import dry_contact
 

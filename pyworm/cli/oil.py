@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pyworm.cli.arguments import add_json
 from pyworm.io.json import print_json
 from pyworm.io.terminal import put
 
@@ -25,14 +26,14 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
     choose = which.add_parser("choose", help="the oil for the drive of a case, step by step")
     choose.add_argument("case", type=Path, metavar="CASE.toml")
-    choose.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    add_json(choose)
     choose.set_defaults(command=_choose)
 
     show = which.add_parser("show", help="properties of oils over temperature")
     show.add_argument(
         "names", nargs="+", metavar="NAME", help='such as "PAG VG 460", or a TOML file'
     )
-    show.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    add_json(show)
     show.set_defaults(command=_show)
 
     chart = which.add_parser("chart", help="draw viscosity and alpha of oils over temperature")
@@ -43,7 +44,7 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
     chart.set_defaults(command=_chart)
 
     every = which.add_parser("list", help="oils known by name")
-    every.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    add_json(every)
     every.set_defaults(command=_list)
 
 

@@ -2,20 +2,26 @@
 
 import argparse
 from functools import partial
-from typing import TYPE_CHECKING
+from pathlib import Path
 
+from pyworm.cli.arguments import add_compared_case
+from pyworm.cli.shared import CONVERGED, FAILED, PICTURES, SWEEP_PICTURE, drawn_pictures
 from pyworm.io.atomic import check_writable
 from pyworm.io.input_error import CaseError
 from pyworm.io.terminal import put, say
 from pyworm.result.result_case import case_for
 
-if TYPE_CHECKING:
-    pass
-from pyworm.cli.shared import CONVERGED, FAILED, PICTURES, SWEEP_PICTURE, drawn_pictures
+
+def add_plot(commands: argparse._SubParsersAction) -> None:
+    """Add the command `plot`."""
+    plot = commands.add_parser("plot", help="draw the pictures of a results file again")
+    plot.add_argument("result", type=Path, metavar="RESULT")
+    plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")
+    add_compared_case(plot)
+    plot.set_defaults(command=_plot)
 
 
-def plot_result(options: argparse.Namespace) -> int:
-    """Draw the pictures of a results file again; returns the exit code."""
+def _plot(options: argparse.Namespace) -> int:
     from pyworm.plots.draw import draw
     from pyworm.plots.sweep import draw_sweep
     from pyworm.result.result import open_result

@@ -1,25 +1,49 @@
 """pyworm precision: error against time for one contact of a case."""
 
 import argparse
+import math
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from pyworm.case.case import load
+from pyworm.cli.arguments import add_case
+from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, end_with, planned_tasks
 from pyworm.io.atomic import check_writable, whole
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import as_json, print_json
 from pyworm.io.terminal import say
 
-if TYPE_CHECKING:
-    pass
-from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, end_with, planned_tasks
-
 BUDGET = 300.0
 """Time that a study of precision may take unless another is given [s]."""
 
 
-def study_precision(options: argparse.Namespace) -> int:
-    """Study error against time; returns the exit code."""
+def add_precision(commands: argparse._SubParsersAction) -> None:
+    """Add the command `precision`."""
+    precision = commands.add_parser(
+        "precision", help="error against time for one contact of a case"
+    )
+    add_case(precision)
+    precision.add_argument(
+        "--budget",
+        type=_time_limit,
+        default=BUDGET,
+        metavar="SECONDS",
+        help="time to spend (default: %(default)g)",
+    )
+    precision.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    precision.set_defaults(command=_precision, accuracy=None, effects=None)
+
+
+def _time_limit(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not seconds > 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a number of seconds above 0")
+    return seconds
+
+
+def _precision(options: argparse.Namespace) -> int:
     case = load(options.case)
     directory = options.out or Path("results") / case.name / "precision"
     check_writable(directory)

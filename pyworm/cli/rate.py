@@ -1,22 +1,27 @@
 """pyworm rate: rate a case by standards and closed forms, beside its simulated result."""
 
 import argparse
+from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pyworm.cli.arguments import add_anyway, add_json
+from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.terminal import say
-from pyworm.result.result_case import add_anyway, case_for
+from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
+    from pyworm.ratings.rated_case import Asked
     from pyworm.ratings.rating import Rating
     from pyworm.result.result import Result
+    from pyworm.solver.left_out import LeftOut
 
 
 def add_rate(commands: argparse._SubParsersAction) -> None:
-    """The command `rate`."""
+    """Add the command `rate`."""
     rate = commands.add_parser(
         "rate", help="ratings a case asks for, by standards and closed forms"
     )
@@ -25,12 +30,11 @@ def add_rate(commands: argparse._SubParsersAction) -> None:
         "--result", type=Path, metavar="RESULT", help="result of the same drive, shown beside"
     )
     add_anyway(rate)
-    rate.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    add_json(rate)
     rate.set_defaults(command=_rate)
 
 
 def _rate(options: argparse.Namespace) -> int:
-    from pyworm.case.workshop_units import assumptions
     from pyworm.ratings.rated_case import (
         asked_of,
         left_out,
@@ -40,13 +44,12 @@ def _rate(options: argparse.Namespace) -> int:
         unconverged,
     )
     from pyworm.result.result import readable
-    from pyworm.solver.left_out import headline
 
     asked, result, differ = load_asked(options.case), None, None
     if options.result is not None and asked.drive is None:
         raise CaseError(f"{options.case}: has no [drive] that a result could be of")
     if options.result is not None:
-        result = _opened(options.result)
+        result = opened_result(options.result)
         case, differ = case_for(options.case, result, options.anyway)
         asked = asked_of(case)
     with nullcontext() if result is None else readable(options.result):
@@ -70,8 +73,19 @@ def _rate(options: argparse.Namespace) -> int:
                 "assumed": asked.tables.assumed,
             }
         )
-        return 0
+    else:
+        _show(asked, result, made, lacking)
+    return 0
+
+
+def _show(
+    asked: "Asked", result: "Result | None", made: Sequence["Rating"], lacking: "LeftOut"
+) -> None:
+    """The ratings of a case as tables, with what is not rated and what was assumed."""
+    from pyworm.case.workshop_units import assumptions
     from pyworm.io.console import Console
+    from pyworm.ratings.rated_case import not_rated, unconverged
+    from pyworm.solver.left_out import headline
 
     console = Console()
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n")
@@ -90,17 +104,6 @@ def _rate(options: argparse.Namespace) -> int:
         console.print("Assumed, since the source does not give it:")
     for what, why in assumptions(asked.tables).items():
         console.print(f"  {what}: {why}", soft_wrap=True)
-    return 0
-
-
-def _opened(path: Path) -> "Result":
-    """A result file."""
-    from pyworm.result.result import open_result
-
-    try:
-        return open_result(path)
-    except (FileNotFoundError, ValueError) as error:
-        raise CaseError(str(error)) from error
 
 
 def _print(console, rating: "Rating") -> None:

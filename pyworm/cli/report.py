@@ -3,17 +3,19 @@
 import argparse
 from pathlib import Path
 
+from pyworm.cli.arguments import add_compared_case
+from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.terminal import put
-from pyworm.result.result_case import add_case, case_for
+from pyworm.result.result_case import case_for
 
 
 def add_report(commands: argparse._SubParsersAction) -> None:
-    """The command `report`."""
+    """Add the command `report`."""
     report = commands.add_parser("report", help="write a results file as one HTML page")
     report.add_argument("result", type=Path, metavar="RESULT")
     report.add_argument("--out", type=Path, metavar="FILE.html", help="default: beside the results")
-    add_case(report)
+    add_compared_case(report)
     report.set_defaults(command=_report)
 
 
@@ -21,16 +23,13 @@ def _report(options: argparse.Namespace) -> int:
     from pyworm.io.atomic import check_writable, whole_file
     from pyworm.report.page.build import build_report
     from pyworm.report.page.html import render
-    from pyworm.result.result import open_result, readable
+    from pyworm.result.result import readable
 
     path = options.out or options.result.with_name("report.html")
     if path.is_dir():
         raise CaseError(f"--out {path}: is a directory, a file such as report.html is needed")
     check_writable(path.parent)
-    try:
-        result = open_result(options.result)
-    except (FileNotFoundError, ValueError) as error:
-        raise CaseError(str(error)) from error
+    result = opened_result(options.result)
     case, differ = None, None
     if options.case is not None:
         case, differ = case_for(options.case, result, options.anyway)

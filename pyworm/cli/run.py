@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.case.case import Case, load
+from pyworm.cli.arguments import add_accuracy_and_effects, add_case, add_processes
 from pyworm.io.atomic import check_writable
 from pyworm.io.json import print_json
 from pyworm.io.terminal import put, say
@@ -26,8 +27,17 @@ from pyworm.cli.shared import (
 )
 
 
-def run_case(options: argparse.Namespace) -> int:
-    """Solve a case, write and print its result; returns the exit code."""
+def add_run(commands: argparse._SubParsersAction) -> None:
+    """Add the command `run`."""
+    run = commands.add_parser("run", help="solve a case; table, file and pictures")
+    add_case(run)
+    add_accuracy_and_effects(run)
+    run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
+    add_processes(run)
+    run.set_defaults(command=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
     case = load(options.case)
     directory = options.out or Path("results") / case.name
     check_writable(directory)

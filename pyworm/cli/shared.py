@@ -1,7 +1,6 @@
-"""Common parts of commands: exit codes, messages, planned tasks, processes, progress bar."""
+"""Common parts of commands: exit codes, messages, pictures, results, planned tasks, executors."""
 
 import argparse
-import math
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
@@ -16,7 +15,7 @@ from pyworm.io.terminal import say
 from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:
-    pass
+    from pyworm.result.result import Result
 
 
 CONVERGED = 0
@@ -71,6 +70,22 @@ def warn_of_unusual(case: Case) -> None:
         say(f"warning: {warning}")
 
 
+def opened_result(path: Path) -> "Result":
+    """A result file.
+
+    Raises
+    ------
+    CaseError
+        It is none, or is not there.
+    """
+    from pyworm.result.result import open_result
+
+    try:
+        return open_result(path)
+    except (FileNotFoundError, ValueError) as error:
+        raise CaseError(str(error)) from error
+
+
 def planned_tasks(case: Case, options: argparse.Namespace) -> list:
     """The tasks of a case, all planned before the first is solved."""
     accuracy = case.accuracy
@@ -106,29 +121,3 @@ def batch_executor(options: argparse.Namespace) -> AbstractContextManager:
     from pyworm.batch.workers import WorkerPool
 
     return WorkerPool(options.jobs)
-
-
-def process_count(text: str) -> int:
-    """A number of processes."""
-    if not text.isdecimal() or int(text) == 0:
-        raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
-    return int(text)
-
-
-def time_limit(text: str) -> float:
-    """A time."""
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = math.nan
-    if not seconds > 0:
-        raise argparse.ArgumentTypeError(f"{text}: must be a number of seconds above 0")
-    return seconds
-
-
-def sweep_part(text: str) -> tuple[int, int]:
-    """The part of a sweep to solve, such as 3/40."""
-    first, _, count = text.partition("/")
-    if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
-        raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")
-    return int(first), int(count)

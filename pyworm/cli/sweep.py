@@ -2,14 +2,8 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from pyworm.io.atomic import check_writable, whole
-from pyworm.io.json import print_json
-from pyworm.io.terminal import put, say
-
-if TYPE_CHECKING:
-    pass
+from pyworm.cli.arguments import add_json, add_processes
 from pyworm.cli.shared import (
     CONVERGED,
     NOT_CONVERGED,
@@ -19,10 +13,38 @@ from pyworm.cli.shared import (
     batch_executor,
     drawn_pictures,
 )
+from pyworm.io.atomic import check_writable, whole
+from pyworm.io.json import print_json
+from pyworm.io.terminal import put, say
 
 
-def sweep_case(options: argparse.Namespace) -> int:
-    """Solve a case over ranges of its values; returns the exit code."""
+def add_sweep(commands: argparse._SubParsersAction) -> None:
+    """Add the command `sweep`."""
+    sweep = commands.add_parser(
+        "sweep", help="solve a case over ranges of its values; table, file and picture"
+    )
+    sweep.add_argument("sweep", type=Path, metavar="SWEEP.toml")
+    sweep.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    sweep.add_argument("--fields", action="store_true", help="store the fields of every scene")
+    sweep.add_argument(
+        "--share",
+        type=_sweep_part,
+        metavar="I/N",
+        help="solve only the I-th of N shares; writes no table",
+    )
+    add_json(sweep)
+    add_processes(sweep)
+    sweep.set_defaults(command=_sweep)
+
+
+def _sweep_part(text: str) -> tuple[int, int]:
+    first, _, count = text.partition("/")
+    if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
+        raise argparse.ArgumentTypeError(f"{text}: must be a share such as 1/40, 2/40 to 40/40")
+    return int(first), int(count)
+
+
+def _sweep(options: argparse.Namespace) -> int:
     from pyworm.batch.sweep import load_sweep
     from pyworm.io.console import progress_bar
 

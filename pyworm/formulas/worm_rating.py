@@ -25,6 +25,53 @@ from pyworm.formulas.worm_standard import (
 
 
 @dataclass(frozen=True)
+class WormConditions:
+    """Conditions that a worm gear is rated for; ratings whose data are missing are left out.
+
+    Attributes
+    ----------
+    oil : str
+        "mineral", "PAO" or "PAG".
+    viscosity : float
+        Dynamic viscosity at the wheel's bulk temperature [Pa s].
+    worm_speed : float
+        [rad/s].
+    torque : float
+        T2 on the wheel [N m].
+    reduced_modulus : float
+        E_red [Pa].
+    roughness : float
+        Ra of the worm's flanks [m].
+    material_factor : float
+        Y_W [-].
+    pitting_strength, life : float, optional
+        sigma_HlimT [Pa] and wanted life [h].
+    structure_factor, pressure_factor : float
+        W_S and W_H of `wear_intensity` [-]; W_S of mineral oil is 1, of PAG it must be given for wear to
+        be rated.
+    sump_temperature, temperature_limit : float, optional
+        Temperature of the oil and the highest allowed [K].
+    immersion_factor : float
+        c_k of `bulk_temperature` [-].
+    """
+
+    oil: OilKind
+    viscosity: float
+    worm_speed: float
+    torque: float
+    reduced_modulus: float
+    roughness: float
+    material_factor: float = 1.0
+    pitting_strength: float | None = None
+    life: float | None = None
+    structure_factor: float | None = None
+    pressure_factor: float = 1.0
+    sump_temperature: float | None = None
+    immersion_factor: float = 1.0
+    temperature_limit: float | None = None
+
+
+@dataclass(frozen=True)
 class WormRating:
     """A worm gear by the standards' methods.
 
@@ -84,91 +131,42 @@ class WormRating:
     source: str = SOURCE
 
 
-def rate_worm(
-    gear: WormGear,
-    *,
-    oil: OilKind,
-    viscosity: float,
-    worm_speed: float,
-    torque: float,
-    reduced_modulus: float,
-    roughness: float,
-    material_factor: float = 1.0,
-    pitting_strength: float | None = None,
-    life: float | None = None,
-    structure_factor: float | None = None,
-    pressure_factor: float = 1.0,
-    sump_temperature: float | None = None,
-    immersion_factor: float = 1.0,
-    temperature_limit: float | None = None,
-) -> WormRating:
-    """Rate a worm gear; a rating whose data are missing is left out.
-
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    oil : str
-        "mineral", "PAO" or "PAG".
-    viscosity : float
-        Dynamic viscosity at the wheel's bulk temperature [Pa s].
-    worm_speed : float
-        [rad/s].
-    torque : float
-        T2 on the wheel [N m].
-    reduced_modulus : float
-        E_red [Pa].
-    roughness : float
-        Ra of the worm's flanks [m].
-    material_factor : float
-        Y_W [-].
-    pitting_strength, life : float, optional
-        sigma_HlimT [Pa] and wanted life [h].
-    structure_factor, pressure_factor : float
-        W_S and W_H of `wear_intensity` [-]; W_S of mineral oil is 1, of PAG it must be given for wear to
-        be rated.
-    sump_temperature, temperature_limit : float, optional
-        Temperature of the oil and the highest allowed [K].
-    immersion_factor : float
-        c_k of `bulk_temperature` [-].
+def rate_worm(gear: WormGear, under: WormConditions) -> WormRating:
+    """Rate a worm gear under given conditions.
 
     Raises
     ------
     ValueError
         What lies outside the methods, in one sentence.
     """
-    a = gear.centre_distance
+    one_of("oil", under.oil, OIL_KINDS)
     film = minimum_film(
         gear.film_parameter,
-        PRESSURE_VISCOSITY[_known(oil)],
-        viscosity,
-        worm_speed,
-        a,
-        reduced_modulus,
-        torque,
+        PRESSURE_VISCOSITY[under.oil],
+        under.viscosity,
+        under.worm_speed,
+        gear.centre_distance,
+        under.reduced_modulus,
+        under.torque,
     )
-    pressure = mean_pressure(gear.pressure_parameter, torque, reduced_modulus, a)
-    sliding = gear.sliding_speed(worm_speed)
-    lost = teeth_loss(gear, oil, worm_speed, torque, roughness, material_factor)
+    pressure = mean_pressure(
+        gear.pressure_parameter, under.torque, under.reduced_modulus, gear.centre_distance
+    )
+    lost = teeth_loss(
+        gear, under.oil, under.worm_speed, under.torque, under.roughness, under.material_factor
+    )
     # of a small gear that creeps the running one is larger: teeth at rest rub no less
-    at_rest = max(lost.friction, static_friction(a, roughness, material_factor))
-    safety = intensity = depth = bulk = None
-    if pitting_strength is not None and life is not None:
-        safety = pitting_safety(pressure, pitting_strength, life, sliding, a, oil)
-    if oil == "mineral" and structure_factor is None:
-        structure_factor = 1.0
-    if life is not None and structure_factor is not None and oil in WEAR_INTENSITIES:
-        intensity = wear_intensity(oil, film, structure_factor, pressure_factor)
-        cycles = worm_speed / gear.ratio / (2 * pi) * life * 3600
-        depth = wear_depth(intensity, gear.sliding_parameter, pressure, a, reduced_modulus, cycles)
-    if sump_temperature is not None:
-        area = gear.face_width * gear.teeth * gear.module
-        bulk = bulk_temperature(sump_temperature, lost.power, worm_speed, area, immersion_factor)
+    at_rest = max(
+        lost.friction,
+        static_friction(gear.centre_distance, under.roughness, under.material_factor),
+    )
+    safety = _pitting_safety(gear, under, pressure)
+    intensity, depth = _wear(gear, under, film, pressure)
     return WormRating(
         film_parameter=gear.film_parameter,
         pressure_parameter=gear.pressure_parameter,
         sliding_parameter=gear.sliding_parameter,
-        sliding_speed=sliding,
+        sliding_speed=gear.sliding_speed(under.worm_speed),
         film=film,
         mean_pressure=pressure,
         friction=lost.friction,
@@ -178,19 +176,60 @@ def rate_worm(
         static_friction=at_rest,
         static_locking_margin=self_locking_margin(gear.tan_lead, at_rest),
         tooth_loss=lost.power,
-        bulk_temperature=bulk,
+        bulk_temperature=_bulk_temperature(gear, under, lost.power),
         pitting_safety=safety,
         wear_intensity=intensity,
         wear_depth=depth,
         wear_safety=None if depth is None else gear.wear_limit / depth,
-        temperature_safety=(
-            None
-            if sump_temperature is None or temperature_limit is None
-            else temperature_safety(sump_temperature, temperature_limit)
-        ),
+        temperature_safety=_temperature_safety(under),
     )
 
 
-def _known(oil: OilKind) -> OilKind:
-    one_of("oil", oil, OIL_KINDS)
-    return oil
+def _pitting_safety(gear: WormGear, under: WormConditions, pressure: float) -> float | None:
+    if under.pitting_strength is None or under.life is None:
+        return None
+    return pitting_safety(
+        pressure,
+        under.pitting_strength,
+        under.life,
+        gear.sliding_speed(under.worm_speed),
+        gear.centre_distance,
+        under.oil,
+    )
+
+
+def _wear(
+    gear: WormGear, under: WormConditions, film: float, pressure: float
+) -> tuple[float, float] | tuple[None, None]:
+    """Intensity [-] and depth [m] of wear in the life."""
+    structure = under.structure_factor
+    if under.oil == "mineral" and structure is None:
+        structure = 1.0
+    if under.life is None or structure is None or under.oil not in WEAR_INTENSITIES:
+        return None, None
+    intensity = wear_intensity(under.oil, film, structure, under.pressure_factor)
+    cycles = under.worm_speed / gear.ratio / (2 * pi) * under.life * 3600
+    depth = wear_depth(
+        intensity,
+        gear.sliding_parameter,
+        pressure,
+        gear.centre_distance,
+        under.reduced_modulus,
+        cycles,
+    )
+    return intensity, depth
+
+
+def _bulk_temperature(gear: WormGear, under: WormConditions, loss: float) -> float | None:
+    if under.sump_temperature is None:
+        return None
+    area = gear.face_width * gear.teeth * gear.module
+    return bulk_temperature(
+        under.sump_temperature, loss, under.worm_speed, area, under.immersion_factor
+    )
+
+
+def _temperature_safety(under: WormConditions) -> float | None:
+    if under.sump_temperature is None or under.temperature_limit is None:
+        return None
+    return temperature_safety(under.sump_temperature, under.temperature_limit)

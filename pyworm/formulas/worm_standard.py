@@ -404,7 +404,7 @@ def teeth_loss(
     roughness: float,
     material_factor: float = 1.0,
 ) -> TeethLoss:
-    """Loss between the teeth by `tooth_friction`; arguments as of `rate_worm`."""
+    """Loss between the teeth by `tooth_friction`; arguments as of `WormConditions`."""
     friction = tooth_friction(
         oil,
         gear.sliding_speed(worm_speed),

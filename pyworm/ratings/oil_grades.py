@@ -94,7 +94,7 @@ def line_film(
 def worm_film(
     gear: WormGear, worm_speed: float, torque: float, reduced_modulus: float, base: Base
 ) -> FilmLaw:
-    """The mean minimum film of a worm gear by the standards; arguments as of `worm_standard.rate_worm`."""
+    """The mean minimum film of a worm gear by the standards; arguments as of `WormConditions`."""
 
     def film(viscosity: float, alpha: float) -> float:
         return minimum_film(

@@ -1,5 +1,6 @@
 """Worm gears by the standards' methods, beside the simulation of the same drive."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
-from pyworm.formulas.worm_rating import WormRating, rate_worm
+from pyworm.formulas.worm_rating import WormConditions, WormRating, rate_worm
 from pyworm.formulas.worm_standard import OIL_KINDS, PITTING_STRENGTH
 from pyworm.io.input_error import CaseError
 from pyworm.materials.oil_file import oil_called
@@ -61,27 +62,25 @@ def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> 
         )
     strength = None if table.wheel_material is None else PITTING_STRENGTH[table.wheel_material]
 
-    def rated(temperature: float) -> WormRating:
-        return rate_worm(
-            duty.gear,
-            oil=kind,
-            viscosity=float(oil.viscosity(temperature)),
-            worm_speed=duty.worm_speed,
-            torque=duty.torque,
-            reduced_modulus=duty.reduced_modulus,
-            roughness=MEAN_TO_RMS * duty.roughness[0],
-            material_factor=table.material_factor,
-            pitting_strength=strength,
-            life=None if table.life is None else table.life / 3600,
-            structure_factor=table.structure_factor,
-            pressure_factor=table.pressure_factor,
-            sump_temperature=table.sump_temperature,
-            immersion_factor=table.immersion_factor,
-            temperature_limit=table.temperature_limit,
-        )
-
+    conditions = WormConditions(
+        oil=kind,
+        viscosity=float(oil.viscosity(table.sump_temperature)),
+        worm_speed=duty.worm_speed,
+        torque=duty.torque,
+        reduced_modulus=duty.reduced_modulus,
+        roughness=MEAN_TO_RMS * duty.roughness[0],
+        material_factor=table.material_factor,
+        pitting_strength=strength,
+        life=None if table.life is None else table.life / 3600,
+        structure_factor=table.structure_factor,
+        pressure_factor=table.pressure_factor,
+        sump_temperature=table.sump_temperature,
+        immersion_factor=table.immersion_factor,
+        temperature_limit=table.temperature_limit,
+    )
     # The bulk temperature follows from friction, in which the standards see no viscosity.
-    return rated(rated(table.sump_temperature).bulk_temperature)
+    hot = rate_worm(duty.gear, conditions).bulk_temperature
+    return rate_worm(duty.gear, replace(conditions, viscosity=float(oil.viscosity(hot))))
 
 
 def rate_worm_table(

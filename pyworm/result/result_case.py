@@ -1,6 +1,5 @@
 """Whether a result belongs to a case, by the physics and not by the name."""
 
-import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -68,24 +67,6 @@ def as_solved(case: Case, result: "Result") -> Case:
             for table, keys in case.left_open.items()
             if getattr(kept, table, None) is not None
         }
-    )
-
-
-def add_case(command: argparse.ArgumentParser) -> None:
-    """Option of a command on a result: the case to compare it with."""
-    command.add_argument(
-        "--case",
-        type=Path,
-        metavar="CASE.toml",
-        help="check the result against this case",
-    )
-    add_anyway(command)
-
-
-def add_anyway(command: argparse.ArgumentParser) -> None:
-    """Option that accepts a result of a case that has changed."""
-    command.add_argument(
-        "--anyway", action="store_true", help="take the result even if the case has changed since"
     )
 
 

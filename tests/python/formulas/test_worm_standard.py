@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pyworm.formulas.worm_gear import REFERENCE_GEAR, WormGear
-from pyworm.formulas.worm_rating import rate_worm
+from pyworm.formulas.worm_rating import WormConditions, rate_worm
 from pyworm.formulas.worm_standard import (
     OIL_KINDS,
     PITTING_STRENGTH,
@@ -203,14 +203,14 @@ def test_temperature_safety_is_in_celsius():
 
 
 def test_rating_agrees_with_its_formulas_and_with_energy():
-    rating = rate_worm(
-        REFERENCE_GEAR,
+    conditions = WormConditions(
         **DUTY,
         pitting_strength=520e6,
         life=25000,
         sump_temperature=353.15,
         temperature_limit=373.15,
     )
+    rating = rate_worm(REFERENCE_GEAR, conditions)
     assert rating.film == pytest.approx(0.2283e-6, rel=2e-3)  # 0.2432 um, worked for h* = 0.07
     assert rating.sliding_speed == pytest.approx(2.896, abs=2e-3)
     power = 300 * 1500 * RPM / 20.5
@@ -221,9 +221,10 @@ def test_rating_agrees_with_its_formulas_and_with_energy():
 
 
 def test_ratings_without_their_data_are_left_out():
-    rating = rate_worm(REFERENCE_GEAR, **DUTY)
+    rating = rate_worm(REFERENCE_GEAR, WormConditions(**DUTY))
     assert rating.pitting_safety is rating.bulk_temperature is rating.temperature_safety is None
-    worn = rate_worm(REFERENCE_GEAR, **{**DUTY, "oil": "mineral"}, life=1000)
+    conditions = WormConditions(**DUTY | {"oil": "mineral", "life": 1000})
+    worn = rate_worm(REFERENCE_GEAR, conditions)
     # by hand in the standard's units: um, N/mm2, mm, rpm, N m
     film = 21 * 0.0657 * 1.7e-8**0.6 * (0.0542 * 1500) ** 0.7 * 100**1.39 * 150622**0.03 / 300**0.13
     pressure = 4 / pi * (0.988 * 300e3 * 150622 / 100**3) ** 0.5
@@ -267,7 +268,7 @@ def test_gears_in_wrong_units_are_refused(change, sentence):
 )
 def test_duties_in_wrong_units_are_refused(change, sentence):
     with pytest.raises(ValueError, match=sentence) as refused:
-        rate_worm(REFERENCE_GEAR, **{**DUTY, **change})
+        rate_worm(REFERENCE_GEAR, WormConditions(**DUTY | change))
     assert "\n" not in str(refused.value)
 
 
@@ -284,6 +285,6 @@ def test_teeth_at_rest_rub_no_less_than_creeping_ones():
     """Of a small gear the running friction near standstill is above 0.13 sqrt(Y_S)."""
     small = WormGear(0.025, 1, 41, 1e-3, 9.0, 7.5e-3)
     duty = DUTY | {"oil": "mineral", "worm_speed": 110 * RPM, "torque": 5.0}
-    rated = rate_worm(small, **duty)
+    rated = rate_worm(small, WormConditions(**duty))
     assert rated.friction > static_friction(0.025, 0.5e-6)
     assert rated.static_friction == rated.friction

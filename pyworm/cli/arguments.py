@@ -1,0 +1,90 @@
+"""Arguments that several commands take."""
+
+import argparse
+from pathlib import Path
+
+
+def add_json(command: argparse.ArgumentParser) -> None:
+    """Option that prints JSON in place of tables."""
+    command.add_argument("--json", action="store_true", help="one JSON object on standard output")
+
+
+def add_case(command: argparse.ArgumentParser) -> None:
+    """The case of a command, and which of its contacts and quantities are meant."""
+    command.add_argument("case", type=Path, metavar="CASE.toml")
+    command.add_argument(
+        "--quantities",
+        help="film, friction, temperature, with commas; else the case's, or all that the oil's data allow",
+    )
+    command.add_argument(
+        "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
+    )
+    command.add_argument(
+        "--station",
+        type=float,
+        nargs="+",
+        help="places along contact lines, 0 to 1, to solve; else the case's",
+    )
+    command.add_argument(
+        "--phase", type=float, nargs="+", help="mesh phases 0 to 1 to solve; else the case's"
+    )
+    command.add_argument(
+        "--slide-roll-ratio",
+        type=float,
+        nargs="+",
+        help="places on a traction curve to solve; else the case's",
+    )
+    add_json(command)
+
+
+def add_accuracy_and_effects(command: argparse.ArgumentParser) -> None:
+    """Options of how the contacts of a case are solved."""
+    command.add_argument(
+        "--accuracy", help='relative error wanted, such as "1%%"; else the case\'s'
+    )
+    command.add_argument(
+        "--effects",
+        help="auto, auto,squeeze, all, isothermal, or names of effects with commas between; else the case's",
+    )
+
+
+def add_processes(command: argparse.ArgumentParser) -> None:
+    """Options of who solves the scenes of a batch."""
+    who = command.add_mutually_exclusive_group()
+    who.add_argument(
+        "-j",
+        dest="jobs",
+        type=_process_count,
+        default=1,
+        metavar="N",
+        help="processes (default: 1)",
+    )
+    who.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="solve on the workers of this dask.distributed scheduler",
+    )
+
+
+def add_compared_case(command: argparse.ArgumentParser) -> None:
+    """Options of a command on a result: the case to compare it with."""
+    command.add_argument(
+        "--case",
+        type=Path,
+        metavar="CASE.toml",
+        help="check the result against this case",
+    )
+    add_anyway(command)
+
+
+def add_anyway(command: argparse.ArgumentParser) -> None:
+    """Option that accepts a result of a case that has changed."""
+    command.add_argument(
+        "--anyway", action="store_true", help="take the result even if the case has changed since"
+    )
+
+
+def _process_count(text: str) -> int:
+    if not text.isdecimal() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text}: must be a whole number from 1 on")
+    return int(text)
