@@ -34,7 +34,7 @@ from pyworm.precision.extrapolation import limit
 from pyworm.scene.index import Place
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.grid_sequence import SOLVERS
-from pyworm.solver.newton import ALGEBRA_SHARE, settle
+from pyworm.solver.newton import ALGEBRA_FRACTION, settle
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
 from draws import DRAWS, Drawn
@@ -81,7 +81,7 @@ def refined(
     level, _ = solver.begin(grids)
     readings: dict[int, Reading] = {}
     for number in count():
-        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
         if level.film.balance.worst > 10 * plan.tolerance or settled.reading.film_min <= 0:
             readings = {}
         else:

@@ -16,12 +16,12 @@ contains
   elemental subroutine scaled_bessel_k(x, k0, k1)
     real(wp), intent(in) :: x
     real(wp), intent(out) :: k0, k1
-    !> Widest step, step in widths of the integrand where that is a narrow Gaussian, and exponent at which it ends.
-    real(wp), parameter :: widest = 0.25_wp, share = 0.7_wp, last = 42
+    !> Largest step; step over the integrand's width where that is a narrow Gaussian; exponent at which the sum ends.
+    real(wp), parameter :: widest = 0.25_wp, narrow = 0.7_wp, last = 42
     real(wp) :: step, decay, hyperbolic, part
     integer :: i
 
-    step = min(widest, share/sqrt(x))
+    step = min(widest, narrow/sqrt(x))
     k0 = 0.5_wp
     k1 = 0.5_wp
     i = 0

@@ -38,7 +38,7 @@ contains
   !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or `most` iterations
   !> are done.
   !>
-  !> `basis` is workspace, (size(b), most); `reduction` is the share reached.
+  !> `basis` is workspace, (size(b), most); `reduction` is the fraction reached.
   subroutine gmres(system, b, tolerance, most, basis, x, iterations, reduction)
     class(linear_system), intent(inout) :: system
     real(wp), contiguous, intent(in) :: b(:)

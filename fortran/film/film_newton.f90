@@ -293,7 +293,7 @@ contains
   !> One Newton step from (p, h0), about which `film_residual` was last evaluated; both are replaced.
   !>
   !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
-  !> `step` is the share of the Newton step taken. If none is taken the state is as it was.
+  !> `step` is the damping factor, the fraction of the Newton step taken; at 0 the state is unchanged.
   subroutine film_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: forcing
@@ -308,7 +308,7 @@ contains
     if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step, stat)
   end subroutine film_step
 
-  !> Newton's step from (p, h0), of which `move_film` takes a share.
+  !> Computes the Newton step from (p, h0), which `move_film` applies with a damping factor.
   subroutine film_direction(self, forcing, p, h0, load_error, krylov, stat)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: forcing, h0, load_error
@@ -344,10 +344,10 @@ contains
     self%right(n + 1) = h0
   end subroutine film_direction
 
-  !> Pressure, rigid film and film after a share of the Newton step.
-  subroutine move_film(self, share, p, h0)
+  !> Sets pressure, rigid film and film to those after the damped Newton step.
+  subroutine move_film(self, damping, p, h0)
     class(film_contact), intent(inout) :: self
-    real(wp), intent(in) :: share
+    real(wp), intent(in) :: damping
     real(wp), contiguous, intent(inout) :: p(:, :)
     real(wp), intent(out) :: h0
     integer :: j, k, nx, n
@@ -356,9 +356,9 @@ contains
     n = size(p)
     do j = 1, size(p, 2)
       k = nx*(j - 1)
-      p(:, j) = max(self%right(k + 1:k + nx) + share*self%change(k + 1:k + nx), 0.0_wp)
+      p(:, j) = max(self%right(k + 1:k + nx) + damping*self%change(k + 1:k + nx), 0.0_wp)
     end do
-    h0 = self%right(n + 1) + share*self%change(n + 1)
+    h0 = self%right(n + 1) + damping*self%change(n + 1)
     call set_film(self, p, h0)
   end subroutine move_film
 
@@ -369,7 +369,8 @@ contains
     bearable = residual + abs(load_error) <= most_growth*merit
   end function bearable
 
-  !> Takes the largest share of Newton's step, by halving, that a film bears; for the arguments see `film_step`.
+  !> Takes the Newton step with the largest damping factor, by halving, at which the residual does not grow too much;
+  !> arguments as of `film_step`.
   subroutine search_step(self, merit, p, h0, residual, load_error, step, stat)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: merit

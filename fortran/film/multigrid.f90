@@ -23,8 +23,8 @@ module multigrid
 
   public :: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
 
-  !> The kernel's stand-in, in units of its centre value: its nearest neighbours count too.
-  real(pp), parameter :: kernel_share = 4.0_pp
+  !> Local stand-in for the kernel of the deflection over its centre value: it includes the nearest neighbours.
+  real(pp), parameter :: kernel_factor = 4.0_pp
   !> Coarsening ends where a direction has at most this many points.
   integer, parameter :: coarsest_points = 12
 
@@ -84,7 +84,7 @@ contains
         level%count = count
         level%d_along = real(merge(grid%dy, grid%dx, self%transposed)*2**(l - 1), pp)
         level%d_across = real(merge(grid%dx, grid%dy, self%transposed)*2**(l - 1), pp)
-        level%compliance = kernel_share*real(centre*2**(l - 1), pp)
+        level%compliance = kernel_factor*real(centre*2**(l - 1), pp)
         call allocate_level(level, stat)
         if (stat /= status_ok) return
       end associate

@@ -64,7 +64,7 @@ contains
     !> Least drop, in stresses halfway, that a difference resolves; below it the factor is the one at that
     !> drop.
     real(wp), parameter :: least_drop = 1e-4_wp
-    real(wp) :: across(levels%count), with(levels%count), without(levels%count), share(levels%count), resolved
+    real(wp) :: across(levels%count), with(levels%count), without(levels%count), weight(levels%count), resolved
     real(wp), dimension(levels%count) :: per_reference, per_limit, g, g_without, slope
 
     per_reference = 1/strip%reference(i)**2
@@ -75,9 +75,9 @@ contains
     without = stress
     call thinning(law, levels%count, with**2 + across, per_reference, per_limit, g, slope)
     call thinning(law, levels%count, without**2 + across, per_reference, per_limit, g_without, slope)
-    share = levels%weight*levels%z*strip%film(i)*strip%fluidity(i, :)
-    lag = sum(share*g_without*without)
-    factor = sum(share*(g*with - g_without*without))*strip%film(i)**2/resolved
+    weight = levels%weight*levels%z*strip%film(i)*strip%fluidity(i, :)
+    lag = sum(weight*g_without*without)
+    factor = sum(weight*(g*with - g_without*without))*strip%film(i)**2/resolved
   end subroutine flow_factor
 
 end module sharif_flow_factors

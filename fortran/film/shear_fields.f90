@@ -90,13 +90,13 @@ contains
   !> resolve, as at an edge of rupture.
   pure subroutine bear_gradient(shear)
     type(shear_strip), intent(inout) :: shear
-    real(wp) :: share
+    real(wp) :: fraction
     integer :: i
 
     do i = 1, shear%points
-      share = 2*slip_stress(shear%limit(i))/max(shear%film(i)*hypot(shear%px(i), shear%py(i)), 2*slip_stress(shear%limit(i)))
-      shear%px(i) = share*shear%px(i)
-      shear%py(i) = share*shear%py(i)
+      fraction = 2*slip_stress(shear%limit(i))/max(shear%film(i)*hypot(shear%px(i), shear%py(i)), 2*slip_stress(shear%limit(i)))
+      shear%px(i) = fraction*shear%px(i)
+      shear%py(i) = fraction*shear%py(i)
     end do
   end subroutine bear_gradient
 

@@ -19,16 +19,16 @@ contains
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip
     real(wp), contiguous, intent(out) :: deficit_x(:), deficit_y(:)
-    real(wp) :: share
+    real(wp) :: weight
     integer :: i, k
 
     deficit_x = 0
     deficit_y = 0
     do k = 1, levels%count
       do i = 1, strip%points
-        share = levels%weight(k)*levels%z(k)*strip%film(i)**2*strip%fluidity(i, k)*strip%g(i, k)
-        deficit_x(i) = deficit_x(i) + share*(strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i))
-        deficit_y(i) = deficit_y(i) + share*(strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i))
+        weight = levels%weight(k)*levels%z(k)*strip%film(i)**2*strip%fluidity(i, k)*strip%g(i, k)
+        deficit_x(i) = deficit_x(i) + weight*(strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i))
+        deficit_y(i) = deficit_y(i) + weight*(strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i))
       end do
     end do
   end subroutine flow_deficit
@@ -42,7 +42,7 @@ contains
     type(shear_strip), intent(inout) :: strip
     real(wp), contiguous, intent(out) :: deficit_x(:), deficit_y(:), mobility_xx(:), mobility_xy(:), mobility_yy(:), &
       by_film_x(:), by_film_y(:), by_fluidity_x(:, :), by_fluidity_y(:, :)
-    real(wp) :: x, y, height, share, along, across
+    real(wp) :: x, y, height, weight, along, across
     integer :: i, k
 
     associate (s => strip, b_xx => strip%a_xx, b_xy => strip%a_xy, b_yy => strip%a_yy)
@@ -59,9 +59,9 @@ contains
           height = levels%z(k)*s%film(i)
           x = s%tau_x(i) + height*s%px(i)
           y = s%tau_y(i) + height*s%py(i)
-          share = levels%weight(k)*s%film(i)*s%fluidity(i, k)*height
-          along = share*s%g(i, k)
-          across = 2*share*s%g_slope(i, k)
+          weight = levels%weight(k)*s%film(i)*s%fluidity(i, k)*height
+          along = weight*s%g(i, k)
+          across = 2*weight*s%g_slope(i, k)
           deficit_x(i) = deficit_x(i) + along*x
           deficit_y(i) = deficit_y(i) + along*y
           b_xx(i) = b_xx(i) + along + across*x*x
@@ -88,9 +88,9 @@ contains
       do k = 1, levels%count
         do i = 1, s%points
           height = levels%z(k)*s%film(i)
-          share = levels%weight(k)*s%film(i)*s%g(i, k)
-          x = share*(s%tau_x(i) + height*s%px(i))
-          y = share*(s%tau_y(i) + height*s%py(i))
+          weight = levels%weight(k)*s%film(i)*s%g(i, k)
+          x = weight*(s%tau_x(i) + height*s%px(i))
+          y = weight*(s%tau_y(i) + height*s%py(i))
           by_fluidity_x(i, k) = (height - s%arm_xx(i))*x - s%arm_xy(i)*y
           by_fluidity_y(i, k) = (height - s%arm_yy(i))*y - s%arm_yx(i)*x
         end do
@@ -104,7 +104,7 @@ contains
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(inout) :: strip
     real(wp), contiguous, intent(out) :: by_reference_x(:), by_reference_y(:), by_limit_x(:), by_limit_y(:)
-    real(wp) :: x, y, height, share, to_x, to_y
+    real(wp) :: x, y, height, weight, to_x, to_y
     integer :: i, k
 
     by_reference_x = 0
@@ -120,9 +120,9 @@ contains
           height = levels%z(k)*s%film(i)
           x = s%tau_x(i) + height*s%px(i)
           y = s%tau_y(i) + height*s%py(i)
-          share = levels%weight(k)*s%film(i)*s%fluidity(i, k)
-          to_x = share*((height - s%arm_xx(i))*x - s%arm_xy(i)*y)
-          to_y = share*((height - s%arm_yy(i))*y - s%arm_yx(i)*x)
+          weight = levels%weight(k)*s%film(i)*s%fluidity(i, k)
+          to_x = weight*((height - s%arm_xx(i))*x - s%arm_xy(i)*y)
+          to_y = weight*((height - s%arm_yy(i))*y - s%arm_yx(i)*x)
           by_reference_x(i) = by_reference_x(i) + by_reference(i)*to_x
           by_reference_y(i) = by_reference_y(i) + by_reference(i)*to_y
           by_limit_x(i) = by_limit_x(i) + by_limit(i)*to_x

@@ -19,7 +19,7 @@ contains
     type(shear_strip), intent(inout) :: strip
     real(wp), contiguous, intent(in) :: u1(:), v1(:)
     real(wp), contiguous, intent(out) :: u(:, :), v(:, :)
-    real(wp) :: share, slip_x, slip_y
+    real(wp) :: weight, slip_x, slip_y
     integer :: i, k, l, n
 
     n = levels%count
@@ -35,9 +35,9 @@ contains
     end do
     do l = 1, n
       do i = 1, strip%points
-        share = strip%film(i)*strip%fluidity(i, l)*strip%g(i, l)
-        strip%step_x(i) = share*(strip%tau_x(i) + levels%z(l)*strip%film(i)*strip%px(i))
-        strip%step_y(i) = share*(strip%tau_y(i) + levels%z(l)*strip%film(i)*strip%py(i))
+        weight = strip%film(i)*strip%fluidity(i, l)*strip%g(i, l)
+        strip%step_x(i) = weight*(strip%tau_x(i) + levels%z(l)*strip%film(i)*strip%px(i))
+        strip%step_y(i) = weight*(strip%tau_y(i) + levels%z(l)*strip%film(i)*strip%py(i))
       end do
       if (l == 1 .or. l == n) call take_slip(law, levels, strip, l)
       do k = 2, n - 1
@@ -120,7 +120,7 @@ contains
     type(shear_strip), intent(in) :: strip
     real(wp), contiguous, intent(out) :: heat(:, :), own(:, :), response_x(:, :), response_y(:, :), stress_x(:, :), &
       stress_y(:, :)
-    real(wp) :: x, y, square, response, share
+    real(wp) :: x, y, square, response, weight
     integer :: i, k
 
     do k = 1, levels%count
@@ -133,9 +133,9 @@ contains
         response = 2*strip%fluidity(i, k)*(strip%g(i, k) + strip%g_slope(i, k)*square)
         response_x(i, k) = response*x
         response_y(i, k) = response*y
-        share = levels%weight(k)*strip%film(i)*strip%g(i, k)
-        stress_x(i, k) = share*(strip%inverse_xx(i)*x + strip%inverse_xy(i)*y)
-        stress_y(i, k) = share*(strip%inverse_xy(i)*x + strip%inverse_yy(i)*y)
+        weight = levels%weight(k)*strip%film(i)*strip%g(i, k)
+        stress_x(i, k) = weight*(strip%inverse_xx(i)*x + strip%inverse_xy(i)*y)
+        stress_y(i, k) = weight*(strip%inverse_xy(i)*x + strip%inverse_yy(i)*y)
       end do
     end do
   end subroutine film_heat

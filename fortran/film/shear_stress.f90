@@ -211,12 +211,12 @@ contains
   !> Moves all points along their Newton steps.
   !>
   !> A step much beyond the stresses met so far would overshoot where rates grow exponentially, and walls
-  !> approach the limiting stress, if there is one, in shares of their distance to it (Sharif et al., text to
+  !> approach the limiting stress, if there is one, in fractions of their distance to it (Sharif et al., text to
   !> fig. 4).
   pure subroutine bounded_move(limited, strip)
     logical, intent(in) :: limited
     type(shear_strip), intent(inout) :: strip
-    !> Share of the distance to slip, and least move in shares of the stress there.
+    !> Fraction of the distance to slip, and least move in fractions of the stress there.
     real(wp), parameter :: approach = 0.8_wp, least = 1e-3_wp
     real(wp) :: half_x, half_y, extreme, room, length, bound
     integer :: i
@@ -244,7 +244,7 @@ contains
     type(shear_strip), intent(inout) :: strip
     integer, intent(in) :: i
     logical, intent(out) :: converged
-    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), share, low, high, descent, slope
+    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), fraction, low, high, descent, slope
     logical :: turns
     integer :: newton, search
 
@@ -264,16 +264,16 @@ contains
       step = [strip%step_x(i), strip%step_y(i)]
       descent = strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2)
       call find_centre(law, strip, i, centre, turns)
-      share = 1
-      if (has_limit(law)) share = strip%limit(i)/max(norm2(step), strip%limit(i))
+      fraction = 1
+      if (has_limit(law)) fraction = strip%limit(i)/max(norm2(step), strip%limit(i))
       low = 0
       high = 0
       do search = 1, search_steps
         if (turns) then
-          call turn(from - centre, step, share, to, direction)
+          call turn(from - centre, step, fraction, to, direction)
           to = to + centre
         else
-          to = from + share*step
+          to = from + fraction*step
           direction = step
         end if
         strip%tau_x(i) = to(1)
@@ -282,12 +282,12 @@ contains
         slope = -(strip%rest_x(i)*direction(1) + strip%rest_y(i)*direction(2))
         if (abs(slope) <= descent/2) exit
         if (slope > 0) then
-          high = share
+          high = fraction
         else
-          low = share
+          low = fraction
           if (.not. high > 0) exit
         end if
-        share = low + (high - low)*merge(0.5_wp, 0.1_wp, low > 0)
+        fraction = low + (high - low)*merge(0.5_wp, 0.1_wp, low > 0)
       end do
       call newton_step(strip, i, i)
     end do
@@ -305,7 +305,7 @@ contains
     integer, intent(in) :: i
     real(wp), intent(out) :: centre(2)
     logical, intent(out) :: turns
-    !> Share of the stress at slip that is near it.
+    !> Fraction of the stress at slip that is near it.
     real(wp), parameter :: near = 0.9_wp
     real(wp) :: middle(2), half(2)
 
@@ -315,21 +315,21 @@ contains
     turns = has_limit(law) .and. norm2(middle - centre) > near*slip_stress(strip%limit(i))
   end subroutine find_centre
 
-  !> Where a share of a step leads, `to`, that keeps its part along `from` and bends the other round the
-  !> origin; and the derivative `direction` by the share.
-  pure subroutine turn(from, step, share, to, direction)
-    real(wp), intent(in) :: from(2), step(2), share
+  !> End `to` of a fraction of a step whose part along `from` is straight and whose other part turns about the
+  !> origin, and its derivative `direction` by the fraction.
+  pure subroutine turn(from, step, fraction, to, direction)
+    real(wp), intent(in) :: from(2), step(2), fraction
     real(wp), intent(out) :: to(2), direction(2)
     real(wp) :: radius, along, across, angle, radial(2), tangent(2)
 
     radius = norm2(from)
     along = dot_product(from, step)/radius
     across = (from(1)*step(2) - from(2)*step(1))/radius
-    angle = share*across/radius
+    angle = fraction*across/radius
     radial = [from(1)*cos(angle) - from(2)*sin(angle), from(2)*cos(angle) + from(1)*sin(angle)]/radius
     tangent = [-radial(2), radial(1)]
-    to = (radius + share*along)*radial
-    direction = along*radial + (radius + share*along)*across/radius*tangent
+    to = (radius + fraction*along)*radial
+    direction = along*radial + (radius + fraction*along)*across/radius*tangent
   end subroutine turn
 
   !> Takes the last Newton step, with thinning to first order, by which the rates add up to the sliding. A is
@@ -337,7 +337,7 @@ contains
   pure subroutine finish(levels, strip)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(inout) :: strip
-    real(wp) :: x, y, share, along, across
+    real(wp) :: x, y, weight, along, across
     integer :: i, k
 
     associate (s => strip)
@@ -354,9 +354,9 @@ contains
           y = s%tau_y(i) + levels%z(k)*s%film(i)*s%py(i)
           s%g(i, k) = s%g(i, k) &
             + 2*s%g_slope(i, k)*((x - s%step_x(i))*s%step_x(i) + (y - s%step_y(i))*s%step_y(i))
-          share = levels%weight(k)*s%film(i)*s%fluidity(i, k)
-          along = share*s%g(i, k)
-          across = 2*share*s%g_slope(i, k)
+          weight = levels%weight(k)*s%film(i)*s%fluidity(i, k)
+          along = weight*s%g(i, k)
+          across = 2*weight*s%g_slope(i, k)
           s%a_xx(i) = s%a_xx(i) + along + across*x*x
           s%a_xy(i) = s%a_xy(i) + across*x*y
           s%a_yy(i) = s%a_yy(i) + along + across*y*y

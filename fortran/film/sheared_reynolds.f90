@@ -212,7 +212,7 @@ contains
     real(wp), intent(in) :: per_length, normal(strip), aside(strip)
     type(shear_strip), intent(inout) :: work
     type(face_flow), intent(inout) :: faces
-    real(wp), dimension(strip) :: h1, h2, mass1, mass2, share, rho, by_share, by_fluidity1, by_fluidity2, by_p1, by_p2, &
+    real(wp), dimension(strip) :: h1, h2, mass1, mass2, weight, rho, by_weight, by_fluidity1, by_fluidity2, by_p1, by_p2, &
       by_h
     real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
     integer :: m, k, failures
@@ -234,11 +234,11 @@ contains
       h2(:m) = max(fields%h(first + di:last + di, j + dj), floor)
       mass1(:m) = rho1*h1(:m)**3
       mass2(:m) = rho2*h2(:m)**3
-      share(:m) = mass1(:m)/(mass1(:m) + mass2(:m))
+      weight(:m) = mass1(:m)/(mass1(:m) + mass2(:m))
       h = (h1(:m) + h2(:m))/2
       rho(:m) = (mass1(:m) + mass2(:m))/(2*h**3)
       do k = 1, nodes%levels%count
-        work%fluidity(:m, k) = share(:m)*f1(:, k) + (1 - share(:m))*f2(:, k)
+        work%fluidity(:m, k) = weight(:m)*f1(:, k) + (1 - weight(:m))*f2(:, k)
       end do
       work%us(:m) = (nodes%sliding_x(first:last, j) + nodes%sliding_x(first + di:last + di, j + dj))/2
       work%vs(:m) = (nodes%sliding_y(first:last, j) + nodes%sliding_y(first + di:last + di, j + dj))/2
@@ -268,20 +268,20 @@ contains
         limit_x = limit_y
       end if
 
-      by_share = 0
+      by_weight = 0
       by_fluidity1 = 0
       by_fluidity2 = 0
       do k = 1, nodes%levels%count
-        by_share(:m) = by_share(:m) + f_x(:m, k)*(f1(:, k) - f2(:, k))
+        by_weight(:m) = by_weight(:m) + f_x(:m, k)*(f1(:, k) - f2(:, k))
         by_fluidity1(:m) = by_fluidity1(:m) + f_x(:m, k)*nodes%fluidity_p(first:last, j, k)
         by_fluidity2(:m) = by_fluidity2(:m) + f_x(:m, k)*nodes%fluidity_p(first + di:last + di, j + dj, k)
       end do
-      by_share(:m) = rho(:m)*by_share(:m)*share(:m)*(1 - share(:m))
+      by_weight(:m) = rho(:m)*by_weight(:m)*weight(:m)*(1 - weight(:m))
 
-      ! density, shares and fluidities follow the pressure of each node, the stresses of the flow law that of both
-      by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_share(:m)*rho1_p/rho1 + rho(:m)*(share(:m)*by_fluidity1(:m) &
+      ! density, weights and fluidities follow the pressure of each node, the stresses of the flow law that of both
+      by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_weight(:m)*rho1_p/rho1 + rho(:m)*(weight(:m)*by_fluidity1(:m) &
         + (onset_x(:m)*nodes%onset_p(first:last, j) + limit_x(:m)*nodes%limit_p(first:last, j))/2)
-      by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_share(:m)*rho2_p/rho2 + rho(:m)*((1 - share(:m))*by_fluidity2(:m) &
+      by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_weight(:m)*rho2_p/rho2 + rho(:m)*((1 - weight(:m))*by_fluidity2(:m) &
         + (onset_x(:m)*nodes%onset_p(first + di:last + di, j + dj) &
         + limit_x(:m)*nodes%limit_p(first + di:last + di, j + dj))/2)
       by_h(:m) = rho(:m)*(h_x(:m) - 3*s_x(:m)/h)/2
@@ -290,9 +290,9 @@ contains
       faces%before(first:last, j) = by_p1(:m) - rho(:m)*m_xx(:m)*per_length
       faces%after(first:last, j) = by_p2(:m) + rho(:m)*m_xx(:m)*per_length
       faces%aside(first:last, j) = rho(:m)*m_xy(:m)
-      faces%film_before(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho1*h1(:m)**2/(2*h**3) + by_share(:m)/h1(:m)), &
+      faces%film_before(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho1*h1(:m)**2/(2*h**3) + by_weight(:m)/h1(:m)), &
         0.0_wp, fields%h(first:last, j) > floor)
-      faces%film_after(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho2*h2(:m)**2/(2*h**3) - by_share(:m)/h2(:m)), &
+      faces%film_after(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho2*h2(:m)**2/(2*h**3) - by_weight(:m)/h2(:m)), &
         0.0_wp, fields%h(first + di:last + di, j + dj) > floor)
     end associate
   end subroutine flow_through

@@ -16,7 +16,7 @@ contains
   !> The model that errs less; where paths turn back within the window, that of one velocity.
   !>
   !> The surface moves with (u, v) [m/s] at the nodes; heat enters where `heat` (of any unit) says, over a contact of
-  !> the semi-axes `semi` [m]. `error` is the model's, in shares of the greatest rise (`conduction_model`).
+  !> the semi-axes `semi` [m]. `error` is the model's, in fractions of the greatest rise (`conduction_model`).
   subroutine new_conducting_body(u, v, heat, semi, dx, dy, conductivity, capacity, body, error, stat)
     real(wp), contiguous, intent(in) :: u(:, :), v(:, :), heat(:, :)
     real(wp), intent(in) :: semi(2), dx, dy, conductivity, capacity

@@ -3,7 +3,7 @@
 !>
 !> The estimates below were fitted to what the models say of each other and of themselves, for Hertzian
 !> sources of axes 1:10 to 10:1. Errors are those of the temperature where more than half of the greatest flux
-!> enters, the largest one, in shares of the greatest rise.
+!> enters, the largest one, in fractions of the greatest rise.
 module conduction_model
   use kinds, only: wp
   implicit none(type, external)

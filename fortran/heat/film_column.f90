@@ -29,8 +29,8 @@ module film_column
   !> relief leaves of the first. A linearisation that grows faster sends Newton's method astray; what is left out alters
   !> how fast the source converges, not to what.
   real(wp), parameter :: most_growth = 5.0_wp, most_growth_of_all = 1.5_wp
-  !> Least share of conduction's pivots that a linearisation leaves, whatever it may be.
-  real(wp), parameter :: least_share = 0.1_wp
+  !> Least fraction of conduction's pivots that a linearisation leaves, whatever it may be.
+  real(wp), parameter :: least_fraction = 0.1_wp
 
   !> Scratch of the columns solved together, lanes first.
   type :: lane_block
@@ -89,7 +89,7 @@ contains
     if (m < 1 .or. n < 3) return
     strip%columns = m
     strip%levels = levels
-    strip%least_pivot = least_share*conduction_pivots(levels)
+    strip%least_pivot = least_fraction*conduction_pivots(levels)
     allocate (strip%thickness(m), strip%conductivity(m), strip%wall(m, 2), strip%absorption(m, n), strip%source(m, n), &
       strip%known(m, n), strip%growth(m, n), strip%loading(m, n, 2), strip%relief(m, n, 2), strip%temperature(m, n), &
       strip%flux(m, 2), strip%admittance(m, 2, 2), strip%response(m, n, 2), &
@@ -219,7 +219,7 @@ contains
   !> walls.
   !>
   !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a
-  !> pivot below a share of conduction's.
+  !> pivot below a fraction of conduction's.
   pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, a, pivot, change)
     integer, intent(in) :: n
     real(wp), intent(in) :: least_pivot(n), conductance(lanes), matrix(lanes, n, n), excess(lanes, n)

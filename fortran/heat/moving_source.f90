@@ -24,7 +24,7 @@ module moving_source
   real(wp), parameter :: reach = 4
   !> Widths of a spot, in sizes of the window, from which on its temperature is the same all over the window.
   real(wp), parameter :: even = 300
-  !> Share of the largest term at which the sums of early and late spots end.
+  !> Fraction of the largest term at which the sums of early and late spots end.
   real(wp), parameter :: negligible = 1e-9_wp
   !> Spots added to the kernel together.
   integer, parameter :: batch = 32

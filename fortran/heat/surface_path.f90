@@ -49,7 +49,7 @@ module surface_path
     !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights, nought
     !> if the foot is outside, (4, nodes, lines), and the time from the foot [s] and its root, (nodes, lines).
     integer, allocatable :: foot(:, :)
-    real(wp), allocatable :: share(:, :, :), duration(:, :), root(:, :)
+    real(wp), allocatable :: stencil(:, :, :), duration(:, :), root(:, :)
     !> Decay of the exponentials in that time, (lanes, nodes, lines, groups).
     real(wp), allocatable :: decay(:, :, :, :)
     !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot,
@@ -93,7 +93,7 @@ contains
     self%nodes = self%way%length
     self%lines = self%way%lines
     self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
-    allocate (self%foot(self%nodes, self%lines), self%share(4, self%nodes, self%lines), &
+    allocate (self%foot(self%nodes, self%lines), self%stencil(4, self%nodes, self%lines), &
       self%duration(self%nodes, self%lines), self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
       self%flux(self%nodes, self%lines), self%before(self%nodes, self%lines), self%risen(self%nodes, self%lines), &
       ahead(self%nodes, self%lines), aside(self%nodes, self%lines), stat=err)
@@ -123,13 +123,13 @@ contains
   subroutine find_feet(self, ahead, aside, apart, spacing)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: ahead(:, :), aside(:, :), apart, spacing
-    real(wp) :: slope(3), slowness(3), share(4), at, halfway, last, move, last_move
+    real(wp) :: slope(3), slowness(3), stencil(4), at, halfway, last, move, last_move
     integer :: line, node, iteration, first
 
     self%foot(:, 1) = 1
-    self%share(:, :, 1) = 0
+    self%stencil(:, :, 1) = 0
     self%duration(:, 1) = 0
-    !$omp parallel do private(node, slope, slowness, share, at, halfway, last, move, last_move, iteration, first) &
+    !$omp parallel do private(node, slope, slowness, stencil, at, halfway, last, move, last_move, iteration, first) &
     !$omp& schedule(static)
     do line = 2, self%lines
       associate (ahead_here => ahead(:, line), aside_here => aside(:, line), &
@@ -150,17 +150,17 @@ contains
             move = at - last
             if (iteration > 1 .and. move**2 <= foot_settled*abs(last_move)) exit
             halfway = (node + at)/2 + apart/spacing*(slope(3) - slope(1))/8
-            call around(within(at, self%nodes), self%nodes, first, share)
-            slowness(3) = 1/dot_product(share, ahead_before(first:first + 3))
-            slope(3) = dot_product(share, aside_before(first:first + 3))*slowness(3)
-            call around(within(halfway, self%nodes), self%nodes, first, share)
-            slowness(2) = 2/dot_product(share, ahead_before(first:first + 3) + ahead_here(first:first + 3))
-            slope(2) = dot_product(share, aside_before(first:first + 3) + aside_here(first:first + 3))/2*slowness(2)
+            call around(within(at, self%nodes), self%nodes, first, stencil)
+            slowness(3) = 1/dot_product(stencil, ahead_before(first:first + 3))
+            slope(3) = dot_product(stencil, aside_before(first:first + 3))*slowness(3)
+            call around(within(halfway, self%nodes), self%nodes, first, stencil)
+            slowness(2) = 2/dot_product(stencil, ahead_before(first:first + 3) + ahead_here(first:first + 3))
+            slope(2) = dot_product(stencil, aside_before(first:first + 3) + aside_here(first:first + 3))/2*slowness(2)
           end do
           self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
-          self%share(:, node, line) = 0
+          self%stencil(:, node, line) = 0
           self%foot(node, line) = 1
-          if (at >= 1 .and. at <= self%nodes) call around(at, self%nodes, self%foot(node, line), self%share(:, node, line))
+          if (at >= 1 .and. at <= self%nodes) call around(at, self%nodes, self%foot(node, line), self%stencil(:, node, line))
         end do
       end associate
     end do
@@ -168,16 +168,16 @@ contains
 
   !> The four nodes around a place on a line of n nodes, from `first` on, and their weights in cubic
   !> interpolation.
-  pure subroutine around(at, n, first, share)
+  pure subroutine around(at, n, first, stencil)
     real(wp), intent(in) :: at
     integer, intent(in) :: n
     integer, intent(out) :: first
-    real(wp), intent(out) :: share(4)
+    real(wp), intent(out) :: stencil(4)
     real(wp) :: s
 
     first = min(max(int(at) - 1, 1), n - 3)
     s = at - first
-    share = [-(s - 1)*(s - 2)*(s - 3)/6, s*(s - 2)*(s - 3)/2, -s*(s - 1)*(s - 3)/2, s*(s - 1)*(s - 2)/6]
+    stencil = [-(s - 1)*(s - 2)*(s - 3)/6, s*(s - 2)*(s - 3)/2, -s*(s - 1)*(s - 3)/2, s*(s - 1)*(s - 2)/6]
   end subroutine around
 
   !> A place on a line of n nodes, or the end that it is beyond.
@@ -291,7 +291,7 @@ contains
       spread = 0
       do node = 1, self%nodes
         associate (foot => self%foot(node, line))
-          spread = pivot(node)*dot_product(self%share(:, node, line), self%flux(foot:foot + 3, line - 1)) &
+          spread = pivot(node)*dot_product(self%stencil(:, node, line), self%flux(foot:foot + 3, line - 1)) &
             + passed(node)*spread
         end associate
         before(node) = spread
@@ -312,7 +312,7 @@ contains
     !> bring.
     real(wp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
     real(wp), dimension(lanes) :: spread, decay, whole, early, product
-    real(wp) :: share(4), here, there, pace
+    real(wp) :: stencil(4), here, there, pace
     integer :: line, node, foot
 
     past = 0
@@ -321,9 +321,9 @@ contains
       spread = 0
       do node = 1, self%nodes
         foot = self%foot(node, line)
-        share = self%share(:, node, line)*self%pivot(node, line)
-        spread = self%decay(:, node, line, group)*(share(1)*past(:, foot) + share(2)*past(:, foot + 1) &
-          + share(3)*past(:, foot + 2) + share(4)*past(:, foot + 3)) + self%passed(node, line)*spread
+        stencil = self%stencil(:, node, line)*self%pivot(node, line)
+        spread = self%decay(:, node, line, group)*(stencil(1)*past(:, foot) + stencil(2)*past(:, foot + 1) &
+          + stencil(3)*past(:, foot + 2) + stencil(4)*past(:, foot + 3)) + self%passed(node, line)*spread
         brought(:, node) = spread
       end do
 
@@ -332,7 +332,7 @@ contains
         spread = brought(:, node) + self%passed(node, line)*spread
         product = self%weight(:, group)*spread
         self%history(node, line, group) = sum_of_lanes(product)
-        ! integrals of exp(-rate age) over the step, and with the share of the flux at its beginning
+        ! integrals of exp(-rate age) over the step, and with the fraction of the flux at its beginning
         here = self%flux(node, line)
         there = self%before(node, line)
         pace = 1/self%duration(node, line)

@@ -23,9 +23,9 @@ module flow_laws
   !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Carreau's law by stress, as Bair and Habchi use it)
   integer, parameter, public :: law_carreau = 4
 
-  !> Share of the limit at which a wall slips (Sharif et al., text to fig. 4).
-  real(wp), parameter :: slip_share = 0.995_wp
-  !> Stress, in shares of that at slip, in which the rate grows e-fold beyond it. A tenth of this left films that slip all
+  !> Fraction of the limit at which a wall slips (Sharif et al., text to fig. 4).
+  real(wp), parameter :: slip_fraction = 0.995_wp
+  !> Stress, in fractions of that at slip, in which the rate grows e-fold beyond it. A tenth of this left films that slip all
   !> over without a solution: which wall slips is decided by a gradient that its steps cannot resolve.
   real(wp), parameter :: slip_step = 1e-3_wp
   !> Least limiting stress [Pa]: one proportional to pressure would else forbid the oil to flow at ambient pressure.
@@ -71,7 +71,7 @@ contains
   elemental real(wp) function slip_stress(limit)
     real(wp), intent(in) :: limit
 
-    slip_stress = slip_share*limit
+    slip_stress = slip_fraction*limit
   end function slip_stress
 
   !> Reference and limiting stress [Pa] at pressure `p` [Pa] and mean temperature `rise` [K] of the film above
@@ -89,7 +89,7 @@ contains
 
   !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at
   !> `square` [Pa2]; `per_reference` and `per_limit` are 1/reference^2 and 1/limit^2 [1/Pa2], which levels of
-  !> a film share.
+  !> a film fraction.
   pure subroutine thinning(law, count, square, per_reference, per_limit, g, slope)
     type(flow_law), intent(in) :: law
     integer, intent(in) :: count
@@ -100,7 +100,7 @@ contains
     call thinning_below_slip(law, count, square, per_reference, per_limit, g, slope)
     if (.not. has_limit(law)) return
     do i = 1, count
-      if (square(i)*per_limit(i) > slip_share**2) then
+      if (square(i)*per_limit(i) > slip_fraction**2) then
         call continue_slip(law, square(i), per_reference(i), per_limit(i), g(i), slope(i))
       end if
     end do
@@ -243,7 +243,7 @@ contains
     integer :: i
 
     do i = 1, count
-      excess = 1/(1 - min(square(i)*per_limit(i), slip_share**2))
+      excess = 1/(1 - min(square(i)*per_limit(i), slip_fraction**2))
       g(i) = g(i)*excess
       slope(i) = (slope(i) + g(i)*per_limit(i))*excess
     end do
@@ -258,7 +258,7 @@ contains
     integer :: i
 
     do i = 1, count
-      ratio = max(min(square(i)*per_limit(i), slip_share**2), least_ratio)
+      ratio = max(min(square(i)*per_limit(i), slip_fraction**2), least_ratio)
       lower_power = exp((power - 1)*log(ratio))
       excess = 1/(1 - lower_power*ratio)
       g(i) = g(i)*excess
@@ -277,7 +277,7 @@ contains
     integer :: i
 
     do i = 1, count
-      x = sqrt(min(max(square(i)*per_limit(i), least_ratio), slip_share**2))
+      x = sqrt(min(max(square(i)*per_limit(i), least_ratio), slip_fraction**2))
       ! the rounding of 1 - x cancels between logarithm and divisor
       rest = 1 - x
       g(i) = log(rest)/(rest - 1)
@@ -310,7 +310,7 @@ contains
     real(wp), intent(out) :: g, slope
     real(wp) :: c, step, stress, stiffness, growth, g_c(1), slope_c(1)
 
-    c = slip_share/sqrt(per_limit)
+    c = slip_fraction/sqrt(per_limit)
     call thinning_below_slip(law, 1, [c**2], [per_reference], [per_limit], g_c, slope_c)
     step = slip_step*c
     stress = min(sqrt(square), c + largest_slip*step)
@@ -341,7 +341,7 @@ contains
       by_limit = -2*square*slope/limit
     case (law_eyring_limited)
       do i = 1, count
-        by_limit(i) = max(min(square(i)/limit(i)**2, slip_share**2), least_ratio)
+        by_limit(i) = max(min(square(i)/limit(i)**2, slip_fraction**2), least_ratio)
       end do
       if (abs(law%exponent - 1) > 0) by_limit = exp(law%exponent*log(by_limit))
       do i = 1, count
@@ -370,7 +370,7 @@ contains
     if (x >= largest_eyring) return
     step = slip_step*c
     stress = min(sqrt(square), c + largest_slip*step)
-    ratio = slip_share**(2*power)
+    ratio = slip_fraction**(2*power)
     excess = 1/(1 - ratio)
     excess_slope = 2*power*ratio*excess**2/c
     growth = step*(exp((stress - c)/step) - 1)

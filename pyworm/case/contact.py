@@ -100,8 +100,10 @@ class MotionTable(Table):
         if slide_roll_ratio is None:
             velocities = self.velocity_1, self.velocity_2
         else:
-            shares = 1 + slide_roll_ratio / 2, 1 - slide_roll_ratio / 2
-            velocities = tuple(tuple(share * of for of in self.mean_velocity) for share in shares)
+            factors = 1 + slide_roll_ratio / 2, 1 - slide_roll_ratio / 2
+            velocities = tuple(
+                tuple(factor * of for of in self.mean_velocity) for factor in factors
+            )
         spins = self.spin_1, self.spin_2
         first, second = (
             RigidMotion(*velocity, spin) for velocity, spin in zip(velocities, spins, strict=True)

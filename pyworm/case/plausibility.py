@@ -24,7 +24,7 @@ BEARABLE = (
     (0.0, "rubber", 5e6, 1 / 4),
 )
 """Least modulus of a class of materials [Pa], its name, the Hertz pressure that it bears as a rule [Pa], and
-the share of its modulus that none bears.
+the fraction of its modulus that none bears.
 
 A point contact yields first at 1.6 times the yield stress, and the hardness is some 2.8 times that (Johnson,
 Contact Mechanics, 1985, sections 4.2 and 6.3): at 4 GPa of bearing steel, as in ISO 76, at 1 GPa of a bronze
@@ -159,10 +159,10 @@ def _sizes(scene: Scene | LineScene) -> tuple[float, float, float]:
 
 def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Iterator[Doubt]:
     softer = min(body.youngs_modulus for body in scene.bodies)
-    name, usual, share = next(row[1:] for row in BEARABLE if softer >= row[0])
+    name, usual, fraction = next(row[1:] for row in BEARABLE if softer >= row[0])
     if pressure <= usual:
         return
-    possible = pressure <= share * softer
+    possible = pressure <= fraction * softer
     said = f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}"
     if possible:
         said += (
@@ -172,6 +172,6 @@ def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Itera
     else:
         said += (
             f"; nothing with a modulus of {softer / 1e9:.3g} GPa, as the softer body has, bears more than "
-            f"{share * softer / 1e9:.3g} GPa"
+            f"{fraction * softer / 1e9:.3g} GPa"
         )
     yield Doubt("pressure", pressure / usual, possible, said)

@@ -91,11 +91,11 @@ class DrawTable(_Interval):
         """The values, as a case file has them."""
         low, high, unit = self._ends(self.low, self.high)
         sequence = int.from_bytes(sha256(key.encode()).digest()[:8])
-        share = np.random.Generator(np.random.PCG64([seed, sequence])).random(self.count)
+        fraction = np.random.Generator(np.random.PCG64([seed, sequence])).random(self.count)
         if self.draw == "log-uniform":
-            drawn = low * (high / low) ** share
+            drawn = low * (high / low) ** fraction
         else:
-            drawn = low + (high - low) * share
+            drawn = low + (high - low) * fraction
         return self._written(drawn, unit, whole=False)
 
 

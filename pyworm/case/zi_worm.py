@@ -267,7 +267,7 @@ def _first_loss(transmission: Transmission, worm_speed: float, ratio: float) -> 
 
 
 FIRST_LOSS = 0.03
-"""Share of the power that is lost between worm teeth before it is known."""
+"""Fraction of the power that is lost between worm teeth before it is known."""
 
 FIRST_FRICTION = 0.01
 """Friction of worm teeth in the balance of torques before it is known."""

@@ -62,7 +62,7 @@ class Loss:
 
     @property
     def efficiency_error(self) -> float:
-        """Error bar of either efficiency [-]: the share of loss in the power, times its relative error."""
+        """Error bar of either efficiency [-]: the fraction of loss in the power, times its relative error."""
         return (1 - self.efficiency) * self.error / self.power
 
 

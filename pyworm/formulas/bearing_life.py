@@ -38,7 +38,7 @@ _MODIFICATION = {
     "roller": ((0.4, 1.3993, 0.054381), (1.0, 1.2348, 0.19087), (inf, 1.2348, 0.071739)),
 }
 
-_THRUST_SHARE = {"ball": 3.0, "roller": 2.5}
+_THRUST_FACTOR = {"ball": 3.0, "roller": 2.5}
 
 # c and b by cleanliness, cleanest first
 _CLEANLINESS = {
@@ -205,7 +205,7 @@ def life_modification(
     positive; kappa above 4 counts as 4.
 
     Source: ISO 281:2007, equations 31 to 42. k2 = 0.19087 between 0.4 and 1 (0.019087 in circulation)
-    follows from continuity at 0.4; a code independent of the others has the same constants. The shares
+    follows from continuity at 0.4; a code independent of the others has the same constants. The fractions
     of thrust bearings are from memory.
 
     Parameters
@@ -234,11 +234,11 @@ def life_modification(
     if not kappa >= SMALLEST_RATIO:
         raise ValueError(f"kappa = {kappa:g}: ISO 281 holds from {SMALLEST_RATIO:g} on")
     within("e_C C_u/P", load_ratio, 0, inf, "")
-    share = _THRUST_SHARE[elements] if direction == "thrust" else 1.0
-    plain = _modification(kappa, load_ratio / share, elements)
+    factor = _THRUST_FACTOR[elements] if direction == "thrust" else 1.0
+    plain = _modification(kappa, load_ratio / factor, elements)
     if not additives or kappa >= 1 or contamination < DIRTIEST_WITH_ADDITIVES:
         return plain
-    helped = min(_modification(1.0, load_ratio / share, elements), LARGEST_WITH_ADDITIVES)
+    helped = min(_modification(1.0, load_ratio / factor, elements), LARGEST_WITH_ADDITIVES)
     return max(plain, helped)
 
 
@@ -264,7 +264,7 @@ def reliability_factor(reliability: float) -> float:
     Parameters
     ----------
     reliability : float
-        Share R of bearings that live longer [-].
+        Fraction R of bearings that live longer [-].
     """
     within("reliability", reliability, 0.9, 0.9995, "")
     return 0.95 * (log(1 / reliability) / log(1 / 0.9)) ** (2 / 3) + 0.05

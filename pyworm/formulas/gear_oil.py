@@ -357,9 +357,9 @@ def application_method(pitch_line_velocity: float) -> str:
         return f"pressure-fed, jets at the incoming side of the mesh, {bearings}"
     if feet <= 16000:
         return f"pressure-fed, jets at the outgoing side, where the teeth are hottest, {bearings}"
-    shares = (
+    fractions = (
         f"pressure-fed, 2/3 of the oil at the outgoing and 1/3 at the incoming side, {bearings}"
     )
     if feet <= 20000:
-        return shares
-    return f"{shares}; number and place of the jets by experiment"
+        return fractions
+    return f"{fractions}; number and place of the jets by experiment"

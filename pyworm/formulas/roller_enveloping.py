@@ -15,7 +15,7 @@ from math import cos, sin
 
 import numpy as np
 
-MINIMUM_SHARE = 0.75
+MINIMUM_FRACTION = 0.75
 """What the source takes for minimum over central film."""
 
 
@@ -67,7 +67,7 @@ def printed_films(
 def printed_minimum(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
     """The source's minimum film [m], 0.75 times its elastic-piezoviscous; arguments as `printed_films`."""
     films = printed_films(radius, load_per_length, reduced_modulus, speed, viscosity, alpha)
-    return MINIMUM_SHARE * films.elastic_piezoviscous
+    return MINIMUM_FRACTION * films.elastic_piezoviscous
 
 
 def printed_parameters(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
@@ -105,5 +105,5 @@ def normal_force(
     2 T1 / {d1 [cos(alpha_n) sin(lambda) + mu cos(lambda)]}; arguments as `printed_normal_force`, friction the
     coefficient mu of sliding along the thread [-].
     """
-    share = cos(pressure_angle) * sin(lead_angle) + friction * cos(lead_angle)
-    return 2 * worm_torque / (diameter * share)
+    component = cos(pressure_angle) * sin(lead_angle) + friction * cos(lead_angle)
+    return 2 * worm_torque / (diameter * component)

@@ -52,13 +52,13 @@ class Step:
         Where the step led.
     krylov : int
         GMRES iterations.
-    share : float
-        Share of the full Newton step that was taken.
+    damping : float
+        Damping factor: the fraction of the full Newton step taken [-].
     """
 
     balance: Balance
     krylov: int
-    share: float
+    damping: float
 
 
 @dataclass(frozen=True)
@@ -210,7 +210,7 @@ class Film:
             If the step cannot be made; pressure and film are as they were. If the temperature left all sense
             the film counts as far from its equations.
         """
-        rigid_film, residual, load_error, krylov, share, change, rise, status = (
+        rigid_film, residual, load_error, krylov, damping, change, rise, status = (
             core.bindings.film_step(
                 self._handle,
                 forcing,
@@ -225,7 +225,7 @@ class Film:
             self._warming = change / max(LEAST_RISE, rise)
         self.balance = Balance(residual, load_error, self._warming)
         check_status(status)
-        return Step(self.balance, krylov, share)
+        return Step(self.balance, krylov, damping)
 
     def fields(self) -> tuple[np.ndarray, ...]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""

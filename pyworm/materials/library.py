@@ -116,13 +116,13 @@ class NamedOil:
         would let the oil slip in the inlet, where it does not even thin.
         """
         stock = self.stock
-        share = stock.limiting_coefficient
-        if share is None:
+        coefficient = stock.limiting_coefficient
+        if coefficient is None:
             return FlowLaw(
                 "eyring-limited", stress=stock.eyring_stress, limit=stock.limiting_stress
             )
-        stress = float(oil_properties.eyring_stress(self.alpha(temperature), share))
-        return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=share)
+        stress = float(oil_properties.eyring_stress(self.alpha(temperature), coefficient))
+        return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=coefficient)
 
     def oil(self, temperature: float) -> Oil:
         """The oil of a contact whose inlet has a temperature [K].

@@ -37,12 +37,12 @@ LARGEST_LINE = 33_000
 LINE_TOLERANCE = 1e-6
 """Residual allowed in a line contact that does not warm: Newton's last step falls far below it at no cost."""
 
-HEATED_LINE_SHARE = 0.01
-"""Residual allowed in one that warms, as a share of the accuracy asked for. Film and temperature take turns
-there; ten times as much left temperatures beyond their error bars in half of 40 random scenes."""
+HEATED_LINE_FRACTION = 0.01
+"""Residual allowed of a heated line film, as a fraction of the accuracy asked for. Film and temperature are
+iterated in turn; ten times as much left temperatures beyond their error bars in half of 40 random scenes."""
 
-RESIDUAL_SHARE = 0.1
-"""Residual allowed, as a share of the accuracy asked for; what it leaves in the figures is judged apart."""
+RESIDUAL_FRACTION = 0.1
+"""Residual allowed, as a fraction of the accuracy asked for; its effect on figures is estimated apart."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         grids=grids,
         wider_grids=wider_grids,
         largest_grid=LARGEST_GRID,
-        tolerance=RESIDUAL_SHARE * accuracy,
+        tolerance=RESIDUAL_FRACTION * accuracy,
         work=work,
         refusal=_refusal(work, size.film, LARGEST_GRID),
     )
@@ -125,7 +125,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
-        tolerance=HEATED_LINE_SHARE * accuracy if model.heated else LINE_TOLERANCE,
+        tolerance=HEATED_LINE_FRACTION * accuracy if model.heated else LINE_TOLERANCE,
         work=work,
         refusal=_refusal(work, size.film, LARGEST_LINE),
     )

@@ -25,7 +25,7 @@ M 4 to 1000 and L 1 to 20, from which they scatter by 1.7."""
 LEAST_CHANGE, AUXILIARY_CHANGE = 5e-3, 0.1
 """The least, and that of a film that heat alone carries, which no formula knows."""
 
-LOG_CHANGE = tuple(log(share) for share in (0.15, 0.65, 7.7, 31.0, 123.0, 1970.0))
+LOG_CHANGE = tuple(log(ratio) for ratio in (0.15, 0.65, 7.7, 31.0, 123.0, 1970.0))
 HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
 """That change over the accuracy, and halvings between which a solve is as likely to stop as to go on.
 

@@ -30,8 +30,8 @@ LEVEL_ERRORS = ((5, 1e-2), (7, 4e-4), (9, 3e-5), (11, 0.0))
 """Levels across the film and the error they leave: the largest relative error of films, friction and largest
 temperatures of seven contacts against 13 levels (`benchmarks/accuracy/levels.py`)."""
 
-LEVEL_SHARE = 0.1
-"""Error by the levels allowed, as a share of the accuracy asked for."""
+LEVEL_FRACTION = 0.1
+"""Error by the levels allowed, as a fraction of the accuracy asked for."""
 
 
 def model_for(simple: Scene | LineScene, accuracy: float, on: frozenset[str]) -> Model:
@@ -43,4 +43,4 @@ def model_for(simple: Scene | LineScene, accuracy: float, on: frozenset[str]) ->
 
 def _levels(accuracy: float) -> int:
     """Levels across the film whose error is small against an accuracy (`docs/theory/heat.md`)."""
-    return next(levels for levels, error in LEVEL_ERRORS if error <= LEVEL_SHARE * accuracy)
+    return next(levels for levels, error in LEVEL_ERRORS if error <= LEVEL_FRACTION * accuracy)

@@ -43,7 +43,7 @@ class Prediction:
         The contact.
     half_width, half_length : float
         Half-width of the contact along the entrainment and across it [m]; the latter infinite for a line.
-    mean_share : float
+    mean_to_max : float
         Mean over largest pressure [-].
     pressure_max : float
         Largest pressure [Pa]; before it is known Hertz's, too high where a thick film spreads the load,
@@ -67,7 +67,7 @@ class Prediction:
     scene: Scene | LineScene
     half_width: float
     half_length: float
-    mean_share: float
+    mean_to_max: float
     pressure_max: float
     film_central: float
     film_min: float
@@ -104,7 +104,7 @@ class Prediction:
     @property
     def pressure_mean(self) -> float:
         """Mean pressure [Pa]."""
-        return self.mean_share * self.pressure_max
+        return self.mean_to_max * self.pressure_max
 
     @property
     def beta(self) -> float:
@@ -278,7 +278,7 @@ def _point(scene: Scene) -> Prediction:
         scene=scene,
         half_width=along,
         half_length=across,
-        mean_share=POINT_MEAN,
+        mean_to_max=POINT_MEAN,
         pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
         film_central=size.film,
         film_min=LEAST_TO_CENTRAL * size.film,
@@ -301,7 +301,7 @@ def _line(scene: LineScene) -> Prediction:
         scene=scene,
         half_width=size.hertz.half_width,
         half_length=inf,
-        mean_share=LINE_MEAN,
+        mean_to_max=LINE_MEAN,
         pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
         film_central=size.film,
         film_min=0.8 * size.film,

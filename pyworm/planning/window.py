@@ -19,8 +19,8 @@ GROWTH = 1.4
 MOST_GROWTHS = 40
 """Moves after which a gap that has not risen never will."""
 
-OUTFLOW_SHARE = 0.5
-"""A side is an exit where at least this share of the entrainment leaves through it."""
+OUTFLOW_FRACTION = 0.5
+"""A side is an exit where at least this fraction of the entrainment leaves through it."""
 
 
 @dataclass(frozen=True)
@@ -136,4 +136,4 @@ def _leaves(scene: Scene, side: Array, place: Array) -> Array:
     on_x = side < 2
     u, v = scene.entrainment(np.where(on_x, place, 0.0), np.where(on_x, 0.0, place))
     outward = np.where(on_x, u, v) * np.where(side % 2, 1, -1)
-    return outward > OUTFLOW_SHARE * np.hypot(u, v)
+    return outward > OUTFLOW_FRACTION * np.hypot(u, v)

@@ -229,7 +229,7 @@ def placed_panels(
     room : (float, float, float, float)
         Left of the panels, right of them, below and between them and the heading [inch].
     kind
-        What `Figure.subplots` takes, its spaces in shares of a panel.
+        What `Figure.subplots` takes, its spaces in fractions of a panel.
     """
     (width, height), (left, right, below, above) = size, room
     heading = fill(heading, int(LETTERS_PER_INCH * width))

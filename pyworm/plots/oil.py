@@ -99,8 +99,8 @@ def _colours(oils: Sequence[NamedOil]) -> np.ndarray:
     """Colours that darken with the viscosity at 40 degC, alike for like grades."""
     thickness = np.log([float(oil.kinematic_viscosity(ZERO_CELSIUS + 40)) for oil in oils])
     span = np.ptp(thickness)
-    share = (thickness - thickness.min()) / span if span > 0 else np.full(len(oils), 0.5)
-    return colormaps["viridis"](0.8 * (1 - share))
+    fraction = (thickness - thickness.min()) / span if span > 0 else np.full(len(oils), 0.5)
+    return colormaps["viridis"](0.8 * (1 - fraction))
 
 
 def _flowing(oil: NamedOil) -> tuple[np.ndarray, np.ndarray]:

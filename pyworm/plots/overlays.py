@@ -42,7 +42,7 @@ ARROWS = 24
 """Arrows on a panel, about."""
 
 STANDSTILL = 1e-3
-"""Share of the largest value below which a vector has no arrow."""
+"""Fraction of the largest value below which a vector has no arrow."""
 
 
 def draw_arrows(axes: Axes, u: xr.DataArray, v: xr.DataArray) -> None:

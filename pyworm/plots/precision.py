@@ -105,7 +105,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
         panel.axhline(target, color="0.8", linewidth=0.8, zorder=1)
     low, high = panel.get_ylim()
     panel.set_ylim(max(low, FLOOR, reference.band / 5), min(max(high, 1.5), 1e4))
-    panel.yaxis.set_major_formatter(FuncFormatter(lambda share, _: percent(share)))
+    panel.yaxis.set_major_formatter(FuncFormatter(lambda fraction, _: percent(fraction)))
     panel.yaxis.set_minor_formatter(NullFormatter())
     panel.set_title(TITLES[name], fontsize="medium")
     panel.set_xlabel("processor time / s")

@@ -33,8 +33,8 @@ SHORT = {
 
 SHADES = ["0.96", "#dfe9d8", "#e6e0ee", "#f6ecd6"]
 
-LEAST_SHARE = 0.02
-"""Share of the chart below which a regime is not named in it."""
+LEAST_FRACTION = 0.02
+"""Fraction of the chart below which a regime is not named in it."""
 
 MARGIN = 30.0
 """Factor by which a chart reaches beyond the places of its contacts."""
@@ -94,7 +94,7 @@ def draw_chart(
         axes.contour(ge, gv, boundary, levels=[0.0], colors="0.4", linewidths=0.8)
     for index, name in enumerate(SHORT.values()):
         rows, columns = np.nonzero(number == index)
-        if len(rows) > LEAST_SHARE * number.size:
+        if len(rows) > LEAST_FRACTION * number.size:
             middle = int(np.median(rows))
             place = ge[0, int(np.median(columns[rows == middle]))], gv[middle, 0]
             axes.text(*place, name, color="0.35", size=13, ha="center", va="center")

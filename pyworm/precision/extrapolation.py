@@ -8,7 +8,7 @@ LOWEST, HIGHEST = 1.0, 2.0
 """Orders between which an extrapolation is believed; the schemes are of second order."""
 
 SURE = 0.1
-"""Error of an extrapolation, as a share of the step that it makes, at least."""
+"""Error of an extrapolation, as a fraction of the step that it makes, at least."""
 
 
 @dataclass(frozen=True)

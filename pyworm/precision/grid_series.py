@@ -9,7 +9,7 @@ from pyworm.planning.plan import Plan
 from pyworm.precision.models import Fidelity
 from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import ALGEBRA_SHARE, lead, settle
+from pyworm.solver.newton import ALGEBRA_FRACTION, lead, settle
 from pyworm.solver.timing import convolution_seconds
 
 FIGURES = ("film_min", "film_central", "friction_coefficient", "temperature_max_film")
@@ -114,7 +114,7 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     for number in count():
         error = _wanted(number)
         tolerance = plan.tolerance / plan.accuracy * error
-        settle(level, tolerance, plan.aim, ALGEBRA_SHARE * error)
+        settle(level, tolerance, plan.aim, ALGEBRA_FRACTION * error)
         figures = read(level)
         seconds = watch.stop()
         yield Point(
@@ -146,7 +146,7 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
     level, _ = solver.begin(plan.grids)
     for number in range(halvings):
         error = _wanted(number)
-        settle(level, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_SHARE * error)
+        settle(level, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_FRACTION * error)
         level, _ = solver.refined(level)
     for tolerance in tolerances:
         lead(level, tolerance)

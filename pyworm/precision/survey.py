@@ -226,11 +226,11 @@ class _Study:
     def _references(self, complete: Curve, window: Curve) -> dict[str, Reference]:
         """The limits of the most complete model, corrected for the error of the window.
 
-        A window of twice the reach takes all but a known share s of the error away, so that all of it is the
-        change over 1 - s, which is believed to a half.
+        A window of twice the reach leaves a known fraction s of the error, which is therefore the change over
+        1 - s; half of it is taken as its uncertainty.
         """
         model = self._complete
-        shares = SOLVERS[type(model.scene)](model.scene, model.plan).convergence.wider_shares
+        ratios = SOLVERS[type(model.scene)](model.scene, model.plan).convergence.wider_ratios
         pairs = [
             (here, wider)
             for here, wider in zip(complete.points, window.points, strict=False)
@@ -244,7 +244,7 @@ class _Study:
             by_window = 0.0
             if pairs:
                 here, wider = pairs[-1]
-                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - shares[figure])
+                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - ratios[figure])
             value = complete.limits[figure].value + by_window
             size = abs(value)
             if figure == "temperature_max_film" and beta > 0:

@@ -113,9 +113,9 @@ def _heated(prediction: Prediction) -> str:
         left["Hsu and Lee"] = thermal_reduction.hsu_lee(
             loading, ratio, groups.material, groups.load
         )
-    shares = ", ".join(f"{share:.2g} ({source})" for source, share in left.items())
+    fractions = ", ".join(f"{fraction:.2g} ({source})" for source, fraction in left.items())
     beyond = f", beyond {MOST_SLIDING:g} and taken as that" if sliding > MOST_SLIDING else ""
     return (
         f"Heating of the inlet (loading L = {loading:.2g}, slide-roll ratio {sliding:.2g}{beyond}) leaves of "
-        f"the film: {shares}."
+        f"the film: {fractions}."
     )

@@ -141,7 +141,7 @@ class Duty:
     bulk_excess : float
         How far the teeth are hotter than the sump [K].
     churning_share : float
-        Share of the heat in the sump that churning makes with that grade [-], 0 to 0.9.
+        Fraction of the heat in the sump that churning makes with that grade [-], 0 to 0.9.
     sump_limit : float
         Highest sump temperature allowed [K].
     pitch_line_velocity : float or None
@@ -236,14 +236,14 @@ def grade_row(duty: Duty, grade: int) -> GradeRow:
     oil = named_oil(f"{duty.base} VG {grade}")
     reference = named_oil(f"{duty.base} VG {duty.sump_grade}")
     thickness = float(reference.kinematic_viscosity(duty.sump_temperature))
-    rise, share = duty.sump_temperature - duty.ambient_temperature, duty.churning_share
+    rise, fraction = duty.sump_temperature - duty.ambient_temperature, duty.churning_share
 
     def heat(sump: float) -> float:
         ratio = float(oil.kinematic_viscosity(sump)) / thickness
-        return 1 - share + share * ratio**CHURNING_EXPONENT
+        return 1 - fraction + fraction * ratio**CHURNING_EXPONENT
 
     # Thinner with every degree, so that there is one balance; the teeth's share alone bounds it from below.
-    coldest = duty.ambient_temperature + (1 - share) * rise
+    coldest = duty.ambient_temperature + (1 - fraction) * rise
     sump = brentq(lambda sump: duty.ambient_temperature + rise * heat(sump) - sump, coldest, 499.0)
     bulk = sump + duty.bulk_excess
     film = duty.film.of(oil, bulk)

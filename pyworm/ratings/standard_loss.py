@@ -121,6 +121,6 @@ def _gear_pair(duty: GearPairDuty) -> StandardLoss | NoStandard:
     """By the loss factor and the coefficient of friction that the case gives."""
     if duty.friction is None:
         return NoStandard("[surfaces] with a coefficient of friction is missing")
-    share = duty.loss_factor * duty.friction
+    fraction = duty.loss_factor * duty.friction
     source = f"loss factor {duty.loss_factor:.3g} and the friction of [surfaces]"
-    return StandardLoss(duty.friction, 1 - share, duty.power * share, source)
+    return StandardLoss(duty.friction, 1 - fraction, duty.power * fraction, source)

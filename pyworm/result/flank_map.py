@@ -35,8 +35,8 @@ STEPS = 12
 CELL = 0.25e-3
 """Side of a cell of the map [m]."""
 
-LOADED_SHARE = 0.05
-"""Share of the cycle's largest pressure above which a place counts as in contact."""
+LOADED_FRACTION = 0.05
+"""Fraction of the cycle's largest pressure above which a place counts as in contact."""
 
 FAILURE = 0.2
 """Speed at which oil comes in, over the mean speed of the entrainment, below which the entrainment fails."""
@@ -66,7 +66,7 @@ def flank_map(result: Result) -> xr.Dataset | None:
     face, radius = _axes(layers)
     shape = len(radius), len(face)
     extremes = {name: np.full(shape, np.inf if name in _LEAST else -np.inf) for name in names}
-    loaded = LOADED_SHARE * max(float(layer["pressure"].max()) for layer in layers)
+    loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
     for before, after in _neighbours(solved, layers, [one.phase for one in result.unsound]):
         for part in np.linspace(0, 1, STEPS + 1):
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}
@@ -107,7 +107,7 @@ def _common_grid(solved: list[Solution]) -> tuple[Array, Array]:
         for one in solved:
             loaded = one.fields[axis].values[(one.fields["pressure"] > 0).any(other).values]
             pressure = one.fields["pressure"].max(other).sel({axis: loaded}).values
-            inside = loaded[pressure > LOADED_SHARE / 2 * pressure.max()]
+            inside = loaded[pressure > LOADED_FRACTION / 2 * pressure.max()]
             ends += [inside[0], inside[-1]]
         sides.append(np.linspace(min(ends), max(ends), count))
     return sides[0], sides[1]

@@ -66,7 +66,7 @@ class DriveCycle:
     lifts : tuple of tuple of float
         Phases and how far films lift the teeth there [m]; empty where they are not known.
     lifted : tuple of float or None
-        Largest share by which the films' lift moved the load of a phase solved, and that phase; None where
+        Largest fraction by which the films' lift moved the load of a phase solved, and that phase; None where
         loads were shared without.
     left_out : LeftOut
         What all these figures do not hold, at the worst of the phases.
@@ -181,9 +181,9 @@ def _lifted(cycle: xr.Dataset, good: list[Solution]) -> tuple[float, float]:
         np.interp(phases, cycle["load_phase"], cycle[name])
         for name in ("tooth_load", "dry_tooth_load")
     )
-    share = np.divide(*loads) - 1
-    most = int(np.argmax(np.abs(share)))
-    return float(share[most]), float(phases[most])
+    fraction = np.divide(*loads) - 1
+    most = int(np.argmax(np.abs(fraction)))
+    return float(fraction[most]), float(phases[most])
 
 
 def _extreme(

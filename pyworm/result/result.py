@@ -41,7 +41,7 @@ LARGEST = 2**31
 """Size beyond which arrays are not read [bytes]: some twenty times the largest scene of the solver."""
 
 _WORTH, _REPEATED = 1000, 0.1
-"""Least size of values that are compressed, and least share of them that repeat their neighbours."""
+"""Least size of values that are compressed, and least fraction of them that repeat their neighbours."""
 
 
 @dataclass(frozen=True)

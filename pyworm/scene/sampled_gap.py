@@ -13,15 +13,15 @@ from pyworm.scene.contact import Array
 SMALLEST = 5
 """Fewest samples along each side: a cubic spline and the second differences of the filling need them."""
 
-FIT_SHARE = 0.1
-"""Half side of the window in which the radii are fitted, as a share of the array's side."""
+FIT_FRACTION = 0.1
+"""Half side of the window in which the radii are fitted, as a fraction of the array's side."""
 
 OFF_CENTRE = 0.25
 """Distance of the least gap from the contact point beyond which a gap is refused, in half sides of the window
 in which the radii are fitted."""
 
 FLATTEST = 1e-3
-"""Curvature along the flatter direction is taken as at least this share of the other one, so that a
+"""Curvature along the flatter direction is taken as at least this fraction of the other one, so that a
 straight roller has radii too; they only set the scale of the contact."""
 
 
@@ -111,7 +111,7 @@ class SampledGap:
     def _half_window(self) -> tuple[float, float]:
         """Half sides of the window about the contact point in which curvatures are fitted [m]."""
         return tuple(
-            max(FIT_SHARE * np.ptp(axis), 2.5 * np.diff(axis).max()) for axis in (self.x, self.y)
+            max(FIT_FRACTION * np.ptp(axis), 2.5 * np.diff(axis).max()) for axis in (self.x, self.y)
         )
 
     @cached_property

@@ -66,13 +66,13 @@ class Convergence:
         The highest order to believe in by which each figure converges with the spacing.
     window_limits : mapping
         Error of each figure by a window over what doubling its reach (in gap) changes.
-    wider_shares : mapping
-        Share of that error that is left when its reach is doubled.
+    wider_ratios : mapping
+        Fraction of that error that is left when its reach is doubled.
     """
 
     orders: Mapping[str, float]
     window_limits: Mapping[str, float]
-    wider_shares: Mapping[str, float]
+    wider_ratios: Mapping[str, float]
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:

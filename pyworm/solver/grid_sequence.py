@@ -20,7 +20,7 @@ from pyworm.solver.estimates import estimates
 from pyworm.solver.level import Level
 from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.memory import NoMemoryError, shortage
-from pyworm.solver.newton import ALGEBRA_SHARE, NewtonStep, Settled, lead, settle
+from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, lead, settle
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
@@ -35,7 +35,7 @@ SOLVERS: dict[type, type[ContactSolver]] = {
 }
 """Solver of each kind of contact, by its scene."""
 
-DOMAIN_SHARE = 0.3
+DOMAIN_FRACTION = 0.3
 """Error of the films by the window beyond which the wider one is taken, as a fraction of the accuracy."""
 
 NO_WIDER_FILM = (
@@ -205,13 +205,13 @@ class GridSequence:
         errors = domain_errors(
             self._settled.reading, settled.reading, solver.convergence.window_limits, algebra
         )
-        left = solver.convergence.wider_shares
+        left = solver.convergence.wider_ratios
         wider_errors = {name: left[name] * error for name, error in errors.items()}
         may_refine = self._level.grid.finer().nodes <= plan.largest_grid
         too_large = plan.aim.worst(wider_errors, figures) > plan.accuracy
         if too_large and may_refine and self._refinements < MOST_RETRIES:
             return None  # to be compared on the next grid, which resolves the film better
-        if plan.aim.worst(errors, figures) > DOMAIN_SHARE * plan.accuracy:
+        if plan.aim.worst(errors, figures) > DOMAIN_FRACTION * plan.accuracy:
             errors = wider_errors
             self._level, self._settled, self._readings = wider, settled, [settled.reading]
         self._window_errors = errors
@@ -237,7 +237,7 @@ class GridSequence:
 
     def _settled_on(self, level: Level) -> Settled:
         plan = self._plan
-        return settle(level, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+        return settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
 
     def _estimates(self) -> dict[str, Estimate]:
         return estimates(

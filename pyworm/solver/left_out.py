@@ -59,7 +59,7 @@ class LeftOut:
     @property
     def words(self) -> str:
         """The effects as people read them: "not simulated: roughness up to 53 %"; empty without any."""
-        said = ", ".join(f"{name} {_up_to(share)}" for name, share in self.influence.items())
+        said = ", ".join(f"{name} {_up_to(fraction)}" for name, fraction in self.influence.items())
         return f"not simulated: {said}" if said else ""
 
     @property
@@ -109,7 +109,9 @@ def beyond(effects: Iterable[Judgement], accuracy: float) -> dict[str, float]:
         for effect in effects
         if not effect.on
     }
-    return _largest_first({name: share for name, share in largest.items() if share > accuracy})
+    return _largest_first(
+        {name: fraction for name, fraction in largest.items() if fraction > accuracy}
+    )
 
 
 def judged(
@@ -153,8 +155,8 @@ def worst(several: Sequence[LeftOut]) -> LeftOut:
         return LeftOut()
     influence: dict[str, float] = {}
     for one in several:
-        for name, share in one.influence.items():
-            influence[name] = max(share, influence.get(name, 0.0))
+        for name, fraction in one.influence.items():
+            influence[name] = max(fraction, influence.get(name, 0.0))
     at = max(
         several, key=lambda one: (BY_SEVERITY.index(one.lubrication), -(one.lambda_central or 0.0))
     )
@@ -190,5 +192,5 @@ def _largest_first(influence: Mapping[str, float]) -> dict[str, float]:
     return dict(sorted(influence.items(), key=lambda item: -item[1]))
 
 
-def _up_to(share: float) -> str:
-    return "by more than 99 %" if share > 0.99 else f"up to {share * 100:.2g} %"
+def _up_to(fraction: float) -> str:
+    return "by more than 99 %" if fraction > 0.99 else f"up to {fraction * 100:.2g} %"

@@ -76,9 +76,9 @@ def shortage(grid: Grid | LineGrid, model: Model) -> str | None:
     )
 
 
-def _largest(grid: Grid | LineGrid, share: float) -> tuple[int, ...]:
-    """Counts of a grid of the same window with a share of the nodes."""
-    by_side = share if len(grid.shape) == 1 else sqrt(share)
+def _largest(grid: Grid | LineGrid, fraction: float) -> tuple[int, ...]:
+    """Counts of a grid of the same window with a fraction of the nodes."""
+    by_side = fraction if len(grid.shape) == 1 else sqrt(fraction)
     return tuple(max(floor(count * by_side), 1) for count in grid.shape)
 
 

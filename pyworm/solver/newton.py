@@ -21,7 +21,7 @@ HOPELESS = 1e6
 evaluated for what its oil cannot bear."""
 
 
-ALGEBRA_SHARE = 0.1
+ALGEBRA_FRACTION = 0.1
 """Error of the figures by unfinished algebra that is left on a grid, as a fraction of the accuracy."""
 
 

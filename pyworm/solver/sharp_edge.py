@@ -7,7 +7,7 @@ At a sharp edge the elastic pressure grows without bound as the grid is refined 
 import numpy as np
 import xarray as xr
 
-SHARE = 0.3
+LEAST_RATIO = 0.3
 """Dry pressure beside an edge over the largest from which the contact rests on it."""
 
 CURE = (
@@ -37,4 +37,4 @@ def rests_on_edge(fields: xr.Dataset) -> bool:
         beside[tuple(before)] |= ends
         beside[tuple(after)] |= ends
     at_edge = pressure[beside & covered]
-    return bool(at_edge.size and at_edge.max() > SHARE * pressure.max())
+    return bool(at_edge.size and at_edge.max() > LEAST_RATIO * pressure.max())

@@ -151,10 +151,10 @@ class Cost:
 
     def after(self, other: "Cost") -> "Cost":
         """The cost of this solve and of one that led to it, in convolutions of this one's."""
-        share = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
+        ratio = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
         return Cost(
             self.seconds + other.seconds,
-            self.convolutions + share * other.convolutions,
+            self.convolutions + ratio * other.convolutions,
             self.unit_seconds,
         )
 

@@ -20,7 +20,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     plan : Plan
         What `pyworm.plan` made of it.
     progress : callable, optional
-        Told what is being done and which share of the work is done, 0 to 1.
+        Told what is being done and which fraction of the work is done, 0 to 1.
 
     Returns
     -------
@@ -52,9 +52,9 @@ def _rising(progress: Progress | None) -> Progress:
     """Progress that does not fall back where a solve begins again with more effects."""
     reached = 0.0
 
-    def tell(message: str, share: float) -> None:
+    def tell(message: str, fraction: float) -> None:
         nonlocal reached
-        reached = max(reached, share)
+        reached = max(reached, fraction)
         if progress is not None:
             progress(message, reached)
 

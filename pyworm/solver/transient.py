@@ -28,7 +28,7 @@ from pyworm.solver.contact import ContactSolver
 from pyworm.solver.error_estimate import Reading, grid_errors
 from pyworm.solver.level import Level
 from pyworm.solver.memory import shortage
-from pyworm.solver.newton import ALGEBRA_SHARE, lead, settle
+from pyworm.solver.newton import ALGEBRA_FRACTION, lead, settle
 
 TRANSITS = 1.5, 2.0, 2.7
 """Start of the integration at each refinement, before the present, in transit times of oil through the
@@ -155,7 +155,7 @@ def transient(
             rate = _integrated(scene, plan, solver_type, refinement)
             level = solver_type(scene, plan, rate).at_next_time((level,), 0.0)
             # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
-            settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_SHARE * plan.accuracy)
+            settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
             readings.append(settled.reading)
             errors = grid_errors(readings, solver.convergence.orders)
             left = plan.aim.worst(errors, settled.reading.figures)

@@ -219,8 +219,8 @@ class GearPairDrive(Drive):
     def _point(self, phase: float) -> Scene:
         """Surfaces turn about the common normal by the part of their speed along it.
 
-        What the height of the flank over the plane adds to their velocities is left out: its share is that
-        height over the radius of curvature.
+        What the height of the flank over the plane adds to their velocities is neglected: relative to
+        them it is that height over the radius of curvature.
         """
         contact = self.contacts(phase)
         helix = self.teeth.system.base_helix_angle

@@ -26,7 +26,7 @@ def inverse_involute(value: float) -> float:
 
 @dataclass(frozen=True)
 class ToothSystem:
-    """What both gears share: the basic rack's size and angles.
+    """Data common to both gears: the basic rack's size and angles.
 
     Attributes
     ----------

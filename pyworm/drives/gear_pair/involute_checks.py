@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from pyworm.drives.gear_pair.involute import InvolutePair
 
 CIRCLES_TOUCH = 1e-9
-"""Share of a module below which a circle that reaches beyond another one is rounding."""
+"""Fraction of a module below which a circle that reaches beyond another one is rounding."""
 
 TIGHT = 1e-3
 """Backlash in modules, negative, that is taken as the rounding of a table of profile shifts."""

@@ -98,8 +98,8 @@ class LoadSharing:
         inward = np.minimum(s - pair.start, pair.end - s)
         if double <= 0:
             return np.where(inward >= 0, 1.0, 0.0)
-        share = np.where(inward < double, 1 / 3 + inward / (3 * double), 1.0)
-        return np.where(inward >= 0, share, 0.0)
+        fraction = np.where(inward < double, 1 / 3 + inward / (3 * double), 1.0)
+        return np.where(inward >= 0, fraction, 0.0)
 
     @property
     def _stiffness(self) -> tuple[Callable[[Array], Array], Callable[[Array], Array]]:

@@ -18,7 +18,7 @@ PHASES = np.linspace(0.0, 1.0, 49)
 """Phases of either section at which the cycle is kept."""
 
 STATIONS = np.linspace(0.02, 0.98, 9)
-"""Shares of the contact line at which it is kept; the ends themselves touch with no length."""
+"""Fractions of the contact line at which it is kept; the ends themselves touch with no length."""
 
 SWEEP, ACROSS = 240, 5
 """Points along and across a section's flank in the picture of the drive."""
@@ -144,10 +144,10 @@ def _flanks(drive: "RollerWormDrive") -> dict[str, tuple]:
 def _lines_in_mesh(drive: "RollerWormDrive") -> dict[str, tuple]:
     """Contact lines of all rollers in mesh while the worm stands as in `_flanks`."""
     lines, names, forces = [], [], []
-    share = np.linspace(0, 1, ACROSS)[:, None]
+    fraction = np.linspace(0, 1, ACROSS)[:, None]
     for name in drive.sections:
         shared = drive.shared(name, 0.0)
-        contact = shared.section.line(shared.wheel_angles, share)
+        contact = shared.section.line(shared.wheel_angles, fraction)
         lines += list(np.moveaxis(contact.point, 0, -1).transpose(1, 0, 2))
         names += [list(drive.sections).index(name)] * len(shared.forces)
         forces += list(shared.forces)

@@ -198,7 +198,7 @@ class RollerWormDrive(Drive):
         return share(part, self.compliance, wheel_angle, torque, self.sharing)
 
     def state(self, section: str, phase: float, stations: Sequence[float]) -> LineState:
-        """A roller at a phase of its way through a section, at shares of its contact line from 0 to 1."""
+        """A roller at a phase of its way through a section, at fractions of its contact line from 0 to 1."""
         part = self.sections[section]
         angle = float(part.wheel_angle(phase))
         shared = self.shared(section, angle)
@@ -238,7 +238,7 @@ class RollerWormDrive(Drive):
         phase : float
             The roller's place on its way through the section, 0 to 1.
         station : float, optional
-            A share of the contact line, for the line contact there; without it the whole line with its ends.
+            Fraction of the contact line, for the line contact there; by default the whole line with its ends.
 
         Raises
         ------
@@ -254,7 +254,7 @@ class RollerWormDrive(Drive):
         return Passing(at, phase, self.wheel_speed / (part.last - part.first)).scene()
 
     def _station(self, section: str, phase: float, station: float) -> LineScene:
-        """The line contact at a share of a contact line."""
+        """The line contact at a fraction of a contact line."""
         state = self.state(section, phase, [station])
         load = float(state.load[0])
         if not load > 0:

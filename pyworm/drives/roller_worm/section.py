@@ -98,18 +98,18 @@ class WormSection:
         low, high = self.span(angles)
         return angles[high - low > 1e-9 * (self.highest - self.lowest)]
 
-    def line(self, wheel_angle: Array, share: Array) -> LineContact:
-        """Contacts at shares of the contact lines, 0 to 1 from the end nearer the wheel's axis.
+    def line(self, wheel_angle: Array, fraction: Array) -> LineContact:
+        """Contacts at fractions of the contact lines, 0 to 1 from the end nearer the wheel's axis.
 
         Parameters
         ----------
         wheel_angle : ndarray
             Angles of rollers [rad].
-        share : ndarray
-            Shares; broadcast against the angles.
+        fraction : ndarray
+            Fractions; broadcast against the angles.
         """
         low, high = self.span(wheel_angle)
-        return self.envelope.contact(low + share * (high - low), wheel_angle)
+        return self.envelope.contact(low + fraction * (high - low), wheel_angle)
 
     def check(self) -> None:
         """Refuse a section whose flank does not exist all over.
@@ -127,9 +127,9 @@ class WormSection:
             if bad.any():
                 where = np.abs(contact.wheel_angle[bad])
                 place = contact.place[bad][np.argmin(where)]
-                share = np.mean(bad)
+                fraction = np.mean(bad)
                 raise ValueError(
-                    f"worm: the {self.name} section's flank {what} by {share:.0%} of the bearing "
+                    f"worm: the {self.name} section's flank {what} by {fraction:.0%} of the bearing "
                     f"length, from {degrees(where.min()):.1f} to {degrees(where.max()):.1f} deg of wheel "
                     f"angle, first at {place * 1e3:.2f} mm from the rollers' middle; give the rollers other "
                     "tilt, height, radius or length, or the worm a larger throat or other angles"

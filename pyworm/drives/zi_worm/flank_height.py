@@ -50,7 +50,7 @@ SPREAD = 0.01
 
 ENDED = 1e-8
 """Accuracy of the flank's end: of the square of det T_ij over the contact point's, and of its place on the
-ray from there as a share of its length."""
+ray from there as a fraction of its length."""
 
 MOST_TRIES = 64
 """Places of a ray tried for the flank's end."""
@@ -235,7 +235,7 @@ class FlankHeight:
     def _settled(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
         """Height and q by Newton's method, and what is left to the flank's end: nan where no plane is.
 
-        What is left is the square of det T_ij over the contact point's, less that of EDGE, or the share of
+        What is left is the square of det T_ij over the contact point's, less that of EDGE, or the fraction of
         REACH where that is less.
         """
         for _ in range(MOST_STEPS):
@@ -287,7 +287,7 @@ class FlankHeight:
         return np.array([height, *q, left > 0])
 
     def _continued(self, x: Array, y: Array) -> Array:
-        """Rows: height on or beyond the flank, q on the flank and share of the ray that lies on it."""
+        """Rows: height on or beyond the flank, q on the flank and fraction of the ray that lies on it."""
         reach, q = self._end(x, y)
         height, slope, _ = self.expansion(q, reach * x, reach * y)
         dx, dy = (1 - reach) * x, (1 - reach) * y
@@ -297,7 +297,7 @@ class FlankHeight:
         return np.array([height + rise + curl / 2, *q, reach])
 
     def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
-        """Share of the ray to (x, y) that lies on the flank, and q there.
+        """Fraction of the ray to (x, y) that lies on the flank, and q there.
 
         What is left to the flank's end falls nearly linearly: the secant method finds it, with steps halved
         where no plane is found.
@@ -318,8 +318,8 @@ class FlankHeight:
     def _farther(self, rays: Array, x: Array, y: Array) -> Array:
         """Rays after one more try.
 
-        Rows: share of the ray on the flank, next step, what is left there; the last place where a plane was
-        found, and what was left; the same of the place before; q.
+        Rows: fraction of the ray on the flank, next step, residual there; the last place where a plane was
+        found, and its residual; the same of the place before; q.
         """
         reach, step, left, last, last_left, before, before_left, *q = rays
         goal = last - last_left * (last - before) / (last_left - before_left)

@@ -22,10 +22,10 @@ SPRING_PHASES = np.array([*_END, *np.arange(0.1, 0.95, 0.1), *(1 - _END[::-1])])
 """Phases at which dry contacts are solved: dense where an edge comes into the contact."""
 
 LOAD_SHARES = np.array([2e-3, 0.02, 0.1, 0.3, 0.6, 1.0])
-"""Loads at which they are, as shares of the whole."""
+"""Loads at which they are, as fractions of the whole."""
 
 CELLS = 96, 48
-"""Cells of their grid along and across the contact: leaves 0.5 % in a load, less in shares of it."""
+"""Cells of their grid along and across the contact: leaves 0.5 % in a load, less in fractions of it."""
 
 SEARCH_CELLS = 48, 24
 """The same of the first look for the least gap, on which their window is centred."""
@@ -174,8 +174,8 @@ def placed_gap(
     """A gap where a load [N] presses it, arguments as of `tooth_springs`; None where no teeth are."""
     size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
     sides = [
-        min(share * axis, longest)
-        for share, axis in zip(HALF_SIDES, (size.semi_axis_x, size.semi_axis_y), strict=True)
+        min(fraction * axis, longest)
+        for fraction, axis in zip(HALF_SIDES, (size.semi_axis_x, size.semi_axis_y), strict=True)
     ]
     x, y = _window((0.0, 0.0), sides, SEARCH_CELLS)
     height, covered = gap(*np.meshgrid(x, y, indexing="ij"))

@@ -15,13 +15,13 @@ from pyworm.drives.zi_worm.meshing import WheelFlank
 from pyworm.drives.zi_worm.tooth import WheelTooth, wheel_radius
 
 FIRST_STEP = 0.125
-"""Share of the way to the rim that is tried first."""
+"""Fraction of the way to the rim that is tried first."""
 
 FOUND = 1e-9
 """Distance from the place aimed at below which a point of the flank is found [m]."""
 
 ENDED = 1e-5
-"""Step, as a share of the way to the rim, below which the flank ends there."""
+"""Step, as a fraction of the way to the rim, below which the flank ends there."""
 
 MOST_STEPS, MOST_NEWTON = 64, 10
 

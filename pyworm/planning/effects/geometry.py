@@ -49,11 +49,11 @@ def _deflection(prediction: Prediction) -> float:
 def _by_deflection(prediction: Prediction) -> Influence:
     if prediction.carried_by_heat:
         return EVERYTHING
-    change = DEFLECTION_SHARE * _deflection(prediction)
+    change = DEFLECTION_FACTOR * _deflection(prediction)
     return Influence(change, change, change)
 
 
-DEFLECTION_SHARE = 2.0
+DEFLECTION_FACTOR = 2.0
 """Change of what is asked over the deflection by the film."""
 
 ELASTIC_DEFLECTION = Effect(
@@ -98,9 +98,11 @@ def _side_flow(prediction: Prediction) -> Influence:
     crossed = not prediction.carried_by_heat and prediction.half_width < prediction.half_length
     if _axis(prediction.scene) is None or at_rest or not crossed:
         return EVERYTHING
-    share = _slenderness(prediction)
+    slenderness = _slenderness(prediction)
     return Influence(
-        film=0.5 * share**2 + 6 * share**4, friction=0.12, temperature=0.01 + 0.13 * share
+        film=0.5 * slenderness**2 + 6 * slenderness**4,
+        friction=0.12,
+        temperature=0.01 + 0.13 * slenderness,
     )
 
 

@@ -147,7 +147,7 @@ PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03
 """Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and
 over the warmth that rolling makes (`benchmarks/accuracy/plans.py`)."""
 
-SHIFT_SHARE = 4.0
+SHIFT_FACTOR = 4.0
 """Change of the minimum film over that of the mean velocity inside the contact, likewise."""
 
 
@@ -159,7 +159,7 @@ def _across(prediction: Prediction) -> Influence:
     slip = prediction.sliding / prediction.speed
     # unequal viscosities at the walls shift the mean velocity of the oil by (u1 - u2)/12 a unit of ln eta; at
     # the contact's sides the film feels more of it
-    shift = SHIFT_SHARE * slip * prediction.wall_warmth / 12
+    shift = SHIFT_FACTOR * slip * prediction.wall_warmth / 12
     flow = prediction.oil.flow
     thinned = (
         unlike(prediction, unthinned(flow)).film if flow is not None and flow.stress > 0 else 0.0

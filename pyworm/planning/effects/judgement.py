@@ -129,8 +129,8 @@ def _needed(allowed: float) -> str:
     return f"more than {_percent(allowed)}"
 
 
-def _percent(share: float) -> str:
-    return f"{share * 100:.2g} %"
+def _percent(fraction: float) -> str:
+    return f"{fraction * 100:.2g} %"
 
 
 def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:

@@ -17,8 +17,8 @@ def _supply(prediction: Prediction) -> float:
 
 
 def _by_starvation(prediction: Prediction) -> Influence:
-    share = _supply(prediction)
-    change = 1 - share / (1 + share**STARVATION_POWER) ** (1 / STARVATION_POWER)
+    supply = _supply(prediction)
+    change = 1 - supply / (1 + supply**STARVATION_POWER) ** (1 / STARVATION_POWER)
     return Influence(change, change, change)
 
 

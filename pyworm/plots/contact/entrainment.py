@@ -64,8 +64,10 @@ def inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) ->
     length = np.hypot(np.diff(around_x), np.diff(around_y))
     inflow = np.maximum(inward, 0)
     flow = np.append(0, np.cumsum(length * (inflow[1:] + inflow[:-1]) / 2))
-    share = flow[-1] * (np.arange(LINES) + 0.5) / LINES
-    points = np.stack([np.interp(share, flow, around_x), np.interp(share, flow, around_y)], axis=1)
+    fraction = flow[-1] * (np.arange(LINES) + 0.5) / LINES
+    points = np.stack(
+        [np.interp(fraction, flow, around_x), np.interp(fraction, flow, around_y)], axis=1
+    )
     # A hair inside, since rounding would put some of them outside.
     centre = np.array([x[0] + x[-1], y[0] + y[-1]]) / 2
     return points + 1e-6 * (centre - points)

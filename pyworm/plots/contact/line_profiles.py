@@ -14,7 +14,7 @@ SHOWN = 0.01
 """Pressure, over the largest, down to which the inlet is shown."""
 
 MARGIN = 0.1
-"""What is shown beyond the contact and the pressure, as a share of their width."""
+"""What is shown beyond the contact and the pressure, as a fraction of their width."""
 
 
 def draw_line_profiles(case_name: str, solution: Solution) -> Figure:

@@ -15,7 +15,7 @@ from pyworm.solver.left_out import of_all
 from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
 
 ROOM = 0.22
-"""Room above the curves for a legend, as a share of their height."""
+"""Room above the curves for a legend, as a fraction of their height."""
 
 DIRECTIONS = {
     "pinion": "pinion drives, contact runs to the right",
@@ -24,7 +24,7 @@ DIRECTIONS = {
 """Driving member -> how the line of action is run through."""
 
 NEAR = 0.05
-"""Distance of two marks, as a share of the axis, below which the second one's name stands higher."""
+"""Distance of two marks, as a fraction of the axis, below which the second one's name stands higher."""
 
 STEEP_SLIDING = 5.0
 """Specific sliding beyond which a curve leaves the picture: near its base circle it has no bound."""
@@ -97,7 +97,7 @@ def _draw_film(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> Non
         film, specific = (cycle[f"closed_form_{name}"] for name in ("film_min", "specific_film"))
         roughness = float((film / specific)[0]) * MICRO
         right = axes.secondary_yaxis(
-            "right", functions=(lambda film: film / roughness, lambda share: share * roughness)
+            "right", functions=(lambda film: film / roughness, lambda ratio: ratio * roughness)
         )
         right.set_ylabel("specific film (film / roughness)")
 
@@ -127,10 +127,10 @@ def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution])
         if heated:
             flash = cycle["closed_form_flash_temperature"]
             bulk = float((cycle["closed_form_contact_temperature"] - flash)[0]) - ZERO_CELSIUS
-            shares = np.array([one.figures.friction_coefficient.value for one in heated]) / friction
+            ratios = np.array([one.figures.friction_coefficient.value for one in heated]) / friction
             rise = np.interp([one.phase for one in heated], cycle["phase"], flash)
             axes.plot(
-                rolls, bulk + shares * rise, "s", color="tab:red", fillstyle="none", markersize=9,
+                rolls, bulk + ratios * rise, "s", color="tab:red", fillstyle="none", markersize=9,
                 label=of_all(heated).headed("Blok, simulated friction"),
             )  # fmt: skip
     if heated:

@@ -54,8 +54,8 @@ def cycle_table(cycle: DriveCycle) -> Table:
         extreme("Least lambda", cycle.lambda_min, 1.0, "")
         extreme("  of the central film", cycle.lambda_central, 1.0, "")
     if cycle.lifted is not None:
-        share, phase = cycle.lifted
-        table.add_row("Load moved by films' lift", f"{share * 100:+.2g} %", f"{phase:g}")
+        fraction, phase = cycle.lifted
+        table.add_row("Load moved by films' lift", f"{fraction * 100:+.2g} %", f"{phase:g}")
     return table
 
 

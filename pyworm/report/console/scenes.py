@@ -301,7 +301,7 @@ def effects_table(effects: Sequence[Judgement], title: str) -> Table:
             effect.name,
             "on" if effect.on else "off",
             "" if effect.indicator is None else f"{effect.indicator:.2g}",
-            *(influence_share(effect.influence.get(quantity)) for quantity in quantities),
+            *(influence_percent(effect.influence.get(quantity)) for quantity in quantities),
             effect.reason,
         )
     return table
@@ -310,11 +310,11 @@ def effects_table(effects: Sequence[Judgement], title: str) -> Table:
 QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Temp."}
 
 
-def influence_share(share: float | None) -> str:
+def influence_percent(fraction: float | None) -> str:
     """Influence of leaving an effect out as text; empty where it is not known."""
-    if share is None:
+    if fraction is None:
         return ""
-    return ">99 %" if share > 0.99 else f"{share * 100:.2g} %"
+    return ">99 %" if fraction > 0.99 else f"{fraction * 100:.2g} %"
 
 
 def _title(scene: Scene | LineScene) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import assumptions
 from pyworm.planning.effects.judgement import Judgement
-from pyworm.report.console.scenes import influence_share
+from pyworm.report.console.scenes import influence_percent
 from pyworm.report.page.content import Items, Section, Table
 from pyworm.report.page.figures import place_of
 from pyworm.result.result import Result
@@ -30,7 +30,7 @@ def plan_section(result: Result) -> Section | None:
         "contact, judged by the solutions."
     )
     wanted = {plan["accuracy"] for plan in result.provenance.get("plans", ())}
-    asked = " and ".join(f"{share * 100:g} %" for share in sorted(wanted))
+    asked = " and ".join(f"{fraction * 100:g} %" for fraction in sorted(wanted))
     table = Table(("Effect", "", "Reason", "Influence"), tuple(rows), note=words)
     return Section(f"Effects simulated and left out (accuracy asked for: {asked})", (table,))
 
@@ -48,9 +48,9 @@ def _influence(effects: Sequence[Judgement]) -> str:
     """Largest influence on each quantity over the contacts."""
     largest: dict[str, float] = {}
     for effect in effects:
-        for quantity, share in effect.influence.items():
-            largest[quantity] = max(share, largest.get(quantity, 0.0))
-    return ", ".join(f"{name} {influence_share(share)}" for name, share in largest.items())
+        for quantity, fraction in effect.influence.items():
+            largest[quantity] = max(fraction, largest.get(quantity, 0.0))
+    return ", ".join(f"{name} {influence_percent(fraction)}" for name, fraction in largest.items())
 
 
 def assumptions_section(case: Case, result: Result) -> Section:

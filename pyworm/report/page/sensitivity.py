@@ -1,7 +1,7 @@
 """Sensitivity of film and pressure to oil grade, temperature and misalignment, by closed forms.
 
 Each variation changes the closed-form film of every solved contact; the simulated film is taken to change by
-the same share. Nothing is solved again.
+the same fraction. Nothing is solved again.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -90,7 +90,7 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
     head = ("", "Least film", "change", *(("lambda",) if roughness else ()), "Hertz pressure", "")
     words = (
         "By closed forms, not solved again: the film of Nijenbanning, Venner and Moes (point) or of Moes "
-        "(line contact) at each solved contact, the simulated film changed by the same share. One grade "
+        "(line contact) at each solved contact, the simulated film changed by the same fraction. One grade "
         f"is a factor of {GRADE_STEP:.2f} in viscosity at one temperature; temperatures are those of the "
         "oil at the inlet, by the case's own law of viscosity."
     )

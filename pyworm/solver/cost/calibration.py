@@ -65,10 +65,10 @@ class Pace:
             times += [max(small - few[0] * node, 0.0), node]
         return cls(*times)
 
-    def between(self, other: "Pace", share: float) -> "Pace":
-        """That at a share of the way to another, or beyond."""
+    def between(self, other: "Pace", fraction: float) -> "Pace":
+        """That at a fraction of the way to another, or beyond."""
         pairs = zip(astuple(self), astuple(other), strict=True)
-        return Pace(*(max(here + share * (there - here), 0.0) for here, there in pairs))
+        return Pace(*(max(here + fraction * (there - here), 0.0) for here, there in pairs))
 
     def steps(self, count: float, nodes: float) -> float:
         """Seconds of some steps."""

@@ -63,13 +63,13 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
     flow = density(pressure[peak]) / density(0.0) * film[peak]
 
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
-    share = (nodes + 1) / 2
-    far = x[inlet] / share
+    fraction = (nodes + 1) / 2
+    far = x[inlet] / fraction
     thickness = film[inlet] + (far**2 - x[inlet] ** 2) / (2 * scene.radius)
     thickness += _deflection(scene, far, grid, pressure)
     thickness -= _deflection(scene, x[[inlet]], grid, pressure)
     slope = 12 * viscosity.eta0 * abs(scene.entrainment) * (thickness - flow) / thickness**3
-    steps = weights / 2 * abs(x[inlet]) / share**2
+    steps = weights / 2 * abs(x[inlet]) / fraction**2
     reduced = max(float(slope @ steps), 0.0)
     # by parts: the integral of pressure is that of its slope times the distance from the inlet
     load = float((slope * abs(far - x[inlet])) @ steps)

@@ -43,7 +43,7 @@ ORDERS = dict.fromkeys(ALL, 2.0)
 CONVERGENCE = Convergence(
     ORDERS,
     window_limits=dict.fromkeys(ALL, 1.7) | dict.fromkeys(HEAT_FIGURES, 2.5),
-    wider_shares=dict.fromkeys(ALL, 0.35) | dict.fromkeys(HEAT_FIGURES, 0.6),
+    wider_ratios=dict.fromkeys(ALL, 0.35) | dict.fromkeys(HEAT_FIGURES, 0.6),
 )
 
 

@@ -155,7 +155,7 @@ def test_the_window_s_bar_of_a_contact_that_warms_little_holds():
     near, wide, whole = (read(grids) for grids in (plan.grids, plan.wider_grids, farthest))
     settled = dict.fromkeys(near.figures, 0.0)
     errors = domain_errors(near, wide, solver.convergence.window_limits, settled)
-    left = solver.convergence.wider_shares
+    left = solver.convergence.wider_ratios
     for name in HEAT_FIGURES:
         true = whole.figures[name]
         assert abs(near.figures[name] / true - 1) < errors[name]
