@@ -1,7 +1,7 @@
-"""How a contact is solved by nested iteration: what point and line contacts share.
+"""Base of the solvers of point and line contacts, by nested iteration.
 
-A solver of one kind of contact makes its films on grids of halving spacing, gives them shear and heat, and
-shows what the last of them holds. `pyworm.solver.grid_sequence` decides how far the grids go.
+A solver makes the films of one kind of contact on grids of halving spacing, adds shear and heat to them, and
+reads figures and fields from the last one. `pyworm.solver.grid_sequence` decides how far grids are refined.
 """
 
 from abc import ABC, abstractmethod
@@ -20,20 +20,20 @@ from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
 
 COARSE_TOLERANCE = 1e-4
-"""Residual at which a grid that only leads to a finer one is left, and a Newtonian film is sheared."""
+"""Residual at which a grid outside the figures is refined, and at which a Newtonian film is sheared."""
 
 FIRMEST = 16.0
-"""Stresses of the flow law, over its own, that are tried first where no step leads to these at once."""
+"""First factor of the stress continuation: stresses of the flow law over those of the oil."""
 
 SOFTENING, LEAST_SOFTENING = 2.0, 1.02
-"""Ratio of the stresses from one film to the next, its root taken where a film is lost, down to the least."""
+"""First and least ratio of successive stresses in the continuation; its root is taken if a film is lost."""
 
 HEATED_TOLERANCE = 1e-2
-"""Residual of a heated film, and change of its temperature, from which its stresses are softened."""
+"""Residual of a heated film, and change of its temperature, at which the stress continuation advances."""
 
 SENSELESS = 1.0
-"""Residual beyond which a film is no start for a finer grid: its gradients ask for more stress than oil with
-a limit bears, and the slip that its law allows then is without bound."""
+"""Residual beyond which a film is no initial guess for a finer grid: its pressure gradients need more stress
+than the limiting stress of the oil, so that its slip is unbounded."""
 
 
 class ContactSolver(ABC):
@@ -59,7 +59,7 @@ class ContactSolver(ABC):
     convergence : Convergence
         Orders and window errors of its figures.
     origins : dict
-        Value that figures count from, where their readings count from another.
+        Offset of each figure whose reading has another origin, such as the inlet temperature [K].
     """
 
     kind: ClassVar[str]
@@ -80,34 +80,34 @@ class ContactSolver(ABC):
 
     @abstractmethod
     def begin(self, grids: Sequence[Any]) -> tuple[Level, list[NewtonStep]]:
-        """Nested iteration over the plan's grids to the last of them, not yet settled there."""
+        """Solve the grids by nested iteration up to the last one, on which the film is not yet settled."""
 
     @abstractmethod
     def at_next_time(self, earlier: Sequence[Level], fraction: float) -> Level:
-        """The contact on the grid of its levels at earlier times, the latest first, extrapolated from these.
+        """Extrapolate the film from levels at earlier times on the same grid, the latest first.
 
         `fraction` is the time since the latest over that between it and the one before.
         """
 
     @abstractmethod
     def warm_started(self, level: Level) -> tuple[Level, list[NewtonStep]]:
-        """The grid of a level, from its film, on which the contact was solved with fewer effects."""
+        """Start the film from that of a level on the same grid, solved with fewer effects."""
 
     @abstractmethod
     def _guesses(self, level: Level) -> Iterator[InitialGuess]:
-        """Where the film on the grid of half the spacing may begin, the best guess first."""
+        """Initial guesses of the film on the grid of half the spacing, the best one first."""
 
     @abstractmethod
     def _continued(self, level: Level, guess: InitialGuess) -> Level:
-        """Half the spacing over the same window, with shear and heat, from a guess."""
+        """The level of half the spacing in the same window, with shear and heat, from an initial guess."""
 
     @abstractmethod
     def _begun_again(self, level: Level) -> tuple[Level, list[NewtonStep]]:
-        """Half the spacing over the same window, from the dry contact."""
+        """The level of half the spacing in the same window, started from the dry contact."""
 
     @abstractmethod
     def _warm(self, level: Level, rise: Array | None) -> None:
-        """Adds heat to a sheared film, from a rise above the inlet's [K]; it is to be started again."""
+        """Add heat to a sheared film, from a rise over the inlet temperature [K]; it must be restarted."""
 
     @abstractmethod
     def _mass_error(self, level: Level) -> float:
@@ -119,7 +119,7 @@ class ContactSolver(ABC):
         """Attributes of the fields: radii, load and modulus with their units."""
 
     def refined(self, level: Level) -> tuple[Level, list[NewtonStep]]:
-        """Half the spacing over the same window: from the present film, or again from the dry contact."""
+        """The level of half the spacing in the same window, from the present film or the dry contact."""
         for guess in self._guesses(level):
             finer = self._continued(level, guess)
             if finer.film.balance.residual <= SENSELESS:
@@ -127,7 +127,7 @@ class ContactSolver(ABC):
         return self._begun_again(level)
 
     def _add_shear_and_heat(self, level: Level) -> list[NewtonStep]:
-        """Shear, then heat, for the film of a Newtonian oil of one temperature."""
+        """Add shear, then heat, to the film of an isothermal Newtonian oil."""
         steps: list[NewtonStep] = []
         stresses = 1.0
         if self._model.levels:
@@ -148,10 +148,10 @@ class ContactSolver(ABC):
         return steps
 
     def _sheared(self, level: Level) -> tuple[list[NewtonStep], float]:
-        """Steps from a Newtonian film to that of the oil's law, and the stresses reached over the law's own.
+        """Newton steps from a Newtonian film to that of the flow law, and the final factor of its stresses.
 
-        Where stresses of the Newtonian film are so far beyond those of the law that steps do not lead there,
-        stresses many times as large are taken first (continuation).
+        Where the Newtonian film is too far from that of the law for Newton's iteration, the stresses of the
+        law are first multiplied by a factor, which falls to 1 (stress continuation).
         """
         newtonian = level.state()
         self._flow_by_law(level, 1.0, newtonian)
@@ -163,9 +163,9 @@ class ContactSolver(ABC):
         return [*steps, *softened], stresses
 
     def _softened(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
-        """Steps from a film under stresses many times the law's own towards these, and how far they lead.
+        """Newton steps of the stress continuation, and the factor of the stresses at its end.
 
-        The film left is the last that was found.
+        The level holds the last film that converged.
         """
         steps: list[NewtonStep] = []
         found, ratio = level.state(), SOFTENING
@@ -182,7 +182,7 @@ class ContactSolver(ABC):
         return steps, stresses
 
     def _flow_by_law(self, level: Level, stresses: float, guess: InitialGuess) -> None:
-        """A film under the oil's flow law, its stresses so many times as large, from a guess."""
+        """Solve a film under the flow law with its stresses multiplied by a factor, from an initial guess."""
         heated = level.film.heated
         self._shear(level, stresses)
         if heated:
@@ -190,12 +190,12 @@ class ContactSolver(ABC):
         level.film.start(guess.pressure, guess.rigid_film)
 
     def _shear(self, level: Level, stresses: float = 1.0) -> None:
-        """Flow by the oil's law under stresses so many times as large; the film is to be started again."""
+        """Set the flow law, its stresses multiplied by a factor; the film must be restarted."""
         law = (self._scene.oil.flow or NEWTONIAN).firmer(stresses)
         level.film.shear(law, self._model.levels, self._scene.sliding_at(*level.grid.mesh()))
 
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
-        """Shear and heat at once, for a film that starts from one that has them."""
+        """Set shear and heat together, for a film whose initial guess has both."""
         if self._model.levels:
             self._shear(level)
         if self._model.heated:
@@ -204,7 +204,7 @@ class ContactSolver(ABC):
             level.film.restart()
 
     def _to_own_entrainment(self, level: Level) -> list[NewtonStep]:
-        """Steps from an auxiliary entrainment to the contact's own, where it began with one."""
+        """Newton steps of the continuation that removes an auxiliary entrainment, where there is one."""
         return []
 
     def outcome(self, level: Level) -> Outcome:
@@ -227,7 +227,7 @@ class ContactSolver(ABC):
         )
 
     def _dry(self, level: Level) -> DryContact | None:
-        """The dry contact on the grid of a level; None where Hertz's in closed form is that."""
+        """The dry contact on the grid of a level; None where it is Hertz's in closed form."""
         return None
 
     def _dry_figures(self, level: Level, dry: DryContact) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""How far a figure may be from the truth: by its grid, by its window, by its unfinished algebra."""
+"""Numerical errors of figures: discretisation, window and algebra."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -10,14 +10,14 @@ from pyworm.planning.target import FIGURES, FILMS
 
 @dataclass(frozen=True)
 class Peak:
-    """How well a grid resolves the peaks of a field, of which the largest value is a figure.
+    """Resolution, on a grid, of the peaks of a field whose largest value is a figure.
 
     Attributes
     ----------
     bound : float
-        Largest value that the grid does not exclude, in the field's unit.
+        Upper bound of the largest value between nodes, in the field's unit.
     nodes : float
-        Width at half its height, in nodes, of the narrowest peak that may hold the largest value.
+        Full width at half maximum, in nodes, of the narrowest peak that may be the largest.
     """
 
     bound: float
@@ -35,9 +35,9 @@ class Reading:
     pressure_max : float
         Largest pressure, between nodes [Pa].
     film_min_at : tuple of float
-        Where the minimum film is, along each direction of the grid [m].
+        Place of the minimum film, along each direction of the grid [m].
     peaks : dict
-        How well the grid resolves the figures that are the largest values of fields, by name.
+        Resolution of the figures that are largest values of fields, by name.
     further : dict
         Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
         the inlet's [K].
@@ -58,16 +58,16 @@ class Reading:
 
 @dataclass(frozen=True)
 class Convergence:
-    """How the figures of a kind of contact come near the truth.
+    """Orders of convergence and window errors of the figures of a kind of contact.
 
     Attributes
     ----------
     orders : mapping
-        The highest order to believe in by which each figure converges with the spacing.
+        Highest credible order of convergence of each figure with the spacing.
     window_limits : mapping
-        Error of each figure by a window over what doubling its reach (in gap) changes.
+        Window error of each figure over its change when the reach of the window (in gap) doubles.
     wider_ratios : mapping
-        Fraction of that error that is left when its reach is doubled.
+        Fraction of the window error that remains when the reach doubles.
     """
 
     orders: Mapping[str, float]
@@ -76,36 +76,36 @@ class Convergence:
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
-    """Relative change of each figure from one reading to another, without its sign."""
+    """Absolute relative change of each figure from one reading to another."""
     return {name: abs(of) for name, of in _changes(before, after).items()}
 
 
 def _changes(before: Reading, after: Reading) -> dict[str, float]:
-    """Change of each figure from one reading to another over the size that it has then."""
+    """Change of each figure from one reading to another, relative to the latter."""
     last = before.figures
     return {name: _ratio(value - last[name], abs(value)) for name, value in after.figures.items()}
 
 
 def _ratio(change: float, size: float) -> float:
-    """A change over a size, which may be zero, as that of friction without sliding."""
+    """Ratio of a change to a size that may be zero, such as that of friction without sliding."""
     if change == 0:
         return 0.0
     return change / size if size > 0 else float(np.copysign(np.inf, change))
 
 
 STEEPEST_FALL = 8.0
-"""Fall of the changes beyond which the last is small by chance: twice that of the second order."""
+"""Ratio of successive changes beyond which the last is small by chance: twice that of the second order."""
 
 SAFETY = 1.25
-"""Error bar over what changes that fall regularly promise: what Roache recommends of three grids (Annu. Rev.
+"""Safety factor of the error by Richardson extrapolation, as recommended for three grids (Roache, Annu. Rev.
 Fluid Mech. 29, 1997, 123-160)."""
 
 
 def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
     """Relative error of each figure on the last of grids of halving spacing.
 
-    On two grids no fall of the changes is seen; then the larger change of both films is the error of all, or
-    their own change if that is larger, `SAFETY` times.
+    On two grids the order of convergence is unknown: the error of a figure is `SAFETY` times the largest of
+    its change and those of both films.
     """
     if len(readings) == 1:
         return dict.fromkeys(readings[0].figures, np.inf)
@@ -118,7 +118,7 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
 
 
 def _grid_error(before: float, last: float, steepest: float) -> float:
-    """Error that the last two changes of a figure leave, which fall by so much at most.
+    """Discretisation error of a figure from its last two changes, whose ratio is limited to `steepest`.
 
     The last change, `SAFETY` times, or a quarter of the one before if that is larger (a figure may stand
     still by chance). Where changes fall regularly it is divided by what their fall promises: at second order
@@ -132,11 +132,11 @@ def _grid_error(before: float, last: float, steepest: float) -> float:
 
 
 LEAST_PEAK = 4.0
-"""Nodes across a peak of pressure below which the grid does not resolve it (`docs/theory/film.md`)."""
+"""Width in nodes below which a grid does not resolve a peak of pressure (`docs/theory/film.md`)."""
 
 
 def unresolved(reading: Reading) -> str | None:
-    """Why nothing bounds the largest pressure on a grid; None where the grid resolves it.
+    """Reason why the error of the largest pressure is unbounded on a grid; None where the peak is resolved.
 
     The changes between grids do not show it: as long as a spike is lower than the middle of the contact, the
     largest pressure stands still while the spike grows.
@@ -146,13 +146,13 @@ def unresolved(reading: Reading) -> str | None:
 
 
 SPIKE = 8.0
-"""Nodes across the peak of the film's temperature up to which it is the tip of a spike: where the pressure
+"""Width in nodes up to which the peak of the film's temperature is the tip of a spike: where the pressure
 spikes, compression heats oil that flow has no time to cool, and the rise grows with the spike from grid to
 grid (by a quarter at 2.6 nodes, by a twentieth at 5.7)."""
 
 
 def hot_spike(reading: Reading) -> str | None:
-    """Why the film's largest temperature is that of a spike; None where it is a broad one's, or not known."""
+    """Reason why the film's largest temperature is that of a spike; None for a broad peak or without heat."""
     peak = reading.peaks.get("temperature_max_film")
     if peak is None or peak.nodes >= SPIKE:
         return None
@@ -160,7 +160,7 @@ def hot_spike(reading: Reading) -> str | None:
 
 
 def peak_errors(reading: Reading) -> dict[str, float]:
-    """Relative error of the largest values of fields by how narrow their peaks are on the grid."""
+    """Relative error of the largest values of fields by the resolution of their peaks."""
     errors = {}
     for name, peak in reading.peaks.items():
         value = reading.figures[name]
@@ -173,32 +173,31 @@ def peak_errors(reading: Reading) -> dict[str, float]:
 def domain_errors(
     this: Reading, wider: Reading, limits: Mapping[str, float], algebra: Mapping[str, float]
 ) -> dict[str, float]:
-    """Relative error of each figure by the end of its window, from a window of twice the reach.
+    """Relative window error of each figure, from a window of twice the reach.
 
     Parameters
     ----------
     this, wider : Reading
         Figures in both windows.
     limits : mapping
-        Error over the change seen (`Convergence.window_limits`).
+        Error over the change (`Convergence.window_limits`).
     algebra : mapping
-        Relative error of each figure in both windows together by their unfinished algebra, which may hide
-        a change as large.
+        Relative algebraic error of each figure in both windows together, which may hide a change as
+        large.
     """
     changes = change(wider, this)
     return {name: limits[name] * of + algebra[name] for name, of in changes.items()}
 
 
 FIRST_CHANGE = 0.5
-"""Change by a Newton step from which it belongs to no series yet, as where a film begins to warm."""
+"""Relative change by a Newton step above which it belongs to no geometric series, as when heating starts."""
 
 LEAST_FALL = 0.2
-"""Ratio of a Newton step's change to that of the step before below which it is not believed: changes of
-either sign may nearly cancel."""
+"""Least credible ratio of successive changes by Newton steps: changes of opposite sign may nearly cancel."""
 
 
 MOST_FALL = 0.8
-"""The same ratio beyond which no series is believed. Heat may settle as slowly as by four fifths a step."""
+"""Largest credible ratio of successive changes by Newton steps; heat converges by 0.8 a step at worst."""
 
 
 def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> dict[str, float]:

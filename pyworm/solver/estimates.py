@@ -1,4 +1,4 @@
-"""Figures of a film with their error bars, from its grids, windows and last Newton steps."""
+"""Figures of a film with their error bars, from grids, windows and the last Newton steps."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -30,7 +30,7 @@ def estimates(
     plan: Plan,
     transient_errors: Mapping[str, float],
 ) -> dict[str, Estimate]:
-    """Figures with their error bars, which are infinite where the equations are not met.
+    """Estimate figures with error bars, which are infinite where the equations are not met.
 
     Parameters
     ----------
@@ -41,13 +41,13 @@ def estimates(
     readings : sequence of Reading
         Figures on grids of halving spacing, this one last.
     window_errors : mapping
-        Relative error of each figure by the end of the window; empty where no wider one was solved.
+        Relative window error of each figure; empty where no wider window was solved.
     settled : Settled
         Figures and algebraic errors on the last grid.
     plan : Plan
         Accuracy and tolerance asked for.
     transient_errors : mapping
-        Relative error of each figure by the integration in time; empty of a steady contact.
+        Relative error of each figure by the integration in time; empty for a steady contact.
     """
     grid = grid_errors(readings or [settled.reading], solver.convergence.orders)
     grid |= {name: max(grid[name], of) for name, of in peak_errors(settled.reading).items()}

@@ -11,18 +11,17 @@ Array = np.ndarray
 
 SEARCHES = ((8, 2.0), (128, 0.125))
 """Searches about a low node, then about the lowest place of the search before: places to a cell, and cells to
-each side. What is left is 1e-4 of what nodes alone would leave; the places are the same whichever node is the
-lowest."""
+each side. The error is 1e-4 of that of the lowest node; places do not depend on which node is the lowest."""
 
 MARGIN = 6
-"""Nodes to each side that decide the surface there: one beyond, and three more by which that one is found
-where it has no value of its own."""
+"""Nodes to each side on which the surface depends: one beyond its cell, and three more from which that one is
+extrapolated where it has no value."""
 
 MOST_VALLEYS = 8
-"""Low nodes about which the surface is searched beside the lowest of all, the most promising ones."""
+"""Number of low nodes, beside the lowest, about which the surface is searched."""
 
 DIP = 0.25
-"""How far the surface may lie below a low node, over the second differences along x and y there together:
+"""Largest depth of the surface below a low node, over the sum of the second differences along x and y:
 along one of them a parabola reaches 1/8, this surface 0.15."""
 
 
@@ -38,7 +37,7 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     within : numpy.ndarray
         Nodes about which the minimum is searched; infinite without any.
     usable : numpy.ndarray
-        Nodes whose values belong to the field; the surface goes on from them to others.
+        Nodes whose values belong to the field; the surface is extrapolated from them to others.
     """
     if field.ndim == 1:
         return _line_minimum(field, within, usable)
@@ -98,7 +97,7 @@ def _bends(field: Array, i: Array, j: Array) -> Array:
 def _about(
     field: Array, within: Array, usable: Array, i: int, j: int
 ) -> tuple[float, tuple[float, float]]:
-    """Smallest value about a node, and where."""
+    """Smallest value about a node, and its place."""
     (rows, on_x), (columns, on_y) = (
         _around(node, count) for node, count in zip((i, j), field.shape, strict=True)
     )
@@ -120,7 +119,7 @@ def _about(
 
 
 def _around(node: int, count: int) -> tuple[Array, Array]:
-    """Nodes about one along x or y, and which of them are on the grid; the nearest of it for the others."""
+    """Nodes about one along x or y, clipped to the grid, and whether each is on the grid."""
     nodes = np.arange(node - MARGIN, node + MARGIN + 1)
     on_grid = np.clip(nodes, 0, count - 1)
     return on_grid, on_grid == nodes
@@ -144,9 +143,9 @@ def _weights(places: Array) -> Array:
 
 
 def _carried_on(values: Array) -> Array:
-    """Values carried on to nodes that have none (NaN), by parabolas along x and y, the mean of all.
+    """Extrapolate values to nodes that have none (NaN), by the mean of parabolas along x and y.
 
-    By lines and constants where fewer values are in line. At a side of the grid Keys does the same.
+    Lines and constants are used where fewer values are in line. At a side of the grid Keys does the same.
     """
     for _ in range(2):  # straight on, then round corners
         if not np.isnan(values).any():

@@ -47,7 +47,7 @@ def maximum(field: Array, covered: Array | bool = True) -> float:
 
 
 def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
-    """How well the nodes resolve the largest value of a field.
+    """Resolution of the largest value of a field by the nodes.
 
     Parameters
     ----------
@@ -70,9 +70,9 @@ def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
 
 
 def _above_neighbours(field: Array, axis: int) -> Array:
-    """How far nodes stand above both neighbours along an axis, together.
+    """Negative second difference along an axis.
 
-    Where one is missing (NaN): how far above the line through the next two on the other side.
+    Where a neighbour is missing (NaN): height above the line through the next two nodes on the other side.
     """
     ends = [(0, 0)] * field.ndim
     ends[axis] = (2, 2)
@@ -84,24 +84,25 @@ def _above_neighbours(field: Array, axis: int) -> Array:
 
 
 FINE_LEVELS = 201
-"""Places across the film at which a column is searched; a peak between two of them is at most 1e-4 higher."""
+"""Number of places at which a column across the film is searched; between two of them a peak is at most 1e-4
+higher."""
 
 
 ABOUT = 12
-"""Nodes to each side of the hottest whose columns are searched: all that decide the surface there."""
+"""Nodes to each side of the hottest one whose columns are searched: those on which the surface depends."""
 
 
 def maximum_across(field: Array, positions: Array, within: Array) -> float:
     """Largest value of a field at levels across the film, between nodes and between levels.
 
-    Across the film it is the polynomial through the levels that the kernel works with.
+    Across the film the field is the polynomial through the levels, as in the kernel.
 
     Parameters
     ----------
     field : numpy.ndarray
         Values, shape (nx, ny, levels), or (n, levels) of a line contact.
     positions : numpy.ndarray
-        Where the levels are, from -1/2 to 1/2.
+        Positions of the levels, from -1/2 to 1/2.
     within : numpy.ndarray
         Nodes that count.
     """
@@ -114,7 +115,7 @@ def maximum_across(field: Array, positions: Array, within: Array) -> float:
 
 
 def _lagrange(nodes: Array, places: Array) -> Array:
-    """Weights of the values at some nodes in the polynomial through them at some places.
+    """Lagrange weights of values at nodes in the polynomial through them, at other places.
 
     SciPy's interpolator draws the order of its nodes at random, and with it the last digits.
     """
@@ -131,7 +132,7 @@ contact."""
 
 
 def minimum_kind(at: tuple[float, float], angle: float, half_extents: tuple[float, float]) -> str:
-    """Which of a point contact's minima a place is: "side lobe", "exit" or "middle".
+    """Kind of a point contact's minimum by its place: "side lobe", "exit" or "middle".
 
     Parameters
     ----------
@@ -157,11 +158,11 @@ def _half_width(a: float, b: float, cosine: float, sine: float) -> float:
 
 
 ON_NODE = 1e-6
-"""Distance from a node, in spacings, that is none."""
+"""Distance from a node, in spacings, that counts as zero."""
 
 
 def value_at_origin(grid: Grid | LineGrid, field: Array) -> float:
-    """Value of a field at the contact point: the node there, else splines through the nodes nearest to it."""
+    """Value of a field at the contact point: of the node there, else of splines through the nearest nodes."""
     if isinstance(grid, LineGrid):
         return float(field[-grid.first])
     i, j = -grid.west / grid.dx, -grid.south / grid.dy
@@ -174,13 +175,13 @@ def value_at_origin(grid: Grid | LineGrid, field: Array) -> float:
 
 
 def _around(place: float, count: int) -> slice:
-    """Eight nodes around a place given in nodes, or those nearest to it at an end."""
+    """The eight nodes around a place given in nodes, or those nearest to it at an end."""
     first = min(max(round(place) - 4, 0), count - 8)
     return slice(first, first + 8)
 
 
 def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
-    """Smallest film [m] on the line through the contact point along the entrainment, and how far along.
+    """Smallest film [m] on the line through the contact point along the entrainment, and its place on it [m].
 
     Only the first minimum behind the contact point counts; the film grows without end beyond it.
     """
@@ -236,7 +237,7 @@ def _edge(outer: float, inner: float) -> float:
 def outline_imbalance(
     grid: Grid, flow: tuple[Array, Array], imbalance: Array, pressurised: Array
 ) -> float:
-    """Net over gross flow through the outline of the pressurised film; no number where nothing flows.
+    """Net over gross flow through the outline of the pressurised film; NaN where nothing flows.
 
     Parameters
     ----------

@@ -36,15 +36,15 @@ SOLVERS: dict[type, type[ContactSolver]] = {
 """Solver of each kind of contact, by its scene."""
 
 DOMAIN_FRACTION = 0.3
-"""Error of the films by the window beyond which the wider one is taken, as a fraction of the accuracy."""
+"""Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
 
 NO_WIDER_FILM = (
     "no film was found in the wider window, which shows the error by the end of this one"
 )
-"""The stop reason where nothing bounds that error."""
+"""Stop reason where the window error is unbounded."""
 
 MOST_RETRIES = 2
-"""Grids of the figures that may be too coarse for a thin film to show the error by the window."""
+"""Number of grids of the figures that may be too coarse to show the window error of a thin film."""
 
 
 def solve_on_grids(
@@ -87,7 +87,7 @@ def solve_on_grids(
 
 
 class GridSequence:
-    """The films of a contact on grids of halving spacing, as far as they have come.
+    """State of the grid sequence of a contact: its films on grids of halving spacing.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class GridSequence:
         self._unsettled = self._refinements = 0
 
     def begin(self, warm_start: Level | None) -> Level:
-        """The first grid of the figures, not yet settled there; of a contact that changes after its past."""
+        """Start on the first grid of the figures, for a transient contact after the integration in time."""
         scene, plan = self._scene, self._plan
         solver_type = SOLVERS[type(scene)]
         self._tell("first grids" if scene.past is None else "its past", 0.0)
@@ -124,7 +124,7 @@ class GridSequence:
         return self._level
 
     def settle(self) -> str | None:
-        """Settle the film on its grid and estimate the errors; why the sequence ends here, or None."""
+        """Settle the film on its grid and estimate the errors; returns the stop reason, or None."""
         plan = self._plan
         self._settled = self._settled_on(self._level)
         self._steps += self._settled.steps
@@ -143,7 +143,7 @@ class GridSequence:
         )
 
     def refine(self) -> str | None:
-        """Halve the spacing; why that is not possible, or None."""
+        """Halve the spacing; returns the reason if that is not possible, or None."""
         self._refinements += 1
         size = " x ".join(str(count) for count in self._level.grid.finer().shape)
         self._tell(size, 1 - 0.7 ** (self._refinements + 1))
@@ -155,7 +155,7 @@ class GridSequence:
         return None
 
     def solution(self, reason: str, seconds: float, work: float) -> Solution:
-        """The solution on the last grid, solved in so many seconds, of the clock and of the processor."""
+        """The solution on the last grid, solved in `seconds` of elapsed and `work` of processor time [s]."""
         scene, plan, level = self._scene, self._plan, self._level
         unit = convolution_seconds(level.film)
         outcome = self._solver.outcome(level)
@@ -188,9 +188,9 @@ class GridSequence:
         )
 
     def _compare_windows(self) -> str | None:
-        """Errors by the end of the window, from a wider one; why that cannot be solved, or None.
+        """Estimate the window errors from a wider window; returns the reason if that fails, or None.
 
-        Where they are large the sequence goes on in the wider window.
+        Where they are large the sequence continues in the wider window.
         """
         plan, solver = self._plan, self._solver
         self._tell("wider window", 1 - 0.7 ** (self._refinements + 1))
@@ -218,7 +218,7 @@ class GridSequence:
         return None
 
     def _in_wider_window(self) -> tuple[Level, Settled]:
-        """The figures on as fine a grid in the plan's wider window."""
+        """Solve the plan's wider window on a grid of the same spacing."""
         level, steps = self._solver.begin(self._plan.wider_grids)
         for _ in range(self._refinements):
             steps += lead(level, self._plan.tolerance)
@@ -255,7 +255,7 @@ class GridSequence:
 
 
 def _lack_of_memory(error: KernelError) -> str:
-    """The sentence of an error that is a lack of memory; any other is raised again."""
+    """The message of a lack of memory; any other error is raised again."""
     if error.status != NO_MEMORY:
         raise error
     return str(error)

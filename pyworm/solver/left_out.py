@@ -1,7 +1,7 @@
-"""What the figures of a contact do not hold: effects that were left out, and the regime of lubrication.
+"""Effects left out of the figures of a contact, and the regime of lubrication.
 
-Every table, page, picture and JSON object takes its words and numbers from here. Error bars are numerical:
-they hold nothing of this.
+Tables, pages, pictures and JSON objects take their words and numbers from here. Error bars are numerical and
+include none of these effects.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
 
 
 WHOLE = 1.0
-"""Influence that is as large as the figure itself; larger ones are no better known."""
+"""Influence as large as the figure itself, the largest that is shown."""
 
 LAMBDAS = ("lambda_central", "lambda_min")
 """Central and least film over composite roughness."""
 
 AS_IF_SMOOTH = "as if smooth"
-"""What friction, loss and efficiency are headed by where roughness carries load."""
+"""Qualifier of friction, loss and efficiency where roughness carries load."""
 
 
 @dataclass(frozen=True)
 class LeftOut:
-    """What the figures of a contact, or of several at their worst, do not hold.
+    """Effects left out of the figures of a contact, or of the worst of several, and its lubrication.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class LeftOut:
     lambda_central, lambda_min : float or None
         Central and least film over composite roughness [-]; None where film or roughness is not known.
     contacts : int
-        How many contacts it is the worst of.
+        Number of contacts of which this is the worst.
     """
 
     influence: dict[str, float] = field(default_factory=dict)
@@ -58,13 +58,15 @@ class LeftOut:
 
     @property
     def words(self) -> str:
-        """The effects as people read them: "not simulated: roughness up to 53 %"; empty without any."""
-        said = ", ".join(f"{name} {_up_to(fraction)}" for name, fraction in self.influence.items())
-        return f"not simulated: {said}" if said else ""
+        """The effects in words, such as "not simulated: roughness up to 53 %"; empty without any."""
+        effects = ", ".join(
+            f"{name} {_up_to(fraction)}" for name, fraction in self.influence.items()
+        )
+        return f"not simulated: {effects}" if effects else ""
 
     @property
     def note(self) -> str:
-        """The same for pictures and tables with error bars."""
+        """The effects in words, for pictures and tables with error bars."""
         return f"{self.words}; error bars are numerical" if self.words else ""
 
     @property
@@ -83,17 +85,17 @@ class LeftOut:
         return f"{name}, {AS_IF_SMOOTH}" if self.rough else name
 
     def titled(self, title: str) -> str:
-        """The title of a table with error bars, and below it what they do not hold."""
+        """The title of a table with error bars, and below it the effects left out."""
         return f"{title}\n{self.note}" if self.note else title
 
     @classmethod
     def read(cls, summary: Mapping[str, Any]) -> Self:
-        """What `summary` wrote."""
+        """Read from the object that `summary` made."""
         given = {name: summary[name] for name in LAMBDAS if name in summary}
         return cls(dict(summary["left_out"]), summary["lubrication"], **given)
 
     def summary(self) -> dict[str, Any]:
-        """All of it for programs; without a roughness no lambda."""
+        """Influences and lubrication as an object for JSON; without a roughness no lambda."""
         lambdas = {name: getattr(self, name) for name in LAMBDAS}
         return {
             "left_out": self.influence,
@@ -117,14 +119,14 @@ def beyond(effects: Iterable[Judgement], accuracy: float) -> dict[str, float]:
 def judged(
     effects: Iterable[Judgement], accuracy: float, films: Sequence[float], roughness: float | None
 ) -> LeftOut:
-    """What a contact leaves out.
+    """Judge the effects left out of a contact and its lubrication.
 
     Parameters
     ----------
     effects : iterable of Judgement
         Its effects.
     accuracy : float
-        Asked for [-].
+        Accuracy asked for [-].
     films : sequence of float
         Central and least film [m]; empty where they may not be trusted.
     roughness : float or None
@@ -136,14 +138,14 @@ def judged(
 
 
 def expected(scene: Contact, plan: "Plan") -> LeftOut:
-    """What a plan leaves out of a contact, by closed forms."""
+    """Effects that a plan leaves out of a contact, estimated by closed forms."""
     prediction = predicted(scene)
     films = prediction.film_central, prediction.film_min
     return judged(plan.effects, plan.accuracy, films, scene.composite_roughness)
 
 
 def of_all(solutions: Iterable["Solution"]) -> LeftOut:
-    """The worst of solved contacts: of those that converged, as long as there are any."""
+    """The worst of solved contacts; of those that converged if there are any."""
     solutions = list(solutions)
     good = [of for of in solutions if of.converged] or solutions
     return worst([of.left_out for of in good])
@@ -164,7 +166,7 @@ def worst(several: Sequence[LeftOut]) -> LeftOut:
 
 
 def headline(solutions: Sequence["Solution"]) -> str:
-    """The least film of solved contacts, its bar and what that does not hold; empty where it holds all."""
+    """The least film of solved contacts, its error bar and the effects left out; empty without any."""
     words = of_all(solutions).words
     films = [of.figures.film_min for of in solutions if of.converged]
     if not words or not films:
@@ -174,14 +176,14 @@ def headline(solutions: Sequence["Solution"]) -> str:
 
 
 def opening(solutions: Sequence["Solution"], rough_teeth: str) -> list[str]:
-    """What is said before any figure of solved contacts.
+    """Sentences shown before any figure of solved contacts.
 
     Parameters
     ----------
     solutions : sequence of Solution
         The contacts.
     rough_teeth : str
-        What a standard has for their friction, said where roughness carries load.
+        Sentence on their friction by a standard, shown where roughness carries load.
     """
     at_worst = of_all(solutions)
     lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.rough else ""]

@@ -1,4 +1,4 @@
-"""A film on one grid: what point and line contacts share."""
+"""Base of the levels of point and line contacts: a film on one grid."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -17,24 +17,24 @@ from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.newtonian_shear import newtonian_shear
 
 FLOOR = 1e-3
-"""Film over the expected central film below which mobility falls no further."""
+"""Film over the expected central film below which the mobility is constant."""
 
 TRACE = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure.
 
-A rupture line that starts too far out is found in a few Newton steps, one that starts too near moves by a
+A rupture line that starts too far out is found in a few Newton steps; one that starts too near moves by one
 cell a step."""
 
 CONTACT_PRESSURE = 0.01
-"""Pressure over the largest down to which friction and the film's temperature count as the contact's. Oil
-farther out is dragged along too, but its friction falls with the gap alone, so that its sum has no end but
-the bodies'. Where opposite surfaces turn it round, its temperature is that of a recirculation that ends with
-the window."""
+"""Pressure over the largest down to which friction and the film's temperature belong to the contact. Oil
+farther out is sheared too, but its friction falls with the gap alone, so that the sum depends on the size of
+the bodies. Where surfaces move in opposite directions its temperature is that of a recirculation that depends
+on the window."""
 
 LOST = 1e-2
-"""Residual or load error beyond which a grid's film is no start for a finer grid: Newton's iteration
-led nowhere on it, as happens where a grid is far too coarse for the film, and from there it leads nowhere
-on finer ones either."""
+"""Residual or load error beyond which a film is no initial guess for a finer grid: Newton's iteration
+diverged on it, as happens on a grid far too coarse for the film, and diverges from there on finer grids
+too."""
 
 
 class TransientTerm(Protocol):
@@ -46,7 +46,7 @@ class TransientTerm(Protocol):
 
 @dataclass(frozen=True)
 class InitialGuess:
-    """Where a film begins, or ended.
+    """State of a film: the initial guess of an iteration, or its end.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class InitialGuess:
     rigid_film : float
         Rigid film [m].
     rise : numpy.ndarray or None
-        Temperature above the inlet's at the levels of a heated film [K], the last index.
+        Temperature above the inlet's at the levels of a heated film [K], along the last axis.
     """
 
     pressure: Array
@@ -63,7 +63,7 @@ class InitialGuess:
     rise: Array | None = None
 
     def finer(self, window=np.s_[...]) -> "InitialGuess":
-        """The same on nodes of half the spacing within a window."""
+        """Interpolate to nodes of half the spacing within a window."""
         return InitialGuess(
             np.maximum(kernel.prolong(self.pressure[window]), 0.0),
             self.rigid_film,
@@ -71,7 +71,7 @@ class InitialGuess:
         )
 
     def onward(self, before: "InitialGuess", fraction: float) -> "InitialGuess":
-        """Linear extrapolation by a fraction of the way from the state before."""
+        """Extrapolate linearly, by a fraction of the way from the state before."""
         moved = self.pressure + fraction * np.where(
             self.pressure > 0, self.pressure - before.pressure, 0.0
         )
@@ -82,7 +82,7 @@ class InitialGuess:
         )
 
     def beyond(self, coarser: "InitialGuess") -> "InitialGuess":
-        """Richardson's extrapolation to half the spacing at second order, from twice the spacing's state."""
+        """Extrapolate to half the spacing at second order from the coarser state (Richardson)."""
         pressure = (
             self.pressure + np.where(self.pressure > 0, self.pressure - coarser.pressure, 0.0) / 4
         )
@@ -132,7 +132,7 @@ class Level(ABC):
         """Relative error of figures by the models of the bodies' conduction."""
 
     def read(self) -> Reading:
-        """The film's figures in its present state."""
+        """Read the film's figures in its present state."""
         film, pressure = self.film.thickness(), self.film.pressure
         film_min, at = figures.film_minimum(self.grid, film, pressure > 0, self.covered)
         pressure_max = figures.maximum(pressure, self.covered)
@@ -147,7 +147,7 @@ class Level(ABC):
         )
 
     def contact(self) -> Array:
-        """Nodes where pressure makes the contact, of which friction and the film's temperature are read."""
+        """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
         return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
 
     def state(self) -> InitialGuess:
@@ -156,7 +156,7 @@ class Level(ABC):
         return InitialGuess(film.pressure, film.rigid_film, film.rise() if film.heated else None)
 
     def lost(self) -> bool:
-        """Whether its film is no start for a finer grid."""
+        """Whether its film is no initial guess for a finer grid (`LOST`)."""
         balance = self.film.balance
         return not max(balance.residual, abs(balance.load_error)) <= LOST
 
@@ -193,7 +193,7 @@ class Level(ABC):
         }
 
     def _temperatures(self) -> tuple[dict[str, float], dict[str, Peak]]:
-        """Largest temperatures above the inlet's [K], and how well the grid resolves them."""
+        """Largest temperatures above the inlet's [K], and their resolution on the grid."""
         if not self.film.heated:
             return {}, {}
         rise, contact = self.film.rise(), self.contact()

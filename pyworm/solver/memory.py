@@ -1,6 +1,6 @@
-"""How much memory a grid takes, told before it is asked for.
+"""Memory of a film on a grid, estimated before it is allocated.
 
-Linux promises memory that there is none of, and ends the process that then uses it.
+Linux grants more memory than there is and kills the process that then uses it.
 """
 
 import os
@@ -17,17 +17,17 @@ NUMBER = 8
 """Bytes of a number."""
 
 FILM_ARRAYS = 51
-"""Arrays of the grid's size that a film takes, its dry contact at the end included."""
+"""Number of arrays of the grid's size that a film needs, with the dry contact at the end."""
 
 SHEAR_ARRAYS, SHEAR_ARRAYS_A_LEVEL = 20, 3
-"""What a flow law takes besides, and that for each level."""
+"""Further arrays of a flow law, and for each level."""
 
 HEAT_ARRAYS, HEAT_ARRAYS_A_LEVEL = 35, 4
-"""What heat takes besides, and that for each level. All were counted on 513 x 513 nodes with 0, 5, 7 and 11
-levels, and met those within 1 %; 1025 x 1025 without any took as many."""
+"""Further arrays of heat, and for each level. All counts were measured on 513 x 513 nodes with 0, 5, 7 and 11
+levels, within 1 %; 1025 x 1025 nodes without levels need as many."""
 
 MARGIN = 1.1
-"""What is reckoned with beyond that: the grid before is prolonged, and memory has holes."""
+"""Safety factor of the estimate, for the prolongation of the grid before and fragmentation."""
 
 _LIMITS = (
     (Path("/sys/fs/cgroup/memory.max"), Path("/sys/fs/cgroup/memory.current")),
@@ -36,11 +36,11 @@ _LIMITS = (
         Path("/sys/fs/cgroup/memory/memory.usage_in_bytes"),
     ),
 )
-"""Files of a limit on a container's memory and of what is used of it, by either version of Linux's groups."""
+"""Files of the limit and the use of a container's memory, in both versions of Linux's control groups."""
 
 
 class NoMemoryError(KernelError):
-    """A grid will not fit into memory; the message says which, and the largest that fits."""
+    """A grid does not fit into memory; the message names it and the largest that fits."""
 
     def __init__(self, message: str):
         RuntimeError.__init__(self, message)
@@ -58,13 +58,13 @@ def needed(nodes: int, model: Model) -> float:
 
 
 def available() -> float:
-    """Memory that this process may still take [bytes]; infinite where nothing tells."""
+    """Memory that this process may still allocate [bytes]; infinite where it is unknown."""
     known = [_machine(), *(_group(*files) for files in _LIMITS), _process()]
     return min((of for of in known if of is not None), default=float("inf"))
 
 
 def shortage(grid: Grid | LineGrid, model: Model) -> str | None:
-    """What to say of a grid that will not fit into memory; None if it does."""
+    """Message about a grid that does not fit into memory; None if it does."""
     wanted, free = needed(grid.nodes, model), available()
     if wanted <= free:
         return None
@@ -83,7 +83,7 @@ def _largest(grid: Grid | LineGrid, fraction: float) -> tuple[int, ...]:
 
 
 def _machine() -> float | None:
-    """What the machine has left."""
+    """Free memory of the machine [bytes]."""
     try:
         lines = Path("/proc/meminfo").read_text().splitlines()
     except OSError:
@@ -92,7 +92,7 @@ def _machine() -> float | None:
 
 
 def _group(limit: Path, used: Path) -> float | None:
-    """What a container has left."""
+    """Free memory of a container [bytes]."""
     try:
         return float(int(limit.read_text()) - int(used.read_text()))
     except (OSError, ValueError):  # no such limit
@@ -100,7 +100,7 @@ def _group(limit: Path, used: Path) -> float | None:
 
 
 def _process() -> float | None:
-    """What this process's address space may still grow by."""
+    """Free address space of this process [bytes]."""
     limit, _ = resource.getrlimit(resource.RLIMIT_AS)
     if limit == resource.RLIM_INFINITY:
         return None

@@ -10,19 +10,19 @@ from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Level
 
 MOST_STEPS = 30
-"""Newton steps on a grid before it is given up."""
+"""Largest number of Newton steps on a grid."""
 
 MOST_SLOW_STEPS, NEAR = 60, 6.0
-"""The same on a grid of the figures whose balance is within so many times the tolerance: oil that slips in
-places slows the last steps."""
+"""Largest number on a grid of the figures whose balance is within `NEAR` times the tolerance: local slip
+slows the last steps."""
 
 HOPELESS = 1e6
-"""Residual from which no step leads back: stresses and flows far beyond sense, as where a flow law is
-evaluated for what its oil cannot bear."""
+"""Residual from which Newton's iteration does not recover, as where a flow law is evaluated far beyond the
+stress that its oil bears."""
 
 
 ALGEBRA_FRACTION = 0.1
-"""Error of the figures by unfinished algebra that is left on a grid, as a fraction of the accuracy."""
+"""Algebraic error of the figures at which a grid is settled, as a fraction of the accuracy."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ class NewtonStep:
     points : tuple of int
         Grid points along each direction.
     residual, load_error : float
-        Balance reached.
+        Residual and load error after the step.
     krylov : int
         GMRES iterations.
     work : dict
-        What was done on the grid since the step before, or since the film was made
+        Operations and processor times since the step before, or since the film was made
         (`kernel.PointFilm.work`).
     """
 
@@ -51,7 +51,7 @@ class NewtonStep:
 
 @dataclass(frozen=True)
 class Settled:
-    """Where Newton's iteration on one grid ended.
+    """The end of Newton's iteration on one grid.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Settled:
     reading : Reading
         The figures at its end.
     algebra : dict
-        Relative error of each figure that further steps would mend.
+        Relative algebraic error of each figure, which further steps would reduce.
     """
 
     steps: tuple[NewtonStep, ...]
@@ -69,7 +69,7 @@ class Settled:
 
 
 def newton_step(level: Level) -> NewtonStep | None:
-    """One Newton step and a sweep of heat, or the sweep alone; None if neither helps."""
+    """Make one Newton step and a sweep of heat, or the sweep alone; None if both fail."""
     if not level.film.balance.residual <= HOPELESS:
         return None
     warming = level.film.balance.warming
@@ -89,9 +89,9 @@ def newton_step(level: Level) -> NewtonStep | None:
 
 
 def lead(level: Level, tolerance: float, warming: float | None = None) -> list[NewtonStep]:
-    """Newton steps on a grid that only leads to others, until its equations are met within a tolerance.
+    """Make Newton steps on a grid outside the figures until its equations are met within a tolerance.
 
-    Its temperatures may still change by another fraction, `warming`, of their largest rise.
+    Temperatures are met within `warming`, a fraction of their largest rise, where that is given.
     """
     steps: list[NewtonStep] = []
     while len(steps) < MOST_STEPS and not level.film.balance.within(tolerance, warming):
@@ -103,7 +103,7 @@ def lead(level: Level, tolerance: float, warming: float | None = None) -> list[N
 
 
 def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> Settled:
-    """Newton steps until the film's figures are settled, or no step helps any more.
+    """Make Newton steps until the film's figures are settled, or no step reduces the residual.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
     aim : Aim
         The figures.
     algebra_wanted : float
-        Relative error of them wanted; it takes at least two steps to see it.
+        Their relative algebraic error wanted; at least two steps are needed to estimate it.
     """
     steps: list[NewtonStep] = []
     reading = level.read()
@@ -136,5 +136,5 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
 
 
 def _most_steps(level: Level, tolerance: float) -> int:
-    """Newton steps before a grid of the figures is given up."""
+    """Largest number of Newton steps on a grid of the figures."""
     return MOST_SLOW_STEPS if level.film.balance.worst <= NEAR * tolerance else MOST_STEPS

@@ -11,7 +11,7 @@ from pyworm.scene.contact import Array
 def newtonian_shear(
     viscosity: Array, film: Array, sliding: Sequence[Array], slopes: Sequence[Array]
 ) -> Shear:
-    """Couette flow by the sliding [m/s] and Poiseuille flow by the pressure's slopes [Pa/m].
+    """Shear of Couette flow by the sliding [m/s] and Poiseuille flow by the pressure gradient [Pa/m].
 
     tau = eta us/h + z dp/dx, the heat eta us^2/h + h^3/(12 eta) |grad p|^2 (Hamrock 1994, chapter 7).
     """

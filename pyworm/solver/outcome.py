@@ -1,4 +1,4 @@
-"""What the last level of a contact shows: fields, the profile across the film, the balance of heat."""
+"""Fields, profile across the film and heat balance of the last level of a contact."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,16 +17,16 @@ from pyworm.solver.level import Level
 
 @dataclass(frozen=True)
 class Outcome:
-    """What the last level of a contact shows.
+    """Result of the last level of a contact.
 
     Attributes
     ----------
     figures : dict
-        The `solution.Figures` that have no error bars.
+        The figures of `solution.Figures` without error bars.
     fields : xarray.Dataset
         Fields over the grid.
     flaw : str or None
-        Why they are not to be trusted, whatever the film says.
+        Reason why the figures are not to be trusted although the film converged.
     profile : xarray.Dataset or None
         Temperature and velocity across the film at its hottest point, where heat is simulated.
     """
@@ -127,7 +127,7 @@ def profile(scene: Contact, level: Level) -> xr.Dataset:
 
 
 def heat_balance(level: Level) -> float:
-    """Heat taken up by both bodies and carried away by oil, less the work of friction, over that work."""
+    """Heat into both bodies and the oil, less the work of friction, over that work."""
     heat = level.film.heat_fields()
     friction = level.film.present_shear().friction.sum()
     if not friction > 0:  # of a film that was cooled down, where heat found none

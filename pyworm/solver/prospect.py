@@ -1,4 +1,4 @@
-"""Whether the largest grid allowed can still bring the accuracy, estimated before it is solved."""
+"""Whether the largest grid allowed can reach the accuracy, estimated before it is solved."""
 
 from collections.abc import Mapping, Sequence
 
@@ -16,16 +16,16 @@ def refusal(
     orders: Mapping[str, float],
     finer: Grid | LineGrid,
 ) -> str | None:
-    """Why a finer grid, the next one, is in vain; None if it, or those after it, may help.
+    """Reason not to solve the next grid; None if it, or those after it, may reach the accuracy.
 
     Parameters
     ----------
     plan : Plan
-        What is asked for.
+        Accuracy and figures asked for.
     readings : sequence of Reading
         Figures on grids of halving spacing so far.
     orders : mapping
-        The highest order to believe in by which each figure converges with the spacing.
+        Highest credible order of convergence of each figure with the spacing.
     finer : Grid or LineGrid
         The next grid.
     """
@@ -41,10 +41,10 @@ def refusal(
 
 
 def least_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
-    """Relative error of each figure that the next grid leaves at least (`accuracy.grid_errors`).
+    """Lower bound of the relative error of each figure on the next grid (`error_estimate.grid_errors`).
 
-    There the last change of now will be the one before, of which a quarter counts; and a film that is not
-    positive now will have changed by all that it is. No error bar is divided by more than its order promises.
+    There the present last change will be the one before, of which a quarter counts, and a film that is not
+    positive now will have changed by 100 %. No error falls faster than its order of convergence allows.
     """
     last = readings[-1]
     before = change(readings[-2], last) if len(readings) > 1 else dict.fromkeys(last.figures, 0.0)

@@ -1,20 +1,20 @@
-"""Whether a contact rests on an edge at which its surfaces end, which bounds no pressure.
+"""Whether a contact rests on a sharp edge of its surfaces, where the pressure is unbounded.
 
 At a sharp edge the elastic pressure grows without bound as the grid is refined (Johnson, Contact Mechanics,
-1985, section 2.4), and no film converges there; an edge that is eased carries none of it.
+1985, section 2.4), and no film converges there; a relieved edge has no such pressure.
 """
 
 import numpy as np
 import xarray as xr
 
 LEAST_RATIO = 0.3
-"""Dry pressure beside an edge over the largest from which the contact rests on it."""
+"""Least ratio of the dry pressure beside an edge to the largest for a contact that rests on it."""
 
 CURE = (
     "; the load rests on a sharp edge of the surfaces, where pressure has no bound: ease the edge, as tip "
     "relief of teeth does (tip_relief, tip_relief_length)"
 )
-"""What a stop reason adds then."""
+"""Advice that a stop reason adds then."""
 
 
 def rests_on_edge(fields: xr.Dataset) -> bool:

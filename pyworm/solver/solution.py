@@ -1,4 +1,4 @@
-"""What a solve leaves behind: fields, figures with error bars, and how they were come by."""
+"""The result of one solve: fields, figures with error bars, convergence history and cost."""
 
 from dataclasses import asdict, dataclass
 from typing import Literal
@@ -23,16 +23,16 @@ class Estimate:
     value : float
         The figure in SI units.
     grid : float
-        Error by the grid, from grids of halving spacing [-].
+        Discretisation error, from grids of halving spacing [-].
     domain : float
-        Error by the end of the window, from one of twice the reach [-].
+        Window error, from a window of twice the reach [-].
     algebra : float
-        Error by stopping the Newton iteration [-].
+        Algebraic error by stopping the Newton iteration [-].
     model : float
         Error of a temperature by the model of conduction in the bodies (`fortran/heat/conduction_model.f90`),
-        and of all figures of a film in motion by the integration in time (`pyworm.solver.transient`) [-].
+        and of all figures of a transient film by the integration in time (`pyworm.solver.transient`) [-].
     reason : str or None
-        Why this figure alone has an infinite error bar.
+        Reason why this figure alone has an infinite error bar.
     """
 
     value: float
@@ -44,7 +44,7 @@ class Estimate:
 
     @property
     def error(self) -> float:
-        """Relative error, all origins together [-]."""
+        """Relative error bar, the sum of all origins [-]."""
         return self.grid + self.domain + self.algebra + self.model
 
 
@@ -77,7 +77,7 @@ class Figures:
     film_min, film_central, pressure_max : Estimate
         Minimum film [m] (sub-grid), film at the contact point [m] and largest pressure [Pa].
     film_min_at : tuple of float
-        Where the minimum film is, along each direction of the grid [m]: (x, y), or (x,) of a line contact.
+        Place of the minimum film along each direction of the grid [m]: (x, y), or (x,) of a line contact.
     moes_m, moes_l : float
         Moes' load and lubricant parameters along the entrainment.
     load_error, mass_error : float
@@ -85,23 +85,23 @@ class Figures:
     residual : float
         Summed Reynolds residual over the summed wedge flow, at the end.
     film_min_kind : str
-        Which minimum that is: "side lobe", "exit" or "middle"; of a line contact always "exit".
+        Kind of that minimum: "side lobe", "exit" or "middle"; of a line contact always "exit".
     film_exit_min, film_exit_min_at : float or None
-        Minimum film on the entrainment line through the contact point [m] and how far along it [m]; None for
+        Minimum film on the entrainment line through the contact point [m] and its place on it [m]; None for
         a line contact, where it is the minimum film.
     lift : float or None
-        How much farther apart the film holds the bodies than they would be without oil, rigid separation
-        against rigid separation under the same load [m]; None for a line contact, which has no approach.
+        Increase of the rigid separation of the bodies by the film under the same load [m]; None for a line
+        contact, which has no approach.
     dry : DryFigures or None
-        The dry contact; None for a line contact, whose is Hertz's in closed form.
+        The dry contact; None for a line contact, where it is Hertz's in closed form.
     friction_coefficient, power_loss, shear_rate_max : Estimate or None
         Friction over load along the sliding [-], work of the friction [W] (of a line contact for each length
-        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not looked at.
+        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not computed.
     temperature_max_body_1, temperature_max_body_2, temperature_max_film : Estimate or None
         Largest temperature of each surface and inside the film [K], the error relative to the rise over the
         inlet temperature; None where heat was not simulated.
     heat_balance : float or None
-        Heat given to the bodies and carried away by the oil, less the work of the friction, over that work.
+        Relative imbalance: heat into the bodies and the oil, less the work of friction, over that work.
     """
 
     film_min: Estimate
@@ -127,22 +127,22 @@ class Figures:
     heat_balance: float | None = None
 
     def values(self) -> dict[str, float]:
-        """The values of the figures that have error bars, by name, without those that were not simulated."""
+        """Values of the simulated figures that have error bars, by name."""
         return {name: of.value for name, of in vars(self).items() if isinstance(of, Estimate)}
 
 
 @dataclass(frozen=True)
 class Cost:
-    """What the solve took.
+    """Cost of a solve.
 
     Attributes
     ----------
     seconds : float
         Elapsed time of the film solve, all grids [s].
     convolutions : float
-        Processor time of the same, in padded FFT convolutions on the finest grid.
+        Processor time of the film solve, in padded FFT convolutions on the finest grid.
     unit_seconds : float
-        Processor time of one of them [s].
+        Processor time of one such convolution [s].
     """
 
     seconds: float
@@ -150,7 +150,7 @@ class Cost:
     unit_seconds: float = 0.0
 
     def after(self, other: "Cost") -> "Cost":
-        """The cost of this solve and of one that led to it, in convolutions of this one's."""
+        """The sum of this cost and that of a preceding solve, in convolutions of this one."""
         ratio = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
         return Cost(
             self.seconds + other.seconds,
@@ -176,14 +176,14 @@ class Solution:
     converged : bool
         Whether the figures may be trusted within their error bars.
     stop_reason : str
-        Why the solver stopped.
+        Reason why the solver stopped.
     figures : Figures
         Scalars.
     regime : Regime
         The regime of lubrication by the chart.
     fields : xarray.Dataset
         Fields over (y, x) in SI with units: gap, covered, dry_pressure, pressure, film,
-        entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was looked at also
+        entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
         shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
         flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
         temperature_middle. Those of a line contact are over x, and have no dry_pressure and nothing along y.
@@ -205,9 +205,9 @@ class Solution:
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
         None where heat was not simulated.
     effects : tuple of Judgement
-        Every effect, judged by what the solution says.
+        Every effect, judged by the solved figures.
     accuracy : float
-        Relative error asked for [-]; 0 where that is not known, so that all that was left out counts.
+        Relative error asked for [-]; 0 where it is not known, so that every effect left out counts.
     """
 
     name: str
@@ -232,18 +232,17 @@ class Solution:
 
     @property
     def left_out(self) -> LeftOut:
-        """What its figures do not hold; no lubrication is told by a film that did not converge."""
+        """Effects left out of the figures; the lubrication of a film that did not converge is unknown."""
         figures = self.figures
         films = (figures.film_central.value, figures.film_min.value) if self.converged else ()
         return judged(self.effects, self.accuracy, films, self.composite_roughness)
 
     def summary(self) -> dict:
-        """The scalars of this solution as one object, units in the keys; what they do not hold comes first.
+        """The scalars of this solution as one object, units in the keys, effects left out first.
 
         Places and grids are lists with an entry for each direction, [x, y] or [x]; temperatures are objects
-        with an entry for each body and the film. What a line contact does not have (its own minimum at the
-        exit, a dry contact other than Hertz's), what was not simulated and what is not known of the surfaces
-        has no key.
+        with an entry for each body and the film. Values that are not simulated, not known or not defined for
+        the kind of contact have no key.
         """
         figures = self.figures
         return {
@@ -276,7 +275,7 @@ class Solution:
         }
 
     def _surface_summary(self) -> dict[str, float]:
-        """What the film is to the surfaces' heights, with the error bar of the film."""
+        """Ratios of the film to the composite roughness, with the error bar of the film."""
         if self.composite_roughness is None:
             return {}
         known = {"composite_roughness_m": self.composite_roughness}
@@ -338,7 +337,7 @@ class Solution:
 
 
 LOAD_KEYS = {"point": "load_N", "line": "load_per_length_N_m"}
-"""Kind of contact -> what its load is called in summaries."""
+"""Kind of contact -> key of its load in summaries."""
 
 POWER_UNITS = {"point": "W", "line": "per_length_W_m"}
 """Kind of contact -> unit of its power in the keys of summaries."""

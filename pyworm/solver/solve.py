@@ -1,4 +1,4 @@
-"""From a scene and its plan to a solution: up the grids until the figures are as accurate as asked."""
+"""Solve a scene by its plan, on finer grids until the figures are as accurate as asked."""
 
 from dataclasses import replace
 
@@ -18,22 +18,22 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     scene : Scene or LineScene
         The contact.
     plan : Plan
-        What `pyworm.plan` made of it.
+        Its plan, by `pyworm.plan`.
     progress : callable, optional
-        Told what is being done and which fraction of the work is done, 0 to 1.
+        Called with what is being done and the fraction of the work that is done, 0 to 1.
 
     Returns
     -------
     Solution
         Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
-        asked for. Effects that the plan left out and the solution calls for have been added, unless the
-        effects were asked for.
+        asked for. Effects that the plan left out and the solved figures require are added, unless the
+        effects were given.
 
     Raises
     ------
     KernelError
-        If the scene makes no sense to the kernel (values that are not finite) or memory does not suffice for
-        the first grids (`memory.NoMemoryError`); for finer ones it ends the sequence.
+        If values of the scene are not finite or memory does not suffice for the first grids
+        (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
     tell = _rising(progress)
     warm_start, spent = None, Cost(0.0, 0.0)
@@ -49,7 +49,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
 
 
 def _rising(progress: Progress | None) -> Progress:
-    """Progress that does not fall back where a solve begins again with more effects."""
+    """Progress that never decreases, even where a solve starts again with more effects."""
     reached = 0.0
 
     def tell(message: str, fraction: float) -> None:

@@ -1,4 +1,4 @@
-"""When a sequence of grids ends, and why."""
+"""Criteria by which a grid sequence stops, and their reasons."""
 
 from collections.abc import Mapping
 
@@ -10,13 +10,13 @@ from pyworm.solver.newton import HOPELESS, Settled
 from pyworm.solver.solution import Estimate
 
 ACCURATE = "the figures are as accurate as asked for"
-"""The stop reason of a converged solution, or how it begins."""
+"""Stop reason of a converged solution, or its beginning."""
 
 TELLING = 1e-2
-"""Residual beyond which the figures of a grid give no error, unless the tolerance is larger."""
+"""Residual beyond which the figures of a grid have no error estimate, unless the tolerance is larger."""
 
 MOST_UNSETTLED = 2
-"""Grids of the figures that may stay short of the tolerance: one too coarse for its film is no failure."""
+"""Number of grids of the figures that may miss the tolerance: one too coarse for its film is no failure."""
 
 
 def is_converged(reason: str) -> bool:
@@ -36,7 +36,7 @@ def stop_reason(
     unsettled: int,
     plan: Plan,
 ) -> str | None:
-    """Why the sequence ends on a level, or None if a finer grid follows.
+    """Reason why the sequence ends on a level, or None if a finer grid follows.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def stop_reason(
     estimates : mapping
         The figures with their error bars.
     unsettled : int
-        Number of grids so far that stayed short of the tolerance.
+        Number of grids so far that missed the tolerance.
     plan : Plan
         Accuracy, tolerance and largest grid.
     """
@@ -76,7 +76,7 @@ def stop_reason(
 
 
 def _not_met(level: Level, plan: Plan) -> str:
-    """Which of the equations are not met."""
+    """Names the equations that are not met."""
     if level.film.unsolved():
         return f"the shear stress was not found in {level.film.unsolved()} places of the film"
     worst = level.film.balance.worst

@@ -14,8 +14,8 @@ TIMED_CONVOLUTIONS = 10
 def convolution_seconds(film: PointFilm | LineFilm) -> float:
     """Processor time of one convolution on a film's grid, the unit of cost [s].
 
-    Elapsed time would count what else the machine does. It stands in where that clock only ticks in
-    milliseconds, as under a limit on processor time (`ulimit -t`, batch systems).
+    Elapsed time would include other load of the machine. It is used where the processor's clock has a
+    resolution of milliseconds only, as under a limit on processor time (`ulimit -t`, batch systems).
     """
     return _median_convolution(film, process_time) or _median_convolution(film, perf_counter)
 

@@ -1,10 +1,10 @@
 """The transient term of a contact that changes while oil passes through it.
 
-The Reynolds equation has d(rho h)/dt. Oil under pressure now entered the contact some time ago, when load,
-curvature and edges were others, and its film is that of then: the equation is integrated in time, from as far
-back as oil stays in the contact. The result is the rate of change at present, which the films on all grids of
-the figures then take. Integrating from farther back, on grids of half the spacing and in shorter time steps,
-shows the error of that rate.
+The Reynolds equation has d(rho h)/dt. Oil under pressure at present entered the contact some time ago, under
+other load, curvature and edges, and its film is that of its entry. The equation is therefore integrated in
+time, over the transit time of the oil. The result is the rate of change at present, which the films on all
+grids of the figures take. Integrating from farther back, on grids of half the spacing and in shorter time
+steps, gives the error of that rate.
 """
 
 from collections.abc import Callable, Sequence
@@ -35,28 +35,29 @@ TRANSITS = 1.5, 2.0, 2.7
 middle of the contact."""
 
 LEAST = 4
-"""Least number of time steps in a shorter past."""
+"""Least number of time steps where the past is shorter."""
 
 FRACTION = 0.5
-"""Error of the figures by the integration in time that needs no finer one, as a fraction of the accuracy."""
+"""Error of the figures by the integration in time at which it is not refined, as a fraction of the
+accuracy."""
 
 SHORTENING = 1.5
-"""Power by which steps shorten towards the present: oil that came late is all over the contact, and what came
-early has nearly left it."""
+"""Power by which time steps shorten towards the present: oil that entered late is everywhere in the contact,
+oil that entered early has nearly left it."""
 
 ORDER = 3
-"""Order of rates of change. Of second order, notches that an edge leaves in the film and that travel with the
-oil took four times as many steps."""
+"""Order of the rates of change. At second order, notches that an edge leaves in the film and that travel with
+the oil need four times as many time steps."""
 
 TOLERANCE, WARMING = 1e-3, 5e-3
-"""Residual to which films are solved on the way, and last change of their temperatures over the largest rise,
-both over the shortest step of time in transits: what is left unsolved counts as change."""
+"""Residual of the films at earlier times, and last change of their temperatures over the largest rise, both
+over the shortest time step in transits, since their errors count as rates of change."""
 
 LOST = 1e-2
-"""Residual from which the film of a step is none."""
+"""Residual above which the film of a time step is lost."""
 
 OUTGROWN = 1.6
-"""Size of a contact, over the present one's, that the present one's grids do not hold."""
+"""Size of a contact, over the present one's, above which it needs wider grids."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class TimeLevel:
     seconds, angle : float
         Time before the present [s], and angle of its x axis [rad], as of `past.Earlier`.
     held : callable
-        rho h [m] at places; beyond its grid as at the edge.
+        rho h [m] at places; constant beyond its grid.
     """
 
     seconds: float
@@ -87,9 +88,9 @@ class RateOfChange:
     Attributes
     ----------
     implicit : float
-        Weight of the film's present rho h [1/s].
+        Weight of rho h at present [1/s].
     films : tuple
-        Weights [1/s] of its rho h at other times, and these.
+        Weights [1/s] and rho h at earlier times.
     angle : float
         Angle of its x axis [rad], as of `past.Earlier`.
     """
@@ -112,13 +113,13 @@ class Transient:
     Attributes
     ----------
     rate : RateOfChange or None
-        d(rho h)/dt at present; None where a film on the way was not found.
+        d(rho h)/dt at present; None where a film at an earlier time was not found.
     level : Level
         The film with that rate, on the plan's first grid of the figures.
     errors : dict
         Relative error of its figures by the grids, the time steps and the start of the integration.
     flaw : str or None
-        Why the rate is not to be trusted.
+        Reason why the rate is not to be trusted.
     """
 
     rate: RateOfChange | None
@@ -175,7 +176,7 @@ def _integrated(
     solver_type: Callable[..., ContactSolver],
     refinement: int,
 ) -> RateOfChange:
-    """Rate of change at present by an integration from farther back the finer it is; else LostError."""
+    """Integrate to the present at one refinement; raises LostError where a film is not found."""
     moments, shortest = _moments(scene, refinement)
     nest = _nest(moments, plan, refinement)
     short = shortage(nest[-1], plan.model)
@@ -199,7 +200,7 @@ def _integrated(
 
 
 def _moments(scene: Scene | LineScene, refinement: int) -> tuple[list[Earlier], float]:
-    """The contact at the times of the integration, the present first, and the shortest step in transits."""
+    """The contact at the time levels, the present first, and the shortest time step in transits."""
     transit = predicted(scene).transit
     whole = TRANSITS[refinement] * transit
     span = min(whole, scene.past.seconds)
@@ -217,7 +218,7 @@ def _levelat(
     levels: Sequence[Level],
     shortest: float,
 ) -> Level:
-    """The film of a moment, from those of the times before it, the latest first; the first one is steady."""
+    """The film at one time, from those at earlier times, the latest first; the first one is steady."""
     solver = solver_type(moment.contact, plan, _backwards(moment, films))
     tolerances = TOLERANCE * shortest, WARMING * shortest
     if levels:
@@ -240,7 +241,7 @@ def _failed(moment: Earlier) -> str:
 
 
 def _backwards(moment: Earlier, films: Sequence[TimeLevel]) -> RateOfChange | None:
-    """d(rho h)/dt of a moment by its own film and those before it; None of the first, which is steady."""
+    """d(rho h)/dt at one time by its film and earlier ones; None of the first, which is steady."""
     if not films:
         return None
     before = films[:ORDER]
@@ -249,7 +250,7 @@ def _backwards(moment: Earlier, films: Sequence[TimeLevel]) -> RateOfChange | No
 
 
 def _onward(films: Sequence[TimeLevel], moment: Earlier) -> float:
-    """Time from the last film to a moment over that between the last two; 0 where there is but one."""
+    """Time step over the one before; 0 where there is only one earlier film."""
     if len(films) == 1:
         return 0.0
     latest, before = films[0].seconds, films[1].seconds
@@ -276,9 +277,9 @@ def _size(contact: Prediction) -> float:
 
 
 def _rate(times: Sequence[float]) -> list[float]:
-    """Weights [1/s] of values at times before the present, the latest first, in the rate of change at that.
+    """Weights [1/s] of values at times before the present, the latest first, in the rate of change there.
 
-    That of a parabola, or of a line through two.
+    The rate is that of the interpolating polynomial.
     """
     latest, *before = times
     weights = []
@@ -294,7 +295,7 @@ def _time_level(moment: Earlier, level: Level) -> TimeLevel:
 
 
 def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:
-    """A field between nodes; beyond the grid as at its edge."""
+    """Interpolate a field between nodes; beyond the grid it is constant."""
     if isinstance(grid, LineGrid):
         spline = CubicSpline(grid.x, field)
         return lambda x: spline(np.clip(x, grid.x[0], grid.x[-1]))
@@ -303,7 +304,7 @@ def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:
 
 
 def _places(grid: Grid | LineGrid, turn: float = 0.0) -> tuple[Array, ...]:
-    """Nodes of a grid in axes out of which its own are turned by an angle [rad]."""
+    """Nodes of a grid in axes from which its own are rotated by an angle [rad]."""
     if isinstance(grid, LineGrid):
         return (grid.x,)
     x, y = grid.mesh()

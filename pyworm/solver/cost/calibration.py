@@ -1,7 +1,7 @@
-"""What a Newton step takes on this machine: measured once, in a few seconds, and kept.
+"""Processor time of Newton steps on this machine, measured once in a few seconds and cached.
 
 Two small contacts, a point and a line, are solved with and without rheology and heat; the time of a step is
-told as a part that every step has and one for each node, for each of the models. Times are of the processor.
+split into a constant and a part proportional to the nodes, for each model.
 """
 
 import json
@@ -28,10 +28,10 @@ from pyworm.solver.newton import settle
 from pyworm.solver.timing import convolution_seconds
 
 FORMAT = 2
-"""Of the file that calibrations are kept in."""
+"""Format of the file in which calibrations are cached."""
 
 LEVELS = (5, 9)
-"""Levels across the film at which steps are timed; those of others lie on a straight line."""
+"""Levels across the film at which steps are timed; others are interpolated linearly."""
 
 CALIBRATION_HALVINGS = {"point": 2, "line": 4}
 """Halvings from the first grid to the finest timed."""
@@ -41,14 +41,14 @@ CALIBRATION_ACCURACY = 0.01
 
 @dataclass(frozen=True)
 class Pace:
-    """Processor times of a model.
+    """Processor times of one model.
 
     Attributes
     ----------
     step, step_node : float
-        Of a Newton step, and of it for each node besides [s].
+        Constant part of a Newton step and its part for each node [s].
     grid, grid_node : float
-        Of entering a grid, likewise [s].
+        Constant part of setting up a grid and its part for each node [s].
     """
 
     step: float
@@ -58,7 +58,7 @@ class Pace:
 
     @classmethod
     def by(cls, few: tuple[float, float, float], many: tuple[float, float, float]) -> "Pace":
-        """By nodes, seconds of entering and seconds of a step, on two grids."""
+        """The times from nodes, seconds of set-up and seconds of a step on two grids."""
         times = []
         for small, large in ((few[2], many[2]), (few[1], many[1])):
             node = max((large - small) / (many[0] - few[0]), 0.0)
@@ -66,22 +66,22 @@ class Pace:
         return cls(*times)
 
     def between(self, other: "Pace", fraction: float) -> "Pace":
-        """That at a fraction of the way to another, or beyond."""
+        """Interpolate linearly between these times and others, or extrapolate, to a fraction of the way."""
         pairs = zip(astuple(self), astuple(other), strict=True)
         return Pace(*(max(here + fraction * (there - here), 0.0) for here, there in pairs))
 
     def steps(self, count: float, nodes: float) -> float:
-        """Seconds of some steps."""
+        """Processor time of a number of steps [s]."""
         return count * (self.step + nodes * self.step_node)
 
     def entry(self, nodes: float) -> float:
-        """Seconds of entering a grid."""
+        """Processor time of setting up a grid [s]."""
         return self.grid + nodes * self.grid_node
 
 
 @dataclass(frozen=True)
 class Calibration:
-    """Paces of a machine.
+    """Processor times of Newton steps on a machine.
 
     Attributes
     ----------
@@ -99,7 +99,7 @@ class Calibration:
     convolutions: dict[Kind, tuple[tuple[float, float], tuple[float, float]]]
 
     def seconds(self, work: Work, model: Model) -> float:
-        """Processor time expected of some work, the sampling of its scene apart [s]."""
+        """Expected processor time of the work, without the sampling of the scene [s]."""
         cold = self.cold[work.kind]
         full = self._full(work.kind, model)
         return sum(
@@ -116,14 +116,14 @@ class Calibration:
         return low.between(high, (model.levels - LEVELS[0]) / (LEVELS[1] - LEVELS[0]))
 
     def convolution(self, kind: Kind, nodes: float) -> float:
-        """Processor time of one convolution [s], by a power law through the two measured."""
+        """Processor time of one convolution [s], by a power law through two measured times."""
         (first, low), (second, high) = self.convolutions[kind]
         power = np.log(high / low) / np.log(second / first)
         return float(low * (nodes / first) ** power)
 
 
 def calibration() -> Calibration:
-    """That of the machine: measured with this kernel if it was not yet, and kept in the user's cache."""
+    """The calibration of this machine and kernel build: from the user's cache, else measured."""
     path = _cache() / f"pace-{_key()}.json"
     try:
         return _read(json.loads(path.read_text()))
@@ -143,7 +143,7 @@ def _cache() -> Path:
 
 
 def _key() -> str:
-    """What a calibration holds for: machine, kernel build, threads."""
+    """Key of a calibration in the cache: machine, kernel build and threads."""
     from pyworm.kernel.core import EXTENSION
 
     told = (
@@ -158,7 +158,7 @@ def _key() -> str:
 
 
 def _processor() -> str:
-    """The processor's name where the system tells it."""
+    """The processor's name, where the system gives it."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:
@@ -178,7 +178,7 @@ def _read(kept: dict) -> Calibration:
 
 
 def calibrate() -> Calibration:
-    """Measure this machine."""
+    """Measure the calibration of this machine."""
     cold, sheared, heated, convolutions = {}, {}, {}, {}
     for kind, scene in (("point", _point()), ("line", _line())):
         _timed(
@@ -191,7 +191,7 @@ def calibrate() -> Calibration:
 
 
 def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
-    """Pace of a model's steps, by two grids; nodes and seconds of a convolution on these."""
+    """Processor times of a model from two grids, and nodes and seconds of a convolution on each."""
     planned = plan(scene, CALIBRATION_ACCURACY, words)
     planned = replace(planned, model=replace(planned.model, levels=levels))
     simple = simplified(scene, planned.on)
@@ -210,7 +210,7 @@ def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
 
 
 def settled(level, planned: Plan) -> int:
-    """Steps in which a level settled."""
+    """Number of steps until a level settles."""
     taken = settle(level, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
     return max(len(taken.steps), 1)
 

@@ -1,4 +1,4 @@
-"""What a plan is expected to take on this machine."""
+"""Expected processor time of a plan on this machine."""
 
 from dataclasses import dataclass
 from time import process_time
@@ -14,23 +14,23 @@ SAMPLES = 64
 """Points along each direction on which the sampling of a gap is timed."""
 
 OUTCOME = {"point": 30.0, "line": 0.0}
-"""What follows the film in convolutions on the last grid: the dry contact and the fields, of a line next to
-nothing. 26 to 31 on contacts of M 20 to 1000, round and slender."""
+"""Cost of the dry contact and the fields, in convolutions on the last grid; negligible for lines. 26 to 31 on
+contacts of M 20 to 1000, round and slender."""
 
 FIELDS = 3
-"""Times that velocities are sampled for the fields of a solution."""
+"""Number of times that velocities are sampled for the fields of a solution."""
 
 
 @dataclass(frozen=True)
 class Expectation:
-    """What a solve is expected to take.
+    """Expected cost of a solve.
 
     Attributes
     ----------
     seconds : float
         Processor time [s].
     convolutions : float
-        The same in convolutions on the finest grid expected.
+        Processor time in convolutions on the expected finest grid.
     """
 
     seconds: float
@@ -38,9 +38,9 @@ class Expectation:
 
 
 def expectation(scene: Scene | LineScene, plan: Plan) -> Expectation:
-    """What solving a scene by a plan is expected to take on this machine.
+    """Estimate the cost of solving a scene by a plan on this machine.
 
-    The first call on a machine, or with another build of the kernel, measures its pace in some seconds.
+    The first call on a machine, or with another build of the kernel, measures a calibration in some seconds.
     """
     pace = calibration()
     unit = pace.convolution(plan.work.kind, plan.work.finest)
@@ -50,7 +50,7 @@ def expectation(scene: Scene | LineScene, plan: Plan) -> Expectation:
 
 
 def _sampling(scene: Scene | LineScene, plan: Plan) -> float:
-    """Processor time of finding gap and velocities on all grids, timed on a few nodes [s].
+    """Processor time of sampling gap and velocities on all grids, extrapolated from a few nodes [s].
 
     Velocities are sampled for the film, for its shear and for its heat, and once more on the last grid.
     """

@@ -19,20 +19,20 @@ from pyworm.solver.line.level import LineLevel, first_level, next_level
 from pyworm.solver.newton import NewtonStep, lead
 
 SUPPLIES = 2
-"""Times that the oil before the inlet is found from a film on the first grid.
+"""Number of times that the far field before the inlet is computed from a film on the first grid.
 
-After one its error hid what the window changes; a third changed nothing that is seen."""
+After one its error hid the window error; a third had no visible effect."""
 
 SPEED_FRACTIONS = tuple(1.5**-power for power in range(7, -1, -1))
-"""Fractions of the velocities, one after another, where Newton's iteration and heat do not settle at once.
+"""Successive fractions of the velocities where Newton's iteration with heat does not converge at once.
 
-Fast films need them: at 50 m/s heat takes two thirds of the film, and the cold one's pressure would heat it
-without bound. From grid to grid and from speed to speed temperature is carried over."""
+Fast films need them: at 50 m/s heat reduces the film by two thirds, and under the pressure of the isothermal
+film the temperature would diverge. Temperature is carried over from grid to grid and from speed to speed."""
 
 LIFTS = (1.0, 1.5, 2.25)
-"""Films to start from, over the expected one, one after another until Newton's iteration settles.
+"""Initial films over the expected one, tried in order until Newton's iteration converges.
 
-From the first it did not in 1 of 400 random scenes (M 0.01 to 3000, L 0 to 25); from the second it did."""
+The first fails in 1 of 400 random scenes (M 0.01 to 3000, L 0 to 25), in which the second converges."""
 
 
 # The scheme's order is 2. The smallest film lies behind the pressure spike, and as long as the grid does not
@@ -68,7 +68,7 @@ class LineContactSolver(ContactSolver):
         self._size = line_scales(scene)
 
     def begin(self, grids: Sequence[LineGrid]) -> tuple[LineLevel, list[NewtonStep]]:
-        """Nested iteration over the grids; the oil before the first one's inlet follows from a film on it."""
+        """Solve the grids by nested iteration; the far field follows from a film on the first."""
         grid, *finer = grids
         level, steps = self._first(grid)
         if self._model.levels and not level.film.balance.worst <= COARSE_TOLERANCE:
@@ -82,20 +82,20 @@ class LineContactSolver(ContactSolver):
         return level, steps
 
     def at_next_time(self, earlier: Sequence[LineLevel], fraction: float) -> LineLevel:
-        """The contact on the grid of its levels at earlier times, from the latest one's film."""
+        """Start from the latest of the films at earlier times, on the same grid."""
         return self._supplied(earlier[0])
 
     def warm_started(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
-        """The grid of a level, from its film."""
+        """Start the film from that of a level on the same grid."""
         again = self._newly_supplied(level)
         steps = self._add_shear_and_heat(again) + lead(again, COARSE_TOLERANCE)
         return self._supplied(again), steps
 
     def _first(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
-        """A film on the first grid, step by step: of a Newtonian oil of one temperature, sheared, heated.
+        """Solve the first grid in stages: isothermal Newtonian, sheared, heated.
 
-        In the film of a Newtonian oil stresses may be so far beyond what the oil bears that their heat is
-        without bound.
+        The stresses of a Newtonian film may be so far above the limiting stress that their heat diverges;
+        hence shear comes before heat.
         """
         for lift in LIFTS:
             height = lift * self._size.film
@@ -111,9 +111,9 @@ class LineContactSolver(ContactSolver):
         return level, steps
 
     def _sped_up(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
-        """The film at the contact's velocities from that at lower ones (continuation).
+        """Solve the film by continuation in the velocities, from `SPEED_FRACTIONS`.
 
-        After the slowest, oil is entrained ever faster while it is sheared and heated as at full speed.
+        After the slowest, the entrainment rises while shear and heat are those of the full speed.
         """
         slowest, *faster = (
             LineContactSolver(self._at(fraction), self._plan, self._transient_term)
@@ -133,12 +133,12 @@ class LineContactSolver(ContactSolver):
         return replace(self._scene, velocities=velocities)
 
     def _newly_supplied(self, level: LineLevel) -> LineLevel:
-        """The same grid and pressure without shear or heat, oil before its inlet as the film lets it come."""
+        """The same grid and pressure without shear or heat, with the far field of this film."""
         guess = level.state()
         return next_level(self._scene, self._size, level, level.grid, guess, self._transient_term)
 
     def _supplied(self, level: LineLevel) -> LineLevel:
-        """The contact on the grid of a level, from its film, shear and heat."""
+        """The level restarted from its film, shear and heat, with the far field of this film."""
         again = self._newly_supplied(level)
         self._shear_and_warm(again, level.state())
         return again

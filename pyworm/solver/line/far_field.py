@@ -6,8 +6,8 @@ largest) is an integral,
 
     p(x) = int 12 eta0 u (h - h*) / h^3 dx from afar to x.
 
-For h = x^2/2R it is 4 eta0 u (2R)^2 / |x|^3 to leading order. Barus' law is brought in exactly: the integral
-is [1 - exp(-alpha p)] / alpha.
+For h = x^2/2R it is 4 eta0 u (2R)^2 / |x|^3 to leading order. Under Barus' law the integral is exactly
+[1 - exp(-alpha p)] / alpha.
 """
 
 from dataclasses import dataclass
@@ -23,12 +23,12 @@ POINTS = 24
 """Points of Gauss and Legendre over the reciprocal distance, in which the integrands are smooth."""
 
 LARGEST_REDUCED = 0.9
-"""Largest alpha times integral that is believed: at 1 the pressure is infinite."""
+"""Upper bound of alpha times the integral: at 1 the pressure is infinite."""
 
 
 @dataclass(frozen=True)
 class LineFarField:
-    """What lies before the inlet end of a grid.
+    """Far field before the inlet end of a grid.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class LineFarField:
 
 
 def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Array) -> LineFarField:
-    """Pressure of the oil that comes to a grid's inlet end.
+    """Compute the far field before a grid's inlet end.
 
     Parameters
     ----------
@@ -82,6 +82,6 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
 
 
 def _deflection(scene: LineScene, at: Array, grid: LineGrid, pressure: Array) -> Array:
-    """Deflection [m], up to a constant, beyond a grid; strips of pressure are lines from there."""
+    """Deflection [m], up to a constant, beyond a grid, with the pressure of each cell as a line load."""
     distance = np.maximum(abs(at[:, None] - grid.x[None, :]), grid.dx / 2)
     return -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure

@@ -30,7 +30,7 @@ from pyworm.solver.point.level import (
 from pyworm.solver.solution import DryFigures
 
 AUXILIARY_TOLERANCE = 1e-2
-"""Residual at which some more of an auxiliary entrainment is removed."""
+"""Residual at which the continuation of auxiliary entrainment takes its next step."""
 
 ALL = (*FIGURES, *SHEAR_FIGURES, *HEAT_FIGURES)
 
@@ -61,7 +61,7 @@ class PointContactSolver(ContactSolver):
         self._size = scales(self._assisted)
 
     def begin(self, grids: Sequence[Grid]) -> tuple[PointLevel, list[NewtonStep]]:
-        """Nested iteration over the windows to the first grid of the figures."""
+        """Solve the windows by nested iteration to the first grid of the figures."""
         steps: list[NewtonStep] = []
         scene, size = self._scene, self._size
         level = first_level(self._assisted, scene, size, grids[0], self._transient_term)
@@ -73,7 +73,7 @@ class PointContactSolver(ContactSolver):
         return level, steps + self._add_shear_and_heat(level)
 
     def at_next_time(self, earlier: Sequence[PointLevel], fraction: float) -> PointLevel:
-        """The contact on the grid of its levels at earlier times, extrapolated from the last two."""
+        """Extrapolate the film from the last two of the levels at earlier times, on the same grid."""
         guess, *before = (level.state() for level in earlier[:2])
         if before:
             guess = guess.onward(*before, fraction)
@@ -83,7 +83,7 @@ class PointContactSolver(ContactSolver):
         return again
 
     def warm_started(self, level: PointLevel) -> tuple[PointLevel, list[NewtonStep]]:
-        """The grid of a level, from its film."""
+        """Start the film from that of a level on the same grid."""
         again = same_grid(self._assisted, self._size, level, self._transient_term)
         return again, self._add_shear_and_heat(again)
 

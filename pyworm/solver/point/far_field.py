@@ -1,12 +1,11 @@
-"""Pressure far from the contact, where the film is the undeformed gap and the oil has ambient viscosity.
+"""Pressure far from a point contact, where the film is the undeformed gap and the viscosity is ambient.
 
 For h = x^2/2Rx + y^2/2Ry and D = Rx/Ry the exact solution
 
     p = -4 eta (u x / (1 + 2D/3) + v y / (1 + 2/3D)) / h^2
 
 falls with the cube of the distance; whatever the contact itself adds falls with its sixth power (circular
-contact: r^k cos(m phi) with k = -3 - sqrt(9 + m^2)). On the sides of the outermost grid it stands for the oil
-beyond.
+contact: r^k cos(m phi) with k = -3 - sqrt(9 + m^2)). It is the boundary condition of the outermost grid.
 """
 
 from dataclasses import dataclass
@@ -20,7 +19,7 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class FarField:
-    """What lies beyond a grid.
+    """Far field beyond a grid.
 
     Attributes
     ----------
@@ -38,7 +37,7 @@ class FarField:
 
 
 def far_field(scene: Scene, grid: Grid, film: Array, covered: Array) -> FarField:
-    """Pressure of a rigid film on a grid's outline.
+    """Compute the far field of a rigid film beyond a grid.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """The film of a point contact on the grids of its nested iteration.
 
 Each grid has half the spacing of the one before and covers the same window or a smaller one. Pressure outside
-its window is that of the grid before: it bends the bodies, carries its share of the load and stands on the
-window's sides.
+its window is that of the grid before: it deflects the bodies, carries its share of the load and is the
+boundary condition on the outline.
 """
 
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ class PointLevel(Level):
     load : float
         Load that pressure on the grid carries [N].
     coarser : InitialGuess or None
-        Where the film on the grid before ended, if it covered the same window.
+        Final state of the film on the grid before, if it covered the same window.
 
     Notes
     -----
@@ -76,7 +76,7 @@ def first_level(
 ) -> PointLevel:
     """The outermost grid, started from the dry contact lifted by the expected film.
 
-    `far` is the scene that the oil beyond the grid belongs to.
+    `far` is the scene of the far field.
     """
     x, y = grid.mesh()
     gap, covered = scene.gap(x, y)
@@ -90,12 +90,12 @@ def first_level(
 
 
 def _with_trace(pressure: Array, covered: Array) -> Array:
-    """A dry pressure with some of it everywhere (`TRACE`)."""
+    """A dry pressure with a small pressure wherever both surfaces exist (`TRACE`)."""
     return pressure + np.where(covered, TRACE * pressure.max(), 0.0)
 
 
 def guess_on(level: PointLevel, grid: Grid) -> InitialGuess:
-    """Where the film on a grid of half the spacing, within the present one, begins."""
+    """Initial guess of the film on a grid of half the spacing within the present one."""
     here = level.state()
     if level.coarser is not None and _same_window(level, grid):
         return here.beyond(level.coarser.finer()).finer()
@@ -105,7 +105,7 @@ def guess_on(level: PointLevel, grid: Grid) -> InitialGuess:
 def next_level(
     scene: Scene, size: Scales, level: PointLevel, grid: Grid, guess: InitialGuess
 ) -> PointLevel:
-    """A grid of half the spacing within the present one, with the film of a guess but no heat as yet."""
+    """A grid of half the spacing within the present one, with the film of an initial guess, without heat."""
     window = level.grid.window_of(grid)
     far, load = level.far, level.load
     outside = level.film.pressure.copy(order="F")
@@ -124,9 +124,9 @@ def next_level(
 
 
 def restart(scene: Scene, size: Scales, level: PointLevel) -> None:
-    """Starts a film again from its own dry contact lifted by the expected film.
+    """Restart a film from its dry contact lifted by the expected film.
 
-    On the grid's outline, and beyond it, pressure stays what it was.
+    Pressure on the outline and beyond stays unchanged.
     """
     dry = dry_contact(
         scene,
