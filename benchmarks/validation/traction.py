@@ -15,8 +15,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import pyworm
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.kernel.core import KernelError
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 LOADS = {0.7: 14.18, 1.0: 41.33, 1.5: 139.5}
 """Load [N] for each Hertz pressure [GPa]."""

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
 
 from pyworm.case.oil import OilTable
-from pyworm.case.table import Table, Text
+from pyworm.case.table import Table, Text, by_dotted_key
 from pyworm.io import units
 from pyworm.io.number_with_unit import parse_any
 
@@ -41,15 +41,9 @@ Published = dict[str, Annotated[PublishedValue, BeforeValidator(_published)]]
 """`[published]`: free names; those that a result has too are shown beside it."""
 
 
-def _flat(reasons: Any, at: str = "") -> Any:
-    """Reasons of tables within tables, each by its dotted key."""
-    if not isinstance(reasons, dict):
-        return reasons
-    flat = {}
-    for key, reason in reasons.items():
-        name = f"{at}.{key}" if at else key
-        flat |= _flat(reason, name) if isinstance(reason, dict) else {name: reason}
-    return flat
+def _by_key(reasons: Any) -> Any:
+    """Reasons of tables within tables, each by its dotted key; what is no table is refused later."""
+    return by_dotted_key(reasons) if isinstance(reasons, dict) else reasons
 
 
 class FileTable(Table):
@@ -61,7 +55,7 @@ class FileTable(Table):
     title: Text
     source: Text
     published: Published = Field(default_factory=dict)
-    assumed: Annotated[dict[str, Text], BeforeValidator(_flat)] = Field(default_factory=dict)
+    assumed: Annotated[dict[str, Text], BeforeValidator(_by_key)] = Field(default_factory=dict)
 
     @model_validator(mode="after")
     def _only_what_is_given_is_assumed(self):

@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import GearRatingTable, RatedCase
 from pyworm.case.table import Count, Number, NumberOrZero, Phase, PositiveNumber, Table
-from pyworm.drives.gear_pair.design import TipRelief
+from pyworm.drives.gear_pair.design import LinearRelief
 from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.drives.gear_pair.film_formulas import Surfaces
 from pyworm.drives.gear_pair.involute import Gear, InvolutePair, ToothSystem
@@ -106,7 +106,7 @@ class GearPairCase(RatedCase):
             load_sharing=table.load_sharing,
             contact=table.contact,
             tip_relief=tuple(
-                TipRelief(gear.tip_relief, gear.tip_relief_length)
+                LinearRelief(gear.tip_relief, gear.tip_relief_length)
                 for gear in (table.pinion, table.gear)
             ),
             lead_crowning=table.lead_crowning,

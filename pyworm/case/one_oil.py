@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from math import exp, log
 
 from pyworm.case.oil import OilTable
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.materials.library import named_oil
 
 ONE_GRADE = 1.5
@@ -60,6 +61,6 @@ def _check_thickness(oil: OilTable, named: Mapping[str, str]) -> None:
         ratio = exp(abs(log(oil.viscosity.eta0 / expected)))
         if ratio > ONE_GRADE:
             raise ValueError(
-                f'{key} = "{name}" has {expected:.3g} Pa s at {kelvin - 273.15:.0f} degC, but '
+                f'{key} = "{name}" has {expected:.3g} Pa s at {kelvin - ZERO_CELSIUS:.0f} degC, but '
                 f"oil.viscosity.eta0 is {oil.viscosity.eta0:.3g} Pa s: one sump holds one oil"
             )

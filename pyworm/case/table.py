@@ -1,6 +1,6 @@
-"""Base of all tables of a case file, and types of plain numbers."""
+"""Base of all tables of a case file, types of plain numbers and dotted keys."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -19,3 +19,12 @@ class Table(BaseModel):
     """A table of a case file: unknown keys are refused, values are frozen."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def by_dotted_key(table: dict[str, Any], above: str = "") -> dict[str, Any]:
+    """Values of a table and of those within it: "bodies.worm.roughness" -> value."""
+    flat = {}
+    for key, value in table.items():
+        name = f"{above}.{key}" if above else key
+        flat |= by_dotted_key(value, name) if isinstance(value, dict) else {name: value}
+    return flat

@@ -237,7 +237,7 @@ class ZiWormCase(RatedCase):
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
     """Entries of a design table, its tip relief as one."""
     entries = dict(table)
-    relief = tooth.TipRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
+    relief = tooth.ParabolicRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
     return entries | {"tip_relief": relief}
 
 

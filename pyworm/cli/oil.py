@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.cli.arguments import add_json
+from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_METRE, ZERO_CELSIUS
 from pyworm.io.json import print_json
 from pyworm.io.terminal import put
 
@@ -114,7 +115,7 @@ def _chart(options: argparse.Namespace) -> int:
 
 def _properties(oil: "NamedOil") -> dict:
     """An oil as one object, units in the keys."""
-    kelvin = [celsius + 273.15 for celsius in SHOWN_TEMPERATURES]
+    kelvin = [celsius + ZERO_CELSIUS for celsius in SHOWN_TEMPERATURES]
     return {
         "name": oil.name,
         "base": oil.stock.name,
@@ -186,7 +187,9 @@ def _list(options: argparse.Namespace) -> int:
         table.add_column(heading, justify="right")
     table.add_column("source")
     for oil in oils:
-        nu_40, nu_100 = (oil.kinematic_viscosity(at) * 1e6 for at in (313.15, 373.15))
+        nu_40, nu_100 = (
+            oil.kinematic_viscosity(at) * SQUARE_METRE for at in (DEGREES_40, DEGREES_100)
+        )
         table.add_row(
             oil.name, f"{nu_40:.0f}", f"{nu_100:.1f}", f"{oil.viscosity_index:.0f}", oil.source
         )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import floor, inf, log, pi, sqrt
 
 from pyworm.formulas.ranges import one_of, positive, within
+from pyworm.formulas.unit_factors import RPM, ZERO_CELSIUS
 
 SOURCE = "R. Errichello, Lubrication of Gears, part 3"
 
@@ -39,8 +40,6 @@ AGMA_GRADES = {
 """AGMA lubricant number (AGMA 250.04) -> ISO viscosity grade.
 
 "Comp" oils of worm gears are compounded with 3 to 10 % fatty material."""
-
-_RPM = 30 / pi
 
 
 def pitch_line_viscosity(pitch_line_velocity: float) -> float:
@@ -144,12 +143,12 @@ def agma_worm(centre_distance: float, worm_speed: float, ambient_temperature: fl
         [K].
     """
     within("centre distance", centre_distance, 0.02, 2, "m")
-    within("worm speed", worm_speed * _RPM, 0.1, 1e4, "rpm")
+    within("worm speed", worm_speed * RPM, 0.1, 1e4, "rpm")
     warm = _is_warm(ambient_temperature)
     # The rows are bounded by whole inches; 304.8 mm is 12 in, whatever rounding makes of it.
     inches = round(centre_distance / INCH, 6)
     size, slow = next(row for row in _AGMA_WORM if inches <= row[0])
-    is_slow = worm_speed * _RPM <= slow
+    is_slow = worm_speed * RPM <= slow
     number = "8" if warm and is_slow else "7"
     bound = f"to {size} in" if size < inf else "above 24 in"
     speed = f"worm {'up to' if is_slow else 'above'} {slow} rpm"
@@ -222,9 +221,9 @@ def worm_table(
         Whether the oil is PAG, else mineral.
     """
     within("centre distance", centre_distance, 0.02, 2, "m")
-    within("worm speed", worm_speed * _RPM, 0.1, 1e4, "rpm")
+    within("worm speed", worm_speed * RPM, 0.1, 1e4, "rpm")
     within("sump temperature", sump_temperature, 250, 470, "K")
-    size, speed, sump = centre_distance * 1e3, worm_speed * _RPM, sump_temperature - 273.15
+    size, speed, sump = centre_distance * 1e3, worm_speed * RPM, sump_temperature - ZERO_CELSIUS
     rows = _WORM_ROWS[-1:] if sump > 100 else _WORM_ROWS[:-1]
     for row in rows:
         if row.size[0] <= size <= row.size[1] and row.speed[0] <= speed <= row.speed[1]:

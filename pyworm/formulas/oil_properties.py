@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from pyworm.formulas.ranges import Values, within
+from pyworm.formulas.unit_factors import SQUARE_METRE, ZERO_CELSIUS
 
 WALTHER_SHIFT = 0.7
 """Constant [mm2/s] added to the viscosity in ASTM D341 for viscosities above 2 mm2/s."""
@@ -19,11 +20,6 @@ COLDEST, HOTTEST = 200.0, 500.0
 
 THINNEST, THICKEST = 1e-7, 1.0
 """Kinematic viscosities [m2/s] between which a number can be one: 0.1 mm2/s to 1e6 mm2/s."""
-
-MILLIMETRE_SQUARED = 1e6
-"""From m2/s to mm2/s."""
-
-ZERO_CELSIUS = 273.15
 
 ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE = 9.67, 138.0
 """-ln of the viscosity [Pa s] and temperature [K] of the pole of Roelands' law."""
@@ -47,13 +43,13 @@ def walther_viscosity(m: float, n: float, temperature: Values) -> Values:
     """
     within("temperature", temperature, COLDEST, HOTTEST, "K")
     shifted = 10 ** (10 ** (m - n * np.log10(temperature)))
-    return (shifted - WALTHER_SHIFT) / MILLIMETRE_SQUARED
+    return (shifted - WALTHER_SHIFT) / SQUARE_METRE
 
 
 def walther_temperature(m: float, n: float, viscosity: Values) -> Values:
     """Temperature [K] of a kinematic viscosity [m2/s]: the inverse of `walther_viscosity`."""
     within("kinematic viscosity", viscosity, 4e-7, THICKEST, "m2/s")
-    return 10 ** ((m - _double_log(viscosity)) / n)
+    return 10 ** ((m - double_log(viscosity)) / n)
 
 
 def walther_constants(
@@ -74,9 +70,9 @@ def walther_constants(
             f"{temperature_2:g} K: the viscosity must fall with temperature"
         )
     n = float(
-        (_double_log(viscosity_1) - _double_log(viscosity_2)) / log10(temperature_2 / temperature_1)
+        (double_log(viscosity_1) - double_log(viscosity_2)) / log10(temperature_2 / temperature_1)
     )
-    return float(_double_log(viscosity_1)) + n * log10(temperature_1), n
+    return float(double_log(viscosity_1)) + n * log10(temperature_1), n
 
 
 def walther_slope(n: float, viscosity: Values, temperature: Values) -> Values:
@@ -84,13 +80,14 @@ def walther_slope(n: float, viscosity: Values, temperature: Values) -> Values:
 
     The exact derivative n (nu + 0.7) ln(nu + 0.7) / (nu T), nu in mm2/s.
     """
-    nu = np.asarray(viscosity) * MILLIMETRE_SQUARED
+    nu = np.asarray(viscosity) * SQUARE_METRE
     shifted = nu + WALTHER_SHIFT
     return n * shifted * np.log(shifted) / (nu * temperature)
 
 
-def _double_log(viscosity: Values) -> Values:
-    return np.log10(np.log10(np.asarray(viscosity) * MILLIMETRE_SQUARED + WALTHER_SHIFT))
+def double_log(viscosity: Values) -> Values:
+    """log log of a kinematic viscosity [m2/s], on whose scale the Walther law is straight."""
+    return np.log10(np.log10(np.asarray(viscosity) * SQUARE_METRE + WALTHER_SHIFT))
 
 
 _INDEX_OILS = (
@@ -126,8 +123,8 @@ def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
     Source: ASTM D2270, the polynomials for L and H. From memory; checked by their continuity at all joints
     (0.1 mm2/s or 0.1 %) and by the standard's two examples (92 and 156). Range: Y of 2 mm2/s or more.
     """
-    y = viscosity_100 * MILLIMETRE_SQUARED
-    u = viscosity_40 * MILLIMETRE_SQUARED
+    y = viscosity_100 * SQUARE_METRE
+    u = viscosity_40 * SQUARE_METRE
     within("kinematic viscosity at 100 degC", viscosity_100, 2e-6, THICKEST, "m2/s")
     if not u > y:
         raise ValueError(
@@ -209,7 +206,7 @@ def gold_alpha(viscosity: Values, s: float, t: float) -> Values:
     within("kinematic viscosity", viscosity, 1e-6, 1e-2, "m2/s")
     within("s of Gold's law", s, 3, 20, "")
     within("t of Gold's law", t, 0.05, 0.3, "")
-    return s * (np.asarray(viscosity) * MILLIMETRE_SQUARED) ** t * 1e-9
+    return s * (np.asarray(viscosity) * SQUARE_METRE) ** t * 1e-9
 
 
 def agma_alpha(viscosity: Values, k: float, s: float) -> Values:

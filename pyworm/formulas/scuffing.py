@@ -9,6 +9,7 @@ import numpy as np
 from scipy.special import ndtr
 
 from pyworm.formulas.ranges import Values, positive, within
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 
 SOURCE = "Blok 1937; AGMA 2001-B88 and 925-A03"
 
@@ -23,8 +24,6 @@ SPREAD = 0.15
 
 LOW_RISK, HIGH_RISK = 0.10, 0.30
 """Probabilities up to which the risk is low, and above which it is high (AGMA 925-A03, from memory)."""
-
-ZERO_CELSIUS = 273.15
 
 # a, b of the mean scuffing temperature a + b ln(nu40) in degC, without and with anti-scuff additives
 _SCUFFING = {False: (63.0, 33.0), True: (118.0, 33.0)}

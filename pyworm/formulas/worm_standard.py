@@ -11,6 +11,7 @@ from math import atan, pi, sqrt, tan
 from typing import Literal
 
 from pyworm.formulas.ranges import one_of, positive, within
+from pyworm.formulas.unit_factors import RPM, ZERO_CELSIUS
 from pyworm.formulas.worm_gear import REFERENCE_FILM, WormGear
 
 OilKind = Literal["mineral", "PAO", "PAG"]
@@ -42,9 +43,6 @@ WEAR_INTENSITIES = {"mineral": (2.4e-11, -3.1, 400e-9), "PAG": (1.27e-10, -2.24,
 STATIC_FRICTION = 0.13
 """mu_0 at rest of steel on tin bronze; aluminium bronze has 0.15 and cast iron 0.18. From a public
 transcription of DIN 3996 (the worksheet on worm gears of MITCalc), not checked against its text."""
-
-
-_RPM = 30 / pi
 
 
 def minimum_film(
@@ -85,7 +83,7 @@ def minimum_film(
     within("h*", film_parameter, 0.005, 0.5, "")
     within("pressure-viscosity coefficient", pressure_viscosity, 1e-9, 1e-7, "1/Pa")
     within("dynamic viscosity", viscosity, 1e-4, 10, "Pa s")
-    within("worm speed", worm_speed * _RPM, 0.1, 1e5, "rpm")
+    within("worm speed", worm_speed * RPM, 0.1, 1e5, "rpm")
     within("centre distance", centre_distance, 0.025, 2, "m")
     within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
     positive("wheel torque", torque, "N m")
@@ -94,7 +92,7 @@ def minimum_film(
         * film_parameter
         * pressure_viscosity**0.6
         * viscosity**0.7
-        * (worm_speed * _RPM) ** 0.7
+        * (worm_speed * RPM) ** 0.7
         * (centre_distance * 1e3) ** 1.39
         * (reduced_modulus * 1e-6) ** 0.03
         / torque**0.13
@@ -358,10 +356,10 @@ def bulk_temperature(
     """
     within("sump temperature", sump_temperature, 230, 470, "K")
     within("tooth loss", tooth_loss, 0, 1e7, "W")
-    within("worm speed", worm_speed * _RPM, 0.1, 1e5, "rpm")
+    within("worm speed", worm_speed * RPM, 0.1, 1e5, "rpm")
     within("cooled area", cooled_area, 1e-5, 1, "m2")
     within("c_k", immersion_factor, 0.1, 2, "")
-    transfer = immersion_factor * (1940 + 15 * worm_speed * _RPM)
+    transfer = immersion_factor * (1940 + 15 * worm_speed * RPM)
     return sump_temperature + tooth_loss / (transfer * cooled_area)
 
 
@@ -373,7 +371,7 @@ def temperature_safety(sump_temperature: float, limit: float) -> float:
     """
     within("sump temperature", sump_temperature, 273.16, 470, "K")
     within("limit of the sump temperature", limit, 273.16, 470, "K")
-    return (limit - 273.15) / (sump_temperature - 273.15)
+    return (limit - ZERO_CELSIUS) / (sump_temperature - ZERO_CELSIUS)
 
 
 @dataclass(frozen=True)

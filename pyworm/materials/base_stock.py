@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from pyworm.formulas import oil_properties
 from pyworm.formulas.gear_oil import ISO_GRADES
+from pyworm.formulas.unit_factors import DEGREES_40, SQUARE_MILLIMETRE
 from pyworm.io import units
 from pyworm.io.input_error import CaseError
 from pyworm.io.toml import read_toml
@@ -20,12 +21,6 @@ BASES: tuple[Base, ...] = get_args(Base)
 
 GRADE_TOLERANCE = 0.11
 """Largest deviation of a table's oil from its grade; ISO 3448 has 0.1, which one measured oil misses."""
-
-DEGREES_40, DEGREES_100 = 313.15, 373.15
-"""Temperatures [K] at which oils are told by two viscosities."""
-
-MILLIMETRE_SQUARED = 1e-6
-"""1 mm2/s [m2/s]."""
 
 
 _TABLE = Path(__file__).with_name("oils.toml")
@@ -185,7 +180,7 @@ def _stocks() -> dict[Base, BaseStock]:
         table = _BaseStockTable.model_validate(data[base])
         stock = BaseStock(base, **table.own(), grades=table.grades, sources=table.sources)
         for grade, (m, n) in stock.grades.items():
-            nu = oil_properties.walther_viscosity(m, n, DEGREES_40) / MILLIMETRE_SQUARED
+            nu = oil_properties.walther_viscosity(m, n, DEGREES_40) / SQUARE_MILLIMETRE
             if grade not in ISO_GRADES or abs(nu / grade - 1) > GRADE_TOLERANCE:
                 raise CaseError(f"{_TABLE}: {base} VG {grade}: has {nu:.1f} mm2/s at 40 degC")
         stocks[base] = stock

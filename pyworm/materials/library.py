@@ -12,11 +12,9 @@ from math import log
 from pyworm.formulas import oil_properties
 from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.ranges import Values
+from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIMETRE
 from pyworm.materials.base_stock import (
     BASES,
-    DEGREES_40,
-    DEGREES_100,
-    MILLIMETRE_SQUARED,
     BaseStock,
     base_stock,
 )
@@ -187,7 +185,7 @@ def named_oil(name: str) -> NamedOil:
         return NamedOil(called, stock, *stock.grades[grade], stock.sources["grades"])
     nearest = min(stock.grades, key=lambda other: abs(log(other / grade)))
     like = NamedOil("", stock, *stock.grades[nearest], "")
-    made = oil_from_index(called, stock.name, grade * MILLIMETRE_SQUARED, like.viscosity_index)
+    made = oil_from_index(called, stock.name, grade * SQUARE_MILLIMETRE, like.viscosity_index)
     return replace(
         made,
         source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}",

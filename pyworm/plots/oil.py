@@ -8,12 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullFormatter, ScalarFormatter
 
-from pyworm.formulas.oil_properties import WALTHER_SHIFT, ZERO_CELSIUS
+from pyworm.formulas.oil_properties import double_log
+from pyworm.formulas.unit_factors import SQUARE_METRE, SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.materials.library import NamedOil
 from pyworm.plots.layout import new_figure
-
-MILLIMETRE_SQUARED = 1e6
-"""From m2/s to mm2/s."""
 
 GIGA = 1e9
 """From 1/Pa to 1/GPa."""
@@ -49,7 +47,7 @@ def draw_viscosity(oils: Sequence[NamedOil], marked: float | None = None) -> Fig
     for oil, colour in zip(oils, _colours(oils), strict=True):
         celsius, nu = _flowing(oil)
         look = {"color": colour, "linestyle": _LINES[oil.stock.name], "label": oil.name}
-        walther.plot(np.log10(celsius + ZERO_CELSIUS), _double_log(nu), **look)
+        walther.plot(np.log10(celsius + ZERO_CELSIUS), _on_walther_axis(nu), **look)
         plain.semilogy(celsius, oil.viscosity(celsius + ZERO_CELSIUS) * 1e3, **look)
     _walther_axes(walther)
     _temperature_axis(plain)
@@ -106,13 +104,14 @@ def _colours(oils: Sequence[NamedOil]) -> np.ndarray:
 def _flowing(oil: NamedOil) -> tuple[np.ndarray, np.ndarray]:
     """Temperatures [degC] at which an oil flows and its laws hold, and its viscosity there [mm2/s]."""
     celsius = np.linspace(COLDEST, HOTTEST, POINTS)
-    nu = oil.kinematic_viscosity(celsius + ZERO_CELSIUS) * MILLIMETRE_SQUARED
+    nu = oil.kinematic_viscosity(celsius + ZERO_CELSIUS) * SQUARE_METRE
     flows = (nu >= THINNEST) & (nu <= THICKEST)
     return celsius[flows], nu[flows]
 
 
-def _double_log(nu: Sequence[float] | np.ndarray) -> np.ndarray:
-    return np.log10(np.log10(np.asarray(nu) + WALTHER_SHIFT))
+def _on_walther_axis(nu: Sequence[float] | np.ndarray) -> np.ndarray:
+    """Where viscosities [mm2/s] lie on the axis on which the Walther law is straight."""
+    return double_log(np.asarray(nu) * SQUARE_MILLIMETRE)
 
 
 def _walther_axes(axes: Axes) -> None:
@@ -120,8 +119,8 @@ def _walther_axes(axes: Axes) -> None:
     ticks = np.arange(COLDEST, HOTTEST + 1, 20)
     axes.set_xticks(np.log10(ticks + ZERO_CELSIUS), [f"{tick:.0f}" for tick in ticks])
     axes.set_xlim(*np.log10(np.array([COLDEST, HOTTEST]) + ZERO_CELSIUS))
-    axes.set_yticks(_double_log(VISCOSITIES), [str(nu) for nu in VISCOSITIES])
-    axes.set_ylim(*_double_log((THINNEST + 0.5, THICKEST)))
+    axes.set_yticks(_on_walther_axis(VISCOSITIES), [str(nu) for nu in VISCOSITIES])
+    axes.set_ylim(*_on_walther_axis((THINNEST + 0.5, THICKEST)))
     axes.set_xlabel("temperature / °C")
     axes.set_ylabel("kinematic viscosity / (mm²/s)")
     axes.set_title("Walther's axes (ASTM D341)", fontsize="medium")

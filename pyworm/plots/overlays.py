@@ -6,9 +6,10 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.contact.outline import signed_square
 from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 
 def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:

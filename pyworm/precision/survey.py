@@ -6,6 +6,7 @@ from math import inf, isfinite
 from time import perf_counter
 
 from pyworm.io.format import duration
+from pyworm.io.progress import Progress
 from pyworm.kernel.core import KernelError
 from pyworm.planning.model import PARABOLA, Model
 from pyworm.planning.prediction import predicted
@@ -46,8 +47,6 @@ FINEST = 2e-4
 
 LEAST_GRIDS = 3
 """Smallest number of grids of the most complete model for a reference."""
-
-Progress = Callable[[str, float], None]
 
 
 class BudgetError(ValueError):

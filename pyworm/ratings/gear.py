@@ -7,13 +7,14 @@ from pyworm.case.ratings import GearRatingTable
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty
 from pyworm.formulas import gear_oil, scuffing
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut, of_all
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 LITRES_PER_MINUTE = 6e4
 """From m3/s to l/min."""

@@ -10,13 +10,12 @@ from textwrap import fill
 from pyworm.formulas import gear_oil, scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.lubrication import BOUNDARY
+from pyworm.formulas.unit_factors import SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
 from pyworm.ratings.oil_grades import (
-    MILLIMETRE_SQUARED,
     THICKEST,
-    ZERO_CELSIUS,
-    Duty,
     GradeRow,
+    OilDuty,
     grade_row,
     past_practice,
     viscosity_needed,
@@ -54,7 +53,7 @@ class OilChoice:
 
     Attributes
     ----------
-    duty : Duty
+    duty : OilDuty
         What was asked.
     grade : int
         The recommended ISO viscosity grade.
@@ -71,7 +70,7 @@ class OilChoice:
         In the order of the reasoning, the recommendation last.
     """
 
-    duty: Duty
+    duty: OilDuty
     grade: int
     oil: str
     reached: bool
@@ -80,7 +79,7 @@ class OilChoice:
     steps: tuple[Step, ...]
 
 
-def choose_oil(duty: Duty) -> OilChoice:
+def choose_oil(duty: OilDuty) -> OilChoice:
     """Choose a grade.
 
     The thinnest grade whose film is the wanted one in balance with its own churning, but none thinner
@@ -148,7 +147,7 @@ def page(choice: OilChoice) -> str:
 # --------------------------------------------------------------------------------------- words
 
 
-def _practice_steps(duty: Duty) -> list[Step]:
+def _practice_steps(duty: OilDuty) -> list[Step]:
     steps = []
     if duty.pitch_line_velocity is not None:
         velocity = duty.pitch_line_velocity
@@ -158,7 +157,7 @@ def _practice_steps(duty: Duty) -> list[Step]:
             Step(
                 "Speed",
                 f"At a pitch line velocity of {velocity:.3g} m/s ({feet:.0f} ft/min) the viscosity at "
-                f"40 degC should be 7000/sqrt({feet:.0f}) = {wanted / MILLIMETRE_SQUARED:.0f} mm2/s; "
+                f"40 degC should be 7000/sqrt({feet:.0f}) = {wanted / SQUARE_MILLIMETRE:.0f} mm2/s; "
                 f"nearest is VG {gear_oil.nearest_grade(wanted)}. The faster the teeth, "
                 "the thinner the oil that still makes a film.",
                 "Errichello, pitch line rule",
@@ -174,7 +173,7 @@ def _practice_steps(duty: Duty) -> list[Step]:
     return steps
 
 
-def _film_step(duty: Duty) -> Step:
+def _film_step(duty: OilDuty) -> Step:
     wanted = duty.specific_film * duty.roughness
     return Step(
         "Film that is wanted",
@@ -184,7 +183,7 @@ def _film_step(duty: Duty) -> Step:
     )
 
 
-def _backwards_step(duty: Duty, needed: float | None) -> Step:
+def _backwards_step(duty: OilDuty, needed: float | None) -> Step:
     bulk = duty.sump_temperature + duty.bulk_excess
     index = named_oil(f"{duty.base} VG {duty.sump_grade}").viscosity_index
     title = "Backwards to the oil"
@@ -195,13 +194,13 @@ def _backwards_step(duty: Duty, needed: float | None) -> Step:
     if needed is None:
         return Step(
             title,
-            f"{given} no oil up to {THICKEST / MILLIMETRE_SQUARED:.0f} mm2/s at 40 degC makes this film.",
+            f"{given} no oil up to {THICKEST / SQUARE_MILLIMETRE:.0f} mm2/s at 40 degC makes this film.",
             duty.film.source,
         )
     oil = oil_from_index("", duty.base, needed, index)
-    hot = oil.kinematic_viscosity(bulk) / MILLIMETRE_SQUARED
+    hot = oil.kinematic_viscosity(bulk) / SQUARE_MILLIMETRE
     alpha = duty.film.alpha_of(oil, bulk) * 1e9
-    millimetres = needed / MILLIMETRE_SQUARED
+    millimetres = needed / SQUARE_MILLIMETRE
     beyond = ", thicker than any gear oil" if millimetres > 1.1 * ISO_GRADES[-1] else ""
     return Step(
         title,
@@ -211,7 +210,7 @@ def _backwards_step(duty: Duty, needed: float | None) -> Step:
     )
 
 
-def _balance_step(duty: Duty, rows: tuple[GradeRow, ...], chosen: GradeRow) -> Step:
+def _balance_step(duty: OilDuty, rows: tuple[GradeRow, ...], chosen: GradeRow) -> Step:
     sump, ambient = duty.sump_temperature - ZERO_CELSIUS, duty.ambient_temperature - ZERO_CELSIUS
     thin, thick = rows[0], rows[-1]
     cold, hot = thick.grade / thin.grade, thick.viscosity / thin.viscosity
@@ -237,14 +236,14 @@ def _table(rows: tuple[GradeRow, ...], chosen: GradeRow) -> tuple[str, ...]:
         kappa = f"  {row.kappa:5.2f}" if row.kappa is not None else ""
         lines.append(
             f"{row.grade:<5d} {row.sump_temperature - ZERO_CELSIUS:9.0f} "
-            f"{row.bulk_temperature - ZERO_CELSIUS:11.0f} {row.viscosity / MILLIMETRE_SQUARED:15.1f} "
+            f"{row.bulk_temperature - ZERO_CELSIUS:11.0f} {row.viscosity / SQUARE_MILLIMETRE:15.1f} "
             f"{row.film * 1e6:8.3f} {row.specific_film:7.3f} {row.heat:5.2f}{kappa}{mark}"
         )
     return tuple(lines)
 
 
-def _bearing_step(duty: Duty, chosen: GradeRow) -> Step:
-    wanted = reference_viscosity(duty.bearing_speed, duty.bearing_diameter) / MILLIMETRE_SQUARED
+def _bearing_step(duty: OilDuty, chosen: GradeRow) -> Step:
+    wanted = reference_viscosity(duty.bearing_speed, duty.bearing_diameter) / SQUARE_MILLIMETRE
     good = chosen.kappa >= 1
     return Step(
         "Bearings",
@@ -255,11 +254,11 @@ def _bearing_step(duty: Duty, chosen: GradeRow) -> Step:
     )
 
 
-def _scuffing_step(duty: Duty, chosen: GradeRow) -> Step:
+def _scuffing_step(duty: OilDuty, chosen: GradeRow) -> Step:
     contact = duty.contact_temperature
     said = []
     for anti_scuff, words in ((False, "without"), (True, "with")):
-        limit = scuffing.scuffing_temperature(chosen.grade * MILLIMETRE_SQUARED, anti_scuff)
+        limit = scuffing.scuffing_temperature(chosen.grade * SQUARE_MILLIMETRE, anti_scuff)
         probability = float(scuffing.scuffing_probability(contact, limit))
         said.append(
             f"{_celsius(limit)} {words} anti-scuff additives (probability {_percent(probability)}, "
@@ -275,7 +274,7 @@ def _scuffing_step(duty: Duty, chosen: GradeRow) -> Step:
 
 
 def _recommendation(
-    duty: Duty, chosen: GradeRow, practice: list[int], cool: list[GradeRow]
+    duty: OilDuty, chosen: GradeRow, practice: list[int], cool: list[GradeRow]
 ) -> Step:
     words = [
         f"{duty.base} VG {chosen.grade}: film {chosen.film * 1e6:.3g} um, lambda {chosen.specific_film:.2g} "

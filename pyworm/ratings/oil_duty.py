@@ -1,4 +1,4 @@
-"""Requirements of the oil of a drive: from `[oil_choice]` to a `Duty`."""
+"""Requirements of the oil of a drive: from `[oil_choice]` to a `OilDuty`."""
 
 from pyworm.case.ratings import BearingTable, OilChoiceTable
 from pyworm.drives.duty import GearPairDuty, WormDuty
@@ -6,7 +6,7 @@ from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.oil_choice import OilChoice, choose_oil
-from pyworm.ratings.oil_grades import Duty, line_film, worm_film
+from pyworm.ratings.oil_grades import OilDuty, line_film, worm_film
 from pyworm.ratings.rated_case import Asked
 
 
@@ -24,7 +24,7 @@ def oil_choice(asked: Asked) -> OilChoice:
         raise CaseError(f"{asked.name}: {error}") from error
 
 
-def oil_duty(asked: Asked) -> Duty:
+def oil_duty(asked: Asked) -> OilDuty:
     """Requirements of the oil in the drive of a case; ValueError where they are not given."""
     table = asked.tables.oil_choice
     if table is None:
@@ -36,9 +36,9 @@ def oil_duty(asked: Asked) -> Duty:
     }
     made = asked.duty
     if isinstance(made, GearPairDuty):
-        return Duty(**common, **_gear_pair(made, table))
+        return OilDuty(**common, **_gear_pair(made, table))
     if isinstance(made, WormDuty):
-        return Duty(**common, **_worm(made, table))
+        return OilDuty(**common, **_worm(made, table))
     raise CaseError("no oil can be chosen for a drive of this kind")
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import pi
 
 from scipy.optimize import brentq
 
@@ -11,15 +10,11 @@ from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.gear_oil import TableAdvice
 from pyworm.formulas.ranges import positive, within
+from pyworm.formulas.unit_factors import RPM, SQUARE_MILLIMETRE
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_standard import PRESSURE_VISCOSITY, minimum_film
 from pyworm.materials.base_stock import Base, base_stock
 from pyworm.materials.library import NamedOil, named_oil, oil_from_index
-
-ZERO_CELSIUS = 273.15
-
-MILLIMETRE_SQUARED = 1e-6
-"""1 mm2/s [m2/s]."""
 
 CHURNING_EXPONENT = 0.5
 """How churning loss grows with viscosity: friction of a laminar boundary layer on a disc goes as its root."""
@@ -111,7 +106,7 @@ def worm_film(
         film,
         "mean minimum film of a worm gear, methods of DIN 3996",
         "h = 21 h* alpha^0.6 eta^0.7 n^0.7 a^1.39 E^0.03/T^0.13 um (alpha in m2/N, eta in Pa s) with h* = "
-        f"{gear.film_parameter:.4f}, n = {worm_speed * 30 / pi:.0f} rpm, "
+        f"{gear.film_parameter:.4f}, n = {worm_speed * RPM:.0f} rpm, "
         f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, "
         f"T = {torque:.0f} N m",
         alpha=PRESSURE_VISCOSITY.get(base),
@@ -119,7 +114,7 @@ def worm_film(
 
 
 @dataclass(frozen=True)
-class Duty:
+class OilDuty:
     """Requirements of an oil.
 
     Attributes
@@ -231,7 +226,7 @@ class GradeRow:
 # ------------------------------------------------------------------------------------- numbers
 
 
-def grade_row(duty: Duty, grade: int) -> GradeRow:
+def grade_row(duty: OilDuty, grade: int) -> GradeRow:
     """Performance of a viscosity grade under some requirements."""
     oil = named_oil(f"{duty.base} VG {grade}")
     reference = named_oil(f"{duty.base} VG {duty.sump_grade}")
@@ -259,18 +254,18 @@ def grade_row(duty: Duty, grade: int) -> GradeRow:
     )
 
 
-def _kappa(duty: Duty, viscosity: float) -> float | None:
+def _kappa(duty: OilDuty, viscosity: float) -> float | None:
     if duty.bearing_speed is None or duty.bearing_diameter is None:
         return None
     return viscosity / reference_viscosity(duty.bearing_speed, duty.bearing_diameter)
 
 
-def _film_at(duty: Duty, oil: NamedOil) -> float:
+def _film_at(duty: OilDuty, oil: NamedOil) -> float:
     """Film [m] of an oil on teeth of the temperature of reference."""
     return duty.film.of(oil, duty.sump_temperature + duty.bulk_excess)
 
 
-def viscosity_needed(duty: Duty) -> float | None:
+def viscosity_needed(duty: OilDuty) -> float | None:
     """Viscosity at 40 degC [m2/s] for the wanted film, of the index of the reference; None beyond reach."""
     index = named_oil(f"{duty.base} VG {duty.sump_grade}").viscosity_index
 
@@ -278,7 +273,7 @@ def viscosity_needed(duty: Duty) -> float | None:
         oil = oil_from_index("", duty.base, viscosity_40, index)
         return _film_at(duty, oil) / duty.roughness - duty.specific_film
 
-    thinnest = 15 * MILLIMETRE_SQUARED
+    thinnest = 15 * SQUARE_MILLIMETRE
     if surplus(THICKEST) < 0:
         return None
     if surplus(thinnest) > 0:
@@ -286,7 +281,7 @@ def viscosity_needed(duty: Duty) -> float | None:
     return brentq(surplus, thinnest, THICKEST, rtol=1e-6)
 
 
-def past_practice(duty: Duty) -> list[int]:
+def past_practice(duty: OilDuty) -> list[int]:
     """Grades that the rule of speed and the tables name."""
     grades = [grade for table in duty.tables if table is not None for grade in table.grades]
     if duty.pitch_line_velocity is not None:

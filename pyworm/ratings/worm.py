@@ -8,6 +8,7 @@ import numpy as np
 from pyworm.case.ratings import WormGearTable, WormRatingTable
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormConditions, WormRating, rate_worm
@@ -19,7 +20,6 @@ from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.ratings.worm_verdict import failures, left_unrated, locking
 from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut, of_all
-from pyworm.solver.solution import ZERO_CELSIUS
 
 MEAN_TO_RMS = 0.8
 """Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""

@@ -10,10 +10,11 @@ import numpy as np
 import xarray as xr
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES, Array, Loss, cycle_loss
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.result.contact_loss import contact_losses
 from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut, of_all
-from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
+from pyworm.solver.solution import Estimate, Solution
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,13 @@
 """Whether a result belongs to a case, by the physics and not by the name."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pydantic import BaseModel
 
 from pyworm.case.case import NO_PHYSICS, Case, case_again, load
 from pyworm.case.case_file import CaseTable
+from pyworm.case.table import by_dotted_key
 from pyworm.case.workshop_units import shown
 from pyworm.io.input_error import CaseError
 
@@ -32,19 +33,11 @@ def differences(case: Case, result: "Result") -> tuple[str, ...]:
     before, now = case_again(result.case).tables, case.tables
     found = {f"{table}.{key}" for table, keys in case.left_open.items() for key in keys}
     old, new = (
-        _flat(tables.model_dump(mode="json", exclude=NO_PHYSICS)) for tables in (before, now)
+        by_dotted_key(tables.model_dump(mode="json", exclude=NO_PHYSICS))
+        for tables in (before, now)
     )
     keys = [key for key in {**new, **old} if old.get(key) != new.get(key) and key not in found]
     return tuple(f"{key} is {_shown(now, key)}, was {_shown(before, key)}" for key in keys)
-
-
-def _flat(table: dict[str, Any], at: str = "") -> dict[str, Any]:
-    """Values by their dotted keys."""
-    flat = {}
-    for key, value in table.items():
-        name = f"{at}.{key}" if at else key
-        flat |= _flat(value, name) if isinstance(value, dict) else {name: value}
-    return flat
 
 
 def _shown(tables: CaseTable, key: str) -> str:

@@ -9,9 +9,9 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Self
 
 from pyworm.formulas.lubrication import BY_SEVERITY, Lubrication, lubrication
-from pyworm.planning.effects.effect import Contact
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.prediction import predicted
+from pyworm.scene.contact import Contact
 
 if TYPE_CHECKING:
     from pyworm.planning.plan import Plan

@@ -6,12 +6,10 @@ from typing import Literal
 import xarray as xr
 
 from pyworm.formulas.regimes import Regime
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.scene.index import Place
 from pyworm.solver.left_out import LeftOut, judged
-
-ZERO_CELSIUS = 273.15
-"""Temperature [K] of 0 degC."""
 
 
 @dataclass(frozen=True)

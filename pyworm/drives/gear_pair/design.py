@@ -10,13 +10,13 @@ ContactKind = Literal["line", "point"]
 
 
 @dataclass(frozen=True)
-class TipRelief:
-    """How much of a flank is taken off at its tip.
+class LinearRelief:
+    """Tip relief that grows linearly along the line of action.
 
     Attributes
     ----------
     amount : float
-        Along the normal, at the tip [m]; it grows linearly from nothing.
+        Along the normal, at the tip [m].
     length : float
         Length of the relieved part on the line of action [m].
     """

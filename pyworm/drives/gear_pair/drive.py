@@ -19,7 +19,7 @@ from pyworm.drives.duty import GearPairDuty
 from pyworm.drives.gear_pair.checks import check_drive
 from pyworm.drives.gear_pair.contacts import Array, ToothContacts
 from pyworm.drives.gear_pair.dataset import line_of_action_data, with_friction
-from pyworm.drives.gear_pair.design import ContactKind, Driver, TipRelief
+from pyworm.drives.gear_pair.design import ContactKind, Driver, LinearRelief
 from pyworm.drives.gear_pair.duty import gear_pair_duty
 from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
 from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
@@ -64,7 +64,7 @@ class GearPairDrive(Drive):
         How contact lines share the load (`LoadSharing`).
     contact : str
         Which scenes are made: "line", or "point" of the whole crowned face.
-    tip_relief : tuple of TipRelief
+    tip_relief : tuple of LinearRelief
         Of pinion and gear; of the scenes' gaps, load sharing knows nothing of it.
     lead_crowning : float
         How much of both flanks together is taken off at the ends of the face [m].
@@ -84,7 +84,7 @@ class GearPairDrive(Drive):
     load_factor: float = 1.0
     load_sharing: SharingRule = "ramp"
     contact: ContactKind = "line"
-    tip_relief: tuple[TipRelief, TipRelief] = (TipRelief(), TipRelief())
+    tip_relief: tuple[LinearRelief, LinearRelief] = (LinearRelief(), LinearRelief())
     lead_crowning: float = 0.0
     surfaces: Surfaces | None = None
 

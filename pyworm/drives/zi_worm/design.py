@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from pyworm.drives.zi_worm.tooth import NO_RELIEF, TipRelief
+from pyworm.drives.zi_worm.tooth import NO_RELIEF, ParabolicRelief
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class Worm:
         Distance of neighbouring threads along the axis, and advance in one turn [m].
     base_lead_angle : float
         Lead angle on the base cylinder [rad].
-    tip_relief : TipRelief
+    tip_relief : ParabolicRelief
         What is taken off the flank towards its tip.
     """
 
@@ -30,7 +30,7 @@ class Worm:
     axial_pitch: float
     lead: float
     base_lead_angle: float
-    tip_relief: TipRelief = NO_RELIEF
+    tip_relief: ParabolicRelief = NO_RELIEF
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Wheel:
         Number of teeth.
     face_width, tip_radius, throat_radius : float
         Width along the axis, radius of the tip cylinder, tip radius in the mid-plane [m].
-    tip_relief : TipRelief
+    tip_relief : ParabolicRelief
         What is taken off the flank towards tip and throat.
     """
 
@@ -51,7 +51,7 @@ class Wheel:
     face_width: float
     tip_radius: float
     throat_radius: float
-    tip_relief: TipRelief = NO_RELIEF
+    tip_relief: ParabolicRelief = NO_RELIEF
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ def wheel_radius(point: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class TipRelief:
-    """What is taken off a flank towards its tip, as a parabola that begins without a kink.
+class ParabolicRelief:
+    """Tip relief that grows as a parabola and begins without a kink.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class TipRelief:
         return self.amount * np.maximum(1 - below_tip / self.length, 0.0) ** 2
 
 
-NO_RELIEF = TipRelief()
+NO_RELIEF = ParabolicRelief()
 
 
 @dataclass(frozen=True)
@@ -47,14 +47,14 @@ class WormTooth:
         The worm flank and its axis.
     root_radius, tip_radius : float
         Radii of the cylinders [m].
-    tip_relief : TipRelief
+    tip_relief : ParabolicRelief
         What is taken off towards the tip.
     """
 
     worm: Helicoid
     root_radius: float
     tip_radius: float
-    tip_relief: TipRelief = NO_RELIEF
+    tip_relief: ParabolicRelief = NO_RELIEF
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it.
@@ -88,7 +88,7 @@ class WheelTooth:
         Width along the axis, radius of the tip cylinder and smallest tip radius [m].
     hob_tip_radius : float
         Radius of the hob's tip cylinder [m].
-    tip_relief : TipRelief
+    tip_relief : ParabolicRelief
         What is taken off towards tip and throat.
     """
 
@@ -97,7 +97,7 @@ class WheelTooth:
     tip_radius: float
     throat_radius: float
     hob_tip_radius: float
-    tip_relief: TipRelief = NO_RELIEF
+    tip_relief: ParabolicRelief = NO_RELIEF
 
     def taken_off(self, point: Array) -> Array:
         """What is taken off the hobbed flank at its points (3, ...) [m]."""

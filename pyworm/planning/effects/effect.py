@@ -5,15 +5,12 @@ from dataclasses import dataclass
 from math import inf
 
 from pyworm.planning.prediction import Prediction
-from pyworm.scene.line import LineScene
-from pyworm.scene.point import Scene
+from pyworm.scene.contact import Contact
 
 FILM, FRICTION, TEMPERATURE = "film", "friction", "temperature"
 
 QUANTITIES = (FILM, FRICTION, TEMPERATURE)
 """What may be asked of a contact: minimum and central film, friction and power loss, largest temperatures."""
-
-Contact = Scene | LineScene
 
 
 @dataclass(frozen=True)

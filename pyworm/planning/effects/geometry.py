@@ -6,8 +6,9 @@ from math import hypot, inf, pi, sqrt
 import numpy as np
 
 from pyworm.formulas.hertz import hertz
-from pyworm.planning.effects.effect import EVERYTHING, Contact, Effect, Influence
+from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
 from pyworm.planning.prediction import Prediction
+from pyworm.scene.contact import Contact
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 

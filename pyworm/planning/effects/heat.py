@@ -6,9 +6,10 @@ from math import asinh, exp, expm1, sqrt
 from scipy.special import lambertw
 
 from pyworm.formulas.thermal_reduction import wilson_sheu
-from pyworm.planning.effects.effect import EVERYTHING, Contact, Effect, Influence
+from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
 from pyworm.planning.effects.rheology import unlike, unthinned
 from pyworm.planning.prediction import Prediction
+from pyworm.scene.contact import Contact
 
 
 def _unknown(scene: Contact) -> str | None:

@@ -4,8 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 
 from pyworm.planning.effects.catalogue import EFFECTS
-from pyworm.planning.effects.effect import Contact, Effect
+from pyworm.planning.effects.effect import Effect
 from pyworm.planning.prediction import Prediction
+from pyworm.scene.contact import Contact
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from pyworm.materials.oil import NEWTONIAN, Barus, Density, FlowLaw
-from pyworm.planning.effects.effect import Contact, Effect, Influence
+from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction
+from pyworm.scene.contact import Contact
 
 # -------------------------------------------------------------------------------- pressure-viscosity
 

@@ -1,7 +1,7 @@
 """Effects named by the user."""
 
 from pyworm.planning.effects.catalogue import EFFECTS
-from pyworm.planning.effects.effect import Contact
+from pyworm.scene.contact import Contact
 
 OF_HEAT_AND_FLOW = frozenset(
     {

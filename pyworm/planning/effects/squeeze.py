@@ -3,9 +3,10 @@
 from dataclasses import replace
 from math import cos, inf, isfinite, log, sin
 
-from pyworm.planning.effects.effect import Contact, Effect, Influence
+from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.effects.geometry import SPEED_POWER, departure
 from pyworm.planning.prediction import Prediction, predicted
+from pyworm.scene.contact import Contact
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales

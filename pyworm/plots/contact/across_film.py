@@ -2,8 +2,9 @@
 
 from matplotlib.figure import Figure
 
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 VELOCITY_COLOURS = {"x": "tab:blue", "y": "tab:orange"}
 

@@ -2,9 +2,10 @@
 
 from matplotlib.figure import Figure
 
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.contact.line_profiles import shown
 from pyworm.plots.layout import MEGA, MILLI, heading, new_figure
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
 

@@ -8,9 +8,10 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.layout import MILLI, colour_bar, contact_window, heading, in_window, panels
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 BANDS = 12
 """Bands of temperature between the coldest and the hottest."""

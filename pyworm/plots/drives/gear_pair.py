@@ -8,11 +8,12 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.result import Result
 from pyworm.solver.left_out import of_all
-from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
+from pyworm.solver.solution import Estimate, Solution
 
 ROOM = 0.22
 """Room above the curves for a legend, as a fraction of their height."""

@@ -6,14 +6,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
+from pyworm.formulas.unit_factors import RPM
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
 from pyworm.plots.layout import MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
-
-RPM = 30 / np.pi
 
 
 def draw_roller_cycle(result: Result) -> Figure:

@@ -7,10 +7,10 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.layout import MEGA, MICRO, MILLI, new_figure, result_heading
 from pyworm.result.flank_map import FAILURE, flank_map
 from pyworm.result.result import Result
-from pyworm.solver.solution import ZERO_CELSIUS
 
 _PANELS = (
     ("film", "least film / µm", MICRO, 0.0, "viridis"),

@@ -4,11 +4,11 @@ import xarray as xr
 from rich.table import Table
 
 from pyworm.drives.kinds import module_of
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
 from pyworm.solver.left_out import AS_IF_SMOOTH
-from pyworm.solver.solution import ZERO_CELSIUS
 
 
 def closed_form_table(cycle: xr.Dataset) -> Table | None:

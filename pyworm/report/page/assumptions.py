@@ -4,12 +4,13 @@ from collections.abc import Sequence
 
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import assumptions
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.console.scenes import influence_percent
 from pyworm.report.page.content import Items, Section, Table
 from pyworm.report.page.figures import place_of
 from pyworm.result.result import Result
-from pyworm.solver.solution import ZERO_CELSIUS, Solution
+from pyworm.solver.solution import Solution
 
 ONE_CONTACT = "One contact, with the curvature, velocities and load given."
 """What is assumed of a contact without a drive."""

@@ -8,6 +8,7 @@ from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import MeshLoss
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.quantity_text import shown_like
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
@@ -17,7 +18,7 @@ from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.scene.summary import scene_summary
 from pyworm.solver.left_out import LeftOut, of_all
-from pyworm.solver.solution import ZERO_CELSIUS, Estimate, Solution
+from pyworm.solver.solution import Estimate, Solution
 
 DECIDE = (
     "wear_probability",

@@ -15,9 +15,9 @@ from pyworm.materials.oil import Barus, Oil, Roelands
 from pyworm.report.page.content import Block, Section, Table, Words
 from pyworm.report.page.figures import composite_roughness
 from pyworm.result.result import Result
+from pyworm.scene.contact import Contact
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
-from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales, scales
 
 GRADE_STEP = 10 ** (1 / 6)
@@ -25,8 +25,6 @@ GRADE_STEP = 10 ** (1 / 6)
 
 WARMER = 10.0
 """Change of the oil's temperature [K]."""
-
-Contact = Scene | LineScene
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import pyworm
 from pyworm.cli.main import main
-from pyworm.drives.gear_pair.design import TipRelief
+from pyworm.drives.gear_pair.design import LinearRelief
 from pyworm.drives.gear_pair.gap import Flank
 from pyworm.formulas.film import dowson_higginson, line_groups
 from pyworm.formulas.hertz import hertz, hertz_line
@@ -254,8 +254,8 @@ def test_the_gap_far_off_is_finite_and_open(increaser, spur):
 
 
 def test_tip_relief_grows_from_where_it_begins(spur):
-    relief = TipRelief(20e-6, 3e-3)
-    drive = replace(spur, tip_relief=(relief, TipRelief()))
+    relief = LinearRelief(20e-6, 3e-3)
+    drive = replace(spur, tip_relief=(relief, LinearRelief()))
     phase = 0.8
     x = np.linspace(-2e-3, 2e-3, 401)
     plain, _ = spur.gap(phase)(x, 0 * x)

@@ -10,7 +10,7 @@ from zi_drives import WHEEL, WORM, changed, sharif
 
 import pyworm
 from pyworm.drives.zi_worm.point_cache import Kept
-from pyworm.drives.zi_worm.tooth import TipRelief
+from pyworm.drives.zi_worm.tooth import ParabolicRelief
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
 DATA = Path(__file__).parents[2] / "data"
@@ -157,7 +157,7 @@ def test_gap_is_the_same_whatever_window_asks():
 
 
 def test_tip_relief_is_taken_off_towards_the_tips():
-    relief = TipRelief(20e-6, 3e-3)
+    relief = ParabolicRelief(20e-6, 3e-3)
     plain = sharif()
     relieved = sharif(
         worm=changed(WORM, tip_relief=relief), wheel=changed(WHEEL, tip_relief=relief)

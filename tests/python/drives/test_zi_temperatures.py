@@ -9,8 +9,8 @@ import pyworm
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
 from pyworm.drives.tooth_loss import Loss
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
-from pyworm.solver.solution import ZERO_CELSIUS
 
 CASES = Path(__file__).parents[3] / "cases"
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import pyworm
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.materials.body import Body
 from pyworm.materials.oil import NEWTONIAN, Barus, Density, FlowLaw, Oil, OilHeat, Roelands
 from pyworm.planning.model import Model
 from pyworm.scene.line import LineScene, Parabola
-from pyworm.solver.solution import ZERO_CELSIUS
 
 CASE = Path(__file__).parents[3] / "cases" / "line_thermal.toml"
 

@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from rich.table import Table
 
+from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.wear_distress import regime
 
 _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
@@ -16,7 +17,7 @@ _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
     ("Roller across the line / m/s", lambda at: at["roller_velocity"], ".3f"),
     ("Sliding along the line / m/s", lambda at: at["sliding_along"], ".3f"),
     ("Spin / rad/s", lambda at: at["relative_spin"], ".1f"),
-    ("Roller about its axis / rpm", lambda at: at["roller_speed"] * 30 / np.pi, ".0f"),
+    ("Roller about its axis / rpm", lambda at: at["roller_speed"] * RPM, ".0f"),
     ("Minimum film / µm", lambda at: at["formula_film_min"] * 1e6, ".3f"),
     ("  by the source's formula", lambda at: at["printed_film_min"] * 1e6, ".3f"),
     ("  left by heat, share", lambda at: at["heated_share"], ".2f"),
