@@ -85,7 +85,7 @@ def _show(
     from pyworm.case.workshop_units import assumptions
     from pyworm.io.console import Console
     from pyworm.ratings.rated_case import not_rated, unconverged
-    from pyworm.solver.left_out import headline
+    from pyworm.result.headline import headline
 
     console = Console()
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n")

@@ -101,8 +101,8 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
         published_for,
         scenes_table,
     )
+    from pyworm.result.headline import opening
     from pyworm.result.mesh_cycle import drive_cycle
-    from pyworm.solver.left_out import opening
 
     summaries = [solution.summary() for solution in result.solutions]
     failed = result.provenance["failed"]

@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
-from pyworm.solver.left_out import of_all
 from pyworm.solver.solution import Solution
 
 MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6

@@ -6,8 +6,8 @@ from matplotlib.figure import Figure
 
 from pyworm.plots.layout import mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.plots.overlays import draw_largest_temperatures
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import of_all
 from pyworm.solver.solution import Solution
 
 

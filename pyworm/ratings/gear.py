@@ -12,8 +12,9 @@ from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.left_out import LeftOut
 from pyworm.solver.solution import Solution
 
 LITRES_PER_MINUTE = 6e4

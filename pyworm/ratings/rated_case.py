@@ -19,11 +19,12 @@ from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.worm import rate_worm_table, standard_rating, worm_duty_of_table
 from pyworm.ratings.worm_verdict import NEVER_RATED
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.left_out import LeftOut, judged, of_all
+from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.solution import Solution
 
 

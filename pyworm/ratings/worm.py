@@ -18,8 +18,9 @@ from pyworm.materials.oil_file import oil_called
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.ratings.worm_verdict import failures, left_unrated, locking
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.left_out import LeftOut
 
 MEAN_TO_RMS = 0.8
 """Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""

@@ -12,8 +12,9 @@ import xarray as xr
 from pyworm.drives.tooth_loss import FEWEST_PHASES, Array, Loss, cycle_loss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.result.contact_loss import contact_losses
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.left_out import LeftOut
 from pyworm.solver.solution import Estimate, Solution
 
 

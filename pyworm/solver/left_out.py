@@ -6,17 +6,13 @@ include none of these effects.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
 from pyworm.formulas.lubrication import BY_SEVERITY, Lubrication, lubrication
 from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.scene.contact import Contact
-
-if TYPE_CHECKING:
-    from pyworm.planning.plan import Plan
-    from pyworm.solver.solution import Solution
-
 
 WHOLE = 1.0
 """Influence as large as the figure itself, the largest that is shown."""
@@ -137,18 +133,11 @@ def judged(
     return LeftOut(beyond(effects, accuracy), lubrication(central, least), central, least)
 
 
-def expected(scene: Contact, plan: "Plan") -> LeftOut:
+def expected(scene: Contact, plan: Plan) -> LeftOut:
     """Effects that a plan leaves out of a contact, estimated by closed forms."""
     prediction = predicted(scene)
     films = prediction.film_central, prediction.film_min
     return judged(plan.effects, plan.accuracy, films, scene.composite_roughness)
-
-
-def of_all(solutions: Iterable["Solution"]) -> LeftOut:
-    """The worst of solved contacts; of those that converged if there are any."""
-    solutions = list(solutions)
-    good = [of for of in solutions if of.converged] or solutions
-    return worst([of.left_out for of in good])
 
 
 def worst(several: Sequence[LeftOut]) -> LeftOut:
@@ -163,31 +152,6 @@ def worst(several: Sequence[LeftOut]) -> LeftOut:
         several, key=lambda one: (BY_SEVERITY.index(one.lubrication), -(one.lambda_central or 0.0))
     )
     return replace(at, influence=_largest_first(influence), contacts=len(several))
-
-
-def headline(solutions: Sequence["Solution"]) -> str:
-    """The least film of solved contacts, its error bar and the effects left out; empty without any."""
-    words = of_all(solutions).words
-    films = [of.figures.film_min for of in solutions if of.converged]
-    if not words or not films:
-        return words
-    film = min(films, key=lambda film: film.value)
-    return f"Least film {film.value * 1e6:.3g} µm ± {film.error * 100:.2g} % (numerical); {words}"
-
-
-def opening(solutions: Sequence["Solution"], rough_teeth: str) -> list[str]:
-    """Sentences shown before any figure of solved contacts.
-
-    Parameters
-    ----------
-    solutions : sequence of Solution
-        The contacts.
-    rough_teeth : str
-        Sentence on their friction by a standard, shown where roughness carries load.
-    """
-    at_worst = of_all(solutions)
-    lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.rough else ""]
-    return [line for line in lines if line]
 
 
 def _largest_first(influence: Mapping[str, float]) -> dict[str, float]:

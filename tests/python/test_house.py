@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -75,6 +76,32 @@ def test_rooms_of_one_floor_do_not_import_each_other_in_a_circle():
         if FLOORS[room] == FLOORS[other] and room != other
     }
     assert not {(one, other) for one, other in beside if (other, one) in beside}
+
+
+def _module(name: str) -> str:
+    """The module of an imported name, itself or what it is taken from, as a path in the package."""
+    parts = name.split(".")[1:]
+    while parts and not PACKAGE.joinpath(*parts).with_suffix(".py").exists():
+        parts.pop()
+    return "/".join(parts)
+
+
+def test_modules_do_not_import_each_other_in_a_circle():
+    """Late imports and those for types alone (`TYPE_CHECKING`) count too.
+
+    Only within the folder of a drive a part, such as its checks, may name the whole that it belongs to.
+    """
+    imported = {}
+    for file in sorted(PACKAGE.rglob("*.py")):
+        module = file.relative_to(PACKAGE).with_suffix("").as_posix()
+        own_drive = "/".join(module.split("/")[:2]) if module.count("/") == 2 else None
+        imported[module] = {
+            name
+            for name in map(_module, _imports(file))
+            if not (module.startswith("drives/") and name.rpartition("/")[0] == own_drive)
+        }
+    order = tuple(TopologicalSorter(imported).static_order())  # CycleError names the circle
+    assert len(order) > 250
 
 
 def _kinds_known(file: Path) -> Iterator[str]:

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import of_all
 from pyworm.solver.solution import Estimate, Solution
 
 ROOM = 0.22

@@ -21,8 +21,9 @@ from pyworm.plots.layout import (
 )
 from pyworm.plots.overlays import draw_largest_temperatures
 from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import AS_IF_SMOOTH, of_all
+from pyworm.solver.left_out import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
 
 

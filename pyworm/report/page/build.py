@@ -22,9 +22,10 @@ from pyworm.report.page.figures import (
 from pyworm.report.page.inputs import inputs_section
 from pyworm.report.page.pictures import contact_section, cycle_section
 from pyworm.report.page.sensitivity import sensitivity_section
+from pyworm.result.headline import of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut, of_all, opening
+from pyworm.solver.left_out import LeftOut
 
 
 def build_report(result: Result, case: Case | None = None, differ: str | None = None) -> Report:

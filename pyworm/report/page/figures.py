@@ -14,10 +14,11 @@ from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.page.content import Block, Section, Table, Words
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.scene.summary import scene_summary
-from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.left_out import LeftOut
 from pyworm.solver.solution import Estimate, Solution
 
 DECIDE = (

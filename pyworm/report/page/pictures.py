@@ -13,8 +13,9 @@ from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.report.page.content import Picture, Section, Words
 from pyworm.report.page.figures import place_of
+from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut, of_all
+from pyworm.solver.left_out import LeftOut
 from pyworm.solver.solution import Solution
 
 DOTS_PER_INCH = 100

@@ -24,10 +24,11 @@ from pyworm.report.console.scenes import figures_table, heat_table, scenes_table
 from pyworm.report.console.sweep import rows_table
 from pyworm.report.page.build import build_report
 from pyworm.report.page.content import Picture, Table
+from pyworm.result.headline import headline, of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result, open_result
 from pyworm.result.sweep_result import SweepResult, sweep_table
-from pyworm.solver.left_out import LeftOut, beyond, headline, of_all, opening, worst
+from pyworm.solver.left_out import LeftOut, beyond, worst
 
 CASES = Path(__file__).parents[3] / "cases"
 

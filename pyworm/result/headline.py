@@ -1,0 +1,38 @@
+"""Sentences before the figures of solved contacts: the least film, and the effects left out at worst."""
+
+from collections.abc import Iterable, Sequence
+
+from pyworm.solver.left_out import LeftOut, worst
+from pyworm.solver.solution import Solution
+
+
+def of_all(solutions: Iterable[Solution]) -> LeftOut:
+    """The worst of solved contacts; of those that converged if there are any."""
+    solutions = list(solutions)
+    good = [of for of in solutions if of.converged] or solutions
+    return worst([of.left_out for of in good])
+
+
+def headline(solutions: Sequence[Solution]) -> str:
+    """The least film of solved contacts, its error bar and the effects left out; empty without any."""
+    words = of_all(solutions).words
+    films = [of.figures.film_min for of in solutions if of.converged]
+    if not words or not films:
+        return words
+    film = min(films, key=lambda film: film.value)
+    return f"Least film {film.value * 1e6:.3g} µm ± {film.error * 100:.2g} % (numerical); {words}"
+
+
+def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:
+    """Sentences shown before any figure of solved contacts.
+
+    Parameters
+    ----------
+    solutions : sequence of Solution
+        The contacts.
+    rough_teeth : str
+        Sentence on their friction by a standard, shown where roughness carries load.
+    """
+    at_worst = of_all(solutions)
+    lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.rough else ""]
+    return [line for line in lines if line]
