@@ -1,4 +1,4 @@
-"""The compiled kernel as Python has it: dry contacts, films on a grid, interpolation between grids."""
+"""Interface to the compiled kernel: dry contacts, films on a grid, interpolation between grids."""
 
 from pyworm.kernel.core import (
     NO_DESCENT,

@@ -1,4 +1,4 @@
-"""The one importer of the compiled extension: status numbers become exceptions, arrays Fortran order."""
+"""The compiled extension, imported here only: status numbers to exceptions, arrays to Fortran order."""
 
 import os
 from pathlib import Path
@@ -16,7 +16,7 @@ bindings = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""
 
 EXTENSION = Path(_core.__file__)
-"""The compiled file."""
+"""File of the compiled extension."""
 
 _MESSAGES = {
     1: "a size, a spacing, a load or a first guess makes no sense",
@@ -36,7 +36,7 @@ NO_MEMORY = 6
 
 
 class KernelError(RuntimeError):
-    """The kernel could not do what it was asked.
+    """A kernel procedure failed.
 
     Attributes
     ----------
@@ -50,30 +50,30 @@ class KernelError(RuntimeError):
 
 
 def check_status(status: int) -> None:
-    """Raises a KernelError unless a status number says that all went well."""
+    """Raise a KernelError unless a status number is that of success."""
     if status:
         raise KernelError(status)
 
 
 def fortran_array(values) -> np.ndarray:
-    """Values in double precision and Fortran order; a copy where they are not."""
+    """Values in double precision and Fortran order, copied if necessary."""
     return np.asfortranarray(values, dtype=np.float64)
 
 
 def compiled_with() -> tuple[str, str]:
-    """The compiler of the kernel and its options: those that were given, without places of files.
+    """The compiler of the kernel and its options, without paths.
 
-    A compiler tells its target as one option for each feature; -march says the same.
+    Options for single features of the processor are left out, since -march implies them.
     """
-    compiler, options = (said.decode().strip() for said in bindings.compiled_with())
-    kept = [
+    compiler, options = (text.decode().strip() for text in bindings.compiled_with())
+    given = [
         one
         for one in options.split()
         if one.startswith("-") and "/" not in one and not one.startswith(_NOT_GIVEN)
         if not one.startswith("-m") or one.startswith(("-march", "-mtune"))
     ]
-    return compiler, " ".join(dict.fromkeys(kept))
+    return compiler, " ".join(dict.fromkeys(given))
 
 
 _NOT_GIVEN = ("-I", "-J", "-o", "-c", "--param", "-fdiagnostics")
-"""Beginnings of options that say nothing of the code that was made."""
+"""Prefixes of options without effect on the generated code."""

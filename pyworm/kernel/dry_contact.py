@@ -9,7 +9,7 @@ from pyworm.kernel.core import NOT_CONVERGED, check_status, fortran_array
 
 
 def elastic_deflection(pressure, dx: float, dy: float, reduced_modulus: float) -> np.ndarray:
-    """Deflection [m] of both half-spaces together under nodal pressure [Pa], shape (nx, ny)."""
+    """Sum of the deflections of both half-spaces [m] under nodal pressure [Pa], shape (nx, ny)."""
     deflection, status = core.bindings.elastic_deflection(
         fortran_array(pressure), dx, dy, reduced_modulus
     )
@@ -30,7 +30,7 @@ class DryContact:
     iterations : int
         Conjugate-gradient iterations.
     converged : bool
-        Whether they met the tolerance.
+        Whether the iterations met the tolerance.
     """
 
     pressure: np.ndarray
@@ -42,7 +42,7 @@ class DryContact:
 def dry_contact(
     gap, covered, dx: float, dy: float, reduced_modulus: float, load: float, guess, tolerance: float
 ) -> DryContact:
-    """Dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
+    """Solve the dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
 
     Parameters
     ----------
@@ -53,14 +53,14 @@ def dry_contact(
     reduced_modulus, load : float
         E' [Pa] and normal load [N].
     guess : array_like
-        First pressure; its size does not matter, where it is positive does.
+        Initial pressure; only its sign matters.
     tolerance : float
-        Film left in the contact over the approach.
+        Residual gap in the contact, over the approach.
 
     Raises
     ------
     KernelError
-        If the contact makes no sense to the kernel.
+        If the kernel refuses the contact.
     """
     pressure = fortran_array(guess).copy(order="F")
     approach, iterations, status = core.bindings.dry_contact_solve(

@@ -1,4 +1,4 @@
-"""A film on one grid as the kernel holds it, of a point or of a line contact."""
+"""Base of the kernel's films of point and line contacts on one grid."""
 
 import weakref
 from dataclasses import dataclass, replace
@@ -12,7 +12,7 @@ from pyworm.materials.oil import Barus, FlowLaw, Oil, OilHeat
 
 @dataclass(frozen=True)
 class Balance:
-    """How far a film is from its equations.
+    """Residuals of a film's equations.
 
     Attributes
     ----------
@@ -31,12 +31,12 @@ class Balance:
 
     @property
     def worst(self) -> float:
-        """The largest of them; without bound if one is no number."""
+        """The largest of the residuals; infinite if one is NaN."""
         parts = (self.residual, abs(self.load_error), self.warming)
         return max(parts) if all(np.isfinite(part) for part in parts) else np.inf
 
     def within(self, tolerance: float, warming: float | None = None) -> bool:
-        """Whether all of them are within a tolerance, or warming within its own."""
+        """Whether all residuals are within a tolerance, warming within its own if given."""
         if warming is None:
             return self.worst <= tolerance
         return self.warming <= warming and replace(self, warming=0.0).worst <= tolerance
@@ -49,7 +49,7 @@ class Step:
     Attributes
     ----------
     balance : Balance
-        Where the step led.
+        Residuals after the step.
     krylov : int
         GMRES iterations.
     damping : float
@@ -83,7 +83,7 @@ class Shear:
 
 @dataclass(frozen=True)
 class ShearFields(Shear):
-    """Shear of a film, and its flow by that.
+    """Shear of a film with its flow factors and slip.
 
     Attributes
     ----------
@@ -104,14 +104,14 @@ class ShearFields(Shear):
 
 @dataclass(frozen=True)
 class HeatFields:
-    """Heat of a film at the nodes, as of its last sweep.
+    """Heat flows of a film at the nodes at its last sweep of heat.
 
     Attributes
     ----------
     flux : numpy.ndarray
-        Heat flux into both bodies [W/m2], the last index.
+        Heat flux into each body [W/m2], body along the last axis.
     carried : numpy.ndarray
-        Heat that the oil carries away, less what compression gives it [W/m2].
+        Heat convected by the oil, less that of its compression [W/m2].
     """
 
     flux: np.ndarray
@@ -119,14 +119,14 @@ class HeatFields:
 
 
 LEAST_RISE = 10.0
-"""Temperature [K] against which changes are measured where less heat than that is made."""
+"""Least reference of relative changes of temperature [K]."""
 
 _FLOW_LAWS = {"newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3, "carreau": 4}
 """Numbers of the laws in `fortran/oil/flow_laws.f90`."""
 
 
 def oil_numbers(oil: Oil) -> tuple:
-    """The oil as the kernel takes it: law, eta0, exponent, pole pressure, d1, d2 (`viscosity_density`)."""
+    """The oil for the kernel: law, eta0, exponent, pole pressure, d1, d2 (`viscosity_density`)."""
     law, density = oil.viscosity, oil.density
     if isinstance(law, Barus):
         return 1, law.eta0, law.alpha, 1.0, density.d1, density.d2
@@ -134,7 +134,7 @@ def oil_numbers(oil: Oil) -> tuple:
 
 
 class Film:
-    """A film on one grid and its present state, held by the kernel.
+    """A film on one grid in its present state, owned by the kernel.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ class Film:
     Raises
     ------
     KernelError
-        If the kernel made none.
+        If the kernel could not make the film.
     """
 
     def __init__(self, made: tuple[int, int], shape: tuple[int, ...]):
@@ -160,16 +160,16 @@ class Film:
         weakref.finalize(self, core.bindings.film_free, self._handle)
 
     def _on_nodes(self, field) -> np.ndarray:
-        """A field as the kernel takes it, the second direction of a line contact one node long; no copy."""
+        """A field in the kernel's shape, with a second direction of one node for a line contact; no copy."""
         field = fortran_array(field)
         return field[:, np.newaxis] if len(self._shape) == 1 else field
 
     def _on_grid(self, field: np.ndarray) -> np.ndarray:
-        """A field that the kernel gave, in the shape of the grid; no copy."""
+        """A field of the kernel in the shape of the grid; no copy."""
         return field[:, 0] if len(self._shape) == 1 else field
 
     def start(self, pressure, rigid_film: float) -> Balance:
-        """Takes up a pressure [Pa] and a rigid film h0 [m]; the pressure on the outline stays as given."""
+        """Start from a pressure [Pa] and a rigid film h0 [m]; pressure on the outline stays fixed."""
         self.pressure = fortran_array(pressure).copy(order="F")
         self.rigid_film = rigid_film
         residual, load_error = core.bindings.film_evaluate(
@@ -179,36 +179,36 @@ class Film:
         return self.balance
 
     def restart(self) -> Balance:
-        """Starts from the present pressure and rigid film, in which something else has changed."""
+        """Restart from the present pressure and rigid film after a change of the equations."""
         return self.start(self.pressure, self.rigid_film)
 
     def set_transient_term(self, implicit: float, explicit) -> None:
-        """Sets d(rho h)/dt of the Reynolds equation; the film is to be started before it steps.
+        """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.
 
         Parameters
         ----------
         implicit : float
-            Its part proportional to the film's present rho h, over that [1/s].
+            Coefficient of rho h at present [1/s].
         explicit : array_like
-            Its part by rho h at earlier times, at the nodes [m/s].
+            Part by rho h at earlier times, at the nodes [m/s].
 
         Raises
         ------
         KernelError
-            If they are not finite, or of another grid.
+            If a value is not finite or the shape is not that of the grid.
         """
         check_status(core.bindings.film_store(self._handle, implicit, self._on_nodes(explicit)))
 
     def step(self, forcing: float) -> Step:
-        """One Newton step, and where heat is simulated one sweep of it at the new pressure.
+        """Make one Newton step and, where heat is simulated, one sweep of it at the new pressure.
 
         The linear system is solved to `forcing` times the right-hand side.
 
         Raises
         ------
         KernelError
-            If the step cannot be made; pressure and film are as they were. If the temperature left all sense
-            the film counts as far from its equations.
+            If the step fails; pressure and film are unchanged. If the temperature diverged, the residual is
+            large.
         """
         rigid_film, residual, load_error, krylov, damping, change, rise, status = (
             core.bindings.film_step(
@@ -238,11 +238,11 @@ class Film:
         return self._on_grid(core.bindings.film_thickness(self._handle, *self._nodes))
 
     def work(self) -> dict[str, float]:
-        """What was done since this was last asked, by name of a history's variable (`io.variables`)."""
+        """Operations since the last call, by name of a variable of the history (`io.variables`)."""
         return {}
 
     def unsolved(self) -> int:
-        """Faces and columns whose shear stress was not found when they were last met."""
+        """Number of faces and columns whose shear stress did not converge when last solved."""
         return int(core.bindings.film_unsolved(self._handle))
 
     def convolve(self) -> np.ndarray:
@@ -252,16 +252,16 @@ class Film:
         )
 
     def warm(self) -> None:
-        """One sweep of heat at the present pressure; the film is to be started before it steps."""
+        """Make one sweep of heat at the present pressure; the film must be restarted before its next step."""
         _, status = core.bindings.film_warm(self._handle)
         check_status(status)
 
     def rise(self) -> np.ndarray:
-        """Temperature above the inlet's [K] at the levels, from body 1 to body 2, the last index."""
+        """Temperature above the inlet's [K] at the levels, from body 1 to body 2 along the last axis."""
         return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
     def shear(self, law: FlowLaw, levels: int, sliding) -> None:
-        """Lets the oil flow by a law; the film is to be started, or heated, before its next step.
+        """Set the flow law of the oil; the film must be restarted, or heated, before its next step.
 
         Parameters
         ----------
@@ -296,14 +296,14 @@ class Film:
         self.levels = levels
 
     def _warm_from(self, rise) -> None:
-        """Begins with a rise above the inlet's temperature at the levels [K], or with none."""
+        """Set the initial rise over the inlet temperature at the levels [K], by default zero."""
         if rise is not None:
             core.bindings.film_set_rise(self._handle, self._on_nodes(rise))
         self.heated = True
         self._warming = np.inf
 
     def shear_fields(self, factors: bool = False) -> ShearFields:
-        """Shear of a film whose oil flows by a law, with its flow factors or with zeros in their place.
+        """Shear of a film with a flow law; flow factors are computed only on request, else zero.
 
         Raises
         ------
@@ -316,11 +316,11 @@ class Film:
         return ShearFields((x, y)[: len(self._shape)], *others)
 
     def present_shear(self) -> Shear:
-        """Shear of a film whose oil flows by a law, in its present state."""
+        """Shear of a film with a flow law, in its present state."""
         return self.shear_fields()
 
     def heat_fields(self) -> HeatFields:
-        """Heat of a film that warms, as of its last sweep of heat."""
+        """Heat flows of a heated film at its last sweep of heat."""
         fields = core.bindings.film_heat_fields(self._handle, *self._nodes)
         return HeatFields(*(self._on_grid(field) for field in fields))
 
@@ -349,7 +349,7 @@ class Film:
 
 
 def heat_numbers(oil: Oil) -> np.ndarray:
-    """How an oil takes heat, as the kernel takes it (`bindings.f90`, point_film_heat)."""
+    """Thermal properties of an oil as arguments of the kernel (`bindings.f90`, point_film_heat)."""
     heat = oil.heat
     return np.array(
         [
@@ -371,7 +371,7 @@ def heat_numbers(oil: Oil) -> np.ndarray:
 
 
 def bodies_numbers(bodies, heat: OilHeat) -> np.ndarray:
-    """How both bodies conduct and store heat, a column each, as the kernel takes it."""
+    """Thermal properties of both bodies as arguments of the kernel, a column each."""
     columns = [
         (
             body.conductivity,

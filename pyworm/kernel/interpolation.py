@@ -7,12 +7,12 @@ from pyworm.kernel.core import fortran_array
 
 
 def level_positions(levels: int) -> np.ndarray:
-    """Where the levels across a film are, from -1/2 at body 1 to 1/2 at body 2."""
+    """Positions of the levels across a film, from -1/2 at body 1 to 1/2 at body 2."""
     return core.bindings.level_positions(levels)
 
 
 def prolong(field) -> np.ndarray:
-    """A field along one direction or two on the grid of half the spacing, by cubic interpolation."""
+    """Interpolate a field along one direction or two to half the spacing, by cubics."""
     field = fortran_array(field)
     if field.ndim == 1:
         return core.bindings.prolong_cubic(field[:, np.newaxis])[:, 0]
@@ -20,5 +20,5 @@ def prolong(field) -> np.ndarray:
 
 
 def prolong_levels(fields) -> np.ndarray:
-    """The same for fields at levels across the film, the last index."""
+    """Interpolate fields at levels across the film, along the last axis, to half the spacing by cubics."""
     return np.stack([prolong(level) for level in np.moveaxis(fields, -1, 0)], axis=-1)

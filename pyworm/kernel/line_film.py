@@ -9,7 +9,7 @@ from pyworm.materials.oil import Oil
 
 
 class LineFilm(Film):
-    """A line contact on one grid and its present state, held by the kernel.
+    """A line contact on one grid in its present state, owned by the kernel.
 
     Parameters
     ----------
@@ -24,12 +24,12 @@ class LineFilm(Film):
     oil : Oil
         Oil at its inlet temperature.
     floor : float
-        Film [m] below which the mobility falls no further, far below any film of interest.
+        Film [m] below which the mobility is constant, far below any film of interest.
 
     Notes
     -----
-    The rigid film counts deflection from where a line load leaves none: at the distance of the grid's length
-    (`fortran/elastic/half_plane.f90`). It is the same on every grid over one interval.
+    The datum of deflection is at a distance of the grid's length from a line load
+    (`fortran/elastic/half_plane.f90`); it is the same on every grid over one interval.
     """
 
     def __init__(self, gap, covered, entrainment, dx, reduced_modulus, load, oil, floor):
@@ -46,18 +46,18 @@ class LineFilm(Film):
         super().__init__(made, np.shape(gap))
 
     def heat(self, oil: Oil, bodies, velocities, rise=None) -> None:
-        """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
+        """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
         Parameters
         ----------
         oil : Oil
-            Oil that is known to take heat.
+            Oil with thermal properties.
         bodies : tuple of Body
             Both bodies, with thermal constants.
         velocities : tuple of float
             Velocity of each body's surface [m/s], neither of them zero.
         rise : array_like, optional
-            Temperature above the inlet's to begin with [K], shape (n, levels).
+            Initial temperature above the inlet's [K], shape (n, levels).
 
         Raises
         ------

@@ -9,7 +9,7 @@ from pyworm.materials.oil import Oil
 
 
 class PointFilm(Film):
-    """A point contact on one grid and its present state, held by the kernel.
+    """A point contact on one grid in its present state, owned by the kernel.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class PointFilm(Film):
     oil : Oil
         Oil at its inlet temperature.
     floor : float
-        Film [m] below which the mobility falls no further, far below any film of interest.
+        Film [m] below which the mobility is constant, far below any film of interest.
     """
 
     def __init__(self, gap, covered, entrainment, dx, dy, reduced_modulus, load, oil: Oil, floor):
@@ -44,12 +44,12 @@ class PointFilm(Film):
         self._told = self._tallies()
 
     def _tallies(self) -> np.ndarray:
-        """Work since the film was made: counts, then processor times [s]."""
+        """Operations since the film was made: counts, then processor times [s]."""
         counts, seconds = core.bindings.film_work(self._handle)
         return np.concatenate([counts, seconds])
 
     def work(self) -> dict[str, float]:
-        """Convolutions, preconditioner solves and processor time by part [s], since this was last asked."""
+        """Convolutions, preconditioner solves and processor time by part [s] since the last call."""
         before, self._told = self._told, self._tallies()
         done = self._told - before
         convolution, flow, building, cycle, heat, whole = done[6:]
@@ -64,18 +64,18 @@ class PointFilm(Film):
         }
 
     def entrain(self, entrainment) -> None:
-        """Changes the nodal entrainment velocity (u, v) [m/s]; the film is to be started before it steps."""
+        """Set the nodal entrainment velocity (u, v) [m/s]; the film must be restarted before a step."""
         core.bindings.point_film_entrain(
             self._handle, *(fortran_array(part) for part in entrainment)
         )
 
     def heat(self, oil: Oil, bodies, motions, semi_axes, rise=None) -> None:
-        """Lets a sheared film and the bodies beside it warm; the film is to be started before its next step.
+        """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
         Parameters
         ----------
         oil : Oil
-            Oil that is known to take heat.
+            Oil with thermal properties.
         bodies : tuple of Body
             Both bodies, with thermal constants.
         motions : tuple
@@ -83,7 +83,7 @@ class PointFilm(Film):
         semi_axes : tuple of float
             Semi-axes of the contact along x and y [m].
         rise : array_like, optional
-            Temperature above the inlet's to begin with [K], shape (nx, ny, levels).
+            Initial temperature above the inlet's [K], shape (nx, ny, levels).
 
         Raises
         ------
@@ -101,7 +101,7 @@ class PointFilm(Film):
         self._warm_from(rise)
 
     def present_shear(self) -> Shear:
-        """Shear of a film whose oil flows by a law; of one that warms as of its last sweep of heat."""
+        """Shear of a film with a flow law; of a heated film at its last sweep of heat."""
         if not self.heated:
             return self.shear_fields()
         x, y, *others = core.bindings.point_film_swept_shear(self._handle, *self._nodes)

@@ -21,8 +21,9 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales, line_scales, scales
 
 COARSE_CELLS = 16
-"""Cells of the first grid of the figures along the short one of the contact's lengths: Hertz's semi-axis and,
-where the film is thick, the distance over which the undeformed gap rises by a film, together."""
+"""Number of cells of the first grid of the figures over the contact's length in the shorter direction:
+Hertz's semi-axis plus, where the film is thick, the distance over which the undeformed gap rises by a
+film."""
 
 LARGEST_STRETCH = 3.0
 """Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
@@ -32,10 +33,11 @@ LARGEST_GRID = 4_000_000
 """Nodes beyond which grids are not refined further."""
 
 LARGEST_LINE = 33_000
-"""The same for a line contact. A step costs some milliseconds at 2000 and grows nearly as their number."""
+"""Largest number of nodes of a line contact. A step costs some milliseconds at 2000 nodes and grows
+linearly."""
 
 LINE_TOLERANCE = 1e-6
-"""Residual allowed in a line contact that does not warm: Newton's last step falls far below it at no cost."""
+"""Residual allowed of an isothermal line film; Newton's last step falls far below it at no cost."""
 
 HEATED_LINE_FRACTION = 0.01
 """Residual allowed of a heated line film, as a fraction of the accuracy asked for. Film and temperature are
@@ -142,7 +144,7 @@ def _refusal(work: Work, film: float, largest: int) -> str | None:
 
 
 def _slenderness(size: Scales) -> float:
-    """Length of Hertz's contact along the entrainment over that across it."""
+    """Ratio of the lengths of Hertz's contact along and across the entrainment."""
     along, across = (
         hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
         for angle in (size.angle, size.angle + pi / 2)
@@ -151,12 +153,12 @@ def _slenderness(size: Scales) -> float:
 
 
 def _nodes(*nests: Sequence[Grid | LineGrid]) -> list[list[int]]:
-    """Nodes of the grids of each window."""
+    """Numbers of nodes of the grids of each window."""
     return [[grid.nodes for grid in nest] for nest in nests]
 
 
 PLANS = {Scene: _plan_point, LineScene: _plan_line}
-"""What plans each kind of contact, by its scene."""
+"""Planner of each kind of contact, by its scene."""
 
 
 def _grids(scene: Scene, size: Scales, inner: Box, outer: Box) -> tuple[Grid, ...]:

@@ -1,8 +1,9 @@
 """Expected work of a solve: Newton steps and the nodes of their grids.
 
-What a step takes on a machine is measured (`solver.cost.calibration`). Counts and laws are medians and fits
-over the shipped cases and the scenes of `benchmarks/accuracy/asked_accuracy.py`; `docs/evidence/accuracy.md`
-shows what they predict, and `benchmarks/accuracy/precision.py expected` tries them again.
+The time of a step is measured on each machine (`solver.cost.calibration`). Counts and laws are medians and
+fits over the shipped cases and the scenes of `benchmarks/accuracy/asked_accuracy.py`;
+`docs/evidence/accuracy.md` compares them with solves, and `benchmarks/accuracy/precision.py expected` repeats
+the comparison.
 """
 
 from collections.abc import Sequence
@@ -23,24 +24,25 @@ its width, or 1 if that is less: slender contacts entrained along have thin side
 M 4 to 1000 and L 1 to 20, from which they scatter by 1.7."""
 
 LEAST_CHANGE, AUXILIARY_CHANGE = 5e-3, 0.1
-"""The least, and that of a film that heat alone carries, which no formula knows."""
+"""The least expected change, and that of a film carried by heat alone, which no formula predicts."""
 
 LOG_CHANGE = tuple(log(ratio) for ratio in (0.15, 0.65, 7.7, 31.0, 123.0, 1970.0))
 HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
-"""That change over the accuracy, and halvings between which a solve is as likely to stop as to go on.
+"""Expected change over the accuracy (logarithm), and halvings at which a solve is as likely to stop as not.
 
-There is one at least; beyond the last each halving leaves a quarter, as it does before.
+There is at least one halving; beyond the last each reduces the error to a quarter.
 
 The error bar on the second grid is 1.25 times the change, on the third a tenth of it, and a quarter of the
-one before on each further (`solver.error_estimate.grid_errors`); some of it is left to window and algebra."""
+one before on each further (`solver.error_estimate.grid_errors`); a part is reserved for window and
+algebra."""
 
 
 WORTHLESS = 0.1
-"""Relative error of the films beyond which figures are worth no grid, whatever accuracy was asked for."""
+"""Relative error of the films beyond which figures are worthless, whatever accuracy was asked for."""
 
 IN_VAIN = 0.8
-"""Halvings beyond the largest grid from which no such figures come: twice the scatter of the expected change,
-1.7, in halvings."""
+"""Halvings needed beyond the largest grid from which no grid is refined: twice the scatter of the expected
+change, 1.7, in halvings."""
 
 
 @dataclass(frozen=True)
@@ -50,13 +52,13 @@ class Steps:
     Attributes
     ----------
     outer : float
-        On each grid but the last of a nest.
+        Steps on each grid except the last of a nest.
     cold : float
-        On the last one with a Newtonian oil of one temperature.
+        Steps on the last grid with an isothermal Newtonian oil.
     full : float
-        There with all that is simulated besides, if there is more.
+        Further steps on the last grid with all effects, if there are more.
     finer : float
-        On each finer grid.
+        Steps on each finer grid.
     """
 
     outer: float
@@ -71,10 +73,10 @@ STEPS: dict[Kind, Steps] = {
 }
 
 THICKENING, THICKENING_POWER = 10.0, 0.7
-"""Moes' L from which the linear systems of steps take more iterations, and the power of L with which."""
+"""Moes' L above which the linear systems of isothermal steps take more iterations, and the exponent of L."""
 
 STIFF, STIFF_POWER = 15.0, 2.5
-"""The same for the steps of a film that warms."""
+"""Moes' L above which the linear systems of heated steps take more iterations, and the exponent of L."""
 
 TIME_STEPS = (10, 24, 58)
 """Time steps of the first transient solve of a film, and of those on finer grids (`solver.transient`)."""
@@ -86,21 +88,21 @@ FINEST_TRANSIENT = 0.06
 """Accuracy from which on the last of these transient solves is likely."""
 
 AUXILIARY_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
-"""Those of a film that heat alone carries."""
+"""Newton steps of a film carried by heat alone."""
 
 
 @dataclass(frozen=True)
 class Stage:
-    """Steps on one grid.
+    """Newton steps on one grid.
 
     Attributes
     ----------
     nodes : float
-        Its nodes.
+        Number of nodes.
     cold : float
-        Steps with a Newtonian oil of one temperature.
+        Steps with an isothermal Newtonian oil.
     full : float
-        Steps with all that is simulated besides; none where nothing is.
+        Steps with all effects; 0 where there are no more.
     """
 
     nodes: float
@@ -117,11 +119,11 @@ class Work:
     kind : str
         "point" or "line".
     stages : tuple of Stage
-        Its grids, finer ones last; these say on the average of what is likely.
+        Grids, finer ones last, whose number is the expected one.
     needed : float
-        Nodes that figures of any worth are likely to need.
+        Expected number of nodes for an error of `WORTHLESS`.
     in_vain : bool
-        Whether these are so many more than allowed that no grid is refined.
+        Whether that number exceeds the largest grid so far that no grid is refined.
     """
 
     kind: Kind
@@ -136,7 +138,7 @@ class Work:
 
     @property
     def steps(self) -> float:
-        """All steps."""
+        """Number of all steps."""
         return sum(stage.cold + stage.full for stage in self.stages)
 
 
@@ -153,13 +155,13 @@ def first_change(
     Parameters
     ----------
     spacing, half_widths, radii : sequence of float
-        Of the grid, of Hertz's contact and of the undeformed gap, along each direction [m].
+        Grid spacing, half-widths of Hertz's contact and radii of the gap, along each direction [m].
     film : float
         Central film [m].
     moes_l : float
         Moes' lubricant parameter.
     slenderness : float
-        Length of the contact along the entrainment over its width.
+        Length of the contact along the entrainment over its width [-].
     """
     sharpness = max(
         step / (half * (film * radius / half**2) ** (2 / 3))
@@ -203,11 +205,11 @@ def expected_work(
     largest : float
         Nodes beyond which grids are not refined.
     full : bool
-        Whether more than a Newtonian oil of one temperature is simulated.
+        Whether more than an isothermal Newtonian oil is simulated.
     stiffness : float
-        How many times as much work as usual the steps are (`stiffness`).
+        Factor of the work of a step over the usual (`stiffness`).
     auxiliary : bool
-        Whether heat alone carries the film, found with auxiliary entrainment.
+        Whether heat alone carries the film, which needs auxiliary entrainment.
     moving : bool
         Whether the film is transient.
     """
@@ -237,6 +239,6 @@ def expected_work(
 
 
 def _halvings(change: float) -> float:
-    """Halvings that a change of the films, over the accuracy, is likely to need."""
+    """Expected number of halvings for a change of the films over the accuracy."""
     beyond = max(0.0, (log(change) - LOG_CHANGE[-1]) / log(4.0))
     return float(np.interp(log(change), LOG_CHANGE, HALVINGS)) + beyond

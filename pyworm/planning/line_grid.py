@@ -9,28 +9,30 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 
 INLET_FILMS = 12.0
-"""Films that Hertz's gap has risen at the inlet end of the grid; beyond it is `solver.line.far_field`."""
+"""Height of Hertz's gap at the inlet end of the grid, in films; beyond it is `solver.line.far_field`."""
 
 INLET_ACCURACY = 1e-3
-"""Accuracy for which that is enough. The error falls with the square of the films (`solver.line.contact`)."""
+"""Accuracy for which that height is enough; the error falls with its square (`solver.line.contact`)."""
 
 HEATED_INLET_FILMS = 48.0
-"""The same of a film that warms: oil and bodies are heated far before the contact."""
+"""Height of the gap at the inlet end for a heated film, whose oil and bodies are heated far before the
+contact."""
 
 HEATED_INLET_ACCURACY = 1e-2
-"""Accuracy for which that is enough. The error falls with the films (`solver.line.contact`)."""
+"""Accuracy for which that height is enough; the error falls linearly with it (`solver.line.contact`)."""
 
 EXIT_FILMS = 1.0
-"""The same at the exit end. A rigid film ruptures where the gap has risen by a quarter of the film."""
+"""Height of Hertz's gap at the exit end, in films. A rigid film ruptures where it is a quarter of the
+film."""
 
 FIRST_CELLS = 64
-"""Cells of the first grid, at least."""
+"""Least number of cells of the first grid."""
 
 CELLS_OF_RISE = 3
-"""Cells of the first grid, at least, from the edge of the dry contact to where Hertz's gap is a film high.
+"""Least number of cells of the first grid from the edge of the dry contact to where Hertz's gap is a film
+high.
 
-On coarser grids a heavily loaded film is a guess: at M > 800 on 64 cells Newton's iteration went astray, and
-what the window changes was not to be seen."""
+On coarser grids at M > 800, Newton's iteration diverged on 64 cells and the window error was hidden."""
 
 
 @dataclass(frozen=True)
@@ -106,7 +108,7 @@ def _grid(scene: LineScene, dx: float, inlet: float, exit_: float) -> LineGrid:
 
 
 def _distance(scene: LineScene, size: LineScales, films: float) -> float:
-    """Distance [m] from the contact point at which Hertz's gap is that many films high.
+    """Distance [m] from the contact point at which Hertz's gap is `films` films high.
 
     Outside the contact the gap is b^2/2R {X (X^2 - 1)^(1/2) - ln[X + (X^2 - 1)^(1/2)]}, X = x/b (Johnson,
     Contact Mechanics, section 4.2).

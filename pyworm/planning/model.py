@@ -14,9 +14,9 @@ class Model:
     Attributes
     ----------
     levels : int
-        Levels across the film, walls included; 0 for a Newtonian film of one temperature, which needs none.
+        Levels across the film, walls included; 0 for an isothermal Newtonian film.
     heated : bool
-        Whether the film and the bodies warm.
+        Whether heat is simulated, in the film and the bodies.
     """
 
     levels: int = 0
@@ -27,8 +27,8 @@ PARABOLA = 3
 """Levels across a film whose temperature is a parabola."""
 
 LEVEL_ERRORS = ((5, 1e-2), (7, 4e-4), (9, 3e-5), (11, 0.0))
-"""Levels across the film and the error they leave: the largest relative error of films, friction and largest
-temperatures of seven contacts against 13 levels (`benchmarks/accuracy/levels.py`)."""
+"""Levels across the film and the largest relative error of films, friction and largest temperatures by them,
+in seven contacts against 13 levels (`benchmarks/accuracy/levels.py`)."""
 
 LEVEL_FRACTION = 0.1
 """Error by the levels allowed, as a fraction of the accuracy asked for."""

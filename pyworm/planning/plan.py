@@ -23,37 +23,37 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class Plan:
-    """What a solve will do.
+    """Effects, model, grids and tolerance of a solve.
 
     Attributes
     ----------
     accuracy : float
         Relative error wanted in the quantities asked for [-].
     quantities : tuple of str
-        What is asked for, of `pyworm.planning.effects.effect.QUANTITIES`.
+        Quantities asked for, of `pyworm.planning.effects.effect.QUANTITIES`.
     asked : str or None
-        The effects asked for in words; None where the accuracy chose them.
+        Effects named by the user; None where the accuracy decides.
     effects : tuple of Judgement
-        Every effect judged.
+        Every effect with its judgement.
     regime : Regime
         The regime of lubrication by the chart.
     aim : Aim
         The figures whose error bars the accuracy is asked of.
     model : Model
-        What the kernel simulates.
+        Levels across the film and heat, as the kernel simulates them.
     grids : tuple of Grid or LineGrid
-        From the outermost to the first one of the figures; finer ones follow as the accuracy needs.
+        Grids from the outermost to the first one of the figures; finer ones are added as needed.
     wider_grids : tuple of Grid or LineGrid
-        The same to a window of twice the reach and the same spacing, for the error by the window; none if
-        that is not to be estimated.
+        Grids of the same spacing to a window of twice the reach, for the window error; empty if that is
+        not to be estimated.
     largest_grid : int
         Nodes beyond which grids are not refined further.
     tolerance : float
         Residual and load error, at most, at which a grid of the figures is solved.
     work : Work
-        The Newton steps that are expected; what they take is told by `pyworm.solver.cost.expected_time`.
+        Expected Newton steps; `pyworm.solver.cost.expected_time` gives their time.
     refusal : str or None
-        Why no grid is refined: the film needs far more nodes than allowed. None of any other contact.
+        Reason why no grid is refined, the film needing far more nodes than allowed; else None.
     """
 
     accuracy: float
@@ -78,8 +78,8 @@ class Plan:
     def simplified(self, scene: Scene | LineScene) -> Scene | LineScene:
         """The scene without the effects that are left out.
 
-        Where the oil's flow law is left out whatever that changes, none is left: the friction of a Newtonian
-        oil would mean nothing.
+        Where the user leaves out the oil's flow law, no law remains, since the friction of a Newtonian oil
+        would be meaningless.
         """
         simple = simplified(scene, self.on)
         if self.asked is not None and simple.oil.flow == NEWTONIAN != scene.oil.flow:
@@ -93,7 +93,7 @@ def plan(
     effects: str = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:
-    """Plan of a solve.
+    """Plan the solve of a scene: effects, model, grids and tolerance.
 
     Parameters
     ----------
@@ -102,16 +102,16 @@ def plan(
     accuracy : float
         Relative error wanted [-], between 1e-5 and 0.5.
     effects : str
-        "auto": what the accuracy calls for, and effects named after a comma; otherwise what
-        `planning.effects.selection.chosen` reads: "all", "isothermal", or names of effects with commas.
+        "auto": what the accuracy requires, and effects named after a comma; otherwise a choice as of
+        `planning.effects.selection.chosen`: "all", "isothermal", or names of effects with commas.
     quantities : sequence of str, optional
-        What is asked for: "film", "friction", "temperature"; by default all that the oil is known for.
+        Quantities asked for: "film", "friction", "temperature"; by default all that the oil's data allow.
 
     Raises
     ------
     ValueError
-        For a name or an accuracy that there is none of, an effect that too little is known of the scene for,
-        or a scene without load or size.
+        For an unknown name, an accuracy out of range, an effect for which data of the scene are missing, or
+        a scene without load or size.
     """
     if not 1e-5 <= accuracy <= 0.5:
         raise ValueError(
@@ -160,12 +160,12 @@ def planned(
 
 
 def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGrid, ...]:
-    """The grids that the plan would have for this scene."""
+    """The grids of the plan for another scene."""
     return PLANS[type(scene)](scene, plan.accuracy, plan.model).grids
 
 
 def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
-    """The figures of the quantities asked for, as far as the model has them."""
+    """The figures of the quantities asked for that the model has."""
     figures = {
         FILM: FILMS,
         FRICTION: ("friction_coefficient",) * rubs,
@@ -176,9 +176,9 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
-    """The plan with its effects judged again by solved figures; effects that are on stay on.
+    """Judge the effects of a plan again by solved figures; effects that are on stay on.
 
-    Only where effects come in is anything else of it planned anew.
+    Only where effects are added is the rest of the plan made again.
     """
     prediction = predicted(scene).updated(figures)
     how = scene, plan.accuracy, plan.quantities, prediction, plan.asked, plan.on

@@ -1,7 +1,7 @@
 """Prediction of a contact by closed forms, updated by solved figures.
 
-Effects are judged by these numbers and by nothing else, so that they can be judged again from a solution.
-Friction and temperatures are estimated together: oil that shears warms, and warm oil shears more easily.
+Effects are judged by these numbers alone, so that they can be judged again from a solution. Friction and
+temperatures are estimated together, since shear heats the oil and heat lowers its viscosity.
 """
 
 from collections.abc import Mapping
@@ -21,13 +21,13 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales, scales
 
 POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
-"""Mean over largest pressure of Hertz's ellipse and strip."""
+"""Ratio of mean to largest pressure of Hertz's ellipse and strip."""
 
 LEAST_TO_CENTRAL = 0.6
-"""Minimum over central film, as a rule, where no formula gives it."""
+"""Typical ratio of minimum to central film, where no formula gives it."""
 
 SOLID = 100.0
-"""alpha p beyond which no oil flows, and exp(alpha p) is no number to judge by."""
+"""Limit of alpha p, beyond which no oil flows and exp(alpha p) is meaningless."""
 
 INLET_HEAT = 100.0
 """Heat of Poiseuille flow in the inlet, times h^2, over eta0 u^2."""
@@ -35,7 +35,7 @@ INLET_HEAT = 100.0
 
 @dataclass(frozen=True)
 class Prediction:
-    """A contact in a few numbers, predicted or solved.
+    """Lengths, pressures, films, friction and temperatures of a contact, predicted or solved.
 
     Attributes
     ----------
@@ -44,14 +44,14 @@ class Prediction:
     half_width, half_length : float
         Half-width of the contact along the entrainment and across it [m]; the latter infinite for a line.
     mean_to_max : float
-        Mean over largest pressure [-].
+        Ratio of mean to largest pressure [-].
     pressure_max : float
-        Largest pressure [Pa]; before it is known Hertz's, too high where a thick film spreads the load,
-        but none at which the oil is solid.
+        Largest pressure [Pa]; predicted by Hertz, limited to `SOLID`, too high where a thick film spreads the
+        load.
     film_central, film_min : float
-        Films [m].
+        Central and minimum film [m].
     speed, sliding : float
-        Entrainment and sliding at the contact point [m/s]; of pure spin a mean of the entrainment about it.
+        Entrainment and sliding at the contact point [m/s]; for pure spin the mean entrainment about it.
     velocities : tuple of float
         Speeds of the surfaces at the contact point [m/s].
     groups : PointGroups or LineGroups
@@ -59,9 +59,9 @@ class Prediction:
     carried_by_heat : bool
         Whether no film forms without heat.
     work : float or None
-        Heat of shearing for each area, as the solution tells [W/m2]; None before it is known.
+        Solved heat of shearing for each area [W/m2]; None before it is known.
     rise_film, rise_bodies : float or None
-        Largest temperature above the inlet's of the film and of the warmer surface [K]; None likewise.
+        Solved largest temperature above the inlet's of film and warmer surface [K]; None before it is known.
     """
 
     scene: Scene | LineScene
@@ -82,17 +82,17 @@ class Prediction:
 
     @property
     def transit(self) -> float:
-        """Time that oil takes to pass through the middle of the contact [s]."""
+        """Transit time of oil through the middle of the contact [s]."""
         return 2 * self.half_width / self.speed
 
     @property
     def age(self) -> float:
-        """Time since that oil entered, or since the contact's mesh cycle began [s]."""
+        """Transit time, or time since the contact's mesh cycle began if that is less [s]."""
         return min(self.transit, self.scene.past.seconds)
 
     @cached_property
     def before(self) -> "Prediction | None":
-        """The contact at that time; None before the mesh cycle began."""
+        """Prediction of the contact that time (`age`) ago; None before the mesh cycle began."""
         then = self.scene.past.back([self.age]) if self.age > 0 else []
         return predicted(then[0].contact) if then else None
 
@@ -113,7 +113,7 @@ class Prediction:
 
     @property
     def inlet_beta(self) -> float:
-        """The same at ambient pressure [1/K]."""
+        """-d ln eta/dT at ambient pressure and the inlet's temperature [1/K]; 0 where it is unknown."""
         return -log(self.oil.eta(0.0, 1.0) / self.oil.eta(0.0))
 
     def stress(self, flow: FlowLaw | None = None, rise: float = 0.0) -> float:
@@ -122,7 +122,7 @@ class Prediction:
         Parameters
         ----------
         flow : FlowLaw, optional
-            In place of the oil's.
+            Flow law in place of the oil's.
         rise : float
             Temperature of the oil above the inlet's [K].
         """
@@ -134,8 +134,8 @@ class Prediction:
         """Largest temperature rise [K] of the surfaces by a heat flux [W/m2].
 
         A strip of half-width b that moves at Peclet numbers above a few warms by 2 q sqrt(2 b/(pi k rho c U))
-        (Jaeger 1942; Carslaw and Jaeger 1959, section 10.7), a slower one by no more than 3 q b/(2 k); the
-        heat parts so that both surfaces are equally warm.
+        (Jaeger 1942; Carslaw and Jaeger 1959, section 10.7), a slower one by no more than 3 q b/(2 k). The
+        heat is partitioned so that both surfaces are equally warm.
         """
         return heat / sum(1 / resistance for resistance in self._resistances)
 
@@ -183,10 +183,10 @@ class Prediction:
 
     @property
     def rolling_rise(self) -> float:
-        """Rise of the film by its flow into the contact and by compression, without any sliding [K].
+        """Temperature rise of the film by inlet flow and compression, without sliding [K].
 
-        Both are heat made across the film, q h/8k: that of Poiseuille flow in the inlet, where the oil is
-        some times thicker than outside, and eps T u p/b of compression.
+        It is q h/8k of the heat of Poiseuille flow in the inlet, where the oil is several times as viscous as
+        outside, and of compression, eps T u p/b.
         """
         heat = self.oil.heat
         flow = INLET_HEAT * self.oil.viscosity.eta0 * self.speed**2
@@ -202,7 +202,7 @@ class Prediction:
 
     @property
     def rolling_warmth(self) -> float:
-        """Fall of ln eta by that temperature rise [-]."""
+        """Decrease of ln eta by the rise of rolling [-]."""
         return self.beta * self.rolling_rise
 
     @property
@@ -252,13 +252,13 @@ def predicted(scene: Scene | LineScene) -> Prediction:
 
 
 def _flowing(pressure: float, oil: Oil) -> float:
-    """A pressure [Pa], limited to the largest at which the oil flows."""
+    """A pressure [Pa], limited to the largest at which the oil flows (`SOLID`)."""
     alpha = oil.viscosity.alpha
     return min(pressure, SOLID / alpha) if alpha > 0 else pressure
 
 
 def _resistance(body: Body, speed: float, half_width: float) -> float:
-    """Rise of a surface by a flux of 1 W/m2 [m2 K/W]."""
+    """Temperature rise of a surface by a unit heat flux [m2 K/W]."""
     still = 1.5 * half_width / body.conductivity
     if speed == 0:
         return still

@@ -1,4 +1,4 @@
-"""The figures whose error bars the accuracy is asked of."""
+"""The figures to which the accuracy applies."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ HEAT_FIGURES = ("temperature_max_body_1", "temperature_max_body_2", "temperature
 
 @dataclass(frozen=True)
 class Aim:
-    """The figures whose error bars an accuracy is asked of.
+    """The figures to which an accuracy applies.
 
     The largest pressure is never among them: under light loads it is the tip of a spike at the exit, which no
     practicable grid resolves. Nor is the film's largest temperature on the largest grid allowed, where it is
@@ -23,7 +23,7 @@ class Aim:
     Attributes
     ----------
     figures : tuple of str
-        Their names.
+        Names of the figures.
     warmth : float
         Temperature difference to which errors of temperatures are relative where the rise is smaller [K].
     """
@@ -32,11 +32,11 @@ class Aim:
     warmth: float = 0.0
 
     def without(self, name: str) -> "Aim":
-        """The same but for one figure."""
+        """The aim without one figure."""
         return replace(self, figures=tuple(other for other in self.figures if other != name))
 
     def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:
-        """The largest of relative errors of figures, temperatures among these as rises [K]."""
+        """Largest relative error of the figures, temperatures given as rises [K]."""
         return max(errors[name] * self._weight(name, figures[name]) for name in self.figures)
 
     def _weight(self, name: str, value: float) -> float:

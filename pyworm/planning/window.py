@@ -1,4 +1,4 @@
-"""Windows of a scene: the part of the tangent plane that leaves its inlet flooded."""
+"""Windows of a scene: rectangles of the tangent plane, large enough for a flooded inlet."""
 
 from dataclasses import dataclass
 
@@ -11,13 +11,13 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales
 
 SAMPLES = 65
-"""Points along each side at which the gap is looked at."""
+"""Number of points along each side at which the gap is sampled."""
 
 GROWTH = 1.4
-"""How much a side moves out at a time."""
+"""Factor by which the distance of a side grows at a time."""
 
 MOST_GROWTHS = 40
-"""Moves after which a gap that has not risen never will."""
+"""Number of growths after which the gap is taken never to rise."""
 
 OUTFLOW_FRACTION = 0.5
 """A side is an exit where at least this fraction of the entrainment leaves through it."""
@@ -30,9 +30,9 @@ class Reach:
     Attributes
     ----------
     inlet : float
-        In films, where oil comes in or passes by.
+        Gap where oil enters or passes by [films].
     exit : float
-        In films, where it leaves; no more than `inlet`.
+        Gap where oil leaves [films]; at most `inlet`.
     """
 
     inlet: float
@@ -48,7 +48,7 @@ class Reach:
         return cls(inlet, inlet / 5)
 
     def doubled(self) -> "Reach":
-        """The reach to twice the gap: the next larger window, for the error of the window."""
+        """The reach to twice the gap, that of the wider window for the window error."""
         return Reach(2 * self.inlet, 2 * self.exit)
 
 
@@ -59,14 +59,15 @@ NEAR_ELASTIC = 12.0
 """Reach of the window of the figures in the elastic limit [films]."""
 
 NEAR_RIGID = 100.0
-"""What a rigid film adds to that reach, for then pressure on the coarser grids around carries much load."""
+"""Addition to that reach in the rigid limit, where pressure outside the window carries much load [films]."""
 
 
 def near_reach(size: Scales) -> Reach:
     """Reach of the window of the figures; pressure beyond it comes from coarser grids.
 
-    The share of the load that a rigid film of the expected thickness would carry, which goes with its square
-    root (Nijenbanning, Venner and Moes' rigid-isoviscous asymptote), leads from the one limit to the other.
+    Between the limits it follows the share of the load that a rigid film of the expected thickness would
+    carry, which is proportional to its square root (Nijenbanning, Venner and Moes' rigid-isoviscous
+    asymptote).
     """
     groups = size.groups
     rigid = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio).rigid_isoviscous

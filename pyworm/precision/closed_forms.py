@@ -30,7 +30,7 @@ PREDICTION = "estimate of plans"
 """Friction and temperature by which plans judge effects (`pyworm.planning.prediction`)."""
 
 REPEATS = 20
-"""Times that a formula is worked out to see what it costs."""
+"""Number of evaluations of a formula over which its cost is averaged."""
 
 
 def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:

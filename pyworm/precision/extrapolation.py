@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from math import inf, log2
 
 LOWEST, HIGHEST = 1.0, 2.0
-"""Orders between which an extrapolation is believed; the schemes are of second order."""
+"""Bounds of the order in an extrapolation; the schemes are of second order."""
 
 SURE = 0.1
-"""Error of an extrapolation, as a fraction of the step that it makes, at least."""
+"""Least error of an extrapolation, as a fraction of its step."""
 
 
 @dataclass(frozen=True)
@@ -18,11 +18,11 @@ class Limit:
     Attributes
     ----------
     value : float
-        Its value, in its unit.
+        Extrapolated value, in its unit.
     error : float
-        How far that may be off, in the same unit.
+        Uncertainty of the value, in the same unit.
     order : float or None
-        Order seen on the last three grids; None where the changes do not fall from grid to grid.
+        Observed order on the last three grids; None where the changes do not fall from grid to grid.
     """
 
     value: float
@@ -41,9 +41,9 @@ def observed_order(values: Sequence[float]) -> float | None:
 def limit(values: Sequence[float]) -> Limit:
     """Richardson's extrapolation of values on grids of halving spacing.
 
-    The step beyond the finest grid is d/(2^p - 1), d the last change and p the order seen, kept between the
-    least and the largest believed. Its error is half of what the same step one grid earlier was off by, a
-    tenth of the step at least; half of the step on three grids, all of it where no order is seen.
+    The step beyond the finest grid is d/(2^p - 1), d the last change and p the observed order, limited to
+    `LOWEST` and `HIGHEST`. Its error is half the error of the same step one grid earlier, at least a tenth of
+    the step; half the step on three grids, the whole step where no order is observed.
     """
     if len(values) == 1:
         return Limit(values[0], inf, None)
@@ -58,7 +58,7 @@ def limit(values: Sequence[float]) -> Limit:
 
 
 def _beyond(values: Sequence[float]) -> tuple[float, float]:
-    """The extrapolated value and the step to it."""
+    """The extrapolated value, and the step to it from the last."""
     order = observed_order(values)
     believed = HIGHEST if order is None else min(max(order, LOWEST), HIGHEST)
     step = (values[-1] - values[-2]) / (2**believed - 1)

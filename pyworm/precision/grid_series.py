@@ -16,13 +16,14 @@ FIGURES = ("film_min", "film_central", "friction_coefficient", "temperature_max_
 """The figures whose errors are shown; temperatures count from the inlet's."""
 
 FIRST_ERROR = 0.02
-"""Accuracy that the first grid is settled for: about what it has at best, so that limits can be told."""
+"""Algebraic accuracy of the first grid: about its discretisation error, so that limits can be
+extrapolated."""
 
 FALL = 4.0
-"""Fall of that from grid to grid."""
+"""Factor by which that accuracy falls from grid to grid."""
 
 LEAST_ERROR = 5e-4
-"""Error below which grids are settled no further: where heat and film take turns, rounding is near."""
+"""Least algebraic accuracy of a grid; where heat and film are iterated in turn, rounding is near."""
 
 
 @dataclass(frozen=True)
@@ -34,15 +35,15 @@ class Point:
     shape : tuple of int
         Grid points along each direction; none of a formula.
     seconds : float
-        Processor time from nothing to here, coarser grids included [s].
+        Processor time up to this point, coarser grids included [s].
     unit : float
         Processor time of one convolution on the grid [s]; 0 of a formula.
     figures : dict
-        The `FIGURES` that it gives [m, m, -, K].
+        The simulated `FIGURES` [m, m, -, K].
     settled : bool
         Whether the equations are met.
     setting : str
-        What was set where that is not the grid.
+        Value of the numerical parameter, where it is not the grid.
     """
 
     shape: tuple[int, ...]
@@ -93,12 +94,12 @@ def _wanted(number: int) -> float:
 
 
 def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
-    """The grids of a model, each of half the spacing, solved one after another on demand.
+    """Solve a model on grids of halving spacing, one after another on demand.
 
     Parameters
     ----------
     fidelity : Fidelity
-        The level.
+        The model.
     wide : bool
         Whether the window has twice the reach.
 
@@ -129,14 +130,14 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
 
 
 def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) -> Iterator[Point]:
-    """One grid, converged to smaller and smaller residuals.
+    """Solve one grid to successively smaller residuals.
 
     Parameters
     ----------
     fidelity : Fidelity
-        The level.
+        The model.
     halvings : int
-        How much finer the grid is than the first one.
+        Number of halvings from the first grid.
     tolerances : tuple of float
         Residuals, falling.
     """

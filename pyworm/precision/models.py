@@ -9,12 +9,13 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
 ACCURACY = 1e-3
-"""Accuracy that models are planned for: it decides the levels across the film and the windows of lines."""
+"""Accuracy of the models' plans; it decides the levels across the film and the windows of lines."""
 
 CONDUCTING = 1e3
-"""Conductivity of an oil across which no temperature falls, over the oil's own.
+"""Conductivity of an oil of uniform temperature across the film, over that of the oil.
 
-Ten times less changed films by 0.1 % and temperatures by 0.02 K; three levels then do for eleven."""
+Ten times less changed films by 0.1 % and temperatures by 0.02 K; three levels are then as accurate as
+eleven."""
 
 
 @dataclass(frozen=True)
@@ -24,11 +25,11 @@ class Fidelity:
     Attributes
     ----------
     name : str
-        What tables and pictures call it.
+        Name in tables and pictures.
     scene : Scene or LineScene
         The contact with the model's effects and no others.
     plan : Plan
-        How that is solved.
+        Plan of its solve.
     """
 
     name: str
@@ -41,16 +42,16 @@ def fidelities(
     quantities: Sequence[str] | None = None,
     accuracy: float = ACCURACY,
 ) -> tuple[tuple[Fidelity, ...], dict[str, str]]:
-    """The models of a contact, the most complete one last, and why it has no others.
+    """The models of a contact, the most complete one last, and the reasons for missing ones.
 
     Parameters
     ----------
     scene : Scene or LineScene
         The contact.
     quantities : sequence of str, optional
-        What is asked for, as `pyworm.plan` takes it.
+        Quantities asked for, as of `pyworm.plan`.
     accuracy : float
-        What they are planned for [-].
+        Accuracy of their plans [-].
 
     Returns
     -------

@@ -85,7 +85,7 @@ class Study:
         return abs(point.figures[figure] - reference.value) / reference.size
 
     def model_error(self, curve: Curve, figure: str) -> float | None:
-        """The error of a model on an infinitely fine grid: the plateau of its curve."""
+        """The error of a model on an infinitely fine grid, the plateau of its curve."""
         if figure not in curve.limits:
             return None
         reference = self.references[figure]

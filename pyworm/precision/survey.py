@@ -32,7 +32,7 @@ FINE_ENOUGH = 1e-4
 
 COMPLETE_FRACTION, WINDOW_FRACTION, MODELS_FRACTION, PARAMETERS_FRACTION = 0.4, 0.2, 0.3, 0.1
 """Fractions of the budget for the most complete model, its wider window, all other models and parameters;
-what one does not use goes to the next."""
+unused time passes to the next."""
 
 PARAMETER_VALUES = 8
 """Approximate number of parameter values that need a solve from the start."""
@@ -82,9 +82,9 @@ def study(
     scene : Scene or LineScene
         The contact.
     quantities : tuple of str, optional
-        What is asked for, as `pyworm.plan` takes it.
+        Quantities asked for, as of `pyworm.plan`.
     budget : float
-        Elapsed time not to be passed [s], but for what a grid takes longer than expected.
+        Limit of the elapsed time [s], exceeded only where a grid takes longer than expected.
     progress : callable, optional
         Called with what is being done and the fraction of the budget that is spent.
     complete_only : bool
@@ -97,11 +97,11 @@ def study(
     BudgetError
         The budget ends before the most complete model has three grids.
     NoReferenceError
-        Less than two of them settle.
+        Fewer than two of its grids settle.
     ValueError
         As of `pyworm.plan`.
     KernelError
-        The kernel gives up the most complete model.
+        The most complete model fails.
     """
     making = _Study(scene, quantities, budget, progress or (lambda message, fraction: None), clock)
     return making.made(complete_only)
@@ -126,7 +126,7 @@ class _Study:
         return self._clock() - self._started
 
     def made(self, complete_only: bool) -> Study:
-        """The study."""
+        """Make the study."""
         complete = self._refined(self._complete, COMPLETE_FRACTION * self._budget)
         if len(complete.points) < LEAST_GRIDS:
             raise BudgetError(
@@ -171,7 +171,7 @@ class _Study:
         )
 
     def _refined(self, model: Fidelity, until: float, wide: bool = False) -> Curve:
-        """The grids of a model, until they are fine enough or the next would end after a time [s]."""
+        """Solve the grids of a model until they are fine enough or the next would end after `until` [s]."""
         name = f"{model.name}, window twice as far" if wide else model.name
         points = self._taken(name, grid_sequence(model, wide), until, model)
         return Curve(
@@ -309,7 +309,7 @@ class _Study:
 
 
 def _limits(points: Sequence[Point]) -> dict[str, Limit]:
-    """Limits of all figures by these."""
+    """Limits of all figures, extrapolated from points."""
     row = settled_row(points)
     names = row[-1].figures if row else ()
     return {name: limit([point.figures[name] for point in row]) for name in names}

@@ -1,4 +1,4 @@
-"""A study as tables: for people, as CSV and as JSON."""
+"""A study as tables for the console, as CSV and as JSON."""
 
 import csv
 from collections.abc import Iterator
@@ -27,7 +27,7 @@ UNITS = {
 """Figure -> its key in CSV and JSON."""
 
 KINDS = {"formula": "formula", "model": "rung", "parameter": "knob"}
-"""Kind of a curve -> its name in CSV and JSON, where it must stay as it is."""
+"""Kind of a curve -> its name in CSV and JSON, unchanged for programs that read them."""
 
 
 def cheapest_table(study: Study) -> Table:
@@ -54,7 +54,7 @@ def _shown(choice: tuple[Curve, Point] | None) -> str:
 
 
 def rows(study: Study) -> Iterator[dict[str, Any]]:
-    """One object for each point, units in the keys, errors relative."""
+    """Yield an object for each point, units in the keys, errors relative."""
     for curve in study.curves:
         for point in curve.points:
             row: dict[str, Any] = {
@@ -116,7 +116,7 @@ def _cheapest(study: Study, accuracy: float) -> dict[str, Any]:
 
 
 def write_csv(study: Study, path: Path) -> None:
-    """All points, a row each."""
+    """Write all points, a row each."""
     table = list(rows(study))
     with path.open("w", newline="") as file:
         writer = csv.DictWriter(file, list(table[0]))

@@ -1,4 +1,4 @@
-"""Friction of solved contacts, as drives take it to find their loss."""
+"""Friction of solved contacts, as input of the losses of drives."""
 
 from collections.abc import Iterable
 

@@ -1,14 +1,12 @@
 """Extremes over a mesh cycle at each place of the wheel's flank.
 
-Solutions are fields over the tangent planes of some phases. Between neighbouring phases fields and the
-places of the flank that they lie over change smoothly, so they are blended there, and the contact sweeps
-the flank without gaps.
+Solutions are fields over the tangent planes of some phases. Between neighbouring phases fields and their
+places on the flank are interpolated, so that the contact sweeps the flank without gaps.
 
-**Supply.** Oil comes into the contact where the entrainment crosses the outline of the dry contact inwards;
-the speed at which it does, normal to the outline, is what a film further in lives on. Where the streamline
-of the entrainment through a place came in at less than `FAILURE` of the entrainment's mean speed, or came
-in nowhere, entrainment fails the contact (Sharif et al. 2001, section 6, explain their band of thin film
-so).
+**Supply.** Oil enters the contact where the entrainment crosses the outline of the dry contact inwards; its
+speed normal to the outline there determines the film downstream. Where the streamline of the entrainment
+through a place entered at less than `FAILURE` of the entrainment's mean speed, or nowhere, entrainment fails
+(so Sharif et al. 2001, section 6, explain their band of thin film).
 """
 
 from collections.abc import Iterator
@@ -27,19 +25,19 @@ from pyworm.solver.solution import Solution
 Array = np.ndarray
 
 NODES = 200, 100
-"""Nodes along x and y of the common grid on which solutions are blended."""
+"""Nodes along x and y of the common grid on which solutions are interpolated."""
 
 STEPS = 12
-"""Blended instants from one phase solved to the next."""
+"""Interpolated phases from one solved phase to the next."""
 
 CELL = 0.25e-3
 """Side of a cell of the map [m]."""
 
 LOADED_FRACTION = 0.05
-"""Fraction of the cycle's largest pressure above which a place counts as in contact."""
+"""Pressure over the largest of the cycle above which a place counts as in contact."""
 
 FAILURE = 0.2
-"""Speed at which oil comes in, over the mean speed of the entrainment, below which the entrainment fails."""
+"""Speed at which oil enters, over the mean entrainment, below which the entrainment fails."""
 
 _LARGEST, _LEAST = ("pressure", "temperature_body_2", "temperature_middle"), ("film", "supply")
 
@@ -52,7 +50,7 @@ def flank_map(result: Result) -> xr.Dataset | None:
     xarray.Dataset
         Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2
         and temperature_middle, their largest values; film and supply, their least. `supply` is the speed at
-        which oil came in over the mean speed of the entrainment [-].
+        which oil entered over the mean entrainment [-].
     """
     solved = sorted(
         (one for one in result.solutions if one.converged and "tooth_face" in one.fields),
@@ -137,9 +135,9 @@ def _axes(layers: list[dict[str, Array]]) -> tuple[Array, Array]:
 
 
 def supply(solution: Solution, x: Array, y: Array) -> Array:
-    """Speed at which the oil of each node came into the contact, over the mean speed there, (y, x).
+    """Speed at which the oil of each node entered the contact, over the mean entrainment, (y, x).
 
-    Followed upstream along the entrainment to the outline of the dry contact; outside the contact it is 1.
+    Oil is followed upstream along the entrainment to the outline of the dry contact; outside the value is 1.
     """
     fields = solution.fields[["dry_pressure", "entrainment_x", "entrainment_y"]]
     there = fields.interp(x=x, y=y).transpose("y", "x")
@@ -182,7 +180,7 @@ SMOOTHING = 2.0
 TINY = np.finfo(float).tiny
 
 MOST_STEPS = 4 * sum(NODES)
-"""Half cells followed upstream; what is still inside then turns round in the contact."""
+"""Largest number of half cells followed upstream; oil that is still inside then recirculates."""
 
 
 def _at(field: Array, place: Array) -> Array:
@@ -191,7 +189,7 @@ def _at(field: Array, place: Array) -> Array:
 
 
 def _filled(field: Array) -> Array:
-    """A field without NaN, the nearest value in their place."""
+    """A field with NaN replaced by the nearest value."""
     missing = np.isnan(field)
     if not missing.any():
         return field

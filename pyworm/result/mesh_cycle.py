@@ -1,7 +1,4 @@
-"""Figures of a whole mesh cycle: extremes over its phases, loss and efficiency of the drive.
-
-Read from a result and nothing else.
-"""
+"""Figures of a whole mesh cycle from a result: extremes over its phases, loss and efficiency."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -29,12 +26,12 @@ class Extreme:
     error : float
         Its error bar in the same unit.
     phase : float
-        Where in the cycle.
+        Phase in the mesh cycle.
     place : tuple of float or None
         On the wheel's flank: along the face from its middle, and distance from the wheel's axis [m]; None of
         a temperature.
     reason : str or None
-        Why its error bar is infinite (`solution.Estimate`).
+        Reason why its error bar is infinite (`solution.Estimate`).
     """
 
     value: float
@@ -46,14 +43,14 @@ class Extreme:
 
 @dataclass(frozen=True)
 class DriveCycle:
-    """A mesh cycle in figures.
+    """Figures of a mesh cycle.
 
     Attributes
     ----------
     phases : tuple of float
-        Solved, and converged.
+        Phases that converged.
     unconverged : tuple of float
-        Solved, but not converged.
+        Phases that did not converge.
     film_min, pressure_max : Extreme
         Over all phases [m], [Pa].
     temperatures : dict of str to Extreme
@@ -61,17 +58,17 @@ class DriveCycle:
     lambda_min, lambda_central : Extreme or None
         Least film, and least central film, over composite roughness [-]; None where a roughness is not known.
     loss : Loss or None
-        None where the shear of the film was not looked at.
+        Loss of the drive; None where the shear of the film was not computed.
     bulk : dict of str to float
-        Temperatures of "sump", "worm" and "wheel" that the films were solved with [K]; empty where heat was
-        not simulated.
+        Temperatures of "sump", "worm" and "wheel" in the solved scenes [K]; empty where heat was not
+        simulated.
     lifts : tuple of tuple of float
-        Phases and how far films lift the teeth there [m]; empty where they are not known.
+        Phases and the lift of the teeth by the film there [m]; empty where it is not known.
     lifted : tuple of float or None
-        Largest fraction by which the films' lift moved the load of a phase solved, and that phase; None where
-        loads were shared without.
+        Largest relative change of the load of a solved phase by the films' lift, and that phase; None where
+        the load sharing is without lift.
     left_out : LeftOut
-        What all these figures do not hold, at the worst of the phases.
+        Effects left out of these figures, at the worst of the phases.
     """
 
     phases: tuple[float, ...]

@@ -35,13 +35,13 @@ FORMAT = "pyworm result"
 FORMAT_VERSION = 4
 
 PROVENANCE = {"plans": list, "keys": list, "failed": dict}
-"""What the provenance may have that readers take for granted."""
+"""Types of the entries of the provenance that readers use."""
 
 LARGEST = 2**31
-"""Size beyond which arrays are not read [bytes]: some twenty times the largest scene of the solver."""
+"""Size beyond which arrays are not read [bytes], some twenty times the largest scene of the solver."""
 
 _WORTH, _REPEATED = 1000, 0.1
-"""Least size of values that are compressed, and least fraction of them that repeat their neighbours."""
+"""Least number of values, and least fraction that repeat their neighbours, for compression."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Result:
     Attributes
     ----------
     case_name : str
-        What the case calls itself.
+        Name of the case.
     case : dict
         The case in full, checked and in SI.
     solutions : tuple of Solution
@@ -59,7 +59,7 @@ class Result:
     mesh_cycle : xarray.Dataset or None
         The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it.
     provenance : dict
-        Version of pyworm, effects, tolerances and whatever else is needed to repeat the run.
+        Version of pyworm, effects, tolerances and all else that is needed to repeat the run.
     """
 
     case_name: str
@@ -125,7 +125,7 @@ def open_result(path: str | os.PathLike) -> Result:
 
 
 def _load(path: Path) -> dict[str, xr.Dataset]:
-    """All groups by their paths."""
+    """Read all groups of a file by their paths."""
     # Times are numbers of seconds here, not dates to be decoded.
     groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
     try:
@@ -175,7 +175,7 @@ def readable(path: Path) -> Iterator[None]:
     Raises
     ------
     CaseError
-        In place of what they raised.
+        For any such error.
     """
     try:
         yield
@@ -211,7 +211,7 @@ def _groups(result: Result) -> dict[str, xr.Dataset]:
 
 
 def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
-    """Scalars as NetCDF takes them: no None, truth as 0 or 1, an object's entries one by one."""
+    """Scalars as NetCDF attributes: no None, truth values as 0 or 1, objects flattened."""
     plain = {}
     for name, value in summary.items():
         if isinstance(value, Mapping):
@@ -241,8 +241,8 @@ def _to_json(value: Any) -> str:
 def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
     """The content of a file of these groups.
 
-    Made in memory: of a full disk the library says no more than that something went wrong. Not as xarray's
-    tree, whose nodes know each other and outlive their use.
+    It is made in memory, since the library reports a full disk without the reason, and not as xarray's tree,
+    whose nodes refer to each other and outlive their use.
     """
     from netCDF4 import Dataset
 
@@ -254,7 +254,7 @@ def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
 
 
 def _storage(values: np.ndarray) -> dict[str, Any]:
-    """Storage options: values that do not repeat are not compressed, which would save only a tenth."""
+    """Storage options; values that do not repeat are not compressed, which would save only a tenth."""
     if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
         return {}
     return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}

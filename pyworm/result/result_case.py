@@ -1,4 +1,4 @@
-"""Whether a result belongs to a case, by the physics and not by the name."""
+"""Comparison of a result with a case, by the physics and not by the name."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,20 +15,20 @@ if TYPE_CHECKING:
     from pyworm.result.result import Result
 
 
-MOST_TOLD = 6
-"""Differences that are told one by one."""
+MOST_LISTED = 6
+"""Number of differences that are listed."""
 
 
 def differences(case: Case, result: "Result") -> tuple[str, ...]:
     """Differences between a case and the one that a result was solved with, each with both values.
 
-    Titles, comparisons, accuracy, lists of places and what is only rated do not count, nor what the case
-    leaves open for its solution to find. Of a gap's file its name counts.
+    Titles, comparisons, accuracy, lists of places, ratings and values that the solution determines do not
+    count. Of a gap's file only the name counts.
 
     Raises
     ------
     CaseError
-        The result's case is none that this version knows.
+        The result's case is unknown to this version.
     """
     before, now = case_again(result.case).tables, case.tables
     found = {f"{table}.{key}" for table, keys in case.left_open.items() for key in keys}
@@ -52,7 +52,7 @@ def _shown(tables: CaseTable, key: str) -> str:
 
 
 def as_solved(case: Case, result: "Result") -> Case:
-    """A case with the values that its solution found: friction, lifts, loss between the teeth."""
+    """A case with the values that its solution determined: friction, lifts, loss between the teeth."""
     kept = case_again(result.case).tables
     return case.with_found(
         {
@@ -69,14 +69,14 @@ def case_for(path: Path, result: "Result", anyway: bool) -> tuple[Case, str | No
     Raises
     ------
     CaseError
-        No case, or one that the result is not of.
+        There is no case file, or the result belongs to another case.
     """
     case = load(path)
     differ = differences(case, result)
     if not differ:
         return as_solved(case, result), None
-    more = f" and {len(differ) - MOST_TOLD} more" if len(differ) > MOST_TOLD else ""
-    told = f"the result is of another case than {path}: {'; '.join(differ[:MOST_TOLD])}{more}"
+    more = f" and {len(differ) - MOST_LISTED} more" if len(differ) > MOST_LISTED else ""
+    told = f"the result is of another case than {path}: {'; '.join(differ[:MOST_LISTED])}{more}"
     if not anyway:
         raise CaseError(f"{told}; solve it again, or take it with --anyway")
     return as_solved(case, result), told

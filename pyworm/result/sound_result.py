@@ -1,8 +1,8 @@
 """Validation of a results file: types, fields and figures.
 
-Files may be damaged, edited or made by others. What passes here is what the solver writes: fields of numbers
-over the right directions, and in a converged solution finite ones, no negative pressure, and film, pressure
-and load above zero. One that did not converge is marked so, and may hold any numbers.
+Files may be damaged, edited or made by others. Accepted is what the solver writes: fields of numbers over the
+right directions, finite in a converged solution, with pressure not negative and film, largest pressure and
+load above zero. A solution that did not converge may hold any numbers.
 """
 
 from collections.abc import Iterator
@@ -46,7 +46,7 @@ def typed(kind: Any, value: Any, name: str = "") -> Any:
     Raises
     ------
     ValueError
-        It is of another type; the message names it.
+        The value is of another type; the message names it.
     """
     origin, options = get_origin(kind), get_args(kind)
     if origin in (Union, UnionType):

@@ -30,7 +30,7 @@ FORMAT = "pyworm sweep"
 FORMAT_VERSION = 1
 
 LEFT_OUT = "left_out_"
-"""What a variable's name begins with that tells an effect's influence."""
+"""Prefix of variables that hold an effect's influence."""
 
 
 @dataclass(frozen=True)
@@ -40,9 +40,9 @@ class SweepResult:
     Attributes
     ----------
     name, title : str
-        What the sweep is called, and what it is.
+        Name and title of the sweep.
     axes : list of list of str
-        Variables of the table that vary; those that go together in one list.
+        Varied variables of the table; those that vary together in one list.
     table : xarray.Dataset
         Variables over `scene`.
     provenance : dict
@@ -57,7 +57,7 @@ class SweepResult:
 
     @property
     def converged(self) -> np.ndarray:
-        """Whether each scene has a solution that may be trusted."""
+        """Whether the solution of each scene converged."""
         return self.table["converged"].values == 1
 
     @cached_property
@@ -72,7 +72,7 @@ class SweepResult:
         return worst([_left_out(row) for row in rows])
 
     def save(self, path: str | os.PathLike) -> Path:
-        """Write one NetCDF file, whole or not at all."""
+        """Write one NetCDF file, atomically."""
         path = Path(path)
         attributes = {
             "format": FORMAT,
@@ -108,7 +108,7 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
     Raises
     ------
     ValueError
-        It is one of another format version, or what it holds cannot be such a table.
+        The format version is another one, or the content is no valid table.
     """
     path = Path(path)
     table = _loaded(path) if path.is_file() else None
@@ -138,7 +138,7 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
 
 
 def _loaded(path: Path) -> xr.Dataset | None:
-    """The content of a NetCDF file; None if it is none, or too large for a table."""
+    """The content of a NetCDF file; None if it is not one, or too large for a table."""
     try:
         with xr.open_dataset(path, engine="netcdf4", decode_times=False) as table:
             return table.load() if table.nbytes <= LARGEST else None
@@ -171,16 +171,16 @@ def _check(result: SweepResult) -> None:
 def sweep_table(
     values: Sequence[Mapping[str, Value]], rows: Sequence[Mapping[str, Any]], keys: Sequence[str]
 ) -> xr.Dataset:
-    """The table of all scenes.
+    """Make the table of all scenes.
 
     Parameters
     ----------
     values : sequence of mapping
-        Of each scene the values that vary, as written, by key.
+        For each scene the varied values as written, by key.
     rows : sequence of mapping
-        Of each scene its summary, or at least its place, `converged` and `stop_reason`.
+        For each scene its summary, or at least its place, `converged` and `stop_reason`.
     keys : sequence of str
-        Of each scene the key that its file is named by.
+        For each scene the key by which its file is named.
     """
     table = xr.Dataset()
     for key in values[0]:
@@ -223,7 +223,7 @@ def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:
 
 
 def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
-    """A summary's scalars; what has directions has the letter of each after its name."""
+    """A summary's scalars; components of vectors have the letter of their direction after the name."""
     return {
         f"{name}_{axis}" if axis else name: part
         for name, value in plain_attributes(row).items()
@@ -241,7 +241,7 @@ def _column(values: list[Any]) -> np.ndarray:
 
 
 def columns(result: SweepResult, axis: list[str]) -> list[str]:
-    """The variables of keys that go together; a list has one for each of its entries that varies."""
+    """The variables of keys that vary together, one for each varying entry of a list."""
     return [
         str(name)
         for name in result.table.data_vars

@@ -1,4 +1,4 @@
-"""What every lubricated contact has, whether its film varies along one direction or two."""
+"""Base of point and line scenes: the data of one lubricated contact."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
@@ -27,7 +27,7 @@ class Contact(ABC):
     name : str
         Name in tables and pictures.
     gap : callable
-        Undeformed gap and where both surfaces exist.
+        Undeformed gap, and where both surfaces exist.
     load : float
         Normal load [N], of a line contact that for each length [N/m].
     bodies : tuple of Body
@@ -43,12 +43,12 @@ class Contact(ABC):
     past : Past or None
         The contact at earlier times, as the drive turns; None where nothing changes.
     rigid : bool
-        Whether the bodies keep their shape under the film.
+        Whether the bodies are rigid under the film.
 
     Raises
     ------
     ValueError
-        The oil or a body is of a class that the kernel does not know.
+        The oil or a body is of a class unknown to the kernel.
     """
 
     name: str
@@ -83,7 +83,7 @@ class Contact(ABC):
 
     @property
     def bending_modulus(self) -> float:
-        """Reduced modulus by which the bodies bend under the film [Pa]; infinite of rigid ones."""
+        """Reduced modulus of the deflection under the film [Pa]; infinite for rigid bodies."""
         return inf if self.rigid else self.reduced_modulus
 
     @property
@@ -93,17 +93,17 @@ class Contact(ABC):
 
     @property
     def composite_roughness(self) -> float | None:
-        """Root mean square height of both surfaces together [m]; None if it is not known."""
+        """Composite root mean square height of both surfaces [m]; None if it is not known."""
         return composite_roughness(*self.bodies)
 
 
 def require_radii(radii: tuple[float, ...], of_gap: tuple[float, ...]) -> None:
-    """Refuse radii that are not those of the gap: window, far field and grids follow from them.
+    """Refuse radii other than those of the gap; window, far field and grids depend on them.
 
     Raises
     ------
     ValueError
-        One differs.
+        A radius differs.
     """
     if any(abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)):
         given, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))

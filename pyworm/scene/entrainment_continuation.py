@@ -1,8 +1,8 @@
 """Auxiliary entrainment for a film that heat alone can hold, removed by continuation.
 
-Surfaces that slide without entraining oil carry load by the wedge of viscosity across the film that unequal
-heat makes (Guo, Yang and Qu 2001). No isothermal film leads there: one with some auxiliary entrainment does,
-while that is removed bit by bit.
+Surfaces that slide without entraining oil carry load by the viscosity wedge across the film, which unequal
+heating makes (Guo, Yang and Qu 2001). No isothermal film is an initial guess for it; one with auxiliary
+entrainment is, which is then removed by continuation.
 """
 
 from dataclasses import dataclass, replace
@@ -20,12 +20,12 @@ AUXILIARY = 0.1
 """Auxiliary entrainment, along the sliding, over the sliding speed."""
 
 FRACTIONS_LEFT = (0.5, 0.25, 0.1, 0.0)
-"""Fractions of it that are left, one after another."""
+"""Successive fractions of the auxiliary entrainment in the continuation."""
 
 
 @dataclass(frozen=True)
 class _Carried:
-    """A motion with a uniform velocity on top of it [m/s]."""
+    """A motion plus a uniform velocity [m/s]."""
 
     motion: Motion
     velocity: tuple[float, float]

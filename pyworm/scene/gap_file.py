@@ -10,7 +10,7 @@ from pyworm.scene.contact import Array
 from pyworm.scene.sampled_gap import SampledGap
 
 METRES = ("m", "metre", "metres", "meter", "meters")
-"""What a file's `units` may say."""
+"""Accepted values of the attribute `units`."""
 
 MOST_SAMPLES = 50_000_000
 """Numbers of the largest array that is read: 400 MB."""
@@ -41,7 +41,7 @@ def read_gap(path: Path) -> SampledGap:
 
 
 def require_readable(samples: int) -> None:
-    """Refuse an array before memory is asked for it."""
+    """Refuse an array that is too large, before memory is allocated."""
     if samples > MOST_SAMPLES:
         raise ValueError(f"it holds an array of {samples} numbers, {MOST_SAMPLES} are read at most")
 
@@ -76,19 +76,19 @@ def _read_npz(path: Path) -> SampledGap:
 
 
 _LENGTHS = ("dx", "dy", "x0", "y0")
-"""Arrays of an npz file that are one length each."""
+"""Scalar lengths of an npz file."""
 
 _HEADERS = {
     (1, 0): np.lib.format.read_array_header_1_0,
     (2, 0): np.lib.format.read_array_header_2_0,
 }
-"""Versions of the npy format that numbers are written in."""
+"""Readers of the header by version of the npy format."""
 
 
 def _read_array(archive: ZipFile, key: str, most: int) -> Array:
-    """One array of an npz file, of so many numbers at most.
+    """Read one array of an npz file, of `most` numbers at most.
 
-    Its header and the archive's directory have to agree on its size before memory is asked for it.
+    Its header and the archive's directory have to agree on its size before memory is allocated.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def _read_array(archive: ZipFile, key: str, most: int) -> Array:
 
 
 _VARIABLES = ("gap", "x", "y")
-"""What a NetCDF file holds of a gap."""
+"""Variables of a gap in a NetCDF file."""
 
 
 def _read_netcdf(path: Path) -> SampledGap:

@@ -1,4 +1,4 @@
-"""Which of a case's contacts: what tells its scenes apart."""
+"""Identification of a contact within a case."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
@@ -8,7 +8,7 @@ from typing import Any, Self
 
 @dataclass(frozen=True)
 class Place:
-    """One contact of a case; whatever a case does not have is None.
+    """Identification of one contact of a case; attributes that a case does not have are None.
 
     Scenes and solutions carry attributes of the same names, tables and command lines take their words from
     here, and scenes are ordered by the fields, the first one slowest.
@@ -37,11 +37,11 @@ class Place:
 
     @property
     def given(self) -> dict[str, Any]:
-        """What is not None, by name."""
+        """The attributes that are not None, by name."""
         return {name: value for name, value in asdict(self).items() if value is not None}
 
     def __str__(self) -> str:
-        """What people read: "phase 0.5"; empty where the case has one contact only."""
+        """The place in words, such as "phase 0.5"; empty where the case has one contact only."""
         return ", ".join(
             f"{name.replace('_', ' ')} {value if isinstance(value, str) else f'{value:g}'}"
             for name, value in self.given.items()
@@ -49,7 +49,7 @@ class Place:
 
 
 PLACE_NAMES = tuple(part.name for part in fields(Place))
-"""What makes a place, in order."""
+"""Names of the attributes of a place, in order."""
 
 
 def crossed(values: Mapping[str, Sequence[Any]]) -> tuple[Place, ...]:

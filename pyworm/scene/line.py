@@ -1,4 +1,4 @@
-"""A line contact: all that its solver may know of it.
+"""A line scene: one lubricated line contact at one instant, the input of the line solver.
 
 The contact is the same all along the line. x runs across the line with its origin at the contact point;
 velocities are those of the surfaces along x, relative to the (moving) contact point.
@@ -49,8 +49,7 @@ class LineScene(Contact):
     Raises
     ------
     ValueError
-        A radius that is not that of a gap that knows its own, or an oil or a body of a class that the kernel
-        does not know.
+        A radius other than that of the gap, or an oil or a body of a class unknown to the kernel.
 
     Notes
     -----
@@ -62,7 +61,7 @@ class LineScene(Contact):
     velocities: tuple[float, float]
 
     def __post_init__(self) -> None:
-        """Refuse what would be solved as something else."""
+        """Refuse a radius other than that of the gap."""
         super().__post_init__()
         require_radii((self.radius,), (getattr(self.gap, "radius", self.radius),))
 

@@ -1,4 +1,4 @@
-"""What a contact was earlier, on its way through its drive's mesh."""
+"""States of a contact at earlier times of its mesh cycle."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -9,14 +9,14 @@ Contact = TypeVar("Contact")
 
 @dataclass(frozen=True)
 class Earlier(Generic[Contact]):
-    """A contact as it was.
+    """The state of a contact at an earlier time.
 
     Attributes
     ----------
     seconds : float
         Time before the present [s].
     contact : Scene or LineScene
-        The contact, in axes of its own that go along with the contact point.
+        The contact, in axes that move with the contact point.
     angle : float
         Angle about the normal of its x axis to the present one [rad], positive from x to y.
     """
@@ -28,21 +28,21 @@ class Earlier(Generic[Contact]):
 
 @dataclass(frozen=True)
 class Past(Generic[Contact]):
-    """How a contact came to be what it is.
+    """The states of a contact since its mesh cycle began.
 
     Attributes
     ----------
     seconds : float
         Time since its mesh cycle began [s].
     before : callable
-        Time before the present [s] -> the contact then; ValueError where it carried nothing.
+        Time before the present [s] -> the contact then; ValueError where it carried no load.
     """
 
     seconds: float
     before: Callable[[float], Earlier[Contact]]
 
     def back(self, times: Sequence[float]) -> list[Earlier[Contact]]:
-        """The contact at times before the present [s], which increase, as far back as it carried."""
+        """The contact at increasing times before the present [s], as far back as it carried load."""
         found: list[Earlier[Contact]] = []
         for seconds in times:
             try:
@@ -52,7 +52,7 @@ class Past(Generic[Contact]):
         return found
 
     def map(self, change: Callable[[Contact], Contact]) -> "Past[Contact]":
-        """The same of a contact that is changed."""
+        """The past with a change applied to the contact at every time."""
 
         def before(seconds: float) -> Earlier[Contact]:
             earlier = self.before(seconds)

@@ -1,4 +1,4 @@
-"""A scene: one lubricated contact at one instant, and all that the solver may know of it.
+"""A scene: one lubricated point contact at one instant, the input of the point solver.
 
 The tangent plane carries x and y with their origin at the contact point; z points from body 1 to body 2.
 Velocities are those of the surfaces relative to the (moving) contact point, projected on the plane.
@@ -82,8 +82,7 @@ class Scene(Contact):
     Raises
     ------
     ValueError
-        Radii that are not those of a gap that knows its own, or an oil or a body of a class that the kernel
-        does not know.
+        Radii other than those of the gap, or an oil or a body of a class unknown to the kernel.
 
     Notes
     -----
@@ -95,7 +94,7 @@ class Scene(Contact):
     motions: tuple[Motion, Motion]
 
     def __post_init__(self) -> None:
-        """Refuse what would be solved as something else."""
+        """Refuse radii other than those of the gap."""
         super().__post_init__()
         require_radii(self.radii, getattr(self.gap, "radii", self.radii))
 

@@ -29,8 +29,8 @@ straight roller has radii too; they only set the scale of the contact."""
 class SampledGap:
     """An undeformed gap between samples and a little beyond them.
 
-    Between the samples a cubic spline; where a body is missing (NaN) the surface that bends least; outside
-    the array the quadratic that fits it best, shifted to meet the array's edge.
+    The gap is a cubic spline between the samples, the surface of least second differences where a body is
+    missing (NaN), and outside the array its least-squares quadratic, shifted to be continuous at the edge.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class SampledGap:
     Raises
     ------
     ValueError
-        Of another shape, too small, not increasing, empty, or without the contact point.
+        If the array has another shape, is too small or empty, does not increase or lacks the contact point.
     """
 
     x: Array
@@ -50,7 +50,7 @@ class SampledGap:
     gap: Array
 
     def __post_init__(self) -> None:
-        """Refuse what is no gap over x and y."""
+        """Refuse an array that is no gap over x and y."""
         if self.gap.ndim != 2:
             raise ValueError(f"gap must have two dimensions (y, x), not {self.gap.ndim}")
         if self.gap.shape != (self.y.size, self.x.size):
@@ -92,7 +92,7 @@ class SampledGap:
 
     @cached_property
     def _datum(self) -> float:
-        """What the array has at the contact point: a constant only shifts the rigid film."""
+        """Value of the array at the contact point [m]; a constant only shifts the rigid film."""
         return float(self._height(np.zeros(1), np.zeros(1))[0])
 
     @cached_property
@@ -116,7 +116,7 @@ class SampledGap:
 
     @cached_property
     def _near_fit(self) -> Array:
-        """The quadratic that fits the samples near the contact point best."""
+        """Coefficients of the least-squares quadratic through the samples near the contact point."""
         near_x, near_y = (
             np.abs(axis) <= half
             for axis, half in zip((self.x, self.y), self._half_window, strict=True)
@@ -136,7 +136,7 @@ class SampledGap:
 
     @property
     def _closest(self) -> tuple[float, float]:
-        """Where the gap is least, along x and along y [m], by slope over curvature at the contact point."""
+        """Place of the least gap along x and y [m], by slope over curvature at the contact point."""
         return tuple(
             -float(slope) / curvature
             for slope, curvature in zip(self._near_fit[1:3], self._curvatures, strict=True)
@@ -150,7 +150,7 @@ class SampledGap:
 
     @cached_property
     def _covered_cells(self) -> Array:
-        """Cells whose four corners are known: by the nearest sample alone, edges would grow."""
+        """Cells whose four corners are known; by the nearest sample alone edges would be too wide."""
         known = np.isfinite(self.gap)
         return known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
 
@@ -164,7 +164,7 @@ class SampledGap:
 
     @cached_property
     def _rest(self) -> RectBivariateSpline:
-        """What the quadratic leaves over, made whole and splined."""
+        """Spline through the residual of the quadratic, filled where a body is missing [m]."""
         rest = self.gap - self._quadratic(self.x[None, :], self.y[:, None])
         return RectBivariateSpline(self.y, self.x, _fill(rest))
 
@@ -175,7 +175,7 @@ def _quadratic_terms(x: Array, y: Array) -> tuple[Array, ...]:
 
 
 def _fit_quadratic(x: Array, y: Array, gap: Array) -> Array:
-    """Coefficients of 1, x, y, x^2, xy, y^2 that fit the finite samples best."""
+    """Coefficients of 1, x, y, x^2, xy, y^2 by least squares over the finite samples."""
     known = np.isfinite(gap)
     terms = [term[known] for term in _quadratic_terms(x[None, :], y[:, None])]
     # Scaled columns: in metres the quadratic ones would be lost beside the constant.
@@ -185,7 +185,7 @@ def _fit_quadratic(x: Array, y: Array, gap: Array) -> Array:
 
 
 def _fill(values: Array) -> Array:
-    """Replace NaN so that the squared second differences of the whole are least."""
+    """Replace NaN so that the sum of the squared second differences is least."""
     unknown = ~np.isfinite(values).ravel()
     if not unknown.any():
         return values

@@ -1,4 +1,4 @@
-"""The size of things in a scene before anything is solved: Hertz's ellipse, Moes' groups, a film."""
+"""Scales of a scene by closed forms: Hertz's contact, Moes' groups, expected film."""
 
 from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin
@@ -22,12 +22,12 @@ MOST_SLENDER = 1e6
 """Largest ratio of the relative radii."""
 
 LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-30, 1e7, 1e12
-"""Bounds of Moes' parameters beyond which an input can only be a slip."""
+"""Bounds of Moes' parameters beyond which an input can only be a mistake."""
 
 
 @dataclass(frozen=True)
 class Scales:
-    """The size of things in a scene.
+    """Scales of a point contact.
 
     Attributes
     ----------
@@ -48,10 +48,10 @@ class Scales:
 
 
 def scales(scene: Scene) -> Scales:
-    """Sizes of a scene from its radii, load, oil and entrainment at the contact point.
+    """Scales of a scene from its radii, load, oil and entrainment at the contact point.
 
     Where the contact point is at rest (pure spin), the mean speed of the entrainment over Hertz's
-    ellipse stands in for it.
+    ellipse is taken instead.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def scales(scene: Scene) -> Scales:
 
 
 def require_proportion(name: str, groups: PointGroups | LineGroups) -> None:
-    """Refuse what can only be a slip.
+    """Refuse Moes' parameters that can only be a mistake.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def _typical_speed(scene: Scene, contact: HertzContact) -> float:
 
 @dataclass(frozen=True)
 class LineScales:
-    """The size of things in a line contact.
+    """Scales of a line contact.
 
     Attributes
     ----------
@@ -132,7 +132,7 @@ class LineScales:
 
 
 def line_scales(scene: LineScene) -> LineScales:
-    """Sizes of a line contact from its radius, load, oil and entrainment.
+    """Scales of a line contact from its radius, load, oil and entrainment.
 
     Raises
     ------

@@ -1,6 +1,6 @@
-"""What a scene asks of the solver, as one flat object, units in the keys.
+"""A scene as one flat object for JSON, units in the keys.
 
-What has directions is a list with an entry for each, [x, y] or [x].
+Vectors are lists with an entry for each direction, [x, y] or [x].
 """
 
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from pyworm.scene.point import Scene
 
 
 def scene_summary(scene: Scene | LineScene) -> dict[str, Any]:
-    """The scene with the Hertz contact of its radii; what is not known of its surfaces has no key."""
+    """The scene with the Hertz contact of its radii; unknown properties of its surfaces have no key."""
     roughness = scene.composite_roughness
     return {
         "name": scene.name,
@@ -64,4 +64,4 @@ def _line(scene: LineScene) -> dict[str, Any]:
 
 
 _SUMMARIES: dict[type, Callable[[Any], dict[str, Any]]] = {Scene: _point, LineScene: _line}
-"""What only each kind of contact has."""
+"""Keys of each kind of contact."""

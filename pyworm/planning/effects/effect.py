@@ -10,7 +10,7 @@ from pyworm.scene.contact import Contact
 FILM, FRICTION, TEMPERATURE = "film", "friction", "temperature"
 
 QUANTITIES = (FILM, FRICTION, TEMPERATURE)
-"""What may be asked of a contact: minimum and central film, friction and power loss, largest temperatures."""
+"""Quantities of a contact: minimum and central film, friction and power loss, largest temperatures."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Influence:
 
 
 EVERYTHING = Influence(inf, inf, inf)
-"""The influence of what a contact cannot do without."""
+"""Influence of an effect that a contact needs to exist."""
 
 
 @dataclass(frozen=True)
@@ -46,25 +46,25 @@ class Effect:
     Attributes
     ----------
     name : str
-        What `--effects` and tables call it.
+        Name in `--effects` and tables.
     symbol : str
         The indicator as a formula.
     source : str
-        Where the indicator, or the law of influence, comes from.
+        Source of the indicator, or of the law of influence.
     indicator : callable
-        The number that it is judged by, from a prediction [-].
+        Prediction -> the number by which the effect is judged [-].
     influence : callable
-        The influence of leaving it out, from a prediction.
+        Prediction -> the influence of leaving it out.
     without : callable or None
-        A scene without the effect; itself where it lies in the solver's hands; None if it is not simulated.
+        Scene -> the scene without the effect, unchanged where the solver omits it; None if not simulated.
     lacking : callable
-        Why a contact has none of it, or why it cannot be told; None where it has.
+        Scene -> reason why the contact does not have it, or why that is unknown; None where it has.
     together : tuple of str
         Effects without which it is not simulated.
     eased_by : tuple of str
-        Effects that are kept beside it: they cost nothing more there and make it easier to solve.
+        Effects that are simulated with it: they cost nothing more then and ease its solution.
     part_of : str or None
-        An effect earlier in the catalogue without which there is nothing of it.
+        An effect earlier in the catalogue that includes this one.
     only_named : bool
         Whether it is simulated only where it is asked for by its name: its cost is out of proportion.
     """

@@ -16,10 +16,10 @@ ALIGNED = 0.02
 """Sine of the angle to an axis of the contact up to which entrainment and sliding are along it."""
 
 RIM = tuple(k * pi / 4 for k in range(8))
-"""Directions in which a contact is looked at from its middle [rad]."""
+"""Directions from the middle of a contact in which its gap is sampled [rad]."""
 
 SPEED_POWER = 0.7
-"""Power of the speed that a film follows (Dowson and Higginson's; of all formulas 0.66 to 0.71)."""
+"""Exponent of the speed in the film (Dowson and Higginson; 0.66 to 0.71 in other formulas)."""
 
 
 def _same_all_along(scene: Contact) -> str | None:
@@ -39,7 +39,7 @@ def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
 
 
 def _deflection(prediction: Prediction) -> float:
-    """Deflection over film thickness, by the mean pressure over the film that carries load."""
+    """Ratio of deflection to film thickness, by the mean pressure over the pressurised film."""
     spread = hypot(
         prediction.half_width, sqrt(2 * prediction.groups.radius * prediction.film_central)
     )
@@ -55,7 +55,7 @@ def _by_deflection(prediction: Prediction) -> Influence:
 
 
 DEFLECTION_FACTOR = 2.0
-"""Change of what is asked over the deflection by the film."""
+"""Change of a quantity over the ratio of deflection to film."""
 
 ELASTIC_DEFLECTION = Effect(
     name="elastic-deflection",
@@ -90,7 +90,7 @@ def _side_flow(prediction: Prediction) -> Influence:
     """Relative error of a line contact of the same largest pressure.
 
     Ellipses entrained across, of radii 3 to 1000 to one: films and temperatures within these bounds, friction
-    5 to 11 % higher, since most slices of an ellipse bear less pressure than the middle one
+    5 to 11 % higher, since most slices of an ellipse carry less pressure than the middle one
     (`benchmarks/accuracy/line_for_point.py`).
     """
     if isinstance(prediction.scene, LineScene):
@@ -160,8 +160,8 @@ def _own_curves(scene: Contact) -> str | None:
 
 
 RINGS = (1.0, 2.0, 4.0)
-"""Outlines about a contact, in its own size, at which the gap is looked at: what lies farther out weighs
-less, by the gap there."""
+"""Outlines about a contact, over its own size, on which the gap is sampled; those farther out weigh less, by
+the gap there."""
 
 
 def departure(prediction: Prediction) -> float:

@@ -30,7 +30,7 @@ def _temperature(prediction: Prediction, rise: float) -> float:
 
 
 def _friction(prediction: Prediction, surfaces: bool, film: bool) -> float:
-    """Change of the friction if surfaces or film stay cold."""
+    """Relative change of the friction if surfaces or film stay cold."""
     hot = prediction.hot_stress()
     return abs(prediction.hot_stress(surfaces, film) / hot - 1) if hot > 0 else 0.0
 
@@ -127,7 +127,7 @@ FILM_HEATING = Effect(
 
 
 MOST_WARMTH = 50.0
-"""Warmth beyond which the error is as good as one."""
+"""Warmth beyond which the error is taken as one."""
 
 
 def _parabola_error(warmth: float) -> float:
@@ -135,7 +135,7 @@ def _parabola_error(warmth: float) -> float:
 
     Exact for a film between walls of one temperature, of viscosity eta1 exp(-beta dT): with x^2 = e^w - 1,
     w = beta times the rise in the middle, friction is asinh(x)/(x sqrt(1 + x^2)) of the cold one's (Couette
-    flow with heat); with one viscosity it is e^-m, where m e^m = 2 x^2/3.
+    flow with heat); with uniform viscosity it is e^-m, where m e^m = 2 x^2/3.
     """
     if warmth <= 0:  # by rounding too, of an oil whose viscosity heat leaves alone
         return 0.0
@@ -145,11 +145,11 @@ def _parabola_error(warmth: float) -> float:
 
 
 PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03
-"""Error of a film by what three levels resolve of its flow: of any, over the change by shear thinning, and
-over the warmth that rolling makes (`benchmarks/accuracy/plans.py`)."""
+"""Errors of a film by the resolution of three levels: in any flow, relative to the change by shear thinning,
+and relative to the warmth by rolling (`benchmarks/accuracy/plans.py`)."""
 
 SHIFT_FACTOR = 4.0
-"""Change of the minimum film over that of the mean velocity inside the contact, likewise."""
+"""Change of the minimum film over that of the mean velocity inside the contact, by the same benchmark."""
 
 
 def _across(prediction: Prediction) -> Influence:

@@ -16,15 +16,15 @@ class Judgement:
     Attributes
     ----------
     name : str
-        The effect's.
+        Name of the effect.
     on : bool
         Whether it is simulated.
     indicator : float or None
-        The number it was judged by [-]; None where the contact has none of it, or nothing is known of it.
+        Number by which it is judged [-]; None where the contact does not have it or that is unknown.
     influence : dict
-        What leaving it out changes of each quantity asked for (`Influence`); empty likewise.
+        Relative change of each quantity asked for by leaving it out (`Influence`); empty likewise.
     reason : str
-        Why it is on, or off.
+        Reason why it is on or off.
     """
 
     name: str
@@ -42,10 +42,10 @@ def judge(
     asked: frozenset[str] | None = None,
     kept: frozenset[str] = frozenset(),
 ) -> tuple[Judgement, ...]:
-    """Every effect and whether to simulate it.
+    """Judge every effect, whether to simulate it.
 
-    Effects are left out, those that cost most first, as long as all that is left out changes what is asked
-    for by no more than the accuracy.
+    Effects are left out, the most expensive first, as long as together they change the quantities asked for
+    by no more than the accuracy.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ def judge(
     accuracy : float
         Relative change allowed [-].
     quantities : sequence of str
-        What is asked for.
+        Quantities asked for.
     prediction : Prediction
-        The contact in numbers.
+        The contact by closed forms, or by solved figures.
     asked : frozenset of str, optional
-        The effects to simulate, whatever the numbers say.
+        The effects to simulate, whatever their influence.
     kept : frozenset of str
-        Effects to simulate even if the numbers no longer call for them.
+        Effects to simulate even if the prediction no longer requires them.
     """
     judgements = {}
     allowed = accuracy
@@ -99,7 +99,7 @@ def _settled(
     kept: frozenset[str],
     judgements: Mapping[str, Judgement],
 ) -> tuple[bool, str] | None:
-    """Whether an effect is on, and why, whatever its influence is; None where that decides.
+    """Decide an effect without its influence, with the reason; None where the influence decides.
 
     Arguments as of `judge`, and the effects judged before.
     """

@@ -71,8 +71,8 @@ COMPRESSIBILITY = Effect(
 # ------------------------------------------------------------------------------- flow under stress
 
 INLET_THICKENING = 4.5
-"""Stress in the inlet over eta0 (u + us)/h: the film forms where the oil is some times thicker than outside
-and the gap somewhat wider than the film."""
+"""Stress in the inlet over eta0 (u + us)/h: the film forms where the oil is several times as viscous as
+outside and the gap somewhat wider than the film."""
 
 
 def _inlet_stress(prediction: Prediction) -> float:
@@ -82,17 +82,17 @@ def _inlet_stress(prediction: Prediction) -> float:
 
 
 def _inlet_pressure(prediction: Prediction) -> float:
-    """Pressure at which the inlet's oil is several times as viscous as outside [Pa]."""
+    """Pressure in the inlet at which the oil is several times as viscous as outside [Pa]."""
     alpha = prediction.oil.viscosity.alpha
     return min(2 / alpha, prediction.pressure_mean) if alpha > 0 else 0.0
 
 
 LOBE_PRESSURE = 1 / 3
-"""Pressure over the mean one where the minimum film forms, at the contact's sides and exit: oil leaves there
-by the pressure's gradient, the more easily the more sliding has thinned it."""
+"""Pressure over the mean one where the minimum film forms, at the contact's sides and exit. Oil leaves there
+by the pressure gradient, the more the sliding thins it."""
 
 HOT_FRICTION = 2.0
-"""Change of the largest temperatures over that of the mean stress: they are where the stress is largest."""
+"""Change of the largest temperatures over that of the mean stress; they occur at the largest stress."""
 
 
 def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
@@ -114,7 +114,7 @@ def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
 
 
 UNREACHED = 1e12
-"""Eyring stress of an oil that thins no more [Pa]."""
+"""Eyring stress of an oil without shear thinning [Pa]."""
 
 
 def unthinned(flow: FlowLaw) -> FlowLaw:

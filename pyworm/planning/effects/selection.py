@@ -12,13 +12,13 @@ OF_HEAT_AND_FLOW = frozenset(
         "viscosity-across",
     }
 )
-"""What a Newtonian film of one temperature has none of."""
+"""Effects that an isothermal Newtonian film does not have."""
 
 
 SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
 
 ONLY_NAMED = frozenset(name for name, effect in SIMULATED.items() if effect.only_named)
-"""Effects that no word for several of them means."""
+"""Effects that belong to none of the `GROUPS`."""
 
 GROUPS = ("all", "isothermal")
 """Words for several effects."""
@@ -30,25 +30,25 @@ def words(text: str) -> tuple[str, ...]:
     Raises
     ------
     ValueError
-        For one that means nothing.
+        For an unknown name.
     """
-    said = tuple(part.strip() for part in text.split(","))
-    if said[0] == "auto":
-        for word in said[1:]:
+    names = tuple(part.strip() for part in text.split(","))
+    if names[0] == "auto":
+        for word in names[1:]:
             if word not in ONLY_NAMED:
                 raise ValueError(
                     f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} "
                     "beside it and chooses all else by the accuracy"
                 )
-        return said
-    if "auto" in said:
+        return names
+    if "auto" in names:
         raise ValueError("auto comes first, as in auto,squeeze, and goes with no other choice")
-    for word in said:
+    for word in names:
         if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
             raise ValueError(
                 f"{word or 'nothing'} is none of auto, {', '.join(GROUPS)}, {', '.join(SIMULATED)}"
             )
-    return said
+    return names
 
 
 def beside_auto(text: str) -> frozenset[str] | None:

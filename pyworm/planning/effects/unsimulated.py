@@ -8,11 +8,11 @@ from pyworm.planning.prediction import Prediction
 # ---------------------------------------------------------------------------------------- starvation
 
 STARVATION_POWER = 2.0
-"""Exponent g of the law, below the 3 to 5 that were measured: it tells more than there is."""
+"""Exponent g of the law, below the measured 3 to 5, which overestimates the influence."""
 
 
 def _supply(prediction: Prediction) -> float:
-    """Thickness of the arriving oil over that of a flooded film."""
+    """Ratio of the thickness of the supplied oil to that of a flooded film."""
     return prediction.oil.supply / prediction.film_central
 
 
