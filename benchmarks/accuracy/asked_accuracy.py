@@ -23,7 +23,8 @@ import pyworm
 from pyworm.formulas.film import radii_at_angle
 from pyworm.formulas.hertz import hertz
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Density, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.precision.study import Study
 from pyworm.precision.survey import study
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene

@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pyworm
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Barus, Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 

@@ -14,7 +14,8 @@ import numpy as np
 
 import pyworm
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Density, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 from pyworm.scene.scales import scales
 

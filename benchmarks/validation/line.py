@@ -12,7 +12,8 @@ import numpy as np
 
 import pyworm
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Barus, Density, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales
 

@@ -7,19 +7,14 @@ from pydantic import Field, field_validator, model_validator
 
 from pyworm.case.named_oil import spelled_out
 from pyworm.case.table import NumberOrZero, PositiveNumber, Table, Text
+from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.io import units
 from pyworm.materials.base_stock import HeatCourseTable
+from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import names
-from pyworm.materials.oil import (
-    ROELANDS_POLE_LOG,
-    ROELANDS_PRESSURE,
-    Barus,
-    Density,
-    FlowLaw,
-    Oil,
-    OilHeat,
-    Roelands,
-)
+from pyworm.materials.oil import Oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
 
 POLE_VISCOSITY = exp(-ROELANDS_POLE_LOG)
 """Viscosity of the pole of Roelands' law [Pa s]; oils have more."""

@@ -22,7 +22,8 @@ THINNEST, THICKEST = 1e-7, 1.0
 """Kinematic viscosities [m2/s] between which a number can be one: 0.1 mm2/s to 1e6 mm2/s."""
 
 ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE = 9.67, 138.0
-"""-ln of the viscosity [Pa s] and temperature [K] of the pole of Roelands' law."""
+"""-ln of the viscosity [Pa s] and temperature [K] of the pole of Roelands' law (Sharif et al. 2001, equation
+20)."""
 
 
 # ------------------------------------------------------------------------ viscosity and temperature
@@ -237,7 +238,7 @@ def roelands_exponent(
 
     (ln eta + 9.67) falls as (T - 138 K)^-s0. Source: C. J. A. Roelands, thesis, Delft (1966), in the form of
     equation 20 of Sharif et al. (2001). The exponent of pressure z follows from alpha
-    (`pyworm.materials.oil.Roelands.from_alpha`).
+    (`pyworm.materials.viscosity_density.Roelands.from_alpha`).
     """
     within("dynamic viscosity", [viscosity_1, viscosity_2], 1e-4, 1e3, "Pa s")
     within("temperature", [temperature_1, temperature_2], COLDEST, HOTTEST, "K")

@@ -7,7 +7,10 @@ import numpy as np
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
-from pyworm.materials.oil import Barus, FlowLaw, Oil, OilHeat
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Barus
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ class BaseStock:
     gold_s, gold_t : float
         Constants of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`).
     density_d1, density_d2 : float
-        Rise of the density with pressure [1/Pa] (`pyworm.materials.oil.Density`).
+        Rise of the density with pressure [1/Pa] (`pyworm.materials.viscosity_density.Density`).
     conductivity : float or None
         Thermal conductivity [W/(m K)]; None where Cragoe's formula gives it.
     agma_k, agma_s : float or None
@@ -51,7 +51,7 @@ class BaseStock:
     eyring_stress, limiting_stress : float or None
         Constant stresses [Pa]; None where the coefficient gives them.
     heat : dict of str to float
-        Further constants of `pyworm.materials.oil.OilHeat`.
+        Further constants of `pyworm.materials.thermal_properties.OilHeat`.
     grades : dict of int to tuple of float
         ISO viscosity grade -> Walther's m and n.
     sources : dict of str to str

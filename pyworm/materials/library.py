@@ -18,7 +18,10 @@ from pyworm.materials.base_stock import (
     BaseStock,
     base_stock,
 )
-from pyworm.materials.oil import Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Density, Roelands
 
 _NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
 

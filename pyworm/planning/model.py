@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from pyworm.materials.oil import NEWTONIAN
+from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pyworm.formulas.regimes import Regime, line_regime, point_regime
-from pyworm.materials.oil import NEWTONIAN
+from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.planning.effects.judgement import Judgement, judge, simplified

@@ -14,7 +14,8 @@ from scipy.optimize import brentq
 
 from pyworm.formulas.film import LineGroups, PointGroups
 from pyworm.materials.body import Body
-from pyworm.materials.oil import NEWTONIAN, FlowLaw, Oil
+from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
+from pyworm.materials.oil import Oil
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene

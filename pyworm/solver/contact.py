@@ -10,7 +10,7 @@ from math import sqrt
 from typing import Any, ClassVar
 
 from pyworm.kernel import DryContact
-from pyworm.materials.oil import NEWTONIAN
+from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array, Contact

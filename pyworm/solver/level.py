@@ -9,7 +9,7 @@ import numpy as np
 
 from pyworm import kernel
 from pyworm.kernel.film import Shear
-from pyworm.materials.oil import NEWTONIAN
+from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array, Contact
 from pyworm.solver import figures

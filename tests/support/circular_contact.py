@@ -3,7 +3,8 @@
 from math import cos, sin
 
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Density, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
 STEEL = Body(205.66e9, 0.3)

@@ -7,7 +7,8 @@ import numpy as np
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Density, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Density, Roelands
 
 MM = 1e-3
 DEGREE = np.pi / 180

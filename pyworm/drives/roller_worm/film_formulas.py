@@ -7,6 +7,7 @@ import numpy as np
 from pyworm.drives.roller_worm.envelope import Array
 from pyworm.drives.roller_worm.motion import LineMotion
 from pyworm.formulas.film import dowson_higginson, line_groups, moes_line
+from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.regimes import (
     ISOVISCOUS_ELASTIC,
     ISOVISCOUS_RIGID,
@@ -18,7 +19,8 @@ from pyworm.formulas.roller_enveloping import printed_films, printed_minimum, pr
 from pyworm.formulas.thermal_reduction import thermal_loading, wilson_sheu
 from pyworm.formulas.wear_distress import specific_film
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
-from pyworm.materials.oil import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Roelands
 
 REGIMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
 """Regimes in the order of their numbers in data."""

@@ -25,7 +25,8 @@ from pyworm.drives.roller_worm.envelope import (
 )
 from pyworm.formulas.film import line_groups, moes_line
 from pyworm.materials.body import Body, reduced_modulus
-from pyworm.materials.oil import FlowLaw, Oil
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
 
 Spinning = Literal["free", "locked", "rolling"]
 """Whether rollers turn as the moments on them say, not at all, or without sliding in the mean."""

@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from pyworm.materials.oil import NEWTONIAN, Barus, Density, FlowLaw
+from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
+from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction
 from pyworm.scene.contact import Contact

@@ -11,7 +11,8 @@ from math import isnan, nan
 from pyworm.case.case import Case
 from pyworm.case.contact import GapCase
 from pyworm.drives.misalignment import MountingError
-from pyworm.materials.oil import Barus, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Barus, Roelands
 from pyworm.report.page.content import Block, Section, Table, Words
 from pyworm.report.page.figures import composite_roughness
 from pyworm.result.result import Result

@@ -16,7 +16,10 @@ import numpy as np
 
 from pyworm.io.atomic import whole_file
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.planning.effects.judgement import simplified
 from pyworm.planning.expected_work import Kind, Work
 from pyworm.planning.model import Model

@@ -10,7 +10,9 @@ import xarray as xr
 
 from pyworm.case.case import load
 from pyworm.formulas.hertz import hertz
-from pyworm.materials.oil import FlowLaw, OilHeat, Roelands
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Roelands
 from pyworm.planning.plan import plan
 from pyworm.ratings.rated_case import load_asked, ratings
 from pyworm.scene.gap_file import read_gap

@@ -12,8 +12,9 @@ import pyworm
 from pyworm.case.oil import OilTable
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT
+from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import named_oil, names
-from pyworm.materials.oil import Barus, FlowLaw
+from pyworm.materials.viscosity_density import Barus
 
 CASE = Path(__file__).parents[3] / "cases" / "ball_pag_460.toml"
 OIL = CASE.read_text().partition("[oil]")[0]

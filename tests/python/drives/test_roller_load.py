@@ -19,7 +19,9 @@ from pyworm.drives.roller_worm.motion import (
 )
 from pyworm.drives.roller_worm.profile import Crown
 from pyworm.materials.body import Body, reduced_modulus
-from pyworm.materials.oil import Density, FlowLaw, Oil, Roelands
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Density, Roelands
 
 BODIES = Body(210e9, 0.26), Body(207e9, 0.29)
 OIL = Oil(

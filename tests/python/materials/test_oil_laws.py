@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 import pyworm
 from pyworm.formulas import oil_properties
+from pyworm.formulas.oil_properties import ROELANDS_POLE_TEMPERATURE
 from pyworm.io.input_error import CaseError
 from pyworm.materials import base_stock as named_oils
 from pyworm.materials.base_stock import BASES, base_stock
 from pyworm.materials.library import named_oil, names, oil_from_index, oil_from_viscosities
-from pyworm.materials.oil import ROELANDS_POLE_TEMPERATURE
 from pyworm.materials.oil_file import read_oil
 
 CASES = Path(__file__).parents[3] / "cases"

@@ -16,7 +16,7 @@ from plans import trial
 import pyworm
 from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED
-from pyworm.materials.oil import NEWTONIAN
+from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.effect import QUANTITIES
 from pyworm.planning.effects.geometry import departure

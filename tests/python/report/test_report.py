@@ -25,7 +25,7 @@ import pyworm
 from pyworm.case.case import case_again
 from pyworm.cli.main import main
 from pyworm.formulas.film import chittenden
-from pyworm.materials.oil import Barus
+from pyworm.materials.viscosity_density import Barus
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.page.assumptions import plan_section
 from pyworm.report.page.build import build_report

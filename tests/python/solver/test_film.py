@@ -10,7 +10,8 @@ from convergence import films
 
 import pyworm
 from pyworm.kernel.core import KernelError
-from pyworm.materials.oil import Barus, Density, Oil
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.grid import Grid, nest
 from pyworm.planning.window import FAR, Reach, near_reach, windows
 from pyworm.scene.point import Paraboloid, RigidMotion

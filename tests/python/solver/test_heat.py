@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm.materials.oil import NEWTONIAN, FlowLaw
+from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.planning.model import Model
 from pyworm.scene.point import RigidMotion
 from pyworm.solver.newton import lead

@@ -12,7 +12,8 @@ import pyworm
 from pyworm.kernel.core import KernelError
 from pyworm.kernel.line_film import LineFilm
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Barus, Density, Oil, Roelands
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales

@@ -9,7 +9,10 @@ import pytest
 import pyworm
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.materials.body import Body
-from pyworm.materials.oil import NEWTONIAN, Barus, Density, FlowLaw, Oil, OilHeat, Roelands
+from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.planning.model import Model
 from pyworm.scene.line import LineScene, Parabola
 

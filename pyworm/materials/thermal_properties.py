@@ -1,0 +1,56 @@
+"""Heat of oils: conduction, heat capacity, expansion, and the fall of viscosity with temperature."""
+
+from dataclasses import dataclass
+from math import inf
+
+from pyworm.formulas.ranges import positive, within
+
+
+@dataclass(frozen=True)
+class OilHeat:
+    """Thermal laws of an oil, those of the Appendix of Sharif et al. (2001).
+
+    T0 is the inlet temperature, rho0 and eta0 are density and viscosity there at ambient pressure. Viscosity
+    falls by Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138 K)/(T0 - 138 K))^-s0 - 1]}
+    (equation 20), or by Barus' law with eta0 exp(alpha p - beta (T - T0)).
+
+    Attributes
+    ----------
+    inlet_temperature : float
+        T0 [K].
+    viscosity_exponent : float
+        s0 [-] of an oil with Roelands' law, beta [1/K] of one with Barus'.
+    conductivity, conductivity_c1, conductivity_c2 : float
+        k0 [W/(m K)], c1, c2 [1/Pa] of the conductivity k = k0 [1 + c1 p / (1 + c2 p)].
+    specific_heat : float
+        c0 [J/(kg K)] of rho c = rho0 c0 [1 + b0 (1 + b1 p + b2 p^2) (T - T0)] [1 + k1 p / (1 + k2 p)].
+    heat_capacity_b0, heat_capacity_b1, heat_capacity_b2 : float
+        b0 [1/K], b1 [1/Pa], b2 [1/Pa2] in it.
+    heat_capacity_k1, heat_capacity_k2 : float
+        k1, k2 [1/Pa] in it.
+    expansivity, expansivity_decay : float
+        eps0 [1/K] and lambda [1/Pa] of the expansivity eps = eps0 exp(-lambda p), by which the density is
+        rho(p) [1 - eps (T - T0)].
+    """
+
+    inlet_temperature: float
+    viscosity_exponent: float
+    conductivity: float
+    specific_heat: float
+    expansivity: float = 0.0
+    expansivity_decay: float = 0.0
+    conductivity_c1: float = 0.0
+    conductivity_c2: float = 0.0
+    heat_capacity_b0: float = 0.0
+    heat_capacity_b1: float = 0.0
+    heat_capacity_b2: float = 0.0
+    heat_capacity_k1: float = 0.0
+    heat_capacity_k2: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse impossible constants of an oil."""
+        positive("inlet_temperature", self.inlet_temperature, "K")
+        positive("conductivity", self.conductivity, "W/(m K)")
+        positive("specific_heat", self.specific_heat, "J/(kg K)")
+        within("viscosity_exponent", self.viscosity_exponent, 0, inf, "")
+        within("expansivity", self.expansivity, 0, inf, "1/K")
