@@ -1,4 +1,4 @@
-"""What every drive gives: scenes, and what tables, pictures, ratings and reports say of it beside them."""
+"""Base of all drives: scenes of their contacts, and data for tables, pictures, ratings and reports."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -14,20 +14,20 @@ from pyworm.scene.point import Scene
 
 
 class Drive(ABC):
-    """A machine that makes contacts. It never solves them.
+    """A machine with lubricated contacts, which it makes and never solves.
 
-    A drive has to give `scene` and `cycle_data`; all else is answered here for one of which no more is known.
+    A drive implements `scene` and `cycle_data`; all else has a default here.
 
     Attributes
     ----------
     body_names : tuple of str
-        What body 1 and body 2 of its contacts are called.
+        Names of body 1 and body 2 of its contacts.
     rated_as : type or None
-        What the standards rate it as, the type of its `duty`; None where they know no such drive.
+        Type of its `duty`, by which standards rate it; None where no standard covers such a drive.
     assumptions : tuple of str
-        What its loads and its geometry take for granted, a sentence each.
+        Assumptions of its loads and its geometry, a sentence each.
     warnings : tuple of str
-        What is unusual in it and changes its contacts, a sentence each, beginning with a key of `[drive]`.
+        Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`.
     """
 
     body_names: ClassVar[tuple[str, str]] = ("body 1", "body 2")
@@ -39,13 +39,13 @@ class Drive(ABC):
     def scene(self, phase: float) -> Scene | LineScene:
         """The lubricated contact at a phase of the mesh cycle, 0 to 1.
 
-        A drive whose contacts more than the phase tells apart takes the other names of `Place` that its
-        `[operation]` lists (`pyworm.case.case.MESH_PLACES`), too, and names its `sections`.
+        A drive with several contacts at a phase takes the other names of `Place` that its `[operation]` lists
+        (`pyworm.case.case.MESH_PLACES`) too, and names its `sections`.
 
         Raises
         ------
         ValueError
-            There is no contact, or none under load.
+            If there is no contact, or none under load.
         """
 
     @abstractmethod
@@ -53,7 +53,7 @@ class Drive(ABC):
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
 
     def scene_data(self, scene: Scene | LineScene) -> xr.Dataset:
-        """What pictures of one scene show beside the solution's own fields; may be empty."""
+        """Data that pictures of one scene show beside the fields of its solution; may be empty."""
         return xr.Dataset()
 
     def normal_load(self, phase: float) -> float:
@@ -61,21 +61,21 @@ class Drive(ABC):
         return self.scene(phase).load
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
-        """Loss between all teeth, by that of some contacts; None where they do not tell it."""
+        """Loss between all teeth, from that of some contacts; None where they are not enough."""
         return None
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
-        """What errors of its mounting make of some of its contacts, under the loads that these have."""
+        """Some of its contacts under errors of mounting, at unchanged load."""
         return Misalignment(
             "How misalignment changes the contacts of this drive is not known in closed form."
         )
 
     def duty(self) -> Duty | None:
-        """What the standards see of it, of the type `rated_as`; None where they know no such drive.
+        """Input of its rating by standards, of the type `rated_as`; None where no standard covers it.
 
         Raises
         ------
         ValueError
-            It lies outside their methods, or does not say enough.
+            If the methods do not apply to it, or data are missing.
         """
         return None

@@ -1,4 +1,4 @@
-"""What standards see of a drive: a worm gear, or a pair of cylindrical gears, at work."""
+"""Input of ratings by standards: a worm gear, or a pair of cylindrical gears, at an operating point."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -13,24 +13,24 @@ Array = np.ndarray
 
 @dataclass(frozen=True)
 class WormDuty:
-    """A worm gear at work.
+    """A worm gear at an operating point.
 
     Attributes
     ----------
     gear : WormGear
         Geometry.
     worm_speed : float
-        [rad/s].
+        Speed of the worm [rad/s].
     torque : float
-        On the wheel [N m].
+        Torque of the wheel [N m].
     reduced_modulus : float
-        [Pa].
+        Reduced modulus E' [Pa].
     roughness : tuple of float
         Root mean square heights of worm and wheel, Rq [m].
     driver : str
-        "worm" or "wheel".
+        Driving member, "worm" or "wheel".
     words : tuple of str
-        How it was derived.
+        Derivation, in sentences.
     """
 
     gear: WormGear
@@ -43,7 +43,7 @@ class WormDuty:
 
     @property
     def composite_roughness(self) -> float:
-        """Of both flanks [m]."""
+        """Composite root mean square roughness of both flanks [m]."""
         return composite_roughness(*self.roughness)
 
 
@@ -80,34 +80,34 @@ class LineOfAction:
 
     @property
     def thinnest(self) -> int:
-        """Which contact has the thinnest film."""
+        """Index of the contact with the thinnest film."""
         return int(np.argmin(self.film_min))
 
 
 @dataclass(frozen=True)
 class GearPairDuty:
-    """A pair of cylindrical gears at work.
+    """A pair of cylindrical gears at an operating point.
 
     Attributes
     ----------
     centre_distance : float
-        [m].
+        Distance of the axes [m].
     power : float
-        Through the mesh [W].
+        Power through the mesh [W].
     pitch_line_velocity : float
-        [m/s].
+        Velocity of the pitch circles [m/s].
     loss_factor : float
         H_V, loss over power and friction [-].
     reduced_modulus : float
-        [Pa].
+        Reduced modulus E' [Pa].
     oil_density : float
-        At the inlet [kg/m3].
+        Density of the oil at the inlet [kg/m3].
     line_of_action : LineOfAction
-        Its contacts.
+        Contacts along the line of action.
     composite_roughness : float or None
-        Of both flanks [m]; None where one is not known.
+        Composite roughness of both flanks [m]; None where one is not known.
     friction : float or None
-        Mean coefficient that the case gives [-]; None without.
+        Mean coefficient of friction given by the case [-]; None without.
     scuffing_temperature : float or None
         Mean scuffing temperature of the oil [K]; None if not known.
     """

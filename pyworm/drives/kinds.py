@@ -1,4 +1,4 @@
-"""Which kinds of drives there are, and by which rule their modules are found."""
+"""Kinds of drives, and the rule by which their modules are found."""
 
 from importlib import import_module
 from importlib.util import find_spec
@@ -14,6 +14,6 @@ and, if it shows more than its contacts, its pictures in `pyworm.plots.drives` a
 
 
 def module_of(kind: str, package: str) -> ModuleType | None:
-    """The module of a package that is about a kind of drive; None without one, or without such a kind."""
+    """Import the module of a package for a kind of drive; None where there is none."""
     name = f"{package}.{kind.replace('-', '_')}"
     return import_module(name) if kind in KINDS and find_spec(name) is not None else None

@@ -1,4 +1,4 @@
-"""Power through a mesh and what friction takes of it."""
+"""Power through a mesh and its loss by friction."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ class ContactLoss:
     Attributes
     ----------
     phase : float
-        Where in the cycle, 0 to 1.
+        Phase in the mesh cycle, 0 to 1.
     load : float
         Normal load [N], for each length of a line contact [N/m].
     friction : float
@@ -30,20 +30,20 @@ class ContactLoss:
 
 @dataclass(frozen=True)
 class MeshLoss:
-    """Power through the teeth and what friction takes of it.
+    """Power through the teeth and its loss by friction.
 
     Attributes
     ----------
     power : float
-        That the driver puts in [W].
+        Input power of the driver [W].
     loss : float
-        Between the teeth [W].
+        Power lost between the teeth [W].
     friction : float
         Mean friction coefficient [-].
     error : float
-        Largest relative error bar of the friction it was made of [-].
+        Largest relative error bar of the friction in it [-].
     words : str
-        How it was made.
+        Derivation, in words.
     """
 
     power: float
@@ -54,5 +54,5 @@ class MeshLoss:
 
     @property
     def efficiency(self) -> float:
-        """Of the teeth alone [-]."""
+        """Efficiency of the teeth alone [-]."""
         return 1 - self.loss / self.power

@@ -1,4 +1,4 @@
-"""A contact with what it was earlier, as its drive turns."""
+"""The past of a contact as its drive turns."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -13,13 +13,13 @@ from pyworm.scene.point import Scene
 
 
 def unturned(phase: float) -> Array:
-    """Axes of contacts that keep theirs."""
+    """Axes of contacts whose axes do not rotate."""
     return np.eye(3)
 
 
 @dataclass(frozen=True)
 class Passing:
-    """A contact on its way through the mesh, by the time before the present [s].
+    """A contact of a mesh as a function of the time before the present [s].
 
     Attributes
     ----------
@@ -28,9 +28,9 @@ class Passing:
     phase : float
         Place in the mesh cycle at present, 0 to 1.
     phases_per_second : float
-        How fast the cycle passes [1/s], negative where it does so backwards.
+        Rate of change of the phase [1/s], negative where the drive runs backwards.
     axes_at : callable
-        Phase -> x, y and normal of the tangent plane, rows in axes that velocities are relative to.
+        Phase -> x, y and normal of the tangent plane, as rows in the frame of the velocities.
     """
 
     scene_at: Callable[[float], Scene | LineScene]
@@ -39,7 +39,7 @@ class Passing:
     axes_at: Callable[[float], Array] = unturned
 
     def __call__(self, seconds: float) -> Earlier:
-        """The contact then; ValueError where there was none."""
+        """The contact at that time; ValueError where there was none."""
         then = self.phase - seconds * self.phases_per_second
         then = min(max(then, 0.0), 1.0)  # rounding aside
         x, y, _ = self.axes_at(self.phase)

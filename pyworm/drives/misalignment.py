@@ -1,4 +1,4 @@
-"""What errors of mounting make of a drive's contacts, before anything is solved again."""
+"""Contacts of a drive under errors of mounting, without solving them again."""
 
 from dataclasses import dataclass
 
@@ -13,11 +13,11 @@ class MountingError:
     Attributes
     ----------
     label : str
-        Which, with its size.
+        Kind of error, with its size.
     contacts : tuple of Scene or LineScene
-        The contacts with it, in the order of those without; empty where the teeth no longer touch.
+        The contacts under the error, in the order of those without; empty where the teeth do not touch.
     note : str
-        What else it does.
+        Further effects.
     """
 
     label: str
@@ -27,14 +27,14 @@ class MountingError:
 
 @dataclass(frozen=True)
 class Misalignment:
-    """How the contacts of a drive answer to its mounting.
+    """Response of the contacts of a drive to errors of mounting.
 
     Attributes
     ----------
     method : str
-        By what, a sentence.
+        Method, a sentence.
     errors : tuple of MountingError
-        One at a time; none where nothing is known of them.
+        Errors, one at a time; empty where they are not computed.
     """
 
     method: str

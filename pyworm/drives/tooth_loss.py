@@ -1,8 +1,8 @@
 """Loss and efficiency of tooth pairs that share a torque, over their mesh cycle.
 
-A tooth pair's loss at a phase is its friction times load times sliding. Load and sliding are known all over
-the cycle; friction is at the phases solved, a smooth curve between them and that of the nearest one beyond.
-All pairs together lose, on average over a pitch,
+A tooth pair's loss at a phase is its friction times load times sliding. Load and sliding are known over the
+whole cycle; friction is known at the solved phases, interpolated between them and constant beyond. All pairs
+together lose, on average over a pitch,
 
     P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
 
@@ -21,7 +21,7 @@ from pyworm.drives.mesh_loss import ContactLoss
 Array = np.ndarray
 
 FEWEST_PHASES = 3
-"""Solved phases without which there is no cycle to tell of."""
+"""Least number of solved phases for figures of a cycle."""
 
 
 @dataclass(frozen=True)
@@ -31,10 +31,10 @@ class Loss:
     Attributes
     ----------
     power : float
-        Lost between all teeth in mesh [W].
+        Power lost between all teeth in mesh [W].
     scene_error, phase_error, end_error : float
-        Error bars of that [W]: by the scenes' own; by the phases, the change if every other one is left out;
-        and by the friction beyond the first and the last phase, where any found elsewhere may hold.
+        Error bars of the power lost [W]: by those of the scenes; by the phases, from leaving out every other
+        one; and by the friction beyond the first and the last phase, from the range of that found elsewhere.
     friction : float
         Mean coefficient: loss over load times sliding [-].
     wheel_torque, worm_torque : float
@@ -42,7 +42,7 @@ class Loss:
     efficiency : float
         Power out over power in, as the drive runs [-].
     reverse_efficiency : float
-        The same if the power went the other way, the teeth as loaded and friction the same [-].
+        Efficiency with the power in the other direction, at the same loads and friction [-].
     """
 
     power: float
@@ -57,7 +57,7 @@ class Loss:
 
     @property
     def error(self) -> float:
-        """Error bar of the power lost, all origins together [W]."""
+        """Error bar of the power lost, the sum of all origins [W]."""
         return self.scene_error + self.phase_error + self.end_error
 
     @property
@@ -67,7 +67,7 @@ class Loss:
 
 
 def cycle_loss(cycle: xr.Dataset, contacts: Sequence[ContactLoss]) -> Loss:
-    """Loss of all teeth, equation 1.
+    """Compute the loss of all teeth, equation 1.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What the sharing of a torque among teeth or rollers has in common."""
+"""Common parts of the sharing of a torque among teeth or rollers."""
 
 from collections.abc import Callable
 from typing import Literal
@@ -6,14 +6,14 @@ from typing import Literal
 from scipy.optimize import brentq
 
 Sharing = Literal["elastic", "equal"]
-"""How those in mesh share the torque: by their compliance, or equally."""
+"""Sharing of the torque among teeth or rollers in mesh: by compliance, or equally."""
 
 DOUBLINGS = 40
-"""Times that a first guess is halved or doubled to enclose the root."""
+"""Largest number of halvings or doublings of an initial guess to bracket the root."""
 
 
 def rising_root(function: Callable[[float], float], guess: float) -> float:
-    """Where a function that rises through zero does so, from a positive first guess of the right size."""
+    """Root of a rising function, from a positive initial guess of the right order."""
     low, high = guess, guess
     for _ in range(DOUBLINGS):
         if function(low) < 0:

@@ -1,4 +1,4 @@
-"""What makes no gear pair at work: each refusal a sentence that begins with the key that is wrong."""
+"""Checks of the input of a gear pair; each refusal is a sentence that begins with the key that is wrong."""
 
 from math import isfinite
 from typing import TYPE_CHECKING, get_args
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def check_drive(drive: "GearPairDrive") -> None:
-    """Sizes are finite and positive, choices are known, reliefs lie on their flanks."""
+    """Refuse sizes not finite and positive, unknown choices, and reliefs longer than their flanks."""
     for key in ("pinion_speed", "power", "load_factor"):
         value = getattr(drive, key)
         if not (isfinite(value) and value > 0):

@@ -30,7 +30,7 @@ class ToothContacts:
     line_length : float
         Length of the contact line [m].
     approach : bool
-        Whether contact is yet to reach the pitch point, where friction turns round.
+        Whether contact is before the pitch point, where friction changes direction.
     """
 
     phase: Array

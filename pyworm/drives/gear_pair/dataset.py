@@ -1,4 +1,4 @@
-"""What the pictures of a gear pair show beside solutions: its line of action with the closed forms there."""
+"""Dataset of a gear pair for pictures: its line of action with the closed forms there."""
 
 import json
 from collections.abc import Mapping
@@ -45,7 +45,7 @@ def line_of_action_data(
     contacts : ToothContacts
         The contacts, arrays over phase.
     rating : GearRating
-        Closed forms there; what it does not know is left out.
+        Closed forms there; unknown ones are left out.
     marks : mapping
         Name of a point of the line of action -> its phase.
     driver : str
@@ -70,7 +70,7 @@ def line_of_action_data(
 
 
 def with_friction(data: xr.Dataset, friction: float, load_factor: np.ndarray) -> xr.Dataset:
-    """The same with the coefficient of friction of its closed forms.
+    """Add the coefficient of friction of the closed forms to the line of action.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
 
 CYCLE_POINTS = 401
-"""Phases at which the closed forms are drawn; the ends of single contact are added, twice."""
+"""Number of phases of the closed forms; the ends of single contact are added, twice."""
 
 
 @dataclass(frozen=True)
@@ -52,24 +52,24 @@ class GearPairDrive(Drive):
     pinion_speed : float
         Speed of the pinion [rad/s].
     power : float
-        Power that goes through the mesh [W].
+        Power through the mesh [W].
     bodies : tuple of Body
         Pinion and gear.
     oil : Oil
         The oil.
     load_factor : float
-        Load over what the power asks for, by shocks, dynamics and uneven spread over the face: the product
+        Load over that of the power, by shocks, dynamics and uneven distribution over the face: the product
         of the K factors of ISO 6336 or AGMA 2101 [-].
     load_sharing : str
         How contact lines share the load (`LoadSharing`).
     contact : str
-        Which scenes are made: "line", or "point" of the whole crowned face.
+        Kind of the scenes: "line", or "point" of the whole crowned face.
     tip_relief : tuple of LinearRelief
-        Of pinion and gear; of the scenes' gaps, load sharing knows nothing of it.
+        Tip relief of pinion and gear in the gaps of scenes; load sharing ignores it.
     lead_crowning : float
-        How much of both flanks together is taken off at the ends of the face [m].
+        Lead crowning: height removed from both flanks together at the ends of the face [m].
     surfaces : Surfaces or None
-        What the closed forms of friction and scuffing need beside; None if not known.
+        Further input of the closed forms of friction and scuffing; None if not known.
     """
 
     body_names = "pinion", "gear"
@@ -94,7 +94,7 @@ class GearPairDrive(Drive):
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """The rule of load sharing, and that nothing bends."""
+        """The rule of load sharing, and rigid teeth and shafts."""
         return (
             f"Load sharing by the rule '{self.load_sharing}'; load factor {self.load_factor:g}.",
             "Shafts and teeth do not deform except in the contact; no dynamic loads but by the load "
@@ -103,7 +103,7 @@ class GearPairDrive(Drive):
 
     @cached_property
     def sharing(self) -> LoadSharing:
-        """How the normal force is shared."""
+        """Sharing of the normal force among contact lines."""
         return LoadSharing(self.teeth, self.load_sharing)
 
     @property
@@ -133,7 +133,7 @@ class GearPairDrive(Drive):
         return reduced_modulus(*self.bodies)
 
     def phase_of(self, pinion_length: float) -> float:
-        """Phase at which the pinion's radius of curvature [m] is this: of `teeth.pitch_point`, say."""
+        """Phase at which the pinion has this radius of curvature [m], such as that of `teeth.pitch_point`."""
         return (pinion_length - self.teeth.start) / self.teeth.path_length
 
     def contacts(self, phase: float | Array) -> ToothContacts:
@@ -142,7 +142,7 @@ class GearPairDrive(Drive):
         Raises
         ------
         ValueError
-            Out of contact.
+            If a phase is out of contact.
         """
         phase = np.asarray(phase, float)
         if not np.all((phase >= 0) & (phase <= 1)):
@@ -217,7 +217,7 @@ class GearPairDrive(Drive):
         )
 
     def _point(self, phase: float) -> Scene:
-        """Surfaces turn about the common normal by the part of their speed along it.
+        """The scene of the whole face; surfaces spin by their rotation's component along the normal.
 
         What the height of the flank over the plane adds to their velocities is neglected: relative to
         them it is that height over the radius of curvature.
@@ -249,8 +249,8 @@ class GearPairDrive(Drive):
     def loss_factor(self) -> float:
         """H_V [-]: power loss of the mesh over power and a constant coefficient of friction.
 
-        The mean over the mesh cycle of load times sliding, the load on every slice of the face being what it
-        is in the middle: exact for spur gears. Ohlendorf's closed form is that of uniform sharing.
+        It is the mean over the mesh cycle of load times sliding, with the load of the middle on every slice
+        of the face, which is exact for spur gears. Ohlendorf's closed form is that of uniform sharing.
         """
         contacts = self.contacts(self.cycle_phases())
         system = self.teeth.system
@@ -263,8 +263,8 @@ class GearPairDrive(Drive):
     def friction_load_factor(self, contacts: ToothContacts, friction: float) -> Array:
         """Normal load with friction over that without, at the same torque of the driver [-].
 
-        1 / (1 -+ mu rho / (r_b cos beta_b)) of the driver. In approach its root is dragged along by the
-        faster tip of the driven one (-), and the teeth press harder; in recess its tip is held back (+).
+        It is 1 / (1 -+ mu rho / (r_b cos beta_b)) of the driver: in approach the faster tip of the driven
+        gear drags its root along (-), which raises the load; in recess its tip is held back (+).
         """
         base = self.teeth.cylinders[0 if self.driver == "pinion" else 1].base
         length = contacts.pinion_length if self.driver == "pinion" else contacts.gear_length
@@ -272,7 +272,7 @@ class GearPairDrive(Drive):
         return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
-        """Loss by the loss factor and the mean friction; None of fewer than two phases."""
+        """Loss by the loss factor and the mean friction; None for fewer than two phases."""
         return gear_mesh_loss(self, contacts)
 
     def misalignment(self, contacts: Sequence[LineScene | Scene]) -> Misalignment:
@@ -280,7 +280,7 @@ class GearPairDrive(Drive):
         return gear_misalignment(self, contacts)
 
     def duty(self) -> GearPairDuty:
-        """The gears as the standards see them."""
+        """The gears as input of ratings by standards."""
         return gear_pair_duty(self)
 
     def rating(self, contacts: ToothContacts) -> GearRating:

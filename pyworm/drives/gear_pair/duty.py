@@ -1,4 +1,4 @@
-"""A pair of involute gears as the standards see it."""
+"""A pair of involute gears as input of ratings by standards."""
 
 from typing import TYPE_CHECKING
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def gear_pair_duty(drive: "GearPairDrive") -> GearPairDuty:
-    """The gears of a drive at work."""
+    """The gears of a drive at its operating point."""
     contacts = drive.contacts(drive.cycle_phases())
     rated, surfaces = drive.rating(contacts), drive.surfaces
     return GearPairDuty(

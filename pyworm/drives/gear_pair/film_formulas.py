@@ -20,7 +20,7 @@ Array = np.ndarray
 
 @dataclass(frozen=True)
 class Surfaces:
-    """What is known of the flanks beside their geometry.
+    """Friction and scuffing data of the flanks.
 
     Attributes
     ----------
@@ -43,15 +43,15 @@ class GearRating:
     hertz_pressure, hertz_half_width : float
         Largest pressure [Pa] and half width [m] of the dry contact.
     film_central : float
-        Film in the middle by Dowson and Toyoda, which AGMA 925-A03 takes [m].
+        Central film by Dowson and Toyoda, as in AGMA 925-A03 [m].
     film_min : float
         Least film by Dowson and Higginson [m].
     specific_film : float or None
-        Least film over composite roughness [-]; None if that is not known.
+        Least film over composite roughness [-]; None if the roughness is not known.
     flash_temperature : float or None
         Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat.
     contact_temperature : float or None
-        Mean bulk temperature of both gears and that rise [K].
+        Mean bulk temperature of both gears plus that rise [K].
     scuffing_temperature : float or None
         Mean scuffing temperature of the oil [K].
     """
@@ -69,7 +69,7 @@ class GearRating:
 def rate(
     contacts: Any, bodies: tuple[Body, Body], oil: Oil, surfaces: Surfaces | None
 ) -> GearRating:
-    """Closed forms at contacts.
+    """Evaluate the closed forms at contacts.
 
     Parameters
     ----------

@@ -24,13 +24,13 @@ import numpy as np
 Array = np.ndarray
 
 TURN = 1.0
-"""Angle [rad] beyond which an involute, long past any tip, goes on as its tangent plane."""
+"""Angle [rad] beyond which an involute, long past any tip, continues as its tangent plane."""
 
 NEAR_BASE = 0.05
-"""Radius of curvature, over that at the contact point, below which an involute goes on as tangent plane."""
+"""Radius of curvature, over that at the contact point, below which an involute continues as tangent plane."""
 
 STEPS = 40
-"""Newton's steps at most; 3 to 6 are taken."""
+"""Largest number of Newton steps; 3 to 6 are typical."""
 
 
 @dataclass(frozen=True)
@@ -113,7 +113,7 @@ class GearGap:
     face_width : float
         Common face width [m]; the contact point is in its middle.
     crowning : float
-        How much of both flanks together is taken off at the ends of the face, as a parabola [m].
+        Height removed from both flanks together at the ends of the face, as a parabola [m].
     """
 
     pinion: Flank
@@ -138,7 +138,7 @@ class GearGap:
 
 @dataclass(frozen=True)
 class GearSection:
-    """The same in the section across the contact line at the contact point, as a line contact has it.
+    """The gap in the section across the contact line at the contact point, for a line contact.
 
     Attributes
     ----------
@@ -154,6 +154,6 @@ class GearSection:
 
 
 def _angle_less_sine(angle: Array) -> Array:
-    """angle - sin(angle), without loss of digits at small angles."""
+    """Evaluate angle - sin(angle) without cancellation at small angles."""
     series = angle**3 / 6 * (1 - angle**2 / 20 * (1 - angle**2 / 42 * (1 - angle**2 / 72)))
     return np.where(np.abs(angle) < 0.2, series, angle - np.sin(angle))

@@ -141,7 +141,7 @@ class InvolutePair:
     Raises
     ------
     ValueError
-        They do not mesh; the sentence begins with the key that is wrong.
+        If they do not mesh; the message begins with the key that is wrong.
     """
 
     system: ToothSystem
@@ -184,9 +184,9 @@ class InvolutePair:
 
     @property
     def tip_shortening(self) -> float:
-        """k [-]: by how much both addenda are cut so that tips keep their clearance of the roots.
+        """k [-]: reduction of both addenda by which tips have the clearance of the rack from the roots.
 
-        Where the centre distance leaves them more clearance they stay as the rack makes them.
+        It is zero where the centre distance leaves more clearance.
         """
         pulled = (self.centre_distance - self.reference_centre_distance) / self.system.module
         return max(self.pinion.profile_shift + self.gear.profile_shift - pulled, 0.0)
@@ -219,17 +219,17 @@ class InvolutePair:
 
     @property
     def lowest_single(self) -> float:
-        """The same at its lowest point of single tooth contact (LPSTC), of the transverse section [m]."""
+        """Pinion's radius of curvature at its lowest point of single tooth contact (LPSTC) [m]."""
         return self.end - self.system.base_pitch
 
     @property
     def highest_single(self) -> float:
-        """The same at its highest point of single tooth contact (HPSTC) [m]."""
+        """Pinion's radius of curvature at its highest point of single tooth contact (HPSTC) [m]."""
         return self.start + self.system.base_pitch
 
     @property
     def pitch_point(self) -> float:
-        """The same at the pitch point [m]."""
+        """Pinion's radius of curvature at the pitch point [m]."""
         return self.base_tangent / (1 + self.ratio)
 
     @property

@@ -1,4 +1,4 @@
-"""What makes no pair of involute gears: each refusal a sentence that begins with the key that is wrong."""
+"""Checks of a pair of involute gears; each refusal is a sentence that begins with the key that is wrong."""
 
 from math import ceil, cos, degrees, isfinite, pi, sin
 from typing import TYPE_CHECKING
@@ -7,19 +7,19 @@ if TYPE_CHECKING:
     from pyworm.drives.gear_pair.involute import InvolutePair
 
 CIRCLES_TOUCH = 1e-9
-"""Fraction of a module below which a circle that reaches beyond another one is rounding."""
+"""Overlap of two circles, over the module, that counts as rounding."""
 
 TIGHT = 1e-3
-"""Backlash in modules, negative, that is taken as the rounding of a table of profile shifts."""
+"""Negative backlash, over the module, that counts as the rounding of a table of profile shifts."""
 
 
 def check_pair(pair: "InvolutePair") -> None:
-    """The gears mesh.
+    """Refuse gears that do not mesh.
 
     Raises
     ------
     ValueError
-        They do not.
+        If they do not mesh.
     """
     _check_values(pair)
     _check_centre_distance(pair)
@@ -28,7 +28,7 @@ def check_pair(pair: "InvolutePair") -> None:
 
 
 def _check_values(pair: "InvolutePair") -> None:
-    """Numbers are finite and of a sign and size that make sense alone."""
+    """Refuse numbers that are not finite, or whose sign or size is impossible."""
     system = pair.system
     sizes = {
         "module": system.module,
@@ -68,7 +68,7 @@ def _check_values(pair: "InvolutePair") -> None:
 
 
 def _check_centre_distance(pair: "InvolutePair") -> None:
-    """The base circles stay apart and the teeth do not jam."""
+    """Refuse overlapping base circles and teeth that jam."""
     base_circles = pair.reference_centre_distance * cos(pair.system.transverse_pressure_angle)
     if pair.centre_distance <= base_circles:
         raise ValueError(
@@ -84,7 +84,7 @@ def _check_centre_distance(pair: "InvolutePair") -> None:
 
 
 def _check_teeth(pair: "InvolutePair") -> None:
-    """Each gear has whole teeth: a flank above the fillet, a tip with some thickness."""
+    """Refuse teeth without a flank above the fillet or with a pointed tip."""
     module = pair.system.module
     for name, gear, size in zip(
         ("pinion", "gear"), (pair.pinion, pair.gear), pair.cylinders, strict=True
@@ -111,7 +111,7 @@ def _check_teeth(pair: "InvolutePair") -> None:
 
 
 def _check_mesh(pair: "InvolutePair") -> None:
-    """Tips stay clear of roots and fillets, and one pair takes over from another."""
+    """Refuse tips that touch roots or fillets, and a contact ratio below one."""
     module = pair.system.module
     names = ("pinion", "gear")
     for mine, other in ((0, 1), (1, 0)):
@@ -139,5 +139,5 @@ def _check_mesh(pair: "InvolutePair") -> None:
 
 
 def _up(value: float) -> str:
-    """Two decimals, rounded up so that what is advised is enough."""
+    """Format with two decimals, rounded up so that the advised value is enough."""
     return f"{ceil(value * 100 - 1e-9) / 100:.2f}"

@@ -1,4 +1,4 @@
-"""How the normal force of a gear mesh is shared among its contact lines.
+"""Sharing of the normal force of a gear mesh among its contact lines.
 
 A contact line lies in the plane of action, tilted by the base helix angle against the axes; s is its place on
 the line of action in the middle of the face, as the pinion's radius of curvature there. Each rule gives
@@ -51,7 +51,7 @@ class LoadSharing:
     Raises
     ------
     ValueError
-        No such rule, or one that does not hold for these gears.
+        If there is no such rule, or it does not apply to these gears.
     """
 
     pair: InvolutePair

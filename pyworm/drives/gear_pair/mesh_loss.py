@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def gear_mesh_loss(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
-    """Loss by the loss factor and the mean friction; None of fewer than two phases."""
+    """Loss by the loss factor and the mean friction; None for fewer than two phases."""
     if len(contacts) < 2:
         return None
     friction = _mean_friction(drive, contacts)

@@ -1,4 +1,4 @@
-"""Flanks of a gear pair that are not parallel: how unevenly the face is loaded."""
+"""Uneven load over the face of a gear pair by flanks that are not parallel."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -29,7 +29,7 @@ METHOD = (
 def gear_misalignment(
     drive: "GearPairDrive", contacts: Sequence[Scene | LineScene]
 ) -> Misalignment:
-    """Line contacts under a load that grows linearly over the face; of whole faces nothing is known."""
+    """Line contacts under a load that grows linearly over the face; none for scenes of whole faces."""
     if not all(isinstance(contact, LineScene) for contact in contacts):
         return Misalignment(METHOD)
     mean = drive.normal_force / drive.teeth.face_width

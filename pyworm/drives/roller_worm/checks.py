@@ -1,4 +1,4 @@
-"""What makes no roller drive: each refusal a sentence that begins with the key that is wrong."""
+"""Checks of the input of a roller drive; each refusal begins with the key that is wrong."""
 
 from math import degrees, pi
 from typing import TYPE_CHECKING
@@ -13,7 +13,7 @@ FARTHEST = 80.0
 
 
 def check_drive(drive: "RollerWormDrive") -> None:
-    """Sizes that must fit each other."""
+    """Refuse sizes that do not fit each other."""
     worm, rollers, profile = drive.worm, drive.rollers, drive.rollers.profile
     if not 0 < worm.throat_coefficient < 2:
         raise ValueError(

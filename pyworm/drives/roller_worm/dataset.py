@@ -1,4 +1,4 @@
-"""What the pictures and tables of a roller enveloping worm drive show beside solutions."""
+"""Dataset of a roller enveloping worm drive for pictures and tables."""
 
 from typing import TYPE_CHECKING
 
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 KIND = "roller-worm"
 
 PHASES = np.linspace(0.0, 1.0, 49)
-"""Phases of either section at which the cycle is kept."""
+"""Phases of either section at which the cycle is sampled."""
 
 STATIONS = np.linspace(0.02, 0.98, 9)
-"""Fractions of the contact line at which it is kept; the ends themselves touch with no length."""
+"""Fractions of the contact line at which it is sampled; at its ends the contact line has no length."""
 
 SWEEP, ACROSS = 240, 5
 """Points along and across a section's flank in the picture of the drive."""
@@ -27,10 +27,10 @@ VARIED = {
     "roller_radius": np.array([0.6, 0.8, 1.0, 1.2, 1.4]),
     "throat_coefficient": np.array([0.6, 0.8, 1.0, 1.2, 1.4]),
 }
-"""Design values and the factors by which the sensitivity of the film to them is looked at."""
+"""Design values and their factors in the sensitivity of the film."""
 
 TILTS = np.radians([0.0, 15.0, 30.0, 45.0, 60.0])
-"""Tilts of the rollers' axes at which it is."""
+"""Tilts of the rollers' axes in the sensitivity of the film [rad]."""
 
 
 def roller_cycle_data(drive: "RollerWormDrive") -> xr.Dataset:
@@ -74,7 +74,7 @@ _OF_A_LINE = {
     "rollers_in_mesh": lambda s: len(s.shared.forces),
     "wheel_turn": lambda s: s.shared.turn,
 }
-"""Name -> number of a contact line's state."""
+"""Name -> a scalar of a contact line's state."""
 
 _ALONG_A_LINE = {
     "contact_radius": lambda s: 1 / s.contact.curvature,
@@ -93,7 +93,7 @@ _ALONG_A_LINE = {
     "heated_share": lambda s: s.films.heated_share,
     "specific_film": lambda s: s.films.specific_film,
 }
-"""Name -> numbers at the stations of a contact line."""
+"""Name -> values at the stations of a contact line."""
 
 _BY_REGIME = {
     "film_by_regime": lambda s: s.films.by_regime,
@@ -103,7 +103,7 @@ _BY_REGIME = {
 
 
 def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
-    """Everything of a roller's contact line over both sections."""
+    """Variables of a roller's contact line over both sections."""
     states = [
         [drive.state(name, float(phase), STATIONS) for phase in PHASES] for name in drive.sections
     ]
@@ -120,7 +120,7 @@ def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
 
 
 def _flanks(drive: "RollerWormDrive") -> dict[str, tuple]:
-    """Both sections' flanks in the worm's frame, and rollers at the instant the worm stands there."""
+    """Both sections' flanks in the worm's frame, and the rollers at that position of the worm."""
     flanks, rollers = [], []
     for section in drive.sections.values():
         angles = np.linspace(section.first, section.last, SWEEP)
@@ -142,7 +142,7 @@ def _flanks(drive: "RollerWormDrive") -> dict[str, tuple]:
 
 
 def _lines_in_mesh(drive: "RollerWormDrive") -> dict[str, tuple]:
-    """Contact lines of all rollers in mesh while the worm stands as in `_flanks`."""
+    """Contact lines of all rollers in mesh at the position of the worm in `_flanks`."""
     lines, names, forces = [], [], []
     fraction = np.linspace(0, 1, ACROSS)[:, None]
     for name in drive.sections:

@@ -24,7 +24,7 @@ class RollerWorm:
     throat_angle, outer_angle : float
         Wheel angles from the throat at which either section begins and ends [rad].
     addendum, dedendum : float
-        How far the thread bears from the rollers' middle towards their inner and their outer ends [m].
+        Bearing length of the thread from the rollers' middle towards their inner and outer ends [m].
     """
 
     threads: int
@@ -43,17 +43,17 @@ class Rollers:
     Attributes
     ----------
     count : int
-        Number round the wheel.
+        Number of rollers round the wheel.
     profile : RollerProfile
-        What they are.
+        Shape of the rollers.
     tilt : float
-        Of their axes out of the wheel's radius towards its axis [rad]: 0 radial, pi/2 axial (end face).
+        Angle of the rollers' axes to the wheel's radius, towards its axis [rad]: 0 radial, pi/2 axial.
     height : float
-        Of their middles above the worm's axis, along the wheel's [m].
+        Height of the rollers' middles over the worm's axis, along the wheel's axis [m].
     pin : Pin
-        What they turn on.
+        Pin of each roller.
     stiffness : float
-        Of pin and thread together [N/m]; inf where they are rigid.
+        Stiffness of pin and thread together [N/m]; infinite where they are rigid.
     """
 
     count: int

@@ -50,11 +50,11 @@ class LineState:
     force : float
         The roller's normal load [N].
     length : float
-        Of its contact line [m].
+        Length of its contact line [m].
     contact : LineContact
         Contacts at the stations asked for, (stations,).
     load : ndarray
-        For each length [N/m].
+        Load for each length [N/m].
     motion : LineMotion
         Velocities.
     films : ClosedFilms
@@ -88,8 +88,8 @@ class RollerWormDrive(Drive):
     torque : float
         Torque of the worm [N m].
     preload : float
-        Torque about the wheel's axis by which the sections are braced against each other, which is all that
-        the idling one carries [N m].
+        Torque about the wheel's axis by which the sections are braced against each other, the only torque
+        of the idling one [N m].
     sharing : str
         "elastic" or "equal" (`pyworm.drives.roller_worm.load_sharing`).
     rolling : str
@@ -120,7 +120,7 @@ class RollerWormDrive(Drive):
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """How rollers share the load."""
+        """The rule of load sharing, in words."""
         return (f"The load is shared as operation.sharing = {self.sharing} says.",)
 
     @property
@@ -165,7 +165,7 @@ class RollerWormDrive(Drive):
 
     @property
     def compliance(self) -> Compliance:
-        """What yields under load."""
+        """Compliance of rollers, pins and thread."""
         return Compliance(self.bodies, self.rollers.stiffness)
 
     def wheel_torque(self, section: str) -> float:
@@ -182,7 +182,7 @@ class RollerWormDrive(Drive):
         Raises
         ------
         ValueError
-            There is no such drive: its flank is undercut, or the rollers leave no thread between them.
+            If the flank is undercut, or the rollers leave no thread between them.
         """
         if name == "throat_coefficient":
             return replace(self, worm=replace(self.worm, throat_coefficient=value))
@@ -192,13 +192,13 @@ class RollerWormDrive(Drive):
         return replace(self, rollers=replace(self.rollers, profile=profile))
 
     def shared(self, section: str, wheel_angle: float) -> SharedLoad:
-        """How a section's rollers share its torque while one of them is at a wheel angle [rad]."""
+        """Loads of a section's rollers while one of them is at a wheel angle [rad]."""
         part = self.sections[section]
         torque = self.wheel_torque(section)
         return share(part, self.compliance, wheel_angle, torque, self.sharing)
 
     def state(self, section: str, phase: float, stations: Sequence[float]) -> LineState:
-        """A roller at a phase of its way through a section, at fractions of its contact line from 0 to 1."""
+        """State of a roller at a phase of a section, at fractions of its contact line from 0 to 1."""
         part = self.sections[section]
         angle = float(part.wheel_angle(phase))
         shared = self.shared(section, angle)
@@ -236,14 +236,14 @@ class RollerWormDrive(Drive):
         section : str
             "right" or "left".
         phase : float
-            The roller's place on its way through the section, 0 to 1.
+            Phase of the roller in the section, 0 to 1.
         station : float, optional
             Fraction of the contact line, for the line contact there; by default the whole line with its ends.
 
         Raises
         ------
         ValueError
-            The roller carries no load there.
+            If the roller carries no load there.
         """
         part = self.sections[section]
         at = (
@@ -274,7 +274,7 @@ class RollerWormDrive(Drive):
         )
 
     def _whole(self, section: str, phase: float) -> Scene:
-        """A contact line with its ends, about the point of it where the crown took off least."""
+        """The scene of a contact line with its ends, about its point of least crown relief."""
         crown = self.rollers.profile.crown
         if crown is None:
             raise ValueError("a contact line with its ends needs rollers with a crown")
@@ -315,5 +315,5 @@ class RollerWormDrive(Drive):
 
 
 def _only(contact: LineContact) -> LineContact:
-    """The one contact of an array of one."""
+    """The single contact of an array of one."""
     return LineContact(**{name: part[..., 0] for name, part in vars(contact).items()})

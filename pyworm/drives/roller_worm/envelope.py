@@ -5,7 +5,7 @@ Drive frame: origin in the wheel's centre, Z along the wheel's axis, the worm's 
 
     e_r = (sin phi, cos phi, 0),  e_t = (cos phi, -sin phi, 0),  d = cos(tilt) e_r + sin(tilt) e_z,
 
-d being its axis and e_t where it goes. Its surface is
+d being its axis and e_t its direction of travel. Its surface is
 
     P = c + s d + rho(s) e(theta),  e = cos(theta) e_t + sin(theta) f,  f = d x e_t,
     n = cos(gamma) e - sin(gamma) d,  tan(gamma) = rho'(s),
@@ -21,7 +21,7 @@ which is linear in e: theta follows in closed form, one root on each side of the
 worm's frame over all phi these points are the two flanks of the thread.
 
 Sources of the theory: F. L. Litvin and A. Fuentes, Gear Geometry and Applied Theory (2004), chapters 6 to 8.
-What is written here was derived anew and is tested against swept rollers, second differences and exact
+The formulas were derived for this program and are tested against swept rollers, second differences and exact
 tensors.
 """
 
@@ -33,7 +33,7 @@ import numpy as np
 from pyworm.drives.roller_worm.profile import Array, RollerProfile
 
 Flank = Literal["driving", "idle"]
-"""Which side of the rollers a worm flank touches: from behind, so that it drives them, or from the front."""
+"""Side of the rollers that a worm flank touches: behind them, so that it drives, or in front."""
 
 E_X, E_Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
@@ -68,11 +68,11 @@ class LineContact:
     Attributes
     ----------
     place : ndarray
-        Where along the roller's axis, from its middle [m].
+        Place along the roller's axis, from its middle [m].
     wheel_angle : ndarray
         phi [rad].
     theta : ndarray
-        Where round the roller [rad].
+        Angle round the roller [rad].
     radius : ndarray
         The roller's radius there [m].
     point, normal : ndarray
@@ -90,7 +90,7 @@ class LineContact:
         Limit function Psi [m/rad2]: second derivative of the roller's distance from a point of the worm by
         the wheel's angle. The flank is cut away (undercut) where it is not positive.
     advance : ndarray
-        Change of the point with phi at fixed s [m/rad]: how the line moves.
+        Change of the point with phi at fixed s [m/rad], the motion of the line.
     turning : ndarray
         Change of theta with phi at fixed s [-].
     """
@@ -118,17 +118,17 @@ class RollerEnvelope:
     Attributes
     ----------
     profile : RollerProfile
-        The roller; its crown plays no part in the envelope.
+        The roller; the envelope ignores its crown.
     ratio : float
         i, wheel teeth over worm threads [-].
     centre_distance : float
-        Of worm and wheel axes, a [m].
+        Distance a of worm and wheel axes [m].
     pitch_radius : float
-        Of the rollers' middles about the wheel's axis [m].
+        Radius of the rollers' middles about the wheel's axis [m].
     tilt : float
-        Of the roller's axis out of the wheel's radius towards its axis [rad]: 0 radial, pi/2 axial.
+        Angle of the roller's axis to the wheel's radius, towards its axis [rad]: 0 radial, pi/2 axial.
     height : float
-        Of the rollers' middles above the plane of the worm's axis, along the wheel's [m].
+        Height of the rollers' middles over the worm's axis, along the wheel's axis [m].
     flank : str
         "driving" touches the rollers from behind, "idle" from the front.
     hand : int
@@ -171,11 +171,11 @@ class RollerEnvelope:
         return worm + about_z(point)
 
     def theta(self, place: Array, wheel_angle: Array) -> Array:
-        """Where round the roller it touches [rad]; NaN where it does not."""
+        """Angle round the roller at which it touches [rad]; NaN where it does not."""
         return self._theta(place, *self.axes(wheel_angle))
 
     def _theta(self, place: Array, going: Array, side: Array, axis: Array, middle: Array) -> Array:
-        """`theta` from what `axes` gives."""
+        """Evaluate `theta` from the result of `axes`."""
         radius, gamma = self.profile(place)
         velocity = self.relative_velocity(middle + place * axis)
         turn = _wide(self.worm_turn + E_Z, axis)
@@ -262,7 +262,7 @@ class RollerEnvelope:
         return np.stack([point[0], self.centre_distance + cos * y - sin * z, sin * y + cos * z])
 
     def roller_distance(self, point: Array, wheel_angle: Array) -> tuple[Array, Array]:
-        """How far points (3, ...) of the drive frame lie outside a roller's profile, and where along it.
+        """Distance of points (3, ...) of the drive frame from a roller's profile, and place along its axis.
 
         The distance [m] is taken square to the roller's axis times cos(gamma): exact to first order, with the
         sign of the true one. The place along the axis is from the roller's middle [m].

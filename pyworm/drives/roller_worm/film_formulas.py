@@ -35,7 +35,7 @@ class ClosedFilms:
     g_v, g_e : ndarray
         Johnson's viscosity and elasticity parameters [-].
     printed_g_v, printed_g_e : ndarray
-        The same as the source prints them, without square roots.
+        Both parameters as printed in the source, without square roots.
     regime : ndarray
         Number of the regime in `REGIMES`.
     by_regime : ndarray
@@ -47,7 +47,7 @@ class ClosedFilms:
     printed : ndarray
         The source's four films as printed, (4, ...), in the order of `REGIMES`.
     heated_share : ndarray
-        Wilson and Sheu's film over the isothermal one; NaN where nothing is known of the oil's heat.
+        Wilson and Sheu's film over the isothermal one; NaN where the oil's thermal properties are not known.
     specific_film : ndarray
         Dowson and Higginson's minimum film, heated if known, over the composite roughness [-]; NaN where that
         is not known.
@@ -74,9 +74,9 @@ def closed_films(
     bodies: tuple[Body, Body],
     oil: Oil,
 ) -> ClosedFilms:
-    """Films at contacts with an induced curvature [1/m] under a load for each length [N/m].
+    """Evaluate films at contacts with an induced curvature [1/m] under a load for each length [N/m].
 
-    Where there is no load there is no film: NaN.
+    Films are NaN where there is no load.
     """
     modulus, viscosity = reduced_modulus(*bodies), oil.viscosity
     load = np.where(load > 0, load, np.nan)
@@ -129,7 +129,7 @@ def _specific_film(film: Array, bodies: tuple[Body, Body]) -> Array:
 
 
 def _heated_share(oil: Oil, motion: LineMotion) -> Array:
-    """Wilson and Sheu's reduction of the film; that of simple sliding where the surfaces part ways."""
+    """Wilson and Sheu's reduction of the film; that of simple sliding for opposite surface velocities."""
     first, second = motion.worm[0], motion.roller[0]
     if oil.heat is None:
         return np.full(first.shape, np.nan)

@@ -8,10 +8,10 @@ from pyworm.drives.roller_worm.envelope import Array, LineContact, cross, dot
 from pyworm.drives.roller_worm.section import WormSection
 
 NEWTON_STEPS = 12
-"""Steps in which a flank's parameters settle; five or six do where the flank is sound."""
+"""Largest number of Newton steps for a flank's parameters; five or six are typical."""
 
 SETTLED = 1e-13
-"""Distance in the tangent plane [m] left when they have: heights are right to it times a slope."""
+"""Residual distance in the tangent plane [m] at convergence; the error of a height is it times a slope."""
 
 BLOCK = 8192
 """Points solved at once: keeps the work arrays within the processor's cache."""
@@ -49,7 +49,7 @@ class ContactFrame:
     def roller_height(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
         """Height [m] of the real roller, place along its axis [m], and whether it is there.
 
-        Where a line along the normal passes by the roller it goes on with the roller's equator.
+        Where a line along the normal misses the roller, the height of its equator is continued.
         """
         envelope = self.section.envelope
         _, _, axis, middle = envelope.axes(self.contact.wheel_angle)
@@ -150,7 +150,7 @@ class RollerGap:
     frame: ContactFrame
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Gap [m], and where roller and thread both exist; beyond, their surfaces go on."""
+        """Gap [m], and where roller and thread both exist; beyond, their surfaces are continued."""
         frame, section = self.frame, self.frame.section
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         roller, along, met = frame.roller_height(x, y)
@@ -172,14 +172,14 @@ class RollerGap:
 class RollerMotion:
     """Velocity of a rigid surface near a contact, relative to the contact point and on its axes.
 
-    Both surfaces are taken where the roller is: they lie a film apart.
+    Both surfaces are evaluated at the roller, since they are a film apart.
 
     Attributes
     ----------
     frame : ContactFrame
         The contact.
     velocity : ndarray
-        Of the body's surface at the contact point, relative to that, (3,) [m/s].
+        Velocity of the body's surface relative to the contact point, (3,) [m/s].
     rotation : ndarray
         The body's angular velocity, (3,) [rad/s].
     """

@@ -1,12 +1,12 @@
-"""How rollers share the torque: rigid worm and wheel, elastic contacts, slice by slice.
+"""Sharing of the torque among rollers: rigid worm and wheel, elastic contacts in slices.
 
 The wheel turns by Theta against the worm beyond the unloaded mesh. At a slice of a contact line with the
 lever r = (P x n) . e_z about the wheel's axis the surfaces then approach by
 
     delta = Theta r - relief - F / k,                                                            (1)
 
-relief being what the crown took off and F / k what pin and thread yield under the roller's whole load F.
-Slices do not feel each other; the load w for each length of one follows from
+relief being that of the crown and F / k the deflection of pin and thread under the roller's whole load F.
+Slices are independent of each other; the load w for each length of one follows from
 
     delta = w (1 - nu_1^2) / (pi E_1) [1 + 2 ln(2 l / b)]                                        (2)
           + 2 w (1 - nu_2^2) / (pi E_2) [ln(4 rho / b) - 1/2],   b^2 = 8 w / (pi E' k_v),
@@ -31,22 +31,22 @@ SLICES = 25
 """Slices of a contact line (Gauss and Legendre's points)."""
 
 ROUNDS = 30
-"""Rounds after which loads that depend on their own logarithm, contracting tenfold a round, are settled."""
+"""Largest number of fixed-point iterations for a load, whose error falls tenfold in each."""
 
 SETTLED = 1e-12
-"""Relative change at which they are."""
+"""Relative change at which the iteration ends."""
 
 
 @dataclass(frozen=True)
 class Compliance:
-    """What yields under load.
+    """Compliance of rollers, pins and thread.
 
     Attributes
     ----------
     bodies : tuple of Body
         Worm and rollers.
     stiffness : float
-        Of a roller's pin and the thread behind it together [N/m]; inf where they are rigid.
+        Stiffness of a roller's pin and the thread behind it together [N/m]; infinite if rigid.
     """
 
     bodies: tuple[Body, Body]
@@ -88,24 +88,24 @@ class Compliance:
 
 @dataclass(frozen=True)
 class SharedLoad:
-    """How the rollers of one section share the torque at one instant.
+    """Loads of the rollers of one section at one instant.
 
     Attributes
     ----------
     section : WormSection
         The section.
     compliance : Compliance
-        What yields.
+        Compliance of rollers, pins and thread.
     wheel_angles : ndarray
-        Of the rollers that touch [rad], (rollers,).
+        Wheel angles of the rollers that touch [rad], (rollers,).
     turn : float
         Theta, the wheel's turn by the load [rad]; 0 with equal shares.
     yielding : ndarray
-        What pin and thread yield [m], (rollers,).
+        Deflection of pin and thread [m], (rollers,).
     uniform : float or None
         The load for each length with equal shares [N/m]; else None.
     lengths : ndarray
-        Of the rollers' contact lines [m], (rollers,).
+        Lengths of the rollers' contact lines [m], (rollers,).
     forces : ndarray
         Normal load of each roller [N], (rollers,).
     """
@@ -120,7 +120,7 @@ class SharedLoad:
     forces: Array
 
     def roller(self, wheel_angle: float) -> int:
-        """Which of the rollers is at a wheel angle."""
+        """Index of the roller at a wheel angle [rad]."""
         return int(np.argmin(np.abs(self.wheel_angles - wheel_angle)))
 
     def load(self, contact: LineContact, roller: int) -> Array:
@@ -165,11 +165,11 @@ def share(
     section : WormSection
         The section.
     compliance : Compliance
-        What yields.
+        Compliance of rollers, pins and thread.
     wheel_angle : float
-        Of one roller [rad]; the others stand a pitch apart.
+        Wheel angle of one roller [rad]; the others are a pitch apart.
     torque : float
-        Between worm section and wheel, about the wheel's axis [N m]; its size, whichever way it turns.
+        Absolute torque between worm section and wheel, about the wheel's axis [N m].
     sharing : str
         "elastic", or "equal": the same load for each length everywhere.
     """
@@ -183,7 +183,7 @@ def share(
     shared = SharedLoad(section, compliance, angles, 0.0, none, None, length, none)
 
     def settled(turn: float, yielding: Array) -> tuple[Array, Array]:
-        """Loads of the slices, and what pin and thread yield, at Theta."""
+        """Loads of the slices, and deflection of pin and thread, at Theta."""
         if np.isinf(compliance.stiffness):
             return _load(shared, contact, turn, none, length), none
         for _ in range(ROUNDS):
@@ -208,7 +208,7 @@ def share(
 
 
 def _stiffness(compliance: Compliance) -> float:
-    """What a slice's load for each length and approach is about [N/m2]: a first guess."""
+    """Approximate load of a slice for each length and approach [N/m2], an initial guess."""
     return reduced_modulus(*compliance.bodies) / 5
 
 

@@ -1,12 +1,12 @@
-"""Surface velocities at a roller's contact line, and how fast the roller turns on its own axis.
+"""Surface velocities at a roller's contact line, and the speed of the roller about its own axis.
 
 Velocities are relative to the moving contact line. With t across the line in the tangent plane (t x along =
 -n, so that z of a contact frame points from the worm to the roller) the oil is entrained by the components
 along t.
 
-A free roller turns at the speed at which the moments about its axis balance: what the film's shear drags
-round it, and its pin's friction. The shear stress of a slice is the oil's flow law at Hertz's mean pressure
-and at the rate that sliding in both directions gives across Moes' central film; it acts over Hertz's width.
+A free roller turns at the speed at which the moments about its axis balance: that of the film's shear and
+that of its pin's friction. The shear stress of a slice is the oil's flow law at Hertz's mean pressure and at
+the rate that sliding in both directions gives across Moes' central film; it acts over Hertz's width.
 """
 
 from dataclasses import dataclass
@@ -29,10 +29,10 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 
 Spinning = Literal["free", "locked", "rolling"]
-"""Whether rollers turn as the moments on them say, not at all, or without sliding in the mean."""
+"""Rotation of the rollers: by the balance of moments, none, or without sliding in the mean."""
 
 BISECTIONS = 60
-"""Halvings of a stress, to rounding."""
+"""Number of bisections of a stress, down to rounding."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class LineMotion:
     spin : ndarray
         Angular velocity of worm and roller about the direction from worm to roller, (2, ...) [rad/s].
     round_worm, round_roller : ndarray
-        What of them goes round the roller's axis, towards growing theta [m/s].
+        Their components round the roller's axis, towards growing theta [m/s].
     roller_speed : ndarray
         The roller's rotation about its own axis [rad/s].
     """
@@ -77,7 +77,7 @@ class LineMotion:
 def line_motion(
     envelope: RollerEnvelope, contact: LineContact, wheel_speed: float, roller_speed: Array
 ) -> LineMotion:
-    """Motion at contacts.
+    """Compute the motion at contacts.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def line_motion(
     wheel_speed : float
         Speed of the wheel [rad/s].
     roller_speed : ndarray
-        Of the rollers about their own axes [rad/s], broadcast against the contacts.
+        Speed of the rollers about their own axes [rad/s], broadcast against the contacts.
     """
     wide = (3,) + (1,) * contact.place.ndim
     arm = contact.point - envelope.worm_centre.reshape(wide)
@@ -190,7 +190,7 @@ class Pin:
     Attributes
     ----------
     radius : float
-        Its radius [m].
+        Radius of the pin [m].
     friction : float
         Friction coefficient between pin and roller [-].
     """
@@ -199,7 +199,7 @@ class Pin:
     friction: float
 
     def moment(self, force: Array) -> Array:
-        """Most friction moment [N m] under a load [N]."""
+        """Largest friction moment [N m] under a load [N]."""
         return self.friction * self.radius * force
 
 
@@ -226,15 +226,15 @@ def roller_speed(
     contact : LineContact
         Slices of the roller's contact line, (slices,).
     lengths, loads : ndarray
-        Of the slices: length [m] and load for each length [N/m].
+        Length [m] and load for each length [N/m] of the slices.
     wheel_speed : float
         Speed of the wheel [rad/s].
     spinning : str
         "free", "locked" or "rolling".
     traction : FilmTraction
-        The film's shear; read of a free roller only.
+        Shear of the film; used for a free roller only.
     pin : Pin
-        What brakes it.
+        Pin of the roller.
     """
     if spinning == "locked":
         return 0.0

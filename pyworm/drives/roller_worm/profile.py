@@ -1,4 +1,4 @@
-"""Rollers as surfaces of revolution: the profile that envelops the worm, and what a crown takes off it."""
+"""Rollers as surfaces of revolution: the profile that envelops the worm, and its crown relief."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -12,7 +12,7 @@ Shape = Literal["cylinder", "cone", "ball"]
 
 @dataclass(frozen=True)
 class Crown:
-    """What is taken off a roller's ends against the profile that enveloped the worm.
+    """Crown relief of a roller relative to the profile that enveloped the worm.
 
     Beyond a straight middle part the radius falls by (|s| - straight/2)^2 / 2 radius. A roller without a
     straight part is crowned all along.
@@ -22,14 +22,14 @@ class Crown:
     radius : float
         Radius of the crown along the roller [m].
     straight : float
-        Length of the middle part that is left as it is [m].
+        Length of the middle part without relief [m].
     """
 
     radius: float
     straight: float = 0.0
 
     def __call__(self, place: Array) -> Array:
-        """Taken off the radius [m] at a place along the axis [m] from the roller's middle."""
+        """Relief of the radius [m] at a place along the axis [m] from the roller's middle."""
         beyond = np.maximum(np.abs(place) - self.straight / 2, 0.0)
         return beyond**2 / (2 * self.radius)
 
@@ -49,7 +49,7 @@ class RollerProfile:
     half_angle : float
         Angle of a cone's side to its axis [rad], positive where the radius grows with s.
     crown : Crown or None
-        What is taken off the ends of the roller, but not of the tool that cuts the worm.
+        Crown of the roller, which the tool that cuts the worm does not have.
     """
 
     shape: Shape
@@ -68,11 +68,11 @@ class RollerProfile:
         return self.radius + place * np.tan(angle), np.full(np.shape(place), angle)
 
     def turning(self, place: Array) -> Array:
-        """How the angle of the side changes along the axis, d gamma/ds [1/m]."""
+        """Change of the angle of the side along the axis, d gamma/ds [1/m]."""
         if self.shape == "ball":
             return -1 / np.sqrt(self.radius**2 - np.asarray(place) ** 2)
         return np.zeros(np.shape(place))
 
     def relief(self, place: Array) -> Array:
-        """What the crown takes off the radius [m]."""
+        """Crown relief of the radius [m]."""
         return np.zeros(np.shape(place)) if self.crown is None else self.crown(np.asarray(place))

@@ -1,4 +1,4 @@
-"""One section of the worm: which part of the enveloped flank it has, and which rollers touch it when.
+"""One section of the worm: its part of the enveloped flank, and the rollers that touch it.
 
 A section is cut off square to the worm's axis at both ends. A roller is at phase 0 where the middle of its
 bearing length comes to the section's first face and at phase 1 where it comes to the last; a little before
@@ -14,13 +14,13 @@ import numpy as np
 from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelope
 
 SECANTS = 7
-"""Secants that find where a face cuts a contact line, to rounding."""
+"""Number of secant steps to the intersection of a face and a contact line, down to rounding."""
 
 _QUARTERS = ((floor, pi / 2), (ceil, -pi / 2))
-"""How to count the rollers on the worm's side of the wheel."""
+"""Rounding and bound by which the rollers on the worm's side of the wheel are counted."""
 
 CHECKED = (61, 17)
-"""Wheel angles and places along the roller at which the flank is checked for undercut."""
+"""Numbers of wheel angles and places along the roller at which undercut is checked."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ class WormSection:
     envelope : RollerEnvelope
         The flank.
     first, last : float
-        Wheel angles at which a roller's middle comes to the section's faces [rad]; first < last.
+        Wheel angles at which a roller's middle is at the section's faces [rad]; first < last.
     lowest, highest : float
         Ends of the bearing length along the roller, from its middle [m].
     rollers : int
-        Rollers round the whole wheel.
+        Number of rollers round the whole wheel.
     """
 
     name: str
@@ -61,12 +61,12 @@ class WormSection:
 
     @cached_property
     def faces(self) -> tuple[float, float]:
-        """Where the section begins and ends along the worm's axis [m]."""
+        """Ends of the section along the worm's axis [m]."""
         first, last = (self._along(self.middle, angle) for angle in (self.first, self.last))
         return float(first), float(last)
 
     def wheel_angle(self, phase: Array) -> Array:
-        """Wheel angle of a roller at a phase of its way through the section [rad]."""
+        """Wheel angle of a roller at a phase of the section [rad]."""
         return self.first + phase * (self.last - self.first)
 
     def phase(self, wheel_angle: Array) -> Array:
@@ -112,12 +112,12 @@ class WormSection:
         return self.envelope.contact(low + fraction * (high - low), wheel_angle)
 
     def check(self) -> None:
-        """Refuse a section whose flank does not exist all over.
+        """Refuse a section whose flank does not exist everywhere.
 
         Raises
         ------
         ValueError
-            The flank is undercut, or the rollers do not touch it, or it is shorter than a contact line.
+            If the flank is undercut, the rollers do not touch it, or it is shorter than a contact line.
         """
         angles = np.linspace(self.first, self.last, CHECKED[0])
         places = np.linspace(self.lowest, self.highest, CHECKED[1])[:, None]
@@ -147,7 +147,7 @@ class WormSection:
         return self.envelope.point(place, wheel_angle)[0]
 
     def _cut(self, face: float, wheel_angle: Array, low: Array, high: Array) -> Array:
-        """Where a face cuts contact lines, which are nearly straight: by secants from both ends."""
+        """Intersection of a face with contact lines, which are nearly straight, by secants from both ends."""
         one, other = low, high
         off_one, off_other = (self._along(end, wheel_angle) - face for end in (low, high))
         with np.errstate(divide="ignore", invalid="ignore"):

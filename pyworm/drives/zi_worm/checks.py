@@ -1,4 +1,4 @@
-"""What makes no ZI worm drive: each refusal a sentence that begins with the key that is wrong.
+"""Checks of the input of a ZI worm drive; each refusal begins with the key that is wrong.
 
 Of the redundant entries of a design table the geometry uses the lead and the base radius; base lead angle and
 axial pitch must agree with them within a table's rounding.
@@ -20,12 +20,12 @@ BASE_PITCH_MISMATCH = 0.01
 
 
 def check_gears(gears: "ZiWormGears") -> None:
-    """The design table makes a worm and a wheel that mesh.
+    """Refuse a design table whose worm and wheel do not mesh.
 
     Raises
     ------
     ValueError
-        It does not.
+        If they do not mesh.
     """
     _check_sizes(gears)
     _check_table(gears)
@@ -33,12 +33,12 @@ def check_gears(gears: "ZiWormGears") -> None:
 
 
 def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozenset()) -> None:
-    """Values are finite and, but for signed ones, positive.
+    """Refuse values that are not finite or, unless signed, not positive.
 
     Raises
     ------
     ValueError
-        One is not.
+        If a value is not.
     """
     for key, value in entries.items():
         if not isfinite(value):
@@ -48,7 +48,7 @@ def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozense
 
 
 def _check_sizes(gears: "ZiWormGears") -> None:
-    """Counts and sizes of the design table: finite, and positive where nothing else makes sense."""
+    """Refuse counts and sizes of the design table that are not finite, or not positive where they must be."""
     entries: dict[str, float] = {
         f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
         for part in ("worm", "wheel", "hob", "assembly")
@@ -64,7 +64,7 @@ def _check_sizes(gears: "ZiWormGears") -> None:
 
 
 def _check_table(gears: "ZiWormGears") -> None:
-    """Redundant entries agree within the table's rounding."""
+    """Refuse redundant entries that disagree beyond the table's rounding."""
     for name, screw in (("worm", gears.worm), ("hob", gears.hob)):
         angle = atan2(screw.lead, 2 * pi * screw.base_radius)
         if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
@@ -108,7 +108,7 @@ def _check_table(gears: "ZiWormGears") -> None:
 
 
 def _check_fit(gears: "ZiWormGears") -> None:
-    """Worm, wheel and hob reach into each other, and tips stay clear of roots."""
+    """Refuse worm, wheel and hob that do not engage, and tips that touch roots."""
     worm, wheel, hob = gears.worm, gears.wheel, gears.hob
     floor = hob.centre_distance - hob.tip_radius
     lowest = max(worm.tip_radius + floor, worm.root_radius + wheel.throat_radius)

@@ -1,4 +1,4 @@
-"""What the pictures of a ZI worm drive show beside solutions: its mesh cycle, and the tooth of a contact."""
+"""Datasets of a ZI worm drive for pictures: its mesh cycle, and the tooth of a contact."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
@@ -14,7 +14,7 @@ from pyworm.scene.point import Gap
 KIND = "zi-worm"
 
 TOOTH_SAMPLES = 129
-"""Points along each direction at which the gap is sampled over the whole tooth."""
+"""Number of points along each direction at which the gap is sampled over the whole tooth."""
 
 
 def mesh_cycle_data(contacts: Iterable[Any]) -> xr.Dataset:
@@ -51,7 +51,7 @@ def mesh_cycle_data(contacts: Iterable[Any]) -> xr.Dataset:
 
 
 LOADED_PHASES = 101
-"""Phases at which the loads of the tooth pairs are kept, for curves and integrals over the cycle."""
+"""Number of phases of the loads of the tooth pairs, for curves and integrals over the cycle."""
 
 
 def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:

@@ -35,7 +35,7 @@ class Worm:
 
 @dataclass(frozen=True)
 class Wheel:
-    """The wheel's design table; its flank is what the hob cuts.
+    """The wheel's design table; its flank is cut by the hob.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class Hob:
 
 @dataclass(frozen=True)
 class Assembly:
-    """How worm and wheel were put together, as differences from the design.
+    """Errors of the assembly of worm and wheel, as differences from the design.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The ZI worm drive at work: speeds and loads of its tooth contacts, and their scenes."""
+"""The ZI worm drive at an operating point: speeds and loads of its tooth contacts, and their scenes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -34,7 +34,7 @@ from pyworm.materials.oil import Oil
 from pyworm.scene.point import Scene
 
 OUTLINE_SIDE = 60
-"""Points on each side of the wheel tooth's outline."""
+"""Number of points on each side of the wheel tooth's outline."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,7 +52,7 @@ class ZiWormDrive(ZiWormGears, Drive):
     oil : Oil
         The oil.
     driver : str
-        "worm", or "wheel": the drive runs back under its load, on the same flanks.
+        Driving member, "worm" or "wheel", on the same flanks.
     """
 
     body_names = "worm", "wheel"
@@ -71,7 +71,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """How the load was made, and that nothing bends."""
+        """The load and its sharing, and rigid teeth and shafts."""
         load = self.load
         if isinstance(load, Transmission):
             made = (
@@ -97,7 +97,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @property
     def phases_per_second(self) -> float:
-        """How fast the mesh cycle passes [1/s]."""
+        """Rate of change of the phase [1/s]."""
         return self.rotation / abs(self.cycle.worm_rotation)
 
     def contact(self, phase: float) -> ToothContact:
@@ -123,7 +123,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @property
     def wheel_torque(self) -> float:
-        """Torque of the wheel [N m], of a tooth load the mean over the mesh cycle without friction."""
+        """Torque of the wheel [N m]; for a given tooth load the mean over the mesh cycle without friction."""
         if not isinstance(self.load, Transmission):
             return self.load * self.load_arm * self.mean_teeth_in_contact
         arms = self.arms(np.array([0.5]))
@@ -190,12 +190,12 @@ class ZiWormDrive(ZiWormGears, Drive):
         return share(self.load, phases, arms, lever, ahead, springs)
 
     def normal_load(self, phase: float) -> float:
-        """Normal load of the tooth pair at a phase [N]; 0 where its neighbours carry all."""
+        """Normal load of the tooth pair at a phase [N]; 0 where its neighbours carry all of it."""
         return self.shared(phase).force(phase)
 
     @cached_property
     def unlifted(self) -> "ZiWormDrive | None":
-        """The drive whose teeth share their load as without films; None where no lift of films is known."""
+        """The drive with load sharing as without films; None where no lift of films is known."""
         if not isinstance(self.load, Transmission) or not self.load.lifts:
             return None
         return replace(self, load=replace(self.load, lifts=()))
@@ -216,7 +216,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @cached_property
     def _interference(self) -> str | None:
-        """How worm and wheel cut into each other, as a sentence; None where they do not."""
+        """The interference of worm and wheel, as a sentence; None where there is none."""
         found = deepest(
             lambda phase: self.gap(self.contact(phase)),
             lambda phase: self.tooth_outline(self.contact(phase)),
@@ -241,7 +241,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         return self.scene_under(load, phase)
 
     def scene_under(self, load: float, phase: float) -> Scene:
-        """The contact at a phase under a normal load [N], as it stands."""
+        """The contact at a phase under a normal load [N], without its past."""
         contact = self.contact(phase)
         return Scene(
             name=f"phase {phase:.2f}",
@@ -256,7 +256,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @property
     def friction(self) -> float:
-        """Friction by which the forces are balanced [-]."""
+        """Coefficient of friction in the balance of forces [-]."""
         return self.load.friction if isinstance(self.load, Transmission) else 0.0
 
     def cycle_data(self) -> xr.Dataset:
@@ -274,14 +274,14 @@ class ZiWormDrive(ZiWormGears, Drive):
         Raises
         ------
         ValueError
-            There is no such drive.
+            If such a drive is not possible.
         """
         part, key = name.split(".")
         table = getattr(self, part)
         return replace(self, **{part: replace(table, **{key: getattr(table, key) + change})})
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
-        """Loss of all teeth in mesh; None of too few phases of teeth that share a torque."""
+        """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
         return worm_mesh_loss(self, contacts)
 
     def misalignment(self, contacts: Sequence[Scene]) -> Misalignment:
@@ -289,7 +289,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         return worm_misalignment(self, contacts)
 
     def duty(self) -> WormDuty:
-        """The drive as the standards of worm gears see it."""
+        """The drive as input of ratings by standards of worm gears."""
         return worm_duty(self)
 
     def scene_data(self, scene: Scene) -> xr.Dataset:

@@ -1,4 +1,4 @@
-"""A ZI worm drive as the standards of worm gears see it."""
+"""A ZI worm drive as input of ratings by standards of worm gears."""
 
 from math import pi
 from typing import TYPE_CHECKING
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 
 def worm_duty(drive: "ZiWormDrive") -> WormDuty:
-    """The worm gear of a drive at work; ValueError where the roughness of its flanks is not known.
+    """The worm gear of a drive; ValueError where the roughness of its flanks is not known.
 
     The module is the axial pitch over pi. The worm's reference cylinder lies one module below its tip, as
-    usual (DIN 3975); the profile shift of the wheel makes the centre distance. The torque is the wheel's; of
-    a tooth load that of every tooth in contact, on average over the mesh cycle.
+    usual (DIN 3975); the profile shift of the wheel gives the centre distance. The torque is the wheel's; for
+    a given tooth load it is that of the mean number of teeth in contact.
     """
     roughness = tuple(body.roughness for body in drive.bodies)
     for name, height in zip(drive.body_names, roughness, strict=True):

@@ -25,10 +25,10 @@ import numpy as np
 
 from pyworm.drives.zi_worm.helicoid import Array, Components, Helicoid, Plane
 from pyworm.drives.zi_worm.meshing import WheelFlank
-from pyworm.drives.zi_worm.point_cache import Kept
+from pyworm.drives.zi_worm.point_cache import PointCache
 
 EDGE = 0.1
-"""Part of the contact point's det T_ij left where a flank counts as ending.
+"""Ratio of det T_ij to that of the contact point at which a flank counts as ending.
 
 det T_ij falls to zero at the flank's edge of regression (the base helix), where curvature grows without
 bound; the flank is continued from a little before it."""
@@ -37,23 +37,23 @@ SETTLED = 1e-6
 """Newton step [rad] below which the height, whose error is the step's cube, is right to rounding."""
 
 MOST_STEPS = 8
-"""Newton steps after which a plane is not found."""
+"""Largest number of Newton steps for a plane."""
 
 LONGEST = 0.3
-"""Newton step [rad] beyond which it is not either: such steps led to other parts of the flank."""
+"""Newton step [rad] at which the iteration fails; larger ones led to other parts of the flank."""
 
 STENCIL = np.array([[0, 1, -1, 0, 0, 1], [0, 0, 0, 1, -1, 1]])
-"""Places from which q as a quadratic of x and y follows."""
+"""Places from which q as a quadratic of x and y is determined."""
 
 SPREAD = 0.01
-"""How far they are apart, as the change of q from one to the next [rad]."""
+"""Distance of these places, as the change of q from one to the next [rad]."""
 
 ENDED = 1e-8
 """Accuracy of the flank's end: of the square of det T_ij over the contact point's, and of its place on the
 ray from there as a fraction of its length."""
 
 MOST_TRIES = 64
-"""Places of a ray tried for the flank's end."""
+"""Largest number of places tried on a ray for the flank's end."""
 
 REACH = np.pi / 2
 """Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
@@ -61,8 +61,9 @@ REACH = np.pi / 2
 BLOCK = 4096
 """Points solved at once: keeps the work arrays within the processor's cache."""
 
-MOST_KEPT = 500_000
-"""Points of a flank that are kept: a grid of the figures, the one before it, and what windows sampled."""
+MOST_CACHED = 500_000
+"""Number of points of a flank in the cache: a grid of the figures, the one before it, and samples of
+windows."""
 
 Family = tuple[Plane, list[Plane], list[Plane]]
 """A plane with its derivatives by the parameters, and its second ones: 11, or 11, 12 and 22."""
@@ -148,7 +149,7 @@ def _solved(matrix: list[Array], right: list[Array]) -> list[Array]:
 
 
 def _in_blocks(find: Callable[[Array, Array], Array], x: Array, y: Array) -> Array:
-    """What is found at points, with a row for each quantity."""
+    """Evaluate a function at points in blocks, with a row for each quantity."""
     blocks = [slice(first, first + BLOCK) for first in range(0, max(x.size, 1), BLOCK)]
     return np.concatenate([find(x[block], y[block]) for block in blocks], axis=1)
 
@@ -175,7 +176,7 @@ class FlankHeight:
     start: tuple[float, ...]
 
     def _line(self, x: Array, y: Array) -> Components:
-        """Where lines along the common normal cross the tangent plane [m]."""
+        """Points at which lines along the common normal cross the tangent plane [m]."""
         ex, ey, _ = self.axes
         return _along(_along(self.origin, x, ex), y, ey)
 
@@ -233,9 +234,9 @@ class FlankHeight:
         return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
 
     def _settled(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
-        """Height and q by Newton's method, and what is left to the flank's end: nan where no plane is.
+        """Height and q by Newton's method, and the margin to the flank's end; NaN where no plane is found.
 
-        What is left is the square of det T_ij over the contact point's, less that of EDGE, or the fraction of
+        The margin is the square of det T_ij over the contact point's, less that of EDGE, or the fraction of
         REACH where that is less.
         """
         for _ in range(MOST_STEPS):
@@ -260,15 +261,15 @@ class FlankHeight:
         point with the slope of its last sound point and the contact point's curvatures, so that the
         gap stays smooth and opens; q is then the last sound point's.
 
-        Gap and velocities are asked for at the same points, one after the other: what was found is kept, and
+        Gap and velocities are evaluated at the same points one after the other; hence results are cached and
         must not be written to.
         """
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-        return self._kept.recall((x, y), lambda: self._solve_all(x, y))
+        return self._cache.recall((x, y), lambda: self._solve_all(x, y))
 
     @cached_property
-    def _kept(self) -> Kept:
-        return Kept(MOST_KEPT)
+    def _cache(self) -> PointCache:
+        return PointCache(MOST_CACHED)
 
     def _solve_all(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         flat = x.ravel(), y.ravel()
@@ -299,8 +300,8 @@ class FlankHeight:
     def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
         """Fraction of the ray to (x, y) that lies on the flank, and q there.
 
-        What is left to the flank's end falls nearly linearly: the secant method finds it, with steps halved
-        where no plane is found.
+        The margin to the flank's end falls nearly linearly, so that the secant method finds its zero, with
+        steps halved where no plane is found.
         """
         none, half = np.zeros(x.shape), np.full(x.shape, 0.5)
         whole = np.full(x.shape, 1 - EDGE**2)
@@ -319,7 +320,7 @@ class FlankHeight:
         """Rays after one more try.
 
         Rows: fraction of the ray on the flank, next step, residual there; the last place where a plane was
-        found, and its residual; the same of the place before; q.
+        found, and its residual; likewise of the place before; q.
         """
         reach, step, left, last, last_left, before, before_left, *q = rays
         goal = last - last_left * (last - before) / (last_left - before_left)
@@ -343,7 +344,7 @@ class FlankHeight:
     def _followed(
         self, q: list[Array], x: Array, y: Array, here: Array, there: Array
     ) -> tuple[list[Array], Array]:
-        """q carried along the rays from here (x, y) to there (x, y), and what is left there."""
+        """q followed along the rays from here (x, y) to there (x, y), and the margin there."""
         ray = _along(_along((0.0, 0.0, 0.0), x, self.axes[0]), y, self.axes[1])
         _, _, matrix = self._crossing(q, _along(self.origin, here, ray))
         rates = _solved(matrix, self._tilt(q, ray)[1])

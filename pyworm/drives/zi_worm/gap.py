@@ -1,4 +1,4 @@
-"""The gap and the surface velocities of a tooth contact, as a scene wants them."""
+"""The gap and the surface velocities of a tooth contact, for a scene."""
 
 from dataclasses import dataclass
 
@@ -27,7 +27,7 @@ class ToothGap:
     contact : ToothContact
         The contact.
     worm_tooth, wheel_tooth : WormTooth, WheelTooth
-        Where the teeth end.
+        Boundaries of the teeth.
     """
 
     contact: ToothContact
@@ -58,7 +58,7 @@ class ToothGap:
 class ToothMotion:
     """Velocity of one tooth's surface relative to the contact point, on the tangent plane's axes.
 
-    The body's rigid rotation is taken at the actual point of its surface.
+    The body's rigid rotation is evaluated at the actual point of its surface.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Worm and wheel of a ZI drive as cut and assembled: flanks, ends of teeth, mesh cycle.
+"""Worm and wheel of a ZI drive as cut and assembled: flanks, tooth boundaries, mesh cycle.
 
 Lengths in m, angles in rad.
 """
@@ -15,8 +15,8 @@ from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_
 from pyworm.drives.zi_worm.meshing import WheelFlank
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth, wheel_radius
 
-PITCH_TOLD = 5e-6
-"""Difference of normal base pitches [m] that is told: tables of four digits leave up to 3 um."""
+PITCH_WARNED = 5e-6
+"""Difference of normal base pitches [m] that gives a warning; tables of four digits leave up to 3 um."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +35,7 @@ class ZiWormGears:
     Raises
     ------
     ValueError
-        They do not mesh; the sentence begins with the key that is wrong.
+        If they do not mesh; the message begins with the key that is wrong.
     """
 
     worm: Worm
@@ -57,10 +57,10 @@ class ZiWormGears:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What is unusual in the drive, a sentence each: a hob of another base pitch than the worm's."""
+        """Warnings about the drive, a sentence each: a hob of another base pitch than the worm's."""
         worm, hob = self.base_pitches
         apart = hob - worm
-        if abs(apart) <= PITCH_TOLD:
+        if abs(apart) <= PITCH_WARNED:
             return ()
         return (
             f"hob.lead and hob.base_radius give a normal base pitch of {hob * 1e3:.4f} mm, "
@@ -76,7 +76,7 @@ class ZiWormGears:
 
     @property
     def pitch(self) -> float:
-        """Phases between neighbouring tooth pairs; its inverse is the contact ratio."""
+        """Difference in phase of neighbouring tooth pairs; its inverse is the contact ratio."""
         return 2 * pi / self.worm.threads / abs(self.cycle.worm_rotation)
 
     @property
@@ -86,7 +86,7 @@ class ZiWormGears:
 
     @cached_property
     def worm_flank(self) -> Helicoid:
-        """The worm's helicoid in its running seat."""
+        """The worm's helicoid as assembled."""
         errors = self.assembly
         seat = self.axes_distance, errors.shaft_angle, errors.axial_shift
         return Helicoid(self.worm.base_radius, self.worm.lead, *seat)
@@ -100,13 +100,13 @@ class ZiWormGears:
 
     @cached_property
     def worm_tooth(self) -> WormTooth:
-        """Where the worm's thread ends."""
+        """Boundaries of the worm's thread."""
         worm = self.worm
         return WormTooth(self.worm_flank, worm.root_radius, worm.tip_radius, worm.tip_relief)
 
     @cached_property
     def wheel_tooth(self) -> WheelTooth:
-        """Where the wheel's tooth ends."""
+        """Boundaries of the wheel's tooth."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
         return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, wheel.tip_relief)

@@ -1,4 +1,4 @@
-"""Involute helicoids as families of tangent planes, seated where the drive holds them.
+"""Involute helicoids as families of tangent planes, at their place in the drive.
 
 The involute helicoid is the surface swept by the tangents of its base helix; its tangent plane stays the
 same along such a straight generator and is the osculating plane of the helix.  So the flank is the
@@ -20,7 +20,7 @@ import numpy as np
 Array = np.ndarray
 
 Components = tuple[Array | float, Array | float, Array | float]
-"""A vector's components along X, Y and Z, apart: cheaper at many places than an array of them."""
+"""Components of vectors along X, Y and Z as separate arrays, cheaper at many places than one array."""
 
 Plane = tuple[Array | float, Components]
 """Distance from the wheel's centre, support [m], and unit normal of a plane normal . x = support."""
@@ -28,7 +28,7 @@ Plane = tuple[Array | float, Components]
 
 @dataclass(frozen=True)
 class Helicoid:
-    """A right-hand involute helicoid seated in the drive frame.
+    """A right-hand involute helicoid at its place in the drive frame.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ class Helicoid:
 
     @cached_property
     def axis_point(self) -> Array:
-        """Where the axis crosses the common perpendicular with the wheel's axis, (3,) [m]."""
+        """Intersection of the axis with the common perpendicular to the wheel's axis, (3,) [m]."""
         return np.array([-self.centre_distance, self.axial_shift, 0.0])
 
     @cached_property
@@ -123,7 +123,7 @@ class Helicoid:
         Parameters
         ----------
         theta : array
-            Where the generator touches the base cylinder [rad].
+            Angle at which the generator touches the base cylinder [rad].
         along : array
             Distance along the generator from the base helix [m], positive on the flank.
         angle : float

@@ -1,4 +1,4 @@
-"""Interference: where a worm's thread would cut into the wheel's tooth beside the contact point."""
+"""Interference of a worm's thread and the wheel's tooth beside the contact point."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,25 +10,25 @@ from pyworm.drives.zi_worm.tooth_outline import ToothOutline
 from pyworm.scene.point import Gap
 
 PHASES = 0.0, 0.5, 1.0
-"""Phases at which it is looked for: it grows towards one end of the mesh cycle."""
+"""Phases at which interference is sought; it grows towards one end of the mesh cycle."""
 
 NODES = 49
-"""Places along each axis of the tangent plane at which the gap is looked at."""
+"""Number of places along each axis of the tangent plane at which the gap is sampled."""
 
 TOLERATED = 0.1e-6
-"""Depth that is none [m]: rounding of a design table, and far below what a load presses in."""
+"""Depth that is neglected [m], the rounding of a design table, far below the approach under load."""
 
 
 @dataclass(frozen=True)
 class Interference:
-    """The deepest place.
+    """The place of the deepest interference.
 
     Attributes
     ----------
     depth : float
-        By which the worm reaches into the wheel [m].
+        Depth of the worm in the wheel [m].
     phase : float
-        Of the mesh cycle.
+        Phase of the mesh cycle.
     x, y : float
         Place on the contact's tangent plane [m].
     """
@@ -42,7 +42,7 @@ class Interference:
 def deepest(
     gap_at: Callable[[float], Gap], outline_at: Callable[[float], ToothOutline]
 ) -> Interference | None:
-    """Where worm and wheel interfere most, unloaded; None where they do not.
+    """Find the deepest interference of unloaded worm and wheel; None where there is none.
 
     Parameters
     ----------

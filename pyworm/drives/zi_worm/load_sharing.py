@@ -1,18 +1,18 @@
-"""How the tooth pairs of a ZI worm drive share its torque.
+"""Sharing of the torque among the tooth pairs of a ZI worm drive.
 
-Worm and wheel are rigid but for their contacts and, if a stiffness is given, thread and tooth. The load turns
-the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. Every flank normal has the
-same lever about the wheel's axis, so the pair k approaches by
+Worm and wheel are rigid except for their contacts and, if a stiffness is given, thread and tooth. The load
+turns the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. Every flank normal
+has the same lever about the wheel's axis, so the pair k approaches by
 
     delta_k = lever (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
 
-ahead_k being how far the wheel would be ahead if pair k alone led it, without load (the transmission error),
-lift_k how much farther its film holds the bodies apart than they would be under the same load without oil.
-The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a
-little beyond, rest on a tooth's edge; lifts from solved films, once there are some: film formulas are not
-made for a contact entrained along its length, and got the difference of two lifts wrong by as much as it is
-(docs/theory/zi-worm.md). Theta is where the moments of all pairs balance the torque, friction
-included: the sliding drags the wheel's tooth along with the worm by friction F_k, so that about an axis
+ahead_k being the transmission error of pair k, the angle of the wheel ahead of its ideal one if that pair
+alone led it without load, and lift_k the increase of the bodies' separation by its film under the same load.
+The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a little
+beyond, rest on a tooth's edge. Lifts are those of solved films, where there are any; film formulas do not
+apply to a contact entrained along its length, and had errors of 100 % in the difference of two lifts
+(docs/theory/zi-worm.md). Theta is where the moments of all pairs balance the torque, friction included: the
+sliding drags the wheel's tooth along with the worm by friction F_k, so that about an axis
 
     torque = sum over k of F_k [arm of the normal + friction (arm of the sliding)].                       (2)
 """
@@ -33,22 +33,22 @@ Shaft = Literal["worm", "wheel"]
 
 @dataclass(frozen=True)
 class Transmission:
-    """What the teeth carry together.
+    """Torque carried by the teeth in mesh, and its sharing.
 
     Attributes
     ----------
     torque : float
         Torque [N m].
     shaft : str
-        Whose it is: "worm" or "wheel".
+        Shaft of that torque: "worm" or "wheel".
     sharing : str
         "elastic", or "equal": the same load on each pair whose contact point lies on both teeth.
     friction : float
-        Friction by which the forces are balanced: the teeth's loss over load times sliding [-].
+        Coefficient of friction in the balance of forces: the teeth's loss over load times sliding [-].
     stiffness : float
-        Of a thread and a wheel's tooth together beyond their contact [N/m]; inf where they are rigid.
+        Stiffness of thread and wheel tooth together, beyond their contact [N/m]; infinite if rigid.
     lifts : tuple of tuple of float
-        Phases, rising, and how far films lift the bodies there [m]; none where no film has been solved.
+        Phases, rising, and the lift of the bodies by the film there [m]; empty where no film is solved.
     """
 
     torque: float
@@ -59,7 +59,7 @@ class Transmission:
     lifts: tuple[tuple[float, float], ...] = ()
 
     def lift(self, phases: Array) -> Array:
-        """How far films lift the bodies [m], beyond the first and the last phase known as far as there."""
+        """Lift of the bodies by the film [m], constant beyond the first and the last known phase."""
         if len(self.lifts) < 2:
             return np.full(np.shape(phases), self.lifts[0][1] if self.lifts else 0.0)
         known, lifts = zip(*self.lifts, strict=True)
@@ -68,16 +68,16 @@ class Transmission:
 
 @dataclass(frozen=True)
 class SharedLoad:
-    """How the tooth pairs share the torque at one instant.
+    """Loads of the tooth pairs at one instant.
 
     Attributes
     ----------
     phases : ndarray
-        Of the pairs, one pitch apart, (pairs,); beyond 0 and 1 they touch at an edge.
+        Phases of the pairs, one pitch apart, (pairs,); beyond 0 and 1 they touch at an edge.
     forces : ndarray
         Normal load of each [N], (pairs,).
     turn : float
-        Theta, how far the wheel is behind its ideal angle [rad]; 0 with equal shares.
+        Theta, angle of the wheel behind its ideal one [rad]; 0 with equal shares.
     """
 
     phases: Array
@@ -96,10 +96,10 @@ class Arms:
     Attributes
     ----------
     worm_normal, wheel_normal : ndarray
-        Of the normal load about the worm's and the wheel's axis, positive where it resists the worm and
+        Arms of the normal load about the worm's and the wheel's axis, positive where it resists the worm and
         drives the wheel in the sense in which the worm turns them.
     worm_sliding, wheel_sliding : ndarray
-        Of a force along the sliding of the worm against the wheel, likewise.
+        Arms of a force along the sliding of the worm against the wheel, likewise.
     """
 
     worm_normal: Array
@@ -132,15 +132,15 @@ def share(
     transmission : Transmission
         The torque.
     phases : ndarray
-        Of the pairs that may touch, (pairs,).
+        Phases of the pairs that may touch, (pairs,).
     arms : ndarray
         Torque for each normal load [m], (pairs,): `Arms.of`.
     lever : float
-        Of every flank normal about the wheel's axis [m].
+        Lever of every flank normal about the wheel's axis [m].
     ahead : ndarray
-        How far the wheel would be ahead of its ideal angle if each pair alone led it [rad], (pairs,).
+        Transmission error if each pair alone led the wheel [rad], (pairs,).
     springs : ToothSprings or None
-        The pairs' compliance; None with equal shares.
+        Compliance of the pairs; None with equal shares.
     """
     if transmission.sharing == "equal":
         on_teeth = (phases >= 0) & (phases <= 1)

@@ -12,7 +12,7 @@ from pyworm.drives.zi_worm.meshing import LineOfAction, WheelFlank, across_axis,
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
 
 FLAT = 1e-9
-"""Smallest ratio of principal relative curvatures told from zero: below it is rounding."""
+"""Ratio of principal relative curvatures that counts as zero, since it is rounding."""
 
 
 @dataclass(frozen=True)
@@ -68,15 +68,15 @@ class MeshCycle:
     Attributes
     ----------
     worm : Helicoid
-        The worm in its running seat.
+        The worm as assembled.
     flank : WheelFlank
         The wheel flank.
     line : LineOfAction
-        Where the contact point runs.
+        Path of the contact point.
     begin, end : float
         Place of the contact point on the line, from its foot, at phase 0 and 1 [m].
     begin_boundary, end_boundary : str
-        The tooth boundaries met there.
+        The tooth boundaries at phase 0 and 1.
     """
 
     worm: Helicoid
@@ -173,12 +173,12 @@ class MeshCycle:
 def find_mesh_cycle(
     worm: Helicoid, flank: WheelFlank, worm_tooth: WormTooth, wheel_tooth: WheelTooth
 ) -> MeshCycle:
-    """The mesh cycle, its ends found from the tooth boundaries.
+    """Find the mesh cycle and its ends at the tooth boundaries.
 
     Raises
     ------
     ValueError
-        Where the flanks do not touch on the teeth, or would cut into each other.
+        If the flanks do not touch on the teeth, or interfere.
     """
     cuts = False
     cycles = []

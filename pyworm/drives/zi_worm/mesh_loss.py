@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def worm_mesh_loss(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
-    """Loss of all teeth in mesh; None of too few phases of teeth that share a torque."""
+    """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
     if isinstance(drive.load, Transmission):
         return _of_shared_torque(drive, contacts)
     return _of_given_load(drive, contacts)
@@ -35,7 +35,7 @@ def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> 
 
 
 def _of_given_load(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss:
-    """The load of one tooth is given: on average as many teeth carry it as are in contact."""
+    """Loss where the load of a tooth is given, times the mean number of teeth in contact."""
     teeth = drive.mean_teeth_in_contact
     loss = float(np.mean([one.power for one in contacts])) * teeth
     output = drive.load * drive.load_arm * teeth * drive.speed * drive.ratio

@@ -1,4 +1,4 @@
-"""Compliance of a ZI worm drive's tooth pairs over their mesh cycle, found once for drives that share it."""
+"""Cache of the compliance of a ZI worm drive's tooth pairs over their mesh cycle."""
 
 from functools import lru_cache
 
@@ -18,7 +18,7 @@ def mesh_springs(
     whole_load: float,
     stiffness: float,
 ) -> ToothSprings:
-    """Compliance by all that decides it; kept, since drives differ in friction, lifts and oil alone."""
+    """Compliance by all its parameters; cached, since drives often differ in friction, lifts and oil only."""
     cycle = find_mesh_cycle(worm_tooth.worm, flank, worm_tooth, wheel_tooth)
     return tooth_springs(
         gap_at=lambda phase: ToothGap(cycle.contact(phase), worm_tooth, wheel_tooth),

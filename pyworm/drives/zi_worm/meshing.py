@@ -11,7 +11,7 @@ meshing equation: the moment arm of the normal about the wheel's axis is the lev
 So the envelope is exact and needs no iteration.
 
 A worm meshing with that wheel has the same equation with its own base travel.  Hence the common normal
-of worm and wheel keeps its place while the contact point runs along it, and the wheel's speed is constant:
+of worm and wheel is fixed in space while the contact point moves along it, and the wheel's speed is constant:
 the line of action of an involute screw drive is a straight line in space.
 """
 
@@ -48,7 +48,7 @@ class WheelFlank:
     Attributes
     ----------
     hob : Helicoid
-        The hob as seated on the cutting machine.
+        The hob at its place on the cutting machine.
     ratio : float
         Wheel angle by hob angle, threads / teeth [-].
     """
@@ -113,11 +113,11 @@ class LineOfAction:
 
 
 def _matched(worm: Helicoid, flank: WheelFlank, theta: Array) -> tuple[Array, Array, Array, Array]:
-    """Lag and hob generator whose normal is that of the worm's generator, and how they miss a point.
+    """Lag and hob generator whose normal is that of the worm's generator, and the residual of contact.
 
     A contact needs three planes, all parallel to the normal, to share a line: the worm's generator
     plane, the wheel's meshing plane and the hob's generator plane.  Returned are the lag, the hob's
-    theta, the determinant that vanishes when they do, and the line's foot; nan where no turn about
+    theta, the determinant that vanishes when they do, and the line's foot; NaN where no rotation about
     the wheel's axis brings the normals together.
     """
     hob = flank.hob

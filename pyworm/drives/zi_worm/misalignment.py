@@ -1,4 +1,4 @@
-"""A ZI drive mounted wrongly: its contacts move over the tooth and change their curvature."""
+"""Contacts of a ZI drive under errors of mounting, which move them and change their curvature."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -20,7 +20,7 @@ ERRORS = (
     ("worm shifted {0:+.1f} mm along the wheel's axis", "assembly.axial_shift", SHIFT),
     ("shaft angle {0:+.1f} mrad", "assembly.shaft_angle", TILT),
 )
-"""Label with the error in thousandths, its entry (`ZiWormDrive.varied`), its size to both sides."""
+"""Label with the error in thousandths, its entry (`ZiWormDrive.varied`), its size in both directions."""
 
 METHOD = (
     "Misalignment by the drive's own geometry: the unloaded contact is found again, at the same "
@@ -29,7 +29,7 @@ METHOD = (
 
 
 def worm_misalignment(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> Misalignment:
-    """The contacts with each error of the assembly, to both sides."""
+    """The contacts under each error of the assembly, in both directions."""
     return Misalignment(
         METHOD,
         tuple(
@@ -52,7 +52,7 @@ def _mounted(
 
 
 def _movement(drive: "ZiWormDrive", other: "ZiWormDrive") -> str:
-    """Where the contact at mid-mesh goes, and its relative radii."""
+    """Movement of the contact at mid-mesh and its relative radii, in words."""
     before, after = drive.contact(0.5), other.contact(0.5)
     across = (after.point[1] - before.point[1]) * 1e3
     long_radius, short_radius = max(after.radii), min(after.radii)

@@ -1,4 +1,4 @@
-"""Memory of what was found at points, for what is asked again at the same ones."""
+"""Cache of values at points, for evaluations repeated at the same points."""
 
 from collections import OrderedDict
 from collections.abc import Callable
@@ -8,13 +8,13 @@ from typing import Any
 from pyworm.drives.zi_worm.helicoid import Array
 
 
-class Kept:
-    """What was found last, while there is room; it travels to other processes empty.
+class PointCache:
+    """Values at the points evaluated last, up to a number of points; other processes get an empty copy.
 
     Parameters
     ----------
     most : int
-        Points, over all that is kept, beyond which the longest unused is forgotten.
+        Total number of points beyond which the least recently used values are dropped.
     """
 
     def __init__(self, most: int):
@@ -23,10 +23,10 @@ class Kept:
         self._found: OrderedDict[bytes, tuple[int, Any]] = OrderedDict()
 
     def __reduce__(self) -> tuple:
-        return Kept, (self._most,)
+        return PointCache, (self._most,)
 
     def recall(self, points: tuple[Array, Array], find: Callable[[], Any]) -> Any:
-        """What was found at these points (two coordinates of one shape); found now if it is not kept."""
+        """Values at points (two coordinates of one shape), from the cache, else evaluated."""
         digest = blake2b(repr(points[0].shape).encode())
         for coordinate in points:
             digest.update(coordinate.tobytes())

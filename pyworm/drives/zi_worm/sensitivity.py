@@ -1,4 +1,4 @@
-"""What errors of assembly and set-up do to the tooth contact of a ZI worm drive in mid-mesh."""
+"""Sensitivity of a ZI worm drive's contact at mid-mesh to errors of assembly and set-up."""
 
 from math import nan
 from typing import Any
@@ -17,7 +17,7 @@ ERRORS = {
     "assembly.shaft_angle": np.radians(0.05),
     "hob.swivel": np.radians(0.05),
 }
-"""Entry -> error to both sides of the drive's own value [m] or [rad]."""
+"""Entry -> error in both directions from the drive's value [m] or [rad]."""
 
 SIDES = (-1, 0, 1)
 
@@ -30,11 +30,11 @@ CONTACT = (
     "formula_film",
     "contact_ratio",
 )
-"""What is told of each contact."""
+"""Variables of each contact."""
 
 
 def sensitivity_data(drive: Any) -> xr.Dataset:
-    """The contact in mid-mesh under its load with each error apart; NaN where there is none.
+    """The contact at mid-mesh under its load with each error alone; NaN where there is none.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def sensitivity_data(drive: Any) -> xr.Dataset:
 
 
 def _contact(drive: Any, load: float) -> dict[str, float]:
-    """The contact in mid-mesh: its middle is that of the dry pressure; the film is by formula."""
+    """The contact at mid-mesh: centre of the dry pressure, film by formula."""
     contact = drive.contact(0.5)
     modulus = reduced_modulus(*drive.bodies)
     placed = placed_gap(drive.gap(contact), contact.radii, load, modulus, drive.wheel.face_width)

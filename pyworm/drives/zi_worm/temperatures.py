@@ -1,10 +1,10 @@
 """Temperatures of oil and bodies of a worm drive from its losses and its cooling.
 
-Steady state. The oil in the sump is one body of oil, as warm as what the teeth take in; all losses leave
-through the housing by one conductance, H (T_sump - T_ambient) = P_teeth + P_other. The wheel's bulk is warmer
-than the oil that cools it, by the loss between the teeth over the transfer of its rim (DIN 3996 and ISO/TS
-14521, `pyworm.formulas.worm_standard.bulk_temperature`, not compared with the print); the worm's is warmer
-than the wheel's by a difference that is given: no source gives one in closed form.
+The state is steady. The oil in the sump has one temperature, that of the inlets of the teeth; all losses
+leave through the housing by one conductance, H (T_sump - T_ambient) = P_teeth + P_other. The wheel's bulk
+temperature exceeds that of the oil by the loss between the teeth over the heat transfer of its rim (DIN 3996
+and ISO/TS 14521, `pyworm.formulas.worm_standard.bulk_temperature`, not compared with the print); the worm's
+exceeds the wheel's by a difference that is given, since no source gives one in closed form.
 """
 
 from dataclasses import dataclass, replace
@@ -16,20 +16,20 @@ from pyworm.materials.oil import Oil
 
 @dataclass(frozen=True)
 class Cooling:
-    """What carries the losses of a worm drive away.
+    """Cooling of a worm drive, and its losses outside the teeth.
 
     Attributes
     ----------
     ambient_temperature : float
-        [K].
+        Temperature of the surroundings [K].
     conductance : float
-        Heat that the housing gives to its surroundings for each kelvin of the oil above them [W/K].
+        Heat from the housing to its surroundings over the temperature difference to the oil [W/K].
     other_loss : float
         Loss of bearings, seals and churning [W].
     immersion : float
-        The standards' c_k of the wheel [-].
+        Coefficient c_k of the wheel in the standards [-].
     worm_excess : float
-        How much warmer the worm's bulk is than the wheel's [K].
+        Excess of the worm's bulk temperature over the wheel's [K].
     """
 
     ambient_temperature: float
@@ -46,7 +46,7 @@ class DriveTemperatures:
     Attributes
     ----------
     sump, worm, wheel : float
-        Of the oil as the teeth take it in, and of the bodies far from their surfaces [K].
+        Inlet temperature of the oil, and bulk temperatures of the bodies [K].
     """
 
     sump: float
@@ -54,7 +54,7 @@ class DriveTemperatures:
     wheel: float
 
     def oil(self, oil: Oil) -> Oil:
-        """An oil as warm as the sump."""
+        """An oil at the temperature of the sump."""
         return oil.warmed(self.sump - oil.heat.inlet_temperature)
 
     def bodies(self, bodies: tuple[Body, Body]) -> tuple[Body, Body]:
@@ -69,21 +69,21 @@ class DriveTemperatures:
 def drive_temperatures(
     cooling: Cooling, rim: float, worm_speed: float, tooth_loss: float
 ) -> DriveTemperatures:
-    """Steady temperatures under a loss between the teeth.
+    """Compute the steady temperatures under a loss between the teeth.
 
     Parameters
     ----------
     cooling : Cooling
-        What carries the losses away.
+        Cooling of the drive.
     rim : float
         Face width of the wheel times its reference diameter [m2].
     worm_speed, tooth_loss : float
-        [rad/s] and [W].
+        Speed of the worm [rad/s] and loss between the teeth [W].
 
     Raises
     ------
     ValueError
-        The sump would be hotter than the standard's formula is for.
+        If the sump is hotter than the range of the standard's formula.
     """
     sump = cooling.ambient_temperature + (tooth_loss + cooling.other_loss) / cooling.conductance
     wheel = bulk_temperature(sump, tooth_loss, worm_speed, rim, cooling.immersion)

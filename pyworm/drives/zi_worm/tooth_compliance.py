@@ -14,27 +14,27 @@ from pyworm.scene.contact import Array
 from pyworm.scene.point import Gap
 
 BEYOND = 0.24
-"""Phases before and after the mesh cycle in which a loaded pair may still touch at an edge of a tooth."""
+"""Range of phases before and after the mesh cycle in which a loaded pair may touch at an edge of a tooth."""
 
 _END = np.array([-BEYOND, -0.18, -0.12, -0.08, *np.arange(-0.06, 0.09, 0.02)])
 
 SPRING_PHASES = np.array([*_END, *np.arange(0.1, 0.95, 0.1), *(1 - _END[::-1])])
-"""Phases at which dry contacts are solved: dense where an edge comes into the contact."""
+"""Phases at which dry contacts are solved, dense where an edge comes into the contact."""
 
 LOAD_SHARES = np.array([2e-3, 0.02, 0.1, 0.3, 0.6, 1.0])
-"""Loads at which they are, as fractions of the whole."""
+"""Loads of these dry contacts, as fractions of the whole load."""
 
 CELLS = 96, 48
-"""Cells of their grid along and across the contact: leaves 0.5 % in a load, less in fractions of it."""
+"""Number of cells along and across the contact: the error is 0.5 % of a load, less for load shares."""
 
 SEARCH_CELLS = 48, 24
-"""The same of the first look for the least gap, on which their window is centred."""
+"""Number of cells in the search for the least gap, about which the window is centred."""
 
 LONGEST_RATIO = 1e3
-"""Ratio of the radii beyond which a contact counts as that long: a line contact ends with the teeth."""
+"""Largest ratio of the radii; a longer contact is limited by the teeth."""
 
 HALF_SIDES = 1.7, 2.2
-"""Half sides of their window in Hertz's semi-axes under the whole load."""
+"""Half sides of the window over Hertz's semi-axes under the whole load."""
 
 DRY_TOLERANCE = 1e-4
 
@@ -46,7 +46,7 @@ class ToothSprings:
     Attributes
     ----------
     phases : ndarray
-        Where the pair touches under load at all, (phases,).
+        Phases at which the pair can touch under load, (phases,).
     loads : ndarray
         Normal loads [N], (loads,).
     separations : ndarray
@@ -66,7 +66,7 @@ class ToothSprings:
 
     @cached_property
     def _pressed(self) -> PchipInterpolator:
-        """Logarithm of the approach beyond the first touch."""
+        """Interpolant of the logarithm of the approach beyond the first touch over phase."""
         pressed = self.approaches - self.separations[:, None]
         return PchipInterpolator(self.phases, np.log(pressed), extrapolate=False)
 
@@ -171,7 +171,7 @@ class PlacedGap:
 def placed_gap(
     gap: Gap, radii: tuple[float, float], load: float, reduced_modulus: float, longest: float
 ) -> PlacedGap | None:
-    """A gap where a load [N] presses it, arguments as of `tooth_springs`; None where no teeth are."""
+    """The gap about its least under a load [N], arguments as of `tooth_springs`; None without teeth."""
     size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
     sides = [
         min(fraction * axis, longest)
@@ -187,7 +187,7 @@ def placed_gap(
 
 
 def _window(middle: tuple[float, float], sides: list[float], cells: tuple[int, int]) -> list[Array]:
-    """Nodes along x and y."""
+    """Nodes along x and y [m]."""
     return [
         at + np.linspace(-side, side, count + 1)
         for at, side, count in zip(middle, sides, cells, strict=True)

@@ -15,7 +15,7 @@ from pyworm.drives.zi_worm.meshing import WheelFlank
 from pyworm.drives.zi_worm.tooth import WheelTooth, wheel_radius
 
 FIRST_STEP = 0.125
-"""Fraction of the way to the rim that is tried first."""
+"""First step along the way to the rim, as a fraction of it."""
 
 FOUND = 1e-9
 """Distance from the place aimed at below which a point of the flank is found [m]."""
@@ -26,7 +26,7 @@ ENDED = 1e-5
 MOST_STEPS, MOST_NEWTON = 64, 10
 
 LONGEST = 0.5
-"""Newton step of a parameter [rad] that leaves the flank."""
+"""Newton step of a parameter [rad] at which the iteration leaves the flank."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ def flank_outline(
 
 
 def _at(flank: WheelFlank, q: Array, aim: Array, sign: Array) -> tuple[Array, Array]:
-    """Newton's method from parameters near a place; also where it found it on the same side of the edge."""
+    """Newton's method from parameters near a place, and whether it stayed on the same side of the edge."""
     near = np.ones(q.shape[1], dtype=bool)
     for _ in range(MOST_NEWTON):
         place, slope = _place(flank, q)
