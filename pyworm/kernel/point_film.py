@@ -4,7 +4,8 @@ import numpy as np
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
-from pyworm.kernel.film import Film, Shear, bodies_numbers, heat_numbers, oil_numbers
+from pyworm.kernel.film import Film, Shear
+from pyworm.kernel.numbers import bodies_numbers, heat_numbers, oil_numbers
 from pyworm.materials.oil import Oil
 
 
