@@ -9,7 +9,7 @@ from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
 import pyworm
-from pyworm.drives.zi_worm.point_cache import Kept
+from pyworm.drives.zi_worm.point_cache import PointCache
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
@@ -199,7 +199,7 @@ def test_the_gap_is_continued_beyond_the_teeth():
 
 
 def test_heights_are_cached_while_there_is_room():
-    kept, asked = Kept(10), []
+    kept, asked = PointCache(10), []
 
     def ask(count, value):
         points = np.full(count, value), np.zeros(count)
