@@ -3,15 +3,20 @@
 !> A contact that lives through many calls is held by its owner as an opaque address (`handle`), made by
 !> `point_film_new` or `line_film_new` and given back to `film_free`. Fields have shape (nx, ny), with ny = 1 of a
 !> line contact, whose load and friction are for each length.
+!>
+!> No procedure may be called like a type that a contact holds (film_fields, film_work): gfortran takes it for that.
 module bindings
   use iso_c_binding, only: c_double, c_int, c_int64_t
+  use contact_handle, only: contact_of, handle_of
+  use status, only: status_ok, status_no_memory
+  use thermal_step, only: thermal_contact
   implicit none
   private
 
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
-  public :: film_free, film_evaluate, film_step, film_fields, film_thickness, film_convolve, film_work, film_store, &
+  public :: film_free, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, film_store, &
     film_shear, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: prolong_cubic, level_positions
   public :: compiled_with
@@ -21,7 +26,6 @@ contains
   !> Deflection w [m] of a half-space pair under pressure p [Pa].
   subroutine elastic_deflection(p, nx, ny, dx, dy, reduced_modulus, w, stat)
     use half_space, only: elastic_half_space, new_half_space
-    use status, only: status_ok
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
     real(c_double), intent(in) :: dx, dy, reduced_modulus
@@ -40,7 +44,6 @@ contains
       most_iterations, p, approach, iterations, stat)
     use dry_contact, only: solve_dry_contact
     use half_space, only: elastic_half_space, new_half_space
-    use status, only: status_ok
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny)
     integer(c_int), intent(in) :: covered(nx, ny)
@@ -62,10 +65,7 @@ contains
   !> Makes a point contact; see `point_film` for the arguments and `viscosity_density` for the oil's.
   subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
       pole_pressure, d1, d2, load, floor, handle, stat)
-    use contact_handle, only: handle_of
     use point_film, only: point_contact, new_point_contact
-    use status, only: status_ok, status_no_memory
-    use thermal_step, only: thermal_contact
     use viscosity_density, only: oil_law
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny)
@@ -99,10 +99,7 @@ contains
   !> Makes a line contact; see `line_film` for the arguments and `viscosity_density` for the oil's.
   subroutine line_film_new(gap, covered, u, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
       d1, d2, load, floor, handle, stat)
-    use contact_handle, only: handle_of
     use line_film, only: line_contact, new_line_contact
-    use status, only: status_ok, status_no_memory
-    use thermal_step, only: thermal_contact
     use viscosity_density, only: oil_law
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: gap(n), u(n)
@@ -135,8 +132,6 @@ contains
 
   !> Gives back the memory of a contact.
   subroutine film_free(handle)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     type(thermal_contact), pointer :: contact
 
@@ -146,9 +141,7 @@ contains
 
   !> Changes the nodal entrainment of a point contact to (u, v) [m/s].
   subroutine point_film_entrain(handle, u, v, nx, ny)
-    use contact_handle, only: contact_of
     use point_film, only: entrain
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u(nx, ny), v(nx, ny)
@@ -160,9 +153,7 @@ contains
 
   !> Lets the oil that a contact's film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
   subroutine film_store(handle, renewal, squeeze, nx, ny, stat)
-    use contact_handle, only: contact_of
     use film_newton, only: store
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: renewal, squeeze(nx, ny)
@@ -176,10 +167,8 @@ contains
   !> Gives a contact's oil a flow law; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
       reference_decay, limit, limit_growth, exponent, levels, stat)
-    use contact_handle, only: contact_of
     use film_newton, only: shear_contact
     use flow_laws, only: flow_law
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: sliding_x(nx, ny), sliding_y(nx, ny)
@@ -197,9 +186,7 @@ contains
 
   !> Residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine film_evaluate(handle, p, nx, ny, h0, residual, load_error)
-    use contact_handle, only: contact_of
     use film_newton, only: film_residual
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
@@ -219,9 +206,8 @@ contains
   !> `change` is the change of temperature [K] that heat is judged by, and `largest_rise` the film's [K].
   subroutine film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
       load_error, krylov, step, change, largest_rise, stat)
-    use contact_handle, only: contact_of
     use film_newton, only: newton_step => film_step
-    use thermal_step, only: thermal_contact, heated_step
+    use thermal_step, only: heated_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
@@ -249,9 +235,7 @@ contains
   end subroutine film_step
 
   !> Film [m], relative density and net outflow [m/s] as last evaluated.
-  subroutine film_fields(handle, nx, ny, film, density, imbalance)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
+  subroutine film_state(handle, nx, ny, film, density, imbalance)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: film(nx, ny), density(nx, ny), imbalance(nx, ny)
@@ -261,12 +245,10 @@ contains
     film = contact%film%fields%h
     density = contact%film%fields%rho
     imbalance = contact%film%imbalance
-  end subroutine film_fields
+  end subroutine film_state
 
   !> Film [m] alone, as last evaluated.
   subroutine film_thickness(handle, nx, ny, film)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: film(nx, ny)
@@ -278,8 +260,6 @@ contains
 
   !> Deflection w [m] under pressure p [Pa] on the contact's own grid: the unit of cost.
   subroutine film_convolve(handle, p, nx, ny, w)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
@@ -294,10 +274,8 @@ contains
   !> How often each part of the work on a contact was done and the processor time [s] that it took:
   !> convolutions, fields and flows, building the preconditioner, its solves, heat, and all of it with whole
   !> steps and evaluations.
-  subroutine film_work(handle, counts, seconds)
-    use contact_handle, only: contact_of
+  subroutine film_tally(handle, counts, seconds)
     use tally, only: work_tally
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: counts(6)
     real(c_double), intent(out) :: seconds(6)
@@ -312,7 +290,7 @@ contains
       seconds = [work%convolution%seconds, work%flow%seconds, work%building%seconds, work%cycle%seconds, &
         heat%seconds, work%whole%seconds]
     end associate
-  end subroutine film_work
+  end subroutine film_tally
 
   !> Heat of a point contact whose oil has a flow law; see `point_heat` for the arguments.
   !>
@@ -322,11 +300,8 @@ contains
   !> those of the bodies' model of conduction (`conduction_model`).
   subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, semi, errors, stat)
     use conducting_body, only: new_conducting_body
-    use contact_handle, only: contact_of
     use heated_surface, only: heated_body
     use point_heat, only: heat_point_contact
-    use status, only: status_ok
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
@@ -352,12 +327,9 @@ contains
   !>
   !> `oil` and `bodies` as in `point_film_heat`; `velocities` [m/s] are those of both surfaces, neither of them zero.
   subroutine line_film_heat(handle, u1, n, oil, bodies, velocities, stat)
-    use contact_handle, only: contact_of
     use heated_surface, only: heated_body
     use line_heat, only: heat_line_contact
     use line_source, only: line_body, new_line_body
-    use status, only: status_ok
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: u1(n)
@@ -412,8 +384,7 @@ contains
 
   !> One sweep of heat through a contact (`thermal_step`); `change` is the largest of its temperature [K].
   subroutine film_warm(handle, change, stat)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact, heat_sweep
+    use thermal_step, only: heat_sweep
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(out) :: change
     integer(c_int), intent(out) :: stat
@@ -426,8 +397,6 @@ contains
 
   !> Faces and columns whose shear stress was not found when they were last met.
   subroutine film_unsolved(handle, count)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: count
     type(thermal_contact), pointer :: contact
@@ -440,8 +409,6 @@ contains
 
   !> Temperature of a contact above its inlet's [K], at the levels from body 1 to body 2.
   subroutine film_rise(handle, nx, ny, levels, rise)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny, levels
     real(c_double), intent(out) :: rise(nx, ny, levels)
@@ -453,8 +420,7 @@ contains
 
   !> Takes up a temperature above the inlet's [K].
   subroutine film_set_rise(handle, rise, nx, ny, levels)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact, set_temperature
+    use thermal_step, only: set_temperature
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny, levels
     real(c_double), intent(in) :: rise(nx, ny, levels)
@@ -466,10 +432,7 @@ contains
 
   !> Fields of a contact's shear; see `shear_fields`.
   subroutine film_shear_fields(handle, factors_wanted, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
-    use contact_handle, only: contact_of
     use shear_fields, only: shear_field, nodal_shear
-    use status, only: status_ok
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: factors_wanted, nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), along(nx, ny), &
@@ -494,9 +457,7 @@ contains
   !> Stress at the middle of the film [Pa], heat of shearing [W/m2] and the largest shear rate across the film [1/s] of a
   !> point contact, as of the last sweep of heat.
   subroutine point_film_swept_shear(handle, nx, ny, stress_x, stress_y, friction, rate)
-    use contact_handle, only: contact_of
     use point_heat, only: swept_shear
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny)
@@ -508,8 +469,6 @@ contains
 
   !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2], as of the last sweep.
   subroutine film_heat_fields(handle, nx, ny, flux, carried)
-    use contact_handle, only: contact_of
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: flux(nx, ny, 2), carried(nx, ny)
@@ -522,9 +481,7 @@ contains
 
   !> Velocity [m/s] across the film at node (i, j), counted from 1, body 1 moving with (u1, v1).
   subroutine film_profile(handle, i, j, u1, v1, levels, u, v, stat)
-    use contact_handle, only: contact_of
     use shear_fields, only: profile => film_profile
-    use thermal_step, only: thermal_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: i, j, levels
     real(c_double), intent(in) :: u1, v1

@@ -220,7 +220,7 @@ class Film:
     def fields(self) -> tuple[np.ndarray, ...]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
         return tuple(
-            self._on_grid(field) for field in core.bindings.film_fields(self._handle, *self._nodes)
+            self._on_grid(field) for field in core.bindings.film_state(self._handle, *self._nodes)
         )
 
     def thickness(self) -> np.ndarray:

@@ -46,7 +46,7 @@ class PointFilm(Film):
 
     def _tallies(self) -> np.ndarray:
         """Operations since the film was made: counts, then processor times [s]."""
-        counts, seconds = core.bindings.film_work(self._handle)
+        counts, seconds = core.bindings.film_tally(self._handle)
         return np.concatenate([counts, seconds])
 
     def work(self) -> dict[str, float]:
