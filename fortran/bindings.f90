@@ -1,7 +1,7 @@
-!> All that Python sees of the kernel: plain arrays and scalars, explicit shapes, an integer status.
+!> The kernel's interface to Python: plain arrays and scalars, explicit shapes, an integer status.
 !>
-!> A contact that lives through many calls is held by its owner as an opaque address (`handle`), made by
-!> `point_film_new` or `line_film_new` and given back to `film_free`. Fields have shape (nx, ny), with ny = 1 of a
+!> The caller owns a contact by an opaque address (`handle`), made by `point_film_new` or `line_film_new` and
+!> released by `film_free`. Fields have shape (nx, ny), with ny = 1 of a
 !> line contact, whose load and friction are for each length.
 !>
 !> No procedure may be called like a type that a contact holds (film_fields, film_work): gfortran takes it for that.
@@ -16,7 +16,7 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
-  public :: film_free, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, film_store, &
+  public :: film_free, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, film_transient, &
     film_shear, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: prolong_cubic, level_positions
   public :: compiled_with
@@ -39,7 +39,7 @@ contains
     if (stat == status_ok) call space%deflection(p, w)
   end subroutine elastic_deflection
 
-  !> Dry contact of a gap [m]; p [Pa] enters as a first guess and leaves as the solution.
+  !> Solves the dry contact of a gap [m]; p [Pa] is the initial guess, then the solution.
   subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, load, tolerance, &
       most_iterations, p, approach, iterations, stat)
     use dry_contact, only: solve_dry_contact
@@ -130,7 +130,7 @@ contains
     handle = handle_of(contact)
   end subroutine line_film_new
 
-  !> Gives back the memory of a contact.
+  !> Frees the memory of a contact.
   subroutine film_free(handle)
     integer(c_int64_t), intent(in) :: handle
     type(thermal_contact), pointer :: contact
@@ -139,7 +139,7 @@ contains
     deallocate (contact)
   end subroutine film_free
 
-  !> Changes the nodal entrainment of a point contact to (u, v) [m/s].
+  !> Sets the nodal entrainment of a point contact to (u, v) [m/s].
   subroutine point_film_entrain(handle, u, v, nx, ny)
     use point_film, only: entrain
     integer(c_int64_t), intent(in) :: handle
@@ -151,20 +151,20 @@ contains
     call entrain(contact%film, u, v)
   end subroutine point_film_entrain
 
-  !> Lets the oil that a contact's film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
-  subroutine film_store(handle, renewal, squeeze, nx, ny, stat)
-    use film_newton, only: store
+  !> Sets the transient term of a contact's film; arguments as of `film_newton`.
+  subroutine film_transient(handle, implicit_rate, explicit_rate, nx, ny, stat)
+    use film_newton, only: set_transient_term
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(in) :: renewal, squeeze(nx, ny)
+    real(c_double), intent(in) :: implicit_rate, explicit_rate(nx, ny)
     integer(c_int), intent(out) :: stat
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    call store(contact%film, renewal, squeeze, stat)
-  end subroutine film_store
+    call set_transient_term(contact%film, implicit_rate, explicit_rate, stat)
+  end subroutine film_transient
 
-  !> Gives a contact's oil a flow law; see `flow_laws` and `film_newton` for the arguments.
+  !> Sets the flow law of a contact's oil; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
       reference_decay, limit, limit_growth, exponent, levels, stat)
     use film_newton, only: shear_contact
@@ -184,7 +184,7 @@ contains
       limit_growth, exponent), levels, sliding_x, sliding_y, stat)
   end subroutine film_shear
 
-  !> Residual and load error at pressure p [Pa] and rigid film h0 [m].
+  !> Evaluates residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine film_evaluate(handle, p, nx, ny, h0, residual, load_error)
     use film_newton, only: film_residual
     integer(c_int64_t), intent(in) :: handle
@@ -201,9 +201,9 @@ contains
     call contact%film%work%whole%finish()
   end subroutine film_evaluate
 
-  !> One Newton step from the state last evaluated, and where heat is simulated one sweep of it; p and h0 are replaced.
+  !> Makes one Newton step from the state last evaluated, and where heat is simulated one sweep of it; p and h0 are replaced.
   !>
-  !> `change` is the change of temperature [K] that heat is judged by, and `largest_rise` the film's [K].
+  !> `change` is the largest change of temperature [K], and `largest_rise` the largest rise of the film [K].
   subroutine film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
       load_error, krylov, step, change, largest_rise, stat)
     use film_newton, only: newton_step => film_step
@@ -258,7 +258,7 @@ contains
     film = contact%film%fields%h
   end subroutine film_thickness
 
-  !> Deflection w [m] under pressure p [Pa] on the contact's own grid: the unit of cost.
+  !> Deflection w [m] under pressure p [Pa] on the contact's grid, the unit of cost.
   subroutine film_convolve(handle, p, nx, ny, w)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
@@ -271,9 +271,8 @@ contains
     call contact%film%deflection(p, w)
   end subroutine film_convolve
 
-  !> How often each part of the work on a contact was done and the processor time [s] that it took:
-  !> convolutions, fields and flows, building the preconditioner, its solves, heat, and all of it with whole
-  !> steps and evaluations.
+  !> Counts and processor times [s] of the parts of the work on a contact: convolutions, fields and flows, building
+  !> the preconditioner, its solves, heat, and whole steps and evaluations.
   subroutine film_tally(handle, counts, seconds)
     use tally, only: work_tally
     integer(c_int64_t), intent(in) :: handle
@@ -292,7 +291,7 @@ contains
     end associate
   end subroutine film_tally
 
-  !> Heat of a point contact whose oil has a flow law; see `point_heat` for the arguments.
+  !> Adds heat to a point contact whose oil has a flow law; see `point_heat` for the arguments.
   !>
   !> `oil` holds T0 [K], the exponent of viscosity with temperature, expansivity and its decay (`viscosity_density`),
   !> conductivity, c1, c2, capacity, k1, k2, b0, b1, b2 (`thermal_properties`); `bodies` conductivity, heat capacity and
@@ -323,7 +322,7 @@ contains
     call heat_point_contact(contact, heat_law(oil), u1, v1, body_1, body_2, bodies(3, :), stat)
   end subroutine point_film_heat
 
-  !> Heat of a line contact whose oil has a flow law; see `line_heat` for the arguments.
+  !> Adds heat to a line contact whose oil has a flow law; see `line_heat` for the arguments.
   !>
   !> `oil` and `bodies` as in `point_film_heat`; `velocities` [m/s] are those of both surfaces, neither of them zero.
   subroutine line_film_heat(handle, u1, n, oil, bodies, velocities, stat)
@@ -361,7 +360,7 @@ contains
 
   end subroutine line_film_heat
 
-  !> Temperature terms of an oil's viscosity and density, as `point_film_heat` takes them.
+  !> Temperature terms of an oil's viscosity and density, from the argument of `point_film_heat`.
   subroutine set_oil_temperature(law, oil)
     use viscosity_density, only: oil_law
     type(oil_law), intent(inout) :: law
@@ -373,7 +372,7 @@ contains
     law%expansivity_decay = oil(4)
   end subroutine set_oil_temperature
 
-  !> Conduction and heat capacity of an oil, as `point_film_heat` takes them.
+  !> Conductivity and heat capacity of an oil, from the argument of `point_film_heat`.
   function heat_law(oil) result(law)
     use thermal_properties, only: oil_heat_law
     real(c_double), intent(in) :: oil(13)
@@ -382,7 +381,7 @@ contains
     law = oil_heat_law(oil(5), oil(6), oil(7), oil(8), oil(9), oil(10), oil(11), oil(12), oil(13))
   end function heat_law
 
-  !> One sweep of heat through a contact (`thermal_step`); `change` is the largest of its temperature [K].
+  !> Makes one sweep of heat (`thermal_step`); `change` is the largest change of temperature [K].
   subroutine film_warm(handle, change, stat)
     use thermal_step, only: heat_sweep
     integer(c_int64_t), intent(in) :: handle
@@ -395,7 +394,7 @@ contains
     call heat_sweep(contact%film, contact%heat, change, stat)
   end subroutine film_warm
 
-  !> Faces and columns whose shear stress was not found when they were last met.
+  !> Number of faces and columns whose shear stress did not converge when last solved.
   subroutine film_unsolved(handle, count)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: count
@@ -418,7 +417,7 @@ contains
     rise = contact%film%shear%nodes%rise
   end subroutine film_rise
 
-  !> Takes up a temperature above the inlet's [K].
+  !> Sets the temperature above the inlet's [K].
   subroutine film_set_rise(handle, rise, nx, ny, levels)
     use thermal_step, only: set_temperature
     integer(c_int64_t), intent(in) :: handle
@@ -467,7 +466,7 @@ contains
     call swept_shear(contact%heat, stress_x, stress_y, friction, rate)
   end subroutine point_film_swept_shear
 
-  !> Heat flux into the bodies and what oil carries away, less what compression gives it [W/m2], as of the last sweep.
+  !> Heat flux into the bodies, and heat convected by the oil less that of its compression [W/m2], at the last sweep.
   subroutine film_heat_fields(handle, nx, ny, flux, carried)
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
@@ -493,7 +492,7 @@ contains
     call profile(contact%film, i, j, u1, v1, u, v, stat)
   end subroutine film_profile
 
-  !> Where `count` levels across a film are, from -1/2 at body 1 to 1/2 at body 2.
+  !> Positions of `count` levels across a film, from -1/2 at body 1 to 1/2 at body 2.
   subroutine level_positions(count, z)
     use gauss_lobatto, only: levels_across, new_levels
     integer(c_int), intent(in) :: count
@@ -504,7 +503,7 @@ contains
     z = levels%z
   end subroutine level_positions
 
-  !> Field on a grid of half the spacing.
+  !> Interpolates a field to half the spacing.
   subroutine prolong_cubic(coarse, nx, ny, fine)
     use cubic_refinement, only: interpolate_cubic
     integer(c_int), intent(in) :: nx, ny
@@ -515,7 +514,7 @@ contains
     call interpolate_cubic(coarse, fine)
   end subroutine prolong_cubic
 
-  !> The compiler and its options, of all of the kernel alike; blanks fill up what they leave.
+  !> The compiler of the kernel and its options, padded with blanks.
   subroutine compiled_with(compiler, options)
     use iso_fortran_env, only: compiler_options, compiler_version
     character(len=200), intent(out) :: compiler

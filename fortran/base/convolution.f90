@@ -96,7 +96,7 @@ contains
       c_associated(self%columns_forward) .and. c_associated(self%columns_backward))
   end subroutine plan_transforms
 
-  !> Transform of the kernel, wrapped round the padded grid and scaled for a forward and a backward transform.
+  !> Computes the transform of the kernel, wrapped round the padded grid and scaled for both transforms.
   subroutine transform_kernel(self, kernel)
     type(grid_convolution), intent(inout) :: self
     real(wp), intent(in) :: kernel(1 - self%nx:, 1 - self%ny:)
@@ -124,7 +124,7 @@ contains
     end do
   end subroutine transform_kernel
 
-  !> Sum of the kernel's responses `y` to the field `x`, both (nx, ny).
+  !> Computes the convolution `y` of the field `x` with the kernel, both (nx, ny).
   subroutine convolve(self, x, y)
     class(grid_convolution), intent(inout) :: self
     real(wp), intent(in) :: x(self%nx, self%ny)
@@ -149,7 +149,7 @@ contains
     end do
   end subroutine convolve
 
-  !> Convolution along y of `count` columns of the half spectra, from column `first` on.
+  !> Convolves `count` columns of the half spectra along y, from column `first` on.
   subroutine convolve_columns(self, first, count, columns)
     class(grid_convolution), intent(inout) :: self
     integer, intent(in) :: first, count

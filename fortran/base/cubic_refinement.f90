@@ -1,4 +1,4 @@
-!> Fields carried to a grid of half the spacing.
+!> Interpolation of fields to a grid of half the spacing.
 module cubic_refinement
   use kinds, only: wp
   implicit none(type, external)
@@ -8,7 +8,7 @@ module cubic_refinement
 
 contains
 
-  !> Cubic interpolation in both directions, (nx, ny) to (2 nx - 1, 2 ny - 1), nx and ny at least 4; along x
+  !> Interpolates by cubics in both directions, (nx, ny) to (2 nx - 1, 2 ny - 1), nx and ny at least 4; along x
   !> alone where ny is 1.
   pure subroutine interpolate_cubic(coarse, fine)
     real(wp), intent(in) :: coarse(:, :)
@@ -32,14 +32,14 @@ contains
     fine(:, 2*ny - 2) = at_end(fine(:, 2*ny - 1), fine(:, 2*ny - 3), fine(:, 2*ny - 5), fine(:, 2*ny - 7))
   end subroutine interpolate_cubic
 
-  !> Midway between the second and the third of four points.
+  !> Value midway between the second and the third of four points.
   elemental real(wp) function between(a, b, c, d)
     real(wp), intent(in) :: a, b, c, d
 
     between = (9*(b + c) - a - d)/16
   end function between
 
-  !> Midway between the first and the second of four points.
+  !> Value midway between the first and the second of four points.
   elemental real(wp) function at_end(a, b, c, d)
     real(wp), intent(in) :: a, b, c, d
 

@@ -1,4 +1,4 @@
-!> Levels across a film: Gauss-Lobatto points with what integrates and differentiates polynomials through them.
+!> Levels across a film: Gauss-Lobatto points with their weights of integration and differentiation.
 !>
 !> Position z runs over the film from -1/2 at body 1 to 1/2 at body 2; the first and last level are the walls. With n
 !> levels integrals of polynomials up to degree 2n - 3 are exact (Canuto et al., Spectral Methods, 2006, sec. 2.3).
@@ -21,7 +21,7 @@ module gauss_lobatto
 
 contains
 
-  !> `count` levels, at least 2.
+  !> Makes `count` levels, at least 2.
   pure function new_levels(count) result(levels)
     integer, intent(in) :: count
     type(levels_across) :: levels
@@ -74,7 +74,7 @@ contains
     weight = 2/((n - 1)*n*here**2)
   end subroutine lobatto
 
-  !> Polynomial that is 1 at point l and 0 at the others, at x.
+  !> Lagrange polynomial of point l at x.
   pure real(wp) function lagrange(point, l, x)
     real(wp), intent(in) :: point(:), x
     integer, intent(in) :: l
@@ -86,7 +86,7 @@ contains
     end do
   end function lagrange
 
-  !> Slope of that polynomial at point k.
+  !> Slope of the Lagrange polynomial of point l at point k.
   pure real(wp) function lagrange_slope(point, l, k)
     real(wp), intent(in) :: point(:)
     integer, intent(in) :: l, k

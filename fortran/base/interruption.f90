@@ -1,8 +1,8 @@
-!> Whether the user wants the present call to end: Python takes its signals only when it is asked.
+!> Interruption of a kernel call by the user: Python handles signals only when it is polled.
 !>
-!> A kernel call may take seconds, in which a keyboard interrupt would wait. Iterations therefore ask here once a
-!> round, from the thread that Python called and never within a parallel region. If the answer is yes they end as soon as
-!> they can; what they leave does not matter, since the wrapper of f2py raises the exception that Python has set.
+!> A kernel call may take seconds, in which a keyboard interrupt would wait. Iterations therefore poll here
+!> once each, from the thread that Python called and never within a parallel region, and end as soon as they can. Their
+!> result does not matter then, since the wrapper of f2py raises the exception that Python has set.
 module interruption
   use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr
   implicit none(type, external)
@@ -11,7 +11,7 @@ module interruption
   public :: interrupted
 
   interface
-    !> Take and give back the lock of the interpreter (Python's C interface, "Non-Python created threads").
+    !> Acquire and release the lock of the interpreter (Python's C interface, "Non-Python created threads").
     integer(c_int) function ensure_python() bind(c, name="PyGILState_Ensure")
       import :: c_int
       implicit none(type, external)
@@ -23,7 +23,7 @@ module interruption
       integer(c_int), value :: state
     end subroutine release_python
 
-    !> Lets Python handle signals that came in; not zero if a handler raised an exception.
+    !> Lets Python handle pending signals; not zero if a handler raised an exception.
     integer(c_int) function check_signals() bind(c, name="PyErr_CheckSignals")
       import :: c_int
       implicit none(type, external)

@@ -7,7 +7,7 @@ module kinds
   !> Working precision: double, the same as C's, so that arrays cross to Python uncopied.
   integer, parameter, public :: wp = c_double
 
-  !> Precision of preconditioners, which decide how fast an iteration converges and not to what.
+  !> Precision of preconditioners, which affect the rate of convergence and not the solution.
   integer, parameter, public :: pp = c_float
 
 end module kinds

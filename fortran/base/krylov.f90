@@ -1,12 +1,11 @@
 !> GMRES with left preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.4).
 !>
-!> What is made small is the preconditioned residual: an estimate of the error. The residual itself says
-!> little of a film's error: its roughest parts, at the rupture line and the pressure spike, are the largest
-!> and matter least.
+!> The iteration minimises the preconditioned residual, an estimate of the error. The residual itself is a poor
+!> one: its roughest parts, at the rupture line and the pressure spike, are the largest and matter least.
 !>
-!> The basis is kept in single precision, the most of what an iteration has to read, and orthogonalised by
-!> classical Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the residual that
-!> can be reached to some 1e-6 of the first, far below what a Newton step asks for.
+!> The basis, most of the memory traffic of an iteration, is in single precision and orthogonalised by classical
+!> Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the reduction of the residual
+!> to some 1e-6, far below the forcing of a Newton step.
 module krylov
   use interruption, only: interrupted
   use kinds, only: pp, wp
@@ -38,7 +37,7 @@ contains
   !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or `most` iterations
   !> are done.
   !>
-  !> `basis` is workspace, (size(b), most); `reduction` is the fraction reached.
+  !> `basis` is workspace, (size(b), most); `reduction` is the residual reached over the first.
   subroutine gmres(system, b, tolerance, most, basis, x, iterations, reduction)
     class(linear_system), intent(inout) :: system
     real(wp), contiguous, intent(in) :: b(:)

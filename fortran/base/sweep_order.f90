@@ -7,15 +7,15 @@ module sweep_order
 
   public :: sweep_frame, new_sweep_frame, to_sweep, from_sweep
 
-  !> Nodes copied together each way, so that both sides of a transposition stay in cache.
+  !> Nodes copied together in each direction, so that both sides of a transposition stay in cache.
   integer, parameter :: block = 16
 
   type :: sweep_frame
-    !> True if lines are columns of constant x, taken one after another along x; true if against the axis.
+    !> Whether lines are columns of constant x, swept along x; whether they are swept against their axis.
     logical :: along_x = .false., backward = .false.
-    !> Nodes of a line, and lines.
+    !> Numbers of nodes of a line and of lines.
     integer :: length = 0, lines = 0
-    !> One over the spacing of the nodes on a line, and of the lines, negative if these are taken against their axis [1/m].
+    !> Reciprocal spacing of the nodes on a line, and of the lines, negative if these are swept against their axis [1/m].
     real(wp) :: per_node = 0, per_line = 0
   end type sweep_frame
 

@@ -1,4 +1,4 @@
-!> How often a part of the work was done, and the processor time that it took.
+!> Count and processor time of one part of the work.
 module tally
   use kinds, only: wp
   implicit none(type, external)
@@ -18,14 +18,14 @@ module tally
 
 contains
 
-  !> The part begins.
+  !> Starts the clock of the part.
   subroutine start(self)
     class(work_tally), intent(inout) :: self
 
     call cpu_time(self%began)
   end subroutine start
 
-  !> The part has been done once more.
+  !> Stops the clock of the part and counts it.
   subroutine finish(self)
     class(work_tally), intent(inout) :: self
     real(wp) :: now

@@ -1,4 +1,4 @@
-!> Sums and steps over long vectors, on all threads.
+!> Sums and updates of long vectors, on all threads.
 !>
 !> Sums go over blocks of a fixed length, whose sums are then added in order: the result is the same to the
 !> last bit whatever the number of threads. Within a block they go in lanes, which gfortran 12 turns into
@@ -13,9 +13,9 @@ module vectors
 
   !> Elements of a block: long enough to be worth a thread's while.
   integer, parameter :: block_length = 8192
-  !> The same where a block is met many times and had better stay in the first cache.
+  !> Elements of a block that is used many times and should stay in the first cache.
   integer, parameter :: cached_length = 2048
-  !> Partial sums kept side by side.
+  !> Number of partial sums, one for each lane.
   integer, parameter :: lanes = 8
 
 contains
@@ -67,7 +67,7 @@ contains
     short_dot = sum(lane) + sum(a(whole + 1:)*b(whole + 1:))
   end function short_dot
 
-  !> The same with a vector in single precision.
+  !> Inner product within a block with a vector in single precision.
   pure real(wp) function mixed_dot(a, b)
     real(pp), contiguous, intent(in) :: a(:)
     real(wp), contiguous, intent(in) :: b(:)
@@ -82,7 +82,7 @@ contains
     mixed_dot = sum(lane) + sum(a(whole + 1:)*b(whole + 1:))
   end function mixed_dot
 
-  !> x + step d, in place.
+  !> Replaces x by x + step d.
   subroutine step_along(step, d, x)
     real(wp), intent(in) :: step
     real(wp), contiguous, intent(in) :: d(:)
@@ -95,7 +95,7 @@ contains
     end do
   end subroutine step_along
 
-  !> Divides w by its norm, and keeps it as a column of a basis.
+  !> Divides w by its norm and copies it to a column of a basis.
   subroutine normalise(norm, w, column)
     real(wp), intent(in) :: norm
     real(wp), contiguous, intent(inout) :: w(:)
@@ -109,9 +109,9 @@ contains
     end do
   end subroutine normalise
 
-  !> Takes from w what lies along the columns of an orthonormal basis: w - V V'w, by classical Gram-Schmidt.
+  !> Orthogonalises w against the columns of an orthonormal basis: w - V V'w, by classical Gram-Schmidt.
   !>
-  !> `along` is V'w, `rest` the squared norm of what is left.
+  !> `along` is V'w, `rest` the squared norm of the result.
   subroutine project_out(basis, w, along, rest)
     real(pp), contiguous, intent(in) :: basis(:, :)
     real(wp), contiguous, intent(inout) :: w(:)
@@ -142,7 +142,7 @@ contains
     rest = sum(partial(1, :))
   end subroutine project_out
 
-  !> w = V c, the combination of a basis' columns.
+  !> Computes the combination w = V c of a basis' columns.
   subroutine combine(basis, c, w)
     real(pp), contiguous, intent(in) :: basis(:, :)
     real(wp), intent(in) :: c(size(basis, 2))

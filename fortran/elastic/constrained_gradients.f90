@@ -1,10 +1,10 @@
 !> Conjugate gradients with bounds for the dry contact on one grid.
 !>
 !> Pressure p >= 0 of a given sum minimises complementary energy. As in Polonsky and Keer (1999, Wear 231:206)
-!> the contact set is found on the way: after each step nodes that would pull leave it, and those that overlap
+!> the contact set is found in the iteration: after each step nodes in tension leave it, and those that overlap
 !> join it. As in Vollebregt's BCCG (2014, J. Optim. Theory Appl. 162:931) the gradients are preconditioned
-!> with a transform, directions survive a change of the set (Polak and Ribiere's beta forgets what no longer
-!> fits), and the deflection follows a step that no bound cuts without another convolution.
+!> with a transform, directions are continued through a change of the set (Polak and Ribiere's beta damps them
+!> then), and the deflection after a step that no bound limits needs no further convolution.
 module constrained_gradients
   use half_space, only: elastic_half_space
   use interruption, only: interrupted
@@ -17,15 +17,15 @@ module constrained_gradients
 
   public :: close_gap, worst_overlap
 
-  !> Overlap allowed at the worst node outside the contact, over the mean film allowed inside.
+  !> Largest overlap outside the contact at convergence, over the mean residual gap inside.
   real(wp), parameter :: worst_overlap = 10
 
 contains
 
-  !> Pressure p [Pa] that carries `load` [N] and closes the gap [m] to one approach [m].
+  !> Finds the pressure p [Pa] that carries `load` [N] and closes the gap [m] at one approach [m].
   !>
   !> On entry p >= 0 carries the load and is positive only where `covered`. Fields are (nx, ny), as vectors.
-  !> Converged when the film left in the contact is `tolerance` times the approach, in the mean square.
+  !> Converged when the residual gap in the contact is `tolerance` times the approach, in the mean square.
   subroutine close_gap(space, reduced_modulus, n, gap, covered, load, tolerance, most_iterations, p, film, &
       approach, iterations, stat)
     type(elastic_half_space), intent(inout) :: space
@@ -33,7 +33,7 @@ contains
     real(wp), intent(in) :: reduced_modulus, gap(n), load, tolerance
     logical, intent(in) :: covered(n)
     real(wp), intent(inout) :: p(n)
-    !> Film above the rigid approach [m]: gap and deflection.
+    !> Gap plus deflection [m].
     real(wp), intent(out) :: film(n), approach
     integer, intent(out) :: iterations, stat
     type(periodic_half_space) :: stiffness
@@ -101,7 +101,7 @@ contains
     stat = status_not_converged
   end subroutine close_gap
 
-  !> Mean of a field over the contact and its standard deviation there.
+  !> Computes the mean and the standard deviation of a field over the contact.
   subroutine spread_in(contact, field, mean, deviation)
     real(wp), contiguous, intent(in) :: contact(:), field(:)
     real(wp), intent(out) :: mean, deviation
@@ -118,7 +118,7 @@ contains
     deviation = sqrt(squares/nodes)
   end subroutine spread_in
 
-  !> Takes from a field all that is outside the contact and its mean inside: it then keeps the load.
+  !> Sets a field to zero outside the contact and subtracts its mean inside, so that it conserves the load.
   subroutine keep_balanced(contact, field)
     real(wp), contiguous, intent(in) :: contact(:)
     real(wp), contiguous, intent(inout) :: field(:)
@@ -126,7 +126,7 @@ contains
     field = contact*(field - dot(contact, field)/sum(contact))
   end subroutine keep_balanced
 
-  !> Moves the pressure against the direction; `cut` tells whether a node would have pulled.
+  !> Moves the pressure against the direction; `cut` is true if the bound p >= 0 limited a node.
   pure subroutine advance(p, direction, step, cut)
     real(wp), contiguous, intent(inout) :: p(:)
     real(wp), contiguous, intent(in) :: direction(:)

@@ -1,7 +1,7 @@
 !> Frictionless dry contact of two half-spaces with an arbitrary gap under a given load.
 !>
-!> Grids of halving spacing, each entered from the pressure of the one before, so that only the boundary of
-!> the contact is left to find; conjugate gradients with bounds on each (contact_gradients).
+!> Nested iteration on grids of halving spacing, each started from the pressure of the one before, so that only
+!> the boundary of the contact changes; conjugate gradients with bounds on each (`constrained_gradients`).
 module dry_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
   use constrained_gradients, only: close_gap
@@ -16,18 +16,18 @@ module dry_contact
   public :: solve_dry_contact
 
   real(wp), parameter :: pi = acos(-1.0_wp)
-  !> Nodes that the coarsest grid has at least along each direction.
+  !> Least number of nodes of the coarsest grid along each direction.
   integer, parameter :: fewest_nodes = 12
-  !> Coarser grids only have to be as accurate as their spacing, and no grid has time to lose on them.
+  !> Tolerance of coarser grids, which need not be more accurate than their spacing allows.
   real(wp), parameter :: coarse_tolerance = 1e-5_wp
   integer, parameter :: most_coarse_iterations = 100
 
 contains
 
-  !> Pressure p [Pa] that carries `load` [N] and closes the gap [m] to one approach [m].
+  !> Finds the pressure p [Pa] that carries `load` [N] and closes the gap [m] at one approach [m].
   !>
-  !> On entry p >= 0 is a first guess with a positive sum. `covered` is true where both bodies exist.
-  !> Converged when the film left in the contact is `tolerance` times the approach, in the mean square, and no
+  !> On entry p >= 0 is an initial guess with a positive sum. `covered` is true where both bodies exist.
+  !> Converged when the residual gap in the contact is `tolerance` times the approach, in the mean square, and no
   !> node outside overlaps. `iterations` counts those on the grid itself, not those on coarser ones.
   subroutine solve_dry_contact(space, gap, covered, load, tolerance, most_iterations, p, approach, &
       iterations, stat)
@@ -55,7 +55,7 @@ contains
     allocate (film, mold=gap, stat=err)
     if (err /= 0) return
 
-    ! where a body ends its gap may be anything, not even finite
+    ! beyond a body its gap is arbitrary and may not be finite
     solid_gap = merge(gap, 0.0_wp, covered)
     modulus = reduced_modulus(space)
     call start_from_coarser(solid_gap, covered, space%dx, space%dy, modulus, load, tolerance, p, stat)
@@ -64,7 +64,7 @@ contains
       approach, iterations, stat)
   end subroutine solve_dry_contact
 
-  !> A pressure that carries the load, from the contact on a grid of twice the spacing.
+  !> Initial guess that carries the load, from the contact on a grid of twice the spacing.
   recursive subroutine start_from_coarser(gap, covered, dx, dy, modulus, load, tolerance, p, stat)
     real(wp), contiguous, intent(in) :: gap(:, :)
     logical, contiguous, intent(in) :: covered(:, :)

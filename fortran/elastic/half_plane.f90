@@ -1,8 +1,8 @@
 !> Normal deflection of two elastic half-spaces in line contact under strips of constant pressure.
 !>
-!> A line load deflects a half-plane by a logarithm, so only differences of deflection mean anything (Johnson,
-!> Contact Mechanics, section 2.4). Here a line load leaves none at the distance of the grid's length: the
-!> constant is then the same on every grid over one interval, whatever its spacing.
+!> A line load deflects a half-plane by a logarithm, so that only differences of deflection are defined (Johnson,
+!> Contact Mechanics, section 2.4). The datum here is the deflection at a distance of the grid's length, the same
+!> on every grid over one interval, whatever its spacing.
 !>
 !> The convolution is done by FFT. Its kernel is even, so that zero padding to 2 (n - 1) points is exact.
 module half_plane
@@ -96,7 +96,7 @@ contains
     stat = merge(status_ok, status_no_plan, c_associated(self%forward) .and. c_associated(self%backward))
   end subroutine plan_transforms
 
-  !> Transform of the influence coefficients: a cosine transform of their first half.
+  !> Computes the transform of the influence coefficients, a cosine transform of their first half.
   subroutine transform_kernel(self, stat)
     type(elastic_half_plane), intent(inout) :: self
     integer, intent(out) :: stat
@@ -116,7 +116,7 @@ contains
     stat = status_ok
   end subroutine transform_kernel
 
-  !> Deflection w [m] of both bodies together under pressure p [Pa].
+  !> Computes the sum w [m] of both bodies' deflections under pressure p [Pa].
   subroutine deflection(self, p, w)
     class(elastic_half_plane), intent(inout) :: self
     real(wp), intent(in) :: p(self%n)

@@ -122,7 +122,7 @@ contains
       c_associated(self%columns_forward) .and. c_associated(self%columns_backward))
   end subroutine plan_transforms
 
-  !> Transform of the influence coefficients: a cosine transform of their first quadrant.
+  !> Computes the transform of the influence coefficients, a cosine transform of their first quadrant.
   subroutine transform_kernel(self, reduced_modulus, stat)
     type(elastic_half_space), intent(inout) :: self
     real(wp), intent(in) :: reduced_modulus
@@ -164,7 +164,7 @@ contains
     corner = x*asinh(y/abs(x)) + y*asinh(x/abs(y))
   end function corner
 
-  !> Deflection w [m] of both bodies together under pressure p [Pa], both (nx, ny).
+  !> Computes the sum w [m] of both bodies' deflections under pressure p [Pa], both (nx, ny).
   subroutine deflection(self, p, w)
     class(elastic_half_space), intent(inout) :: self
     real(wp), intent(in) :: p(self%nx, self%ny)
@@ -189,7 +189,7 @@ contains
     end do
   end subroutine deflection
 
-  !> Convolution along y of `count` columns of the half spectra, from column `first` on.
+  !> Convolves `count` columns of the half spectra along y, from column `first` on.
   subroutine convolve_columns(self, first, count, columns)
     class(elastic_half_space), intent(inout) :: self
     integer, intent(in) :: first, count

@@ -1,4 +1,4 @@
-!> Normal stiffness of a half-space under a periodic surface: the pressure that makes a deflection.
+!> Normal stiffness of a half-space under a periodic surface: the pressure of a given deflection.
 !>
 !> In wavenumbers, pressure is E' |k| / 4 times deflection (Johnson, Contact Mechanics, section 13.2, with
 !> E* = E'/2). Periodicity and the absence of an edge make it an approximate inverse of the half-space within
@@ -71,7 +71,7 @@ contains
     stat = merge(status_ok, status_no_plan, c_associated(self%forward) .and. c_associated(self%backward))
   end subroutine new_periodic_half_space
 
-  !> Pressure p [Pa] that makes the deflection w [m], apart from a constant; both (nx, ny).
+  !> Computes the pressure p [Pa] of a deflection w [m], up to a constant; both (nx, ny).
   subroutine pressure(self, w, p)
     class(periodic_half_space), intent(inout) :: self
     real(wp), intent(in) :: w(self%nx, self%ny)

@@ -1,4 +1,4 @@
-!> Contact pressure carried to a grid of half the spacing.
+!> Interpolation of a contact pressure to a grid of half the spacing.
 module pressure_refinement
   use kinds, only: wp
   implicit none(type, external)
@@ -8,11 +8,11 @@ module pressure_refinement
 
 contains
 
-  !> Pressure on a grid of half the spacing, node (i, j) of which is the fine grid's (2i - 1, 2j - 1).
+  !> Interpolates the pressure to half the spacing; node (i, j) becomes (2i - 1, 2j - 1).
   !>
   !> The square is interpolated, continued to one node beyond the contact: at the boundary of a contact the
-  !> square falls to zero linearly (Johnson, Contact Mechanics, section 5.1), so that the boundary is met to
-  !> better than the coarse grid.
+  !> square falls to zero linearly (Johnson, Contact Mechanics, section 5.1), so that the boundary is located
+  !> more accurately than by the coarse grid.
   pure subroutine refine_pressure(coarse, fine)
     real(wp), intent(in) :: coarse(:, :)
     real(wp), intent(out) :: fine(:, :)

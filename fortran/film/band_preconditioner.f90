@@ -1,10 +1,10 @@
-!> Preconditioner of a line contact's Jacobian: the same with a kernel cut off at a few nodes, solved by band LU.
+!> Preconditioner of a line contact: its Jacobian with the elastic kernel truncated to a band, solved by band LU.
 !>
 !> Within the cut-off the model is exact, wedge and mobility included; beyond it the kernel is smooth, and the
-!> constant taken off it is the rigid film's. GMRES takes 2 to 4 iterations to a thousandth on the first grids and
+!> constant subtracted from it acts on the rigid film. GMRES takes 2 to 4 iterations to a thousandth on the first grids and
 !> 8 to 17 at 16641 nodes (M from 0.1 to 500, L from 1 to 25); a step costs about n log n.
 !>
-!> Measured against it and left: dense LU of the free nodes, the same Newton steps at 0.1 s each for 1500 nodes and
+!> Rejected by measurement: dense LU of the free nodes, the same Newton steps at 0.1 s each for 1500 nodes and
 !> growing with their cube, whole solves 20 to 50 times slower; the kernel's centre value alone in place of the
 !> cut-off kernel, 18 to 46 iterations to a millionth where this takes 9 to 14 (1041 nodes).
 module band_preconditioner
@@ -16,16 +16,16 @@ module band_preconditioner
 
   public :: band_model, set_band_model
 
-  !> Nodes at which the kernel is cut off.
+  !> Distance at which the kernel is truncated [nodes].
   integer, parameter :: reach = 16
-  !> Half of the band: the stencil reaches two nodes further.
+  !> Half bandwidth: the stencil reaches two nodes further.
   integer, parameter :: half = reach + 2
 
   type :: band_model
     !> LU factors in LAPACK's band storage.
     real(wp), allocatable :: factors(:, :)
     integer, allocatable :: pivots(:)
-    !> What each row was multiplied by.
+    !> Scale of each row.
     real(wp), allocatable :: row_scale(:)
   contains
     procedure :: solve
@@ -33,7 +33,7 @@ module band_preconditioner
 
 contains
 
-  !> Factors of the model for the Jacobian's bands (see `line_reynolds`) and the kernel by distance in nodes.
+  !> Factors the model of the Jacobian's bands (see `line_reynolds`) and the kernel by distance in nodes.
   !>
   !> The change of pressure is zero where it is not free.
   subroutine set_band_model(self, by_pressure, by_film, influence, free, stat)

@@ -1,9 +1,9 @@
-!> Newton's method for the film of a contact at a given temperature, one step at a time: what all contacts share.
+!> Newton's method for the film of a contact at a given temperature, one step at a time: the base of all contacts.
 !>
 !> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
 !> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
 !> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
-!> system. Pressure on the outline is kept as it is given. Python owns the loop; each call does one step.
+!> system. Pressure on the outline is fixed. Python owns the loop; each call makes one step.
 !>
 !> A kind of contact adds its deflection K p, its flow and the approximate solve that precedes the exact Jacobian in
 !> GMRES. Fields have shape (nx, ny); a line contact's have ny = 1.
@@ -22,16 +22,16 @@ module film_newton
   implicit none(type, external)
   private
 
-  public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, store, film_residual, film_step
+  public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, set_transient_term, film_residual, film_step
   public :: set_system, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
 
-  !> Shortest step tried along a Newton direction.
+  !> Least damping factor of a Newton step.
   real(wp), parameter :: shortest_step = 1.0_wp/64
-  !> Growth of the residual that a step may bring: the rupture line's moves raise it for a step or two.
+  !> Largest growth of the residual by a step: a moving rupture line raises it for a step or two.
   real(wp), parameter :: most_growth = 2
 
-  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its solves; all of it,
-  !> by the caller.
+  !> Work on a contact: convolutions, fields and flows, building the preconditioner, its solves; `whole` is
+  !> timed by the caller.
   type :: film_work
     type(work_tally) :: convolution, flow, building, cycle, whole
   end type film_work
@@ -39,23 +39,23 @@ module film_newton
   type, abstract, extends(linear_system) :: film_contact
     type(oil_law) :: oil
     type(film_fields) :: fields
-    !> The flow across the film where the oil is not Newtonian or not of one temperature.
+    !> Flow through a film that is not Newtonian or not isothermal.
     type(sheared_film), allocatable :: shear
     !> Spacing along x and y [m]; that of a line contact along y is 1, so that cells count for each length.
     real(wp) :: spacing(2) = 0
     !> Undeformed gap [m]; true where both surfaces exist and pressure is no boundary value.
     real(wp), allocatable :: gap(:, :)
     logical, allocatable :: covered(:, :)
-    !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility falls no further.
+    !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility is constant.
     real(wp) :: load = 0, floor = 0
-    !> Summed wedge flow of the undeformed gap [m/s], by which residuals are measured, and what brings the
-    !> load's row to the size of the others.
+    !> Summed wedge flow of the undeformed gap [m/s], the reference of residuals, and the scale of the load's
+    !> row.
     real(wp) :: wedge = 0, load_weight = 0
     !> True where pressure is free in the present step.
     logical, allocatable :: free(:, :)
     !> Net outflow per area [m/s].
     real(wp), allocatable :: imbalance(:, :)
-    !> Response of pressure to a rise of the rigid film, by the preconditioner, and its load.
+    !> Response of the pressure to a unit rise of the rigid film, by the preconditioner, and its load.
     real(wp), allocatable :: softness(:, :)
     real(wp) :: softness_load = 0
     !> Scratch of one field; the Newton step's right-hand side, then the pressure and rigid film it starts
@@ -70,7 +70,7 @@ module film_newton
     procedure(derivative), deferred :: imbalance_change
     procedure(solve), deferred :: relax
     procedure(wedge_flow), deferred :: wedge_flow
-    procedure(storage), deferred :: set_storage
+    procedure(transient_setter), deferred :: set_transient
     procedure :: multiply
     procedure :: precondition
   end type film_contact
@@ -85,14 +85,14 @@ module film_newton
       real(wp), contiguous, target, intent(out) :: w(:, :)
     end subroutine of_pressure
 
-    !> Oil, flow and imbalance at the pressure and film that the fields hold.
+    !> Evaluates oil, flow and imbalance at the pressure and film of the fields.
     subroutine of_film(self)
       import :: film_contact
       implicit none(type, external)
       class(film_contact), intent(inout) :: self
     end subroutine of_film
 
-    !> Jacobian and preconditioner at the flow that was last set, with pressure free where it is.
+    !> Builds the Jacobian and the preconditioner at the flow last set.
     subroutine linearisation(self, stat)
       import :: film_contact
       implicit none(type, external)
@@ -100,7 +100,7 @@ module film_newton
       integer, intent(out) :: stat
     end subroutine linearisation
 
-    !> Change of the imbalance for a small change of pressure and film.
+    !> Computes the change of the imbalance by a small change of pressure and film.
     subroutine derivative(self, dp, dh, change)
       import :: film_contact, wp
       implicit none(type, external)
@@ -109,7 +109,7 @@ module film_newton
       real(wp), contiguous, intent(out) :: change(:, :)
     end subroutine derivative
 
-    !> Change of pressure that approximately makes a change r of the imbalance, at a given rigid film.
+    !> Solves approximately for the change of pressure by a change r of the imbalance, at a given rigid film.
     subroutine solve(self, r, dp)
       import :: film_contact, wp
       implicit none(type, external)
@@ -118,25 +118,25 @@ module film_newton
       real(wp), contiguous, target, intent(out) :: dp(:, :)
     end subroutine solve
 
-    !> Sum of |um . grad g| and of what the gap g stores over the inner nodes [m/s].
+    !> Sums |um . grad g| and the transient term of the gap g over the inner nodes [m/s].
     pure real(wp) function wedge_flow(self)
       import :: film_contact, wp
       implicit none(type, external)
       class(film_contact), intent(in) :: self
     end function wedge_flow
 
-    !> Change of the oil stored: `renewal` [1/s] times rho h, and `squeeze` [m/s].
-    subroutine storage(self, renewal, squeeze)
+    !> Sets d(rho h)/dt = `implicit_rate` [1/s] rho h + `explicit_rate` [m/s].
+    subroutine transient_setter(self, implicit_rate, explicit_rate)
       import :: film_contact, wp
       implicit none(type, external)
       class(film_contact), intent(inout) :: self
-      real(wp), intent(in) :: renewal, squeeze(:, :)
-    end subroutine storage
+      real(wp), intent(in) :: implicit_rate, explicit_rate(:, :)
+    end subroutine transient_setter
   end interface
 
 contains
 
-  !> Whether a contact of this gap [m], nodal speed of entrainment [m/s], load, floor and oil makes sense.
+  !> Checks gap [m], nodal speed of entrainment [m/s], load, floor and oil of a contact.
   pure integer function film_status(gap, speed, load, floor, oil)
     real(wp), intent(in) :: gap(:, :), speed(:, :), load, floor
     type(oil_law), intent(in) :: oil
@@ -148,8 +148,8 @@ contains
     if (all(speed <= huge(1.0_wp))) film_status = status_ok
   end function film_status
 
-  !> What all contacts hold, of at most `most_krylov` Krylov iterations in one Newton step. The outline is left
-  !> to the caller to take out of `covered`.
+  !> Makes the base of a contact, with at most `most_krylov` Krylov iterations in a Newton step. The caller removes
+  !> the outline from `covered`.
   subroutine new_film_contact(self, gap, covered, dx, dy, oil, load, floor, most_krylov, stat)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: gap(:, :)
@@ -189,7 +189,7 @@ contains
     last_row = max(size(self%gap, 2) - 1, 1)
   end function last_row
 
-  !> Wedge flow and weight of the load's row.
+  !> Sets the summed wedge flow and the scale of the load's row.
   subroutine weigh_load(self)
     class(film_contact), intent(inout) :: self
 
@@ -197,22 +197,22 @@ contains
     self%load_weight = self%wedge/self%load/sqrt(real(size(self%gap), wp))
   end subroutine weigh_load
 
-  !> Lets the oil that the film stores change by `renewal` [1/s] times rho h, and by `squeeze` [m/s].
-  subroutine store(self, renewal, squeeze, stat)
+  !> Sets the transient term d(rho h)/dt = `implicit_rate` [1/s] rho h + `explicit_rate` [m/s], after checks.
+  subroutine set_transient_term(self, implicit_rate, explicit_rate, stat)
     class(film_contact), intent(inout) :: self
-    real(wp), intent(in) :: renewal, squeeze(:, :)
+    real(wp), intent(in) :: implicit_rate, explicit_rate(:, :)
     integer, intent(out) :: stat
 
     stat = status_bad_argument
-    if (any(shape(squeeze) /= shape(self%gap))) return
+    if (any(shape(explicit_rate) /= shape(self%gap))) return
     stat = status_not_finite
-    if (.not. (abs(renewal) <= huge(1.0_wp) .and. all(abs(squeeze) <= huge(1.0_wp)))) return
+    if (.not. (abs(implicit_rate) <= huge(1.0_wp) .and. all(abs(explicit_rate) <= huge(1.0_wp)))) return
     stat = status_ok
-    call self%set_storage(renewal, squeeze)
+    call self%set_transient(implicit_rate, explicit_rate)
     call weigh_load(self)
-  end subroutine store
+  end subroutine set_transient_term
 
-  !> Gives the oil a flow law, in place of any it has, and `levels` levels across the film, all at the inlet temperature.
+  !> Sets the flow law of the oil and `levels` levels across the film, all at the inlet temperature.
   !>
   !> `sliding` is the nodal velocity of body 2 relative to body 1 [m/s].
   subroutine shear_contact(self, law, levels, sliding_x, sliding_y, stat)
@@ -239,8 +239,8 @@ contains
 
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
   !>
-  !> `residual` is the imbalance that complementarity leaves, summed, over the summed wedge flow; `load_error`
-  !> is the missing load over the load.
+  !> `residual` is the summed residual of complementarity over the summed wedge flow; `load_error` is the missing
+  !> load over the load.
   subroutine film_residual(self, p, h0, residual, load_error)
     class(film_contact), intent(inout) :: self
     real(wp), contiguous, intent(in) :: p(:, :)
@@ -251,7 +251,7 @@ contains
     call film_balance(self, residual, load_error)
   end subroutine film_residual
 
-  !> The film at pressure p [Pa] and rigid film h0 [m]; what flows is not known before `film_balance`.
+  !> Sets the film at pressure p [Pa] and rigid film h0 [m]; `film_balance` evaluates its flow.
   subroutine set_film(self, p, h0)
     class(film_contact), intent(inout) :: self
     real(wp), contiguous, intent(in) :: p(:, :)
@@ -268,7 +268,7 @@ contains
     end do
   end subroutine set_film
 
-  !> Flow and imbalance at the pressure and film that are held; for the arguments see `film_residual`.
+  !> Evaluates flow and imbalance at the present pressure and film; arguments as of `film_residual`.
   subroutine film_balance(self, residual, load_error)
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
@@ -283,14 +283,14 @@ contains
         self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
       end do
       residual = total(self%dh)/self%wedge
-      ! a film with a stress that was not found is not to count as one that flows by its law
+      ! a film whose stress did not converge must not count as solved
       if (allocated(self%shear)) residual = residual + sum(self%shear%strips%unsolved)
       load_error = 1 - total(p)*self%spacing(1)*self%spacing(2)/self%load
     end associate
     call self%work%flow%finish()
   end subroutine film_balance
 
-  !> One Newton step from (p, h0), about which `film_residual` was last evaluated; both are replaced.
+  !> Makes one Newton step from (p, h0), at which `film_residual` was last evaluated; both are replaced.
   !>
   !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
   !> `step` is the damping factor, the fraction of the Newton step taken; at 0 the state is unchanged.
@@ -393,7 +393,7 @@ contains
     end do
   end subroutine search_step
 
-  !> Jacobian and preconditioner, its border included, at the film last evaluated.
+  !> Builds Jacobian and preconditioner, with its border, at the film last evaluated.
   subroutine set_system(self, stat)
     class(film_contact), intent(inout) :: self
     integer, intent(out) :: stat
@@ -404,7 +404,7 @@ contains
     if (stat == status_ok) call set_softness(self)
   end subroutine set_system
 
-  !> Pressure by which the preconditioner answers a unit rise of the rigid film.
+  !> Computes the response of the preconditioner to a unit rise of the rigid film.
   subroutine set_softness(self)
     class(film_contact), target, intent(inout) :: self
     real(wp), contiguous, pointer :: start(:, :)
@@ -420,7 +420,7 @@ contains
     self%softness_load = total(self%softness)
   end subroutine set_softness
 
-  !> The Jacobian: (change of pressure, of h0) to (change of imbalance, of load).
+  !> Multiplies by the Jacobian: (change of pressure, of h0) to (change of imbalance, of load).
   subroutine multiply(self, x, y)
     class(film_contact), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)
@@ -448,7 +448,7 @@ contains
     y(n + 1) = total(dp)*self%spacing(1)*self%spacing(2)*self%load_weight
   end subroutine multiply
 
-  !> Bordered approximate solve: the kind's own for the pressure, with h0 such that the load comes out.
+  !> Solves the bordered system approximately: `relax` for the pressure, with h0 such that the load is met.
   subroutine precondition(self, x, y)
     class(film_contact), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)

@@ -15,7 +15,7 @@ module line_film
 
   public :: line_contact, new_line_contact
 
-  !> Most Krylov iterations in one Newton step.
+  !> Largest number of Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 60
 
   type, extends(film_contact) :: line_contact
@@ -32,12 +32,12 @@ module line_film
     procedure :: imbalance_change
     procedure :: relax
     procedure :: wedge_flow
-    procedure :: set_storage
+    procedure :: set_transient
   end type line_contact
 
 contains
 
-  !> A line contact on a grid of n points, in a steady state; `u` is nodal entrainment [m/s].
+  !> Makes a steady line contact on a grid of n points; `u` is nodal entrainment [m/s].
   subroutine new_line_contact(self, gap, covered, u, dx, reduced_modulus, oil, load, floor, stat)
     type(line_contact), intent(inout) :: self
     real(wp), intent(in) :: gap(:), u(:)
@@ -56,7 +56,7 @@ contains
 
     self%covered([1, n], 1) = .false.
     self%grid = line_grid(n, dx, (u(:n - 1) + u(2:))/2)
-    allocate (self%grid%squeeze(n), source=0.0_wp)
+    allocate (self%grid%explicit_rate(n), source=0.0_wp)
     call weigh_load(self)
     call new_line_flow(n, self%flow, stat)
     if (stat /= status_ok) return
@@ -64,7 +64,7 @@ contains
     if (err /= 0) stat = status_no_memory
   end subroutine new_line_contact
 
-  !> Elastic deflection w [m] under pressure p [Pa].
+  !> Computes the elastic deflection w [m] under pressure p [Pa].
   subroutine deflection(self, p, w)
     class(line_contact), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: p(:, :)
@@ -73,7 +73,7 @@ contains
     call self%plane%deflection(p(:, 1), w(:, 1))
   end subroutine deflection
 
-  !> Oil, flow and imbalance at the pressure and film that the fields hold.
+  !> Evaluates oil, flow and imbalance at the pressure and film of the fields.
   subroutine set_flow(self)
     class(line_contact), intent(inout) :: self
 
@@ -86,7 +86,7 @@ contains
     call line_imbalance(self%grid, self%fields, self%flow, self%imbalance(:, 1))
   end subroutine set_flow
 
-  !> Bands of the Jacobian, and its preconditioner, at the flow last set.
+  !> Builds the bands of the Jacobian and its preconditioner at the flow last set.
   subroutine linearise(self, stat)
     class(line_contact), intent(inout) :: self
     integer, intent(out) :: stat
@@ -95,7 +95,7 @@ contains
     call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat)
   end subroutine linearise
 
-  !> Change of the imbalance for a small change of pressure and film.
+  !> Computes the change of the imbalance by a small change of pressure and film.
   subroutine imbalance_change(self, dp, dh, change)
     class(line_contact), intent(inout) :: self
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
@@ -104,7 +104,7 @@ contains
     change(:, 1) = band_product(self%by_pressure, dp(:, 1)) + band_product(self%by_film, dh(:, 1))
   end subroutine imbalance_change
 
-  !> The band model's solve for the pressure.
+  !> Solves the band model for the pressure.
   subroutine relax(self, r, dp)
     class(line_contact), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: r(:, :)
@@ -114,23 +114,23 @@ contains
     call self%model%solve(dp(:, 1))
   end subroutine relax
 
-  !> Sum of |um dg/dx| and of what the gap g stores over the inner nodes [m/s].
+  !> Sums |um dg/dx| and the transient term of the gap g over the inner nodes [m/s].
   pure real(wp) function wedge_flow(self)
     class(line_contact), intent(in) :: self
     integer :: n
 
     n = self%grid%n
     wedge_flow = sum(abs(self%grid%u(2:)*(self%gap(3:, 1) - self%gap(:n - 2, 1))/(2*self%grid%dx)) &
-      + abs(self%grid%renewal*self%gap(2:n - 1, 1) + self%grid%squeeze(2:n - 1)))
+      + abs(self%grid%implicit_rate*self%gap(2:n - 1, 1) + self%grid%explicit_rate(2:n - 1)))
   end function wedge_flow
 
-  !> Change of the oil stored: `renewal` [1/s] times rho h, and `squeeze` [m/s].
-  subroutine set_storage(self, renewal, squeeze)
+  !> Sets d(rho h)/dt = `implicit_rate` [1/s] rho h + `explicit_rate` [m/s].
+  subroutine set_transient(self, implicit_rate, explicit_rate)
     class(line_contact), intent(inout) :: self
-    real(wp), intent(in) :: renewal, squeeze(:, :)
+    real(wp), intent(in) :: implicit_rate, explicit_rate(:, :)
 
-    self%grid%renewal = renewal
-    self%grid%squeeze = squeeze(:, 1)
-  end subroutine set_storage
+    self%grid%implicit_rate = implicit_rate
+    self%grid%explicit_rate = explicit_rate(:, 1)
+  end subroutine set_transient
 
 end module line_film

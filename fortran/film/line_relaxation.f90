@@ -1,7 +1,7 @@
-!> Gauss-Seidel by lines: every line of a field is solved at once against its two neighbours.
+!> Line Gauss-Seidel: each line of a field is solved as a whole with its two neighbours fixed.
 !>
-!> Each tridiagonal system is factored beforehand from both ends towards its middle, so that a line runs
-!> two independent recurrences side by side and divides nowhere. Of the matrix only what couples lines is kept.
+!> Each tridiagonal system is factored beforehand from both ends towards its middle, so that a line has
+!> two independent recurrences and no divisions. Of the matrix only the couplings between lines are stored.
 module line_relaxation
   use kinds, only: pp
   use status, only: status_ok, status_no_memory
@@ -10,10 +10,10 @@ module line_relaxation
 
   public :: line_systems, new_line_systems, factor_line, relax_line, relax_first
 
-  !> The lines of a field, which run along its first index; (length, count). Points of the outline are never
-  !> touched.
+  !> The lines of a field, which run along its first index; (length, count). Points of the outline are
+  !> unchanged.
   type :: line_systems
-    !> What couples a point to the lines before and after.
+    !> Couplings of a point to the lines before and after.
     real(pp), allocatable :: before(:, :), after(:, :)
     !> Factors: reciprocal pivot, coupling to the point eliminated before, coupling to that solved before.
     real(pp), allocatable :: pivot(:, :), outward(:, :), inward(:, :)
@@ -23,7 +23,7 @@ module line_relaxation
 
 contains
 
-  !> Space for `count` lines of `length` points.
+  !> Allocates `count` lines of `length` points.
   subroutine new_line_systems(length, count, self, stat)
     integer, intent(in) :: length, count
     type(line_systems), intent(out) :: self
@@ -37,8 +37,8 @@ contains
 
   !> Factors line j from its coefficients; where `free` is 0 its solution will be zero, else `free` is 1.
   !>
-  !> It will be zero too where elimination leaves nothing of the diagonal, as of two points whose film lets
-  !> nothing through to any other: no pressure of theirs balances what flows in.
+  !> It is zero too where the diagonal vanishes in the elimination, as for two points without flow to any other: no
+  !> pressure there balances the inflow.
   pure subroutine factor_line(self, j, centre, left, right, free)
     type(line_systems), intent(inout) :: self
     integer, intent(in) :: j
@@ -58,7 +58,7 @@ contains
         outward(i) = right(i)*pivot(i)
         inward(i) = left(i)*pivot(i)
       end do
-      ! two such points where both recurrences meet: one is solved without the other
+      ! two such points where both recurrences meet are solved independently
       if (.not. abs(1 - inward(middle)*inward(middle + 1)) > epsilon(1.0_pp)) inward(middle + 1) = 0
     end associate
   end subroutine factor_line
@@ -85,8 +85,8 @@ contains
     call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
   end subroutine relax_line
 
-  !> The same in the first sweep from zero: only the neighbour met before, the line before when `rising`,
-  !> counts.
+  !> Solves line j in the first sweep from zero, with the neighbour already solved only: the line before when
+  !> `rising`.
   pure subroutine relax_first(self, j, rising, f, x)
     type(line_systems), intent(inout) :: self
     integer, intent(in) :: j
@@ -107,7 +107,7 @@ contains
     call substitute(self%outward(:, j), self%inward(:, j), self%work, x(:, j))
   end subroutine relax_first
 
-  !> Solves a factored line whose right-hand side g is already divided by the pivots; g is used up.
+  !> Solves a factored line whose right-hand side g is already divided by the pivots; g is overwritten.
   pure subroutine substitute(outward, inward, g, x)
     real(pp), contiguous, intent(in) :: outward(:), inward(:)
     real(pp), contiguous, intent(inout) :: g(:), x(:)

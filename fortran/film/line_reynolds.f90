@@ -2,8 +2,8 @@
 !>
 !> The scheme is that of `reynolds` in one dimension: node-centred finite volumes, diffusive fluxes with the mean
 !> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. The Jacobian is
-!> written out as two bands, one to multiply the change of pressure and one to multiply that of the film. The flow by
-!> pressure may be another oil's (`line_shear`).
+!> assembled as two bands, one for the change of pressure and one for that of the film. The Poiseuille flow may be
+!> that of a sheared film (`line_shear`).
 module line_reynolds
   use kinds, only: wp
   use reynolds, only: film_fields
@@ -13,18 +13,18 @@ module line_reynolds
 
   public :: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, band_product
 
-  !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
+  !> Grid of the film: points, spacing [m], and kinematics [m/s].
   type :: line_grid
     integer :: n = 0
     real(wp) :: dx = 0
     !> Entrainment through the face after a node.
     real(wp), allocatable :: u(:)
-    !> How the oil that the film stores changes, as of `film_grid`: [1/s] and [m/s].
-    real(wp), allocatable :: squeeze(:)
-    real(wp) :: renewal = 0
+    !> Explicit [m/s] and implicit [1/s] part of the transient term, as of `film_grid`.
+    real(wp), allocatable :: explicit_rate(:)
+    real(wp) :: implicit_rate = 0
   end type line_grid
 
-  !> Flow by pressure through the face after each node, against its gradient [m2/s], and its derivatives by the pressure
+  !> Poiseuille flow through the face after each node, against the pressure gradient [m2/s], and its derivatives by the pressure
   !> of the node before and after [m2/(Pa s)] and by the film there [m/s].
   type :: line_flow
     real(wp), allocatable :: flow(:), before(:), after(:), film_before(:), film_after(:)
@@ -32,7 +32,7 @@ module line_reynolds
 
 contains
 
-  !> Space for the flow between n nodes.
+  !> Allocates the flow between n nodes.
   subroutine new_line_flow(n, faces, stat)
     integer, intent(in) :: n
     type(line_flow), intent(out) :: faces
@@ -44,7 +44,7 @@ contains
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_line_flow
 
-  !> Flow of a Newtonian oil of one temperature, of which `fields` holds the mobility.
+  !> Computes the flow of an isothermal Newtonian oil from the mobility in `fields`.
   pure subroutine newtonian_flow(grid, fields, faces)
     type(line_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
@@ -83,7 +83,7 @@ contains
     imbalance(1) = 0
     imbalance(grid%n) = 0
     do i = 2, grid%n - 1
-      imbalance(i) = (flux(i) - flux(i - 1))/grid%dx + grid%renewal*fields%rho(i, 1)*fields%h(i, 1) + grid%squeeze(i)
+      imbalance(i) = (flux(i) - flux(i - 1))/grid%dx + grid%implicit_rate*fields%rho(i, 1)*fields%h(i, 1) + grid%explicit_rate(i)
     end do
   end subroutine line_imbalance
 
@@ -116,15 +116,15 @@ contains
       by_pressure(i + 1, -2:1) = by_pressure(i + 1, -2:1) - p/grid%dx
       by_film(i + 1, -2:1) = by_film(i + 1, -2:1) - h/grid%dx
     end do
-    by_pressure(:, 0) = by_pressure(:, 0) + grid%renewal*fields%rho_p(:, 1)*fields%h(:, 1)
-    by_film(:, 0) = by_film(:, 0) + grid%renewal*fields%rho(:, 1)
+    by_pressure(:, 0) = by_pressure(:, 0) + grid%implicit_rate*fields%rho_p(:, 1)*fields%h(:, 1)
+    by_film(:, 0) = by_film(:, 0) + grid%implicit_rate*fields%rho(:, 1)
     do i = 1, grid%n, grid%n - 1
       by_pressure(i, :) = 0
       by_film(i, :) = 0
     end do
   end subroutine line_bands
 
-  !> Product of such a band with the changes at the nodes.
+  !> Multiplies such a band with the changes at the nodes.
   pure function band_product(band, change) result(product)
     real(wp), intent(in) :: band(:, -2:), change(:)
     real(wp) :: product(size(change))

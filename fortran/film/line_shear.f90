@@ -1,8 +1,8 @@
-!> Flow of a line contact's film under any flow law, and with a viscosity that varies across the film.
+!> Flow of a line contact's film with a flow law and a viscosity that varies across the film.
 !>
-!> The flow through a face is that of `sheared_reynolds`, taken on a grid of one row without gradient or sliding along
-!> it: the same oil at the nodes, the same means at the faces, the same exact derivatives. For a Newtonian oil of one
-!> temperature it is that of `line_reynolds` to rounding.
+!> The flow through a face is that of `sheared_reynolds`, on a grid of one row without gradient or sliding along
+!> it, with the same means at the faces and exact derivatives. For an isothermal Newtonian oil it is that of
+!> `line_reynolds` to rounding.
 module line_shear
   use kinds, only: wp
   use line_reynolds, only: line_grid, line_flow
@@ -17,9 +17,9 @@ module line_shear
 
 contains
 
-  !> Density at the nodes and flow through the faces at the pressure and film that `fields` already holds.
+  !> Computes density at the nodes and flow through the faces at the pressure and film of `fields`.
   !>
-  !> `film` is of one row. A film below `floor` [m] flows as one of the floor.
+  !> `film` is of one row. A film below `floor` [m] is replaced by the floor.
   subroutine sheared_flow(grid, oil, floor, film, fields, faces)
     type(line_grid), intent(in) :: grid
     type(oil_law), intent(in) :: oil
@@ -47,7 +47,7 @@ contains
     end associate
   end subroutine sheared_flow
 
-  !> Flow through the faces after the nodes first..last.
+  !> Computes the flow through the faces after the nodes first..last.
   subroutine flow_through_strip(grid, floor, first, last, fields, film)
     type(line_grid), intent(in) :: grid
     real(wp), intent(in) :: floor

@@ -1,15 +1,15 @@
 !> An approximate solve of the linearised Reynolds equation, by one multigrid V-cycle on a local model.
 !>
-!> The model keeps the five nearest points: diffusion as it is, first-order upwind wedge, and the deflection
-!> kernel cut down to a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the
+!> The model couples the five nearest points: exact diffusion, first-order upwind wedge, and the deflection kernel
+!> replaced by a multiple of its centre value. Line Gauss-Seidel smooths, its lines across the
 !> entrainment and swept downstream, so that the wedge of the model is solved exactly by a sweep; the
-!> coarsest grid is solved by band LU. The cycle preconditions the exact system and decides only how fast
-!> that converges, not to what: hence single precision.
+!> coarsest grid is solved by band LU. The cycle preconditions the exact system and affects only its rate of
+!> convergence; hence single precision.
 !>
 !> Fields of a level have the direction of the lines as their first index: (length, count). They are those of
-!> the film transposed if the entrainment runs, on the whole, along x.
+!> the film transposed if the entrainment is mainly along x.
 !>
-!> A cycle is bound by the memory it reads. Hence a sweep from zero leaves a residual that only the line
+!> A cycle is limited by memory traffic. Hence a sweep from zero leaves a residual that only the line
 !> after each adds to, which is restricted as it is computed; and the coarse grid's correction is added to a
 !> line just before its neighbour is solved against it, since a line's own old values are never read.
 module multigrid
@@ -32,27 +32,27 @@ module multigrid
     !> Points along a line and lines; spacing [m] along a line and between lines.
     integer :: length = 0, count = 0
     real(pp) :: d_along = 0, d_across = 0
-    !> Deflection [m/Pa] that stands for the kernel under a node's own pressure.
+    !> Deflection [m/Pa] under a node's pressure in place of the kernel.
     real(pp) :: compliance = 0
     !> Entrainment through the face after a node, along the line and towards the next line [m/s].
     real(pp), allocatable :: along(:, :), across(:, :)
     !> Mobility, pressure, and 1 where it is free to change, else 0.
     real(pp), allocatable :: m(:, :), p(:, :), free(:, :)
-    !> Mobility towards the next line where it is another than within a line.
+    !> Mobility towards the next line where it differs from that within a line.
     real(pp), allocatable :: m_across(:, :)
     type(line_systems) :: lines
-    !> Solution and right-hand side. While a level is built: what multiplies a pressure change in the change of
-    !> mobility and in that of rho h.
+    !> Solution and right-hand side. While a level is built: derivatives of mobility and of
+    !> rho h by pressure.
     real(pp), allocatable :: x(:, :), f(:, :)
   end type grid_level
 
   type :: film_multigrid
     !> Whether lines run along y, across an entrainment along x.
     logical :: transposed = .false.
-    !> Whether oil moves towards later lines, on the whole.
+    !> Whether oil mainly moves towards later lines.
     logical :: rising = .true.
-    !> Rate at which stored oil is renewed [1/s], as of `film_grid`.
-    real(pp) :: renewal = 0
+    !> Implicit part of the transient term [1/s], as of `film_grid`.
+    real(pp) :: implicit_rate = 0
     type(grid_level), allocatable :: level(:)
     !> Band LU factors of the coarsest grid.
     real(pp), allocatable :: band(:, :)
@@ -61,7 +61,7 @@ module multigrid
 
 contains
 
-  !> Levels of a grid; `centre` [m/Pa] is its kernel's centre value.
+  !> Makes the levels of a grid; `centre` [m/Pa] is its kernel's centre value.
   subroutine new_film_multigrid(grid, centre, self, stat)
     type(film_grid), intent(in) :: grid
     real(wp), intent(in) :: centre
@@ -99,7 +99,7 @@ contains
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_multigrid
 
-  !> Takes up the grid's entrainment. Lines stay as they were laid.
+  !> Sets the entrainment of all levels; the direction of lines is unchanged.
   subroutine set_entrainment(self, grid)
     type(film_multigrid), intent(inout) :: self
     type(film_grid), intent(in) :: grid
@@ -112,7 +112,7 @@ contains
     end do
   end subroutine set_entrainment
 
-  !> How often both directions can be halved.
+  !> Number of times that both directions can be halved.
   pure integer function coarsenings(length, count)
     integer, intent(in) :: length, count
     integer :: n, m
@@ -140,7 +140,7 @@ contains
     if (err == 0) call new_line_systems(n, m, level%lines, stat)
   end subroutine allocate_level
 
-  !> A film's field as the finest level has it.
+  !> Copies a film's field to the order of the finest level.
   subroutine orient(transposed, field, oriented)
     logical, intent(in) :: transposed
     real(wp), intent(in) :: field(:, :)
@@ -209,7 +209,7 @@ contains
     call factor_coarsest(self, stat)
   end subroutine set_film_multigrid
 
-  !> Mobility on every level, in one direction or in both.
+  !> Sets the mobility on every level, in one direction or in both.
   subroutine set_mobility(self, fields)
     type(film_multigrid), intent(inout) :: self
     type(film_fields), intent(in) :: fields
@@ -252,11 +252,11 @@ contains
       dm => self%level(l)%x, dq => self%level(l)%f)
       !$omp parallel do private(i, centre, left, right, before, after, leave, enter) schedule(static)
       do j = 2, level%count - 1
-        ! through the faces within the line: what a node's pressure drives out of it, and the next one's into it
+        ! through the faces within the line: outflow by a node's pressure, inflow by the next one's
         call face_flow(m(:n - 1, j), m(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
           dq(2:, j), level%along(:n - 1, j), 1/level%d_along, leave(:n - 1), enter(:n - 1))
         do i = 2, n - 1
-          centre(i) = self%renewal*dq(i, j) + leave(i) + enter(i - 1)
+          centre(i) = self%implicit_rate*dq(i, j) + leave(i) + enter(i - 1)
           right(i) = -free(i, j)*enter(i)*free(i + 1, j)
           left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
         end do
@@ -303,8 +303,8 @@ contains
     end do
   end subroutine set_band
 
-  !> Flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, less that by one at 2,
-  !> `enter`.
+  !> Computes the flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, and against it by
+  !> one at 2, `enter`.
   elemental subroutine face_flow(m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length, leave, enter)
     real(pp), intent(in) :: m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length
     real(pp), intent(out) :: leave, enter
@@ -331,7 +331,7 @@ contains
     stat = merge(status_ok, status_not_converged, info == 0)
   end subroutine factor_coarsest
 
-  !> x approximates the solution for the right-hand side f; zero where pressure is not free.
+  !> Approximates the solution x for the right-hand side f; x is zero where pressure is not free.
   subroutine film_cycle(self, f, x)
     type(film_multigrid), intent(inout) :: self
     real(wp), intent(in) :: f(:, :)
@@ -342,7 +342,7 @@ contains
     call orient_back(self%transposed, self%level(1)%x, x)
   end subroutine film_cycle
 
-  !> The inverse of `orient`.
+  !> Copies a field of the finest level to the order of the film.
   subroutine orient_back(transposed, oriented, field)
     logical, intent(in) :: transposed
     real(pp), intent(in) :: oriented(:, :)
@@ -395,7 +395,7 @@ contains
     end associate
   end subroutine cycle_from
 
-  !> Restricts by full weighting what a sweep from zero leaves: x of the line that follows by `step`, by its
+  !> Restricts the residual of a sweep from zero by full weighting: x of the line that follows by `step` times its
   !> coupling.
   subroutine restrict_rest(coupling, x, step, coarse)
     real(pp), contiguous, intent(in) :: coupling(:, :), x(:, :)
@@ -454,7 +454,7 @@ contains
     end associate
   end subroutine solve_coarsest
 
-  !> Full weighting at inner points; the outline keeps what it has.
+  !> Restricts by full weighting at inner points; the outline is unchanged.
   subroutine restrict(fine, coarse)
     real(pp), intent(in) :: fine(:, :)
     real(pp), intent(inout) :: coarse(:, :)

@@ -13,7 +13,7 @@ module point_film
 
   public :: point_contact, new_point_contact, entrain
 
-  !> Most Krylov iterations in one Newton step.
+  !> Largest number of Krylov iterations in one Newton step.
   integer, parameter :: most_krylov = 16
 
   type, extends(film_contact) :: point_contact
@@ -27,12 +27,12 @@ module point_film
     procedure :: imbalance_change
     procedure :: relax
     procedure :: wedge_flow
-    procedure :: set_storage
+    procedure :: set_transient
   end type point_contact
 
 contains
 
-  !> A point contact on a grid of (nx, ny) points, in a steady state; `u`, `v` are nodal entrainment [m/s].
+  !> Makes a steady point contact on a grid of (nx, ny) points; `u`, `v` are nodal entrainment [m/s].
   subroutine new_point_contact(self, gap, covered, u, v, dx, dy, reduced_modulus, oil, load, floor, stat)
     type(point_contact), intent(inout) :: self
     real(wp), intent(in) :: gap(:, :), u(:, :), v(:, :)
@@ -52,13 +52,13 @@ contains
     self%covered([1, nx], :) = .false.
     self%covered(:, [1, ny]) = .false.
     self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v))
-    allocate (self%grid%squeeze(nx, ny), source=0.0_wp)
+    allocate (self%grid%explicit_rate(nx, ny), source=0.0_wp)
     call weigh_load(self)
     call new_film_multigrid(self%grid, self%space%centre, self%cycles, stat)
   end subroutine new_point_contact
 
-  !> Changes the nodal entrainment of a point contact to (u, v) [m/s]. Residuals stay measured by the wedge flow of the
-  !> first one.
+  !> Sets the nodal entrainment of a point contact to (u, v) [m/s]. The reference of residuals remains the first wedge
+  !> flow.
   subroutine entrain(film, u, v)
     class(film_contact), intent(inout) :: film
     real(wp), intent(in) :: u(:, :), v(:, :)
@@ -87,7 +87,7 @@ contains
     mean = (a + eoshift(a, 1, dim=2))/2
   end function face_mean_y
 
-  !> Elastic deflection w [m] under pressure p [Pa].
+  !> Computes the elastic deflection w [m] under pressure p [Pa].
   subroutine deflection(self, p, w)
     class(point_contact), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: p(:, :)
@@ -96,7 +96,7 @@ contains
     call self%space%deflection(p, w)
   end subroutine deflection
 
-  !> Oil, flow and imbalance at the pressure and film that the fields hold.
+  !> Evaluates oil, flow and imbalance at the pressure and film of the fields.
   subroutine set_flow(self)
     class(point_contact), intent(inout) :: self
 
@@ -109,7 +109,7 @@ contains
     end if
   end subroutine set_flow
 
-  !> The preconditioner at the fields last set; the Jacobian needs nothing.
+  !> Builds the preconditioner at the fields last set; the Jacobian is applied without a matrix.
   subroutine linearise(self, stat)
     class(point_contact), intent(inout) :: self
     integer, intent(out) :: stat
@@ -117,7 +117,7 @@ contains
     call set_film_multigrid(self%cycles, self%fields, self%free, stat)
   end subroutine linearise
 
-  !> Change of the imbalance for a small change of pressure and film.
+  !> Computes the change of the imbalance by a small change of pressure and film.
   subroutine imbalance_change(self, dp, dh, change)
     class(point_contact), intent(inout) :: self
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
@@ -130,7 +130,7 @@ contains
     end if
   end subroutine imbalance_change
 
-  !> A multigrid cycle for the pressure.
+  !> Makes a multigrid cycle for the pressure.
   subroutine relax(self, r, dp)
     class(point_contact), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: r(:, :)
@@ -139,7 +139,7 @@ contains
     call film_cycle(self%cycles, r, dp)
   end subroutine relax
 
-  !> Sum of |um . grad g| and of what the gap g stores over the inner nodes [m/s].
+  !> Sums |um . grad g| and the transient term of the gap g over the inner nodes [m/s].
   pure real(wp) function wedge_flow(self)
     class(point_contact), intent(in) :: self
     integer :: i, j
@@ -150,20 +150,20 @@ contains
         do i = 2, grid%nx - 1
           wedge_flow = wedge_flow + abs(grid%u(i, j)*(gap(i + 1, j) - gap(i - 1, j))/(2*grid%dx) &
             + grid%v(i, j)*(gap(i, j + 1) - gap(i, j - 1))/(2*grid%dy)) &
-            + abs(grid%renewal*gap(i, j) + grid%squeeze(i, j))
+            + abs(grid%implicit_rate*gap(i, j) + grid%explicit_rate(i, j))
         end do
       end do
     end associate
   end function wedge_flow
 
-  !> Change of the oil stored: `renewal` [1/s] times rho h, and `squeeze` [m/s].
-  subroutine set_storage(self, renewal, squeeze)
+  !> Sets d(rho h)/dt = `implicit_rate` [1/s] rho h + `explicit_rate` [m/s].
+  subroutine set_transient(self, implicit_rate, explicit_rate)
     class(point_contact), intent(inout) :: self
-    real(wp), intent(in) :: renewal, squeeze(:, :)
+    real(wp), intent(in) :: implicit_rate, explicit_rate(:, :)
 
-    self%grid%renewal = renewal
-    self%grid%squeeze = squeeze
-    self%cycles%renewal = real(renewal, pp)
-  end subroutine set_storage
+    self%grid%implicit_rate = implicit_rate
+    self%grid%explicit_rate = explicit_rate
+    self%cycles%implicit_rate = real(implicit_rate, pp)
+  end subroutine set_transient
 
 end module point_film

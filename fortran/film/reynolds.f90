@@ -13,19 +13,19 @@ module reynolds
   public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
   public :: add_wedge
 
-  !> Rows done in one go: what is upwind of them is computed for them alone, and lies in the first caches.
+  !> Rows of a block, whose upwind rows are computed again and lie in the first caches.
   integer, parameter :: strip = 32
 
-  !> Where the film is: points, spacing [m], and the kinematics over it [m/s].
+  !> Grid of the film: points, spacing [m], and kinematics [m/s].
   type :: film_grid
     integer :: nx = 0, ny = 0
     real(wp) :: dx = 0, dy = 0
     !> Entrainment through the face after a node, along x and along y.
     real(wp), allocatable :: u(:, :), v(:, :)
-    !> How the oil that the film stores changes: d(rho h)/dt = renewal rho h + squeeze, [1/s] and [m/s]. A film
-    !> of which only the past is known has both, one whose rate is known has the latter.
-    real(wp), allocatable :: squeeze(:, :)
-    real(wp) :: renewal = 0
+    !> Transient term d(rho h)/dt = implicit_rate [1/s] rho h + explicit_rate [m/s]; the implicit part is zero where the
+    !> rate of change is given.
+    real(wp), allocatable :: explicit_rate(:, :)
+    real(wp) :: implicit_rate = 0
   end type film_grid
 
   !> Nodal fields at one pressure and film, with the derivatives that Newton's method needs.
@@ -36,13 +36,13 @@ module reynolds
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
-    !> Mobility along y where it is another than along x (`sheared_reynolds`).
+    !> Mobility along y where it differs from that along x (`sheared_reynolds`).
     real(wp), allocatable :: mobility_y(:, :)
   end type film_fields
 
 contains
 
-  !> Space for the fields of a grid.
+  !> Allocates the fields of a grid.
   subroutine new_film_fields(nx, ny, fields, stat)
     integer, intent(in) :: nx, ny
     type(film_fields), intent(out) :: fields
@@ -54,10 +54,10 @@ contains
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_fields
 
-  !> Fields at the pressure and film that `fields` already holds.
+  !> Evaluates the fields at their pressure and film.
   !>
-  !> A film below `floor` [m] keeps the mobility of the floor: coarse grids and Newton steps may pass through
-  !> films that are not positive.
+  !> A film below `floor` [m] has the mobility of the floor, since films on coarse grids and in Newton steps may be
+  !> negative.
   subroutine set_film_fields(oil, floor, fields)
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: floor
@@ -74,7 +74,7 @@ contains
     end do
   end subroutine set_film_fields
 
-  !> A row's mobility and its derivatives.
+  !> Computes a row's mobility and its derivatives.
   pure subroutine set_mobility(n, h, floor, rho, rho_p, eta, slope, m, m_p, m_h)
     integer, intent(in) :: n
     real(wp), dimension(n), intent(in) :: h, rho, rho_p, eta, slope
@@ -134,13 +134,13 @@ contains
     end do
   end subroutine add_wedge
 
-  !> The same for rows `first` to `last`.
+  !> Adds div(q um) for rows `first` to `last`.
   pure subroutine add_wedge_of_rows(grid, q, first, last, r)
     type(film_grid), intent(in) :: grid
     real(wp), contiguous, intent(in) :: q(:, :)
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: r(:, :)
-    real(wp) :: rows(grid%nx, 0:4), before(grid%nx), after(grid%nx), stored(grid%nx), flux(grid%nx)
+    real(wp) :: rows(grid%nx, 0:4), before(grid%nx), after(grid%nx), transient(grid%nx), flux(grid%nx)
     integer :: j, k
 
     do j = max(first - 2, 1), first + 1
@@ -151,20 +151,20 @@ contains
       k = min(j + 2, grid%ny)
       rows(:, mod(k, 5)) = q(:, k)
       call wedge_to_next_row(grid, j, rows, after)
-      stored = r(:, j)
-      call set_wedge(grid%nx, grid%dx, grid%u(:, j), q(:, j), before, after, stored, flux, r(:, j))
+      transient = r(:, j)
+      call set_wedge(grid%nx, grid%dx, grid%u(:, j), q(:, j), before, after, transient, flux, r(:, j))
       before = after
     end do
   end subroutine add_wedge_of_rows
 
-  !> Imbalance of rows `first` to `last`.
+  !> Computes the imbalance of rows `first` to `last`.
   pure subroutine imbalance_of_rows(grid, fields, first, last, imbalance)
     type(film_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: imbalance(:, :)
     !> rho h of row j at mod(j, 5); wedge flow to the row and to the next.
-    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx), stored(grid%nx), flux(grid%nx)
+    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx), transient(grid%nx), flux(grid%nx)
     integer :: j, k
 
     do j = max(first - 2, 1), first + 1
@@ -175,16 +175,16 @@ contains
       k = min(j + 2, grid%ny)
       mass(:, mod(k, 5)) = fields%rho(:, k)*fields%h(:, k)
       call wedge_to_next_row(grid, j, mass, after)
-      stored = grid%renewal*mass(:, mod(j, 5)) + grid%squeeze(:, j)
+      transient = grid%implicit_rate*mass(:, mod(j, 5)) + grid%explicit_rate(:, j)
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
-        stored, flux, imbalance(:, j))
+        transient, flux, imbalance(:, j))
       call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
         fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), imbalance(:, j))
       before = after
     end do
   end subroutine imbalance_of_rows
 
-  !> Change of the imbalance of rows `first` to `last`.
+  !> Computes the change of the imbalance of rows `first` to `last`.
   pure subroutine change_of_rows(grid, fields, dp, dh, first, last, change)
     type(film_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
@@ -193,7 +193,7 @@ contains
     real(wp), contiguous, intent(inout) :: change(:, :)
     !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the
     !> next.
-    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx), stored(grid%nx), &
+    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx), transient(grid%nx), &
       flux(grid%nx)
     integer :: j, k
 
@@ -210,9 +210,9 @@ contains
       k = j + 1
       mobility(:, mod(k, 3)) = fields%mobility_p(:, k)*dp(:, k) + fields%mobility_h(:, k)*dh(:, k)
       call wedge_to_next_row(grid, j, mass, after)
-      stored = grid%renewal*mass(:, mod(j, 5))
+      transient = grid%implicit_rate*mass(:, mod(j, 5))
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
-        stored, flux, change(:, j))
+        transient, flux, change(:, j))
       call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
         dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
       call add_diffusion(grid, mobility(:, mod(j - 1, 3)), mobility(:, mod(j, 3)), mobility(:, mod(j + 1, 3)), &
@@ -237,11 +237,11 @@ contains
     end do
   end subroutine add_diffusion
 
-  !> A row's r from what is stored in its cells and div(q um), with q upwind to second order; next to the
+  !> Sets a row's r to the transient term of its cells plus div(q um), with q upwind to second order; next to the
   !> outline q is the mean of a face's two nodes; `flux` is workspace.
-  pure subroutine set_wedge(nx, dx, u, q, before, after, stored, flux, r)
+  pure subroutine set_wedge(nx, dx, u, q, before, after, transient, flux, r)
     integer, intent(in) :: nx
-    real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), stored(nx)
+    real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), transient(nx)
     real(wp), intent(inout) :: flux(nx), r(nx)
     integer :: i
 
@@ -251,7 +251,7 @@ contains
       flux(i) = upwind(u(i), q(i - 1), q(i), q(i + 1), q(i + 2))
     end do
     do i = 2, nx - 1
-      r(i) = stored(i) + (flux(i) - flux(i - 1))*(1/dx) + after(i) - before(i)
+      r(i) = transient(i) + (flux(i) - flux(i - 1))*(1/dx) + after(i) - before(i)
     end do
   end subroutine set_wedge
 

@@ -1,4 +1,4 @@
-!> Flow factors D along and C across the sliding of a film whose shear stress is known (Sharif, Kong, Evans and Snidle 2001,
+!> Flow factors D along and C across the sliding of a film of known shear stress (Sharif, Kong, Evans and Snidle 2001,
 !> eqs 13a and 14a).
 module sharif_flow_factors
   use flow_laws, only: flow_law, thinning
@@ -12,13 +12,13 @@ module sharif_flow_factors
 
 contains
 
-  !> Flow factors [m3/(Pa s)] along the sliding, `factor_s`, and across it, `factor_r`, and the entrainment
-  !> [m/s] that viscosity varying across the film takes from the mean velocity of the bodies, (lag_s, lag_r),
-  !> such that the flow is (u - lag) h - factor dp along each direction (Sharif et al., eqs 13a to 16).
+  !> Flow factors [m3/(Pa s)] along the sliding, `factor_s`, and across it, `factor_r`, and the lag (lag_s, lag_r)
+  !> [m/s] of the entrainment behind the mean velocity of the bodies by viscosity varying across the film, such that
+  !> the flow is (u - lag) h - factor dp along each direction (Sharif et al., eqs 13a to 16).
   !> Direction s is (cosine, sine), that of the sliding or, without it, that of the pressure gradient.
   !>
-  !> The flows without one gradient are those at the same stress halfway, as the arguments in eqs 13a to 16
-  !> say.
+  !> The flows without one gradient are those at the same stress halfway, as in the arguments of eqs 13a to
+  !> 16.
   pure subroutine flow_factors(law, levels, strip, cosine, sine, factor_s, factor_r, lag_s, lag_r)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -61,8 +61,8 @@ contains
     integer, intent(in) :: i
     real(wp), intent(in) :: stress, drop, stress_across, drop_across
     real(wp), intent(out) :: factor, lag
-    !> Least drop, in stresses halfway, that a difference resolves; below it the factor is the one at that
-    !> drop.
+    !> Least drop, over the stress halfway, that a difference resolves; below it the factor at that drop is
+    !> taken.
     real(wp), parameter :: least_drop = 1e-4_wp
     real(wp) :: across(levels%count), with(levels%count), without(levels%count), weight(levels%count), resolved
     real(wp), dimension(levels%count) :: per_reference, per_limit, g, g_without, slope

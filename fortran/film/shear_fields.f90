@@ -1,4 +1,4 @@
-!> Shear of a film at the nodes: the flow across the film that faces have for the flow through them.
+!> Shear of a film at the nodes, by the model of the flow through the faces.
 module shear_fields
   use film_newton, only: film_contact, first_row, last_row
   use flow_laws, only: has_limit, slip_stress, stress_scales
@@ -30,7 +30,7 @@ module shear_fields
 
 contains
 
-  !> Shear of the inner nodes first..last of row j, from the stress that `shear` holds.
+  !> Computes the shear of the inner nodes first..last of row j, from the stress in `shear`.
   !>
   !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
   !> derivative of the fluidity by temperature [1/(Pa s K)].
@@ -58,7 +58,7 @@ contains
     end associate
   end subroutine shear_nodes
 
-  !> Shear of the columns of a strip that holds their film, gradient, sliding and the stress to start from.
+  !> Computes the shear of the columns of a strip from their film, gradient, sliding and initial stress.
   !>
   !> `rise` is the levels' temperature and `mean` that across the film, above the inlet's [K]; `softening` is the
   !> derivative of the fluidity by temperature [1/(Pa s K)].
@@ -75,7 +75,7 @@ contains
     do k = 1, nodes%levels%count
       mean(:m) = mean(:m) + nodes%levels%weight(k)*rise(:m, k)
     end do
-    ! derivatives by pressure are not asked for: they go where there is room
+    ! derivatives by pressure are unused: they are written to scratch
     call hot_fluidity(oil, p(:m), rise, shear%fluidity, shear%level_x, softening)
     softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
     call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), shear%step_x(:m), shear%limit(:m), &
@@ -85,9 +85,9 @@ contains
     shear%unsolved = shear%unsolved + failures
   end subroutine shear_columns
 
-  !> Reduces gradients that would let both walls slip to what the film bears. Through faces such a gradient drives oil
-  !> without end, so that no solution has any; between two faces it comes from a jump of pressure that the grid does not
-  !> resolve, as at an edge of rupture.
+  !> Limits gradients beyond which both walls slip. Through faces such a gradient has unbounded flow and no solution
+  !> has it; between two faces it comes from a jump of pressure that the grid does not resolve, as at an edge of
+  !> rupture.
   pure subroutine bear_gradient(shear)
     type(shear_strip), intent(inout) :: shear
     real(wp) :: fraction
@@ -100,7 +100,7 @@ contains
     end do
   end subroutine bear_gradient
 
-  !> Fields of a contact's shear; the flow factors, which cost more than all others, if wanted.
+  !> Computes the fields of a contact's shear; the flow factors, which cost more than all others, on request.
   subroutine nodal_shear(contact, factors_wanted, field, stat)
     class(film_contact), intent(in) :: contact
     logical, intent(in) :: factors_wanted

@@ -13,8 +13,8 @@ module shear_flow
 
 contains
 
-  !> Flow [m2/s] that shear takes from the entrainment, S = int z' f g tau dz': the film carries u h - S, with
-  !> u the mean velocity of the bodies (Sharif et al., eqs 10 and 11).
+  !> Flow deficit [m2/s] by shear, S = int z' f g tau dz': the film carries u h - S, with u the mean velocity of the
+  !> bodies (Sharif et al., eqs 10 and 11).
   pure subroutine flow_deficit(levels, strip, deficit_x, deficit_y)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip

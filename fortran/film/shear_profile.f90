@@ -12,7 +12,7 @@ module shear_profile
 contains
 
   !> Velocity (u, v) [m/s] of the oil at the levels, from that of body 1 (u1, v1); at the walls that of the
-  !> bodies, from which the oil next to them differs where it slips.
+  !> bodies, even where the oil next to them slips.
   pure subroutine film_velocity(law, levels, strip, u1, v1, u, v)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -51,7 +51,7 @@ contains
     v(:strip%points, n) = v1(:strip%points) + strip%vs(:strip%points)
   end subroutine film_velocity
 
-  !> Takes slip from the velocities across the film that a wall's rate of shear stands for.
+  !> Subtracts slip from the velocities across the film, where a wall's rate of shear includes it.
   pure subroutine take_slip(law, levels, strip, wall)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -68,8 +68,8 @@ contains
     end do
   end subroutine take_slip
 
-  !> Slip velocity [m/s] of point i at the wall whose level is given: what the rate there exceeds that at the
-  !> stress where slip begins. Its product with the wall's shear stress is heat [W/m2] that `film_heat` counts
+  !> Slip velocity [m/s] of point i at the wall whose level is given, by the excess of its rate over that at the
+  !> stress of slip. Its product with the wall's shear stress is heat [W/m2] that `film_heat` counts
   !> at that level.
   pure subroutine wall_slip(law, levels, strip, i, wall, slip_x, slip_y)
     type(flow_law), intent(in) :: law
@@ -113,8 +113,8 @@ contains
   !> at level k by that at level l, own(k) where k = l, less response_x(k) stress_x(l) + response_y(k)
   !> stress_y(l).
   !>
-  !> `own` [Pa2], `response` = 2 f (g + g' tau^2) tau [1/s], and `stress` [Pa2 s]: how much the stress halfway
-  !> sinks.
+  !> `own` [Pa2], `response` = 2 f (g + g' tau^2) tau [1/s], and `stress` [Pa2 s], the decrease of the
+  !> stress halfway.
   pure subroutine film_heat(levels, strip, heat, own, response_x, response_y, stress_x, stress_y)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip

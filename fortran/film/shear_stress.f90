@@ -8,7 +8,7 @@
 !>
 !>   A = int K dz',  B = int z' K dz',  C = int z'^2 K dz',  z' = h z.
 !>
-!> Points are worked on a strip at a time, so that loops run over points. Fluidity is held in all derivatives
+!> Points are solved a strip at a time, so that loops are over points. Fluidity is constant in all derivatives
 !> by film, gradient and stresses.
 module shear_stress
   use flow_laws, only: flow_law, law_newton, has_limit, slip_stress, thinning, stress_guess
@@ -20,19 +20,19 @@ module shear_stress
 
   public :: solve_shear, square_stress
 
-  !> Velocity that a film may lack, relative to the rates of shear summed over it, before the last Newton
-  !> step. Convergence is quadratic: stresses, flow and heat are then right to its square, their derivatives
-  !> to itself.
+  !> Missing velocity, relative to the summed rates of shear, before the last Newton step. Convergence is
+  !> quadratic: the errors of stresses, flow and heat are then of its square, those of their derivatives of its
+  !> first power.
   real(wp), parameter :: tolerance = 1e-5_wp
-  !> Newton steps of all points together, and then of each one that is left, with a line search.
+  !> Largest numbers of Newton steps of all points together, and then of each remaining one with a line search.
   integer, parameter :: steps_together = 8, steps_alone = 50, search_steps = 60
-  !> One point of so many may be left to be solved alone: a step of all costs about as much.
+  !> Fraction of points, one over this, that is solved one by one: a step of all points costs about as much.
   integer, parameter :: few = 16
 
 contains
 
-  !> Stress halfway, thinning and slip of a strip; `failures` counts the points where Newton's method did not
-  !> converge.
+  !> Solves for stress halfway, thinning and slip of a strip; `failures` counts the points where Newton's method did
+  !> not converge.
   pure subroutine solve_shear(law, levels, strip, failures)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -93,7 +93,7 @@ contains
     end associate
   end subroutine solve_newtonian
 
-  !> Where no stress is given: that of the film's mean fluidity without gradient.
+  !> Sets the initial stress where none is given, from the film's mean fluidity without gradient.
   pure subroutine guess_stress(law, levels, strip)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -112,7 +112,7 @@ contains
     end do
   end subroutine guess_stress
 
-  !> Thinning of some points, the velocity that the film lacks, A, the power of shear [W/m2], and int f g dz'
+  !> Computes thinning of some points, the missing velocity, A, the power of shear [W/m2], and int f g dz'
   !> [m/(Pa s)].
   pure subroutine sum_rates(law, levels, strip, first, last)
     type(flow_law), intent(in) :: law
@@ -151,7 +151,7 @@ contains
     square = (tau_x + z*film*px)**2 + (tau_y + z*film*py)**2
   end subroutine square_stress
 
-  !> What a level adds to the sums over the film.
+  !> Adds a level to the sums over the film.
   pure subroutine add_rate(count, z, weight, film, px, py, tau_x, tau_y, fluidity, g, slope, rest_x, rest_y, a_xx, a_xy, &
     a_yy, power, ease)
     integer, intent(in) :: count
@@ -192,8 +192,8 @@ contains
     end do
   end subroutine invert
 
-  !> Newton's step of some points, and by what the velocity they lack, squared, is too much for the step to be
-  !> the last.
+  !> Computes the Newton step of some points, and the excess of their squared missing velocity over that at which the
+  !> step is the last.
   pure subroutine newton_step(strip, first, last)
     type(shear_strip), intent(inout) :: strip
     integer, intent(in) :: first, last
@@ -210,8 +210,8 @@ contains
 
   !> Moves all points along their Newton steps.
   !>
-  !> A step much beyond the stresses met so far would overshoot where rates grow exponentially, and walls
-  !> approach the limiting stress, if there is one, in fractions of their distance to it (Sharif et al., text to
+  !> A step far beyond the present stresses is shortened, since rates grow exponentially, and walls approach the
+  !> limiting stress, if there is one, by fractions of their distance to it (Sharif et al., text to
   !> fig. 4).
   pure subroutine bounded_move(limited, strip)
     logical, intent(in) :: limited
@@ -234,10 +234,10 @@ contains
     end do
   end subroutine bounded_move
 
-  !> Newton's method with a line search, of a point whose sums and step are those at its stress.
+  !> Solves one point by Newton's method with a line search, from the sums and the step at its stress.
   !>
-  !> Along a path the slope of the potential is minus the path's direction times the lacking velocity: a move
-  !> is taken when the slope has shrunk to half, and one that has overshot is drawn back.
+  !> Along a path the slope of the potential is minus the path's direction times the missing velocity: a step is
+  !> accepted when the slope is halved, and shortened when it has overshot.
   pure subroutine solve_alone(law, levels, strip, i, converged)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
@@ -250,8 +250,8 @@ contains
 
     call find_centre(law, strip, i, centre, turns)
     if (turns .and. hypot(strip%rest_x(i), strip%rest_y(i)) > hypot(strip%us(i), strip%vs(i))) then
-      ! a wall slips too fast, from where Newton's steps are short: back to the middle of the circle, where a
-      ! film that can bear its gradient has both walls within
+      ! a wall slips too fast and Newton steps are short: return to the origin, where both walls of a film that
+      ! bears its gradient are below the limit
       strip%tau_x(i) = 0
       strip%tau_y(i) = 0
       call sum_rates(law, levels, strip, i, i)
@@ -297,15 +297,15 @@ contains
     strip%step_y(i) = 0
   end subroutine solve_alone
 
-  !> Stress halfway that leaves the more stressed wall without stress; `turns` if that wall is near slip,
-  !> where stresses can only move round it.
+  !> Finds the stress halfway at which the more stressed wall has no stress; `turns` if that wall is near slip, where
+  !> stresses can only rotate about it.
   pure subroutine find_centre(law, strip, i, centre, turns)
     type(flow_law), intent(in) :: law
     type(shear_strip), intent(in) :: strip
     integer, intent(in) :: i
     real(wp), intent(out) :: centre(2)
     logical, intent(out) :: turns
-    !> Fraction of the stress at slip that is near it.
+    !> Fraction of the stress at slip above which a wall is near slip.
     real(wp), parameter :: near = 0.9_wp
     real(wp) :: middle(2), half(2)
 
@@ -332,8 +332,8 @@ contains
     direction = along*radial + (radius + fraction*along)*across/radius*tangent
   end subroutine turn
 
-  !> Takes the last Newton step, with thinning to first order, by which the rates add up to the sliding. A is
-  !> summed anew: in the mobility of a film that slips it cancels against B and C to a few digits.
+  !> Makes the last Newton step, with thinning to first order, after which the rates add up to the sliding. A is
+  !> summed again, since in the mobility of a film that slips it cancels against B and C to a few digits.
   pure subroutine finish(levels, strip)
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(inout) :: strip
@@ -366,7 +366,7 @@ contains
     call invert(strip, 1, strip%points)
   end subroutine finish
 
-  !> Which walls are beyond the stress at slip.
+  !> Marks the walls beyond the stress at slip.
   pure subroutine find_slip(law, strip)
     type(flow_law), intent(in) :: law
     type(shear_strip), intent(inout) :: strip

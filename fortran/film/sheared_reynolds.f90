@@ -4,8 +4,8 @@
 !>
 !> (Sharif et al. 2001, eqs 10 and 11, in x and y instead of the frame of sliding). S is taken at the faces between
 !> nodes, with its exact derivatives by the pressure gradient (a full tensor), pressure and film. Fluidities of a
-!> face's two nodes are averaged by what else their mobility holds, rho h**3, so that for a Newtonian oil of one
-!> temperature the scheme is that of `reynolds` to rounding.
+!> face's two nodes are averaged with weights rho h**3, so that for an isothermal Newtonian oil the scheme is that
+!> of `reynolds` to rounding.
 module sheared_reynolds
   use gauss_lobatto, only: levels_across, new_levels
   use flow_laws, only: flow_law, hardens, stress_scales
@@ -28,7 +28,7 @@ module sheared_reynolds
 
   !> Flow rho S through the faces after the nodes in one direction, along their normal [m2/s], linearised.
   type :: face_flow
-    !> Stress at the middle of the film [Pa], from which the next evaluation starts.
+    !> Stress at the middle of the film [Pa], the initial guess of the next evaluation.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
     real(wp), allocatable :: flow(:, :)
     !> Derivatives by the pressure of the node before and after, by the pressure gradient along the face, and by
@@ -61,7 +61,7 @@ module sheared_reynolds
 
 contains
 
-  !> A film at its inlet temperature; `sliding` is the velocity of body 2 relative to body 1 at the nodes [m/s].
+  !> Makes a film at its inlet temperature; `sliding` is the velocity of body 2 relative to body 1 at the nodes [m/s].
   subroutine new_sheared_film(law, levels, sliding_x, sliding_y, self, stat)
     type(flow_law), intent(in) :: law
     integer, intent(in) :: levels
@@ -102,10 +102,10 @@ contains
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_face_flow
 
-  !> Fields and face flows at the pressure and film that `fields` already holds.
+  !> Evaluates fields and face flows at the pressure and film of `fields`.
   !>
   !> `fields` gets the density and, for the preconditioner, mobilities along x and y with derivatives. A film below
-  !> `floor` [m] flows as one of the floor.
+  !> `floor` [m] is replaced by the floor.
   subroutine set_sheared_fields(grid, oil, floor, film, fields)
     type(film_grid), intent(in) :: grid
     type(oil_law), intent(in) :: oil
@@ -130,7 +130,7 @@ contains
     end do
   end subroutine set_sheared_fields
 
-  !> Oil at the nodes first..last of row j.
+  !> Evaluates the oil at the nodes first..last of row j.
   subroutine set_oil(oil, first, last, j, nodes, fields)
     type(oil_law), intent(in) :: oil
     integer, intent(in) :: first, last, j
@@ -155,7 +155,7 @@ contains
     end associate
   end subroutine set_oil
 
-  !> Faces of row j, from each node to the next.
+  !> Evaluates the faces of row j, from each node to the next.
   subroutine flow_within_row(grid, floor, j, fields, film)
     type(film_grid), intent(in) :: grid
     real(wp), intent(in) :: floor
@@ -178,7 +178,7 @@ contains
     end do
   end subroutine flow_within_row
 
-  !> Faces from the nodes of row j to those of the next.
+  !> Evaluates the faces from the nodes of row j to those of the next.
   subroutine flow_between_rows(grid, floor, j, fields, film)
     type(film_grid), intent(in) :: grid
     real(wp), intent(in) :: floor
@@ -201,7 +201,7 @@ contains
     end do
   end subroutine flow_between_rows
 
-  !> Flow through the faces between nodes first..last of row j and those (di, dj) further on, linearised.
+  !> Computes the linearised flow through the faces between nodes first..last of row j and those (di, dj) further on.
   !>
   !> `normal` and `aside` are the pressure gradient through the faces and along them [Pa/m].
   subroutine flow_through(nodes, fields, floor, first, last, j, di, dj, per_length, normal, aside, work, faces)
@@ -278,7 +278,7 @@ contains
       end do
       by_weight(:m) = rho(:m)*by_weight(:m)*weight(:m)*(1 - weight(:m))
 
-      ! density, weights and fluidities follow the pressure of each node, the stresses of the flow law that of both
+      ! density, weights and fluidities depend on the pressure of each node, the stresses of the flow law on both
       by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_weight(:m)*rho1_p/rho1 + rho(:m)*(weight(:m)*by_fluidity1(:m) &
         + (onset_x(:m)*nodes%onset_p(first:last, j) + limit_x(:m)*nodes%limit_p(first:last, j))/2)
       by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_weight(:m)*rho2_p/rho2 + rho(:m)*((1 - weight(:m))*by_fluidity2(:m) &
@@ -297,8 +297,8 @@ contains
     end associate
   end subroutine flow_through
 
-  !> Mobilities about the nodes of row j, for the preconditioner: mean tangents of the faces, and the slopes by
-  !> pressure and film that fit their flows best.
+  !> Computes the preconditioner's mobilities about the nodes of row j: mean tangents of the faces, and the
+  !> least-squares slopes of their flows by pressure and film.
   subroutine set_mobility(grid, j, film, fields)
     type(film_grid), intent(in) :: grid
     integer, intent(in) :: j
@@ -337,7 +337,7 @@ contains
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
       film%mass(:, j) = fields%rho(:, j)*fields%h(:, j)
-      imbalance(:, j) = grid%renewal*film%mass(:, j) + grid%squeeze(:, j)
+      imbalance(:, j) = grid%implicit_rate*film%mass(:, j) + grid%explicit_rate(:, j)
     end do
     call add_wedge(grid, film%mass, imbalance)
     call take_inflow(grid, film%along_x%flow, film%along_y%flow, imbalance)
@@ -355,7 +355,7 @@ contains
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
       film%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
-      change(:, j) = grid%renewal*film%mass(:, j)
+      change(:, j) = grid%implicit_rate*film%mass(:, j)
     end do
     call add_wedge(grid, film%mass, change)
     associate (x => film%along_x, y => film%along_y, slope_x => 1/(4*grid%dx), slope_y => 1/(4*grid%dy))
@@ -380,7 +380,7 @@ contains
 
   contains
 
-    !> Change of the flow from the nodes of row j to those of the next.
+    !> Computes the change of the flow from the nodes of row j to those of the next.
     pure subroutine change_between(j, flow)
       integer, intent(in) :: j
       real(wp), intent(out) :: flow(:)
@@ -400,7 +400,7 @@ contains
 
   end subroutine sheared_imbalance_change
 
-  !> Takes off the net inflow of the flows through faces after the nodes, along x and along y.
+  !> Subtracts the net inflow through the faces after the nodes, along x and along y.
   subroutine take_inflow(grid, along_x, along_y, r)
     type(film_grid), intent(in) :: grid
     real(wp), contiguous, intent(in) :: along_x(:, :), along_y(:, :)

@@ -1,5 +1,4 @@
-!> Points of a film with their levels, on which the flow across the film is worked, a strip at a time so that loops run over
-!> points.
+!> Points of a film with their levels, for the flow across the film; strips of points, so that loops are over points.
 module strip_of_points
   use kinds, only: wp
   use status, only: status_ok, status_no_memory
@@ -13,14 +12,14 @@ module strip_of_points
 
   !> Points of a film, and its levels as second index.
   type :: shear_strip
-    !> Points in use, at most as many as there is space for.
+    !> Number of points in use.
     integer :: points = 0
-    !> Points whose stress was not found, counted by the callers, who also begin anew.
+    !> Number of points whose stress did not converge; counted and reset by the callers.
     integer :: unsolved = 0
-    !> To be set: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and
+    !> Input: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and
     !> limiting stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
     real(wp), allocatable :: film(:), px(:), py(:), us(:), vs(:), reference(:), limit(:), fluidity(:, :)
-    !> Stress halfway [Pa]: a guess, or zero for none, and then the solution.
+    !> Stress halfway [Pa]: the initial guess, or zero for none, then the solution.
     real(wp), allocatable :: tau_x(:), tau_y(:)
     !> Where the film slips: 0, slip_at_body_1, slip_at_body_2, or their sum.
     integer, allocatable :: slip(:)
@@ -28,9 +27,9 @@ module strip_of_points
     real(wp), allocatable :: g(:, :), g_slope(:, :)
     !> Inverse of the kinematic matrix A [Pa s/m].
     real(wp), allocatable :: inverse_xx(:), inverse_xy(:), inverse_yy(:)
-    !> B A^-1 [m], how the flow follows the lacking velocity; set by `flow_change`.
+    !> B A^-1 [m], derivative of the flow by the missing velocity; set by `flow_change`.
     real(wp), allocatable :: arm_xx(:), arm_xy(:), arm_yx(:), arm_yy(:)
-    !> For the callers' use: fields of the levels.
+    !> Fields of the levels for the callers.
     real(wp), allocatable :: level_x(:, :), level_y(:, :)
     !> Scratch: reciprocal squares of the law's stresses, squares of the stress, sums over the film, a step.
     real(wp), allocatable :: per_reference(:), per_limit(:), square(:), rest_x(:), rest_y(:), power(:), ease(:), a_xx(:), a_xy(:), &
@@ -39,7 +38,7 @@ module strip_of_points
 
 contains
 
-  !> Space for strips of up to `points` points with `levels` levels.
+  !> Allocates a strip of up to `points` points with `levels` levels.
   subroutine new_shear_strip(points, levels, strip, stat)
     integer, intent(in) :: points, levels
     type(shear_strip), intent(out) :: strip

@@ -13,10 +13,10 @@ module conducting_body
 
 contains
 
-  !> The model that errs less; where paths turn back within the window, that of one velocity.
+  !> Makes the model of the smaller error; where paths turn back within the window, that of uniform velocity.
   !>
-  !> The surface moves with (u, v) [m/s] at the nodes; heat enters where `heat` (of any unit) says, over a contact of
-  !> the semi-axes `semi` [m]. `error` is the model's, in fractions of the greatest rise (`conduction_model`).
+  !> The surface moves with (u, v) [m/s] at the nodes; `heat` is proportional to the heat flux, over a contact of the
+  !> semi-axes `semi` [m]. `error` is that of the model, over the greatest rise (`conduction_model`).
   subroutine new_conducting_body(u, v, heat, semi, dx, dy, conductivity, capacity, body, error, stat)
     real(wp), contiguous, intent(in) :: u(:, :), v(:, :), heat(:, :)
     real(wp), intent(in) :: semi(2), dx, dy, conductivity, capacity

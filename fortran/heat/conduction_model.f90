@@ -1,9 +1,9 @@
-!> Which model of conduction suits a body: one velocity and conduction to all sides (`moving_source`), or the
-!> paths of its points and conduction into depth and to their sides (`surface_path`).
+!> Choice of the model of conduction of a body: uniform velocity with conduction in all directions (`moving_source`),
+!> or paths of its points with conduction into depth and to their sides (`surface_path`).
 !>
-!> The estimates below were fitted to what the models say of each other and of themselves, for Hertzian
-!> sources of axes 1:10 to 10:1. Errors are those of the temperature where more than half of the greatest flux
-!> enters, the largest one, in fractions of the greatest rise.
+!> The error estimates below were fitted to differences of the models, between and within each, for Hertzian
+!> sources of axes 1:10 to 10:1. An error is the largest of the temperature where the flux exceeds half of the
+!> greatest, over the greatest rise.
 module conduction_model
   use kinds, only: wp
   implicit none(type, external)
@@ -11,22 +11,22 @@ module conduction_model
 
   public :: conduction_errors
 
-  !> Error by a deviation of the speed: a rise goes by the root of speed; 0.40 to 0.53 were found.
+  !> Error over the deviation of the speed, since a rise varies as the root of speed; 0.40 to 0.53 were found.
   real(wp), parameter :: by_speed = 0.45_wp
-  !> Error by a deviation of the direction, in half widths of the contact by which it shifts heat: 0.20 to
+  !> Error over the shift of heat by the deviation of the direction, in half widths of the contact; 0.20 to
   !> 0.26 were found.
   real(wp), parameter :: by_direction = 0.22_wp
   !> Error by conduction along the paths, times U a/kappa with the shorter half chord a: 0.16 to 0.5 were
   !> found.
   real(wp), parameter :: by_conduction = 0.5_wp
-  !> Speed that moves a source's heat away as well as conduction does, times a/kappa: the rise of a uniform
-  !> disk, 2 q a/(k sqrt(pi (4/pi + U a/(2 kappa)))), meets the exact ones at rest and at great speed.
+  !> Speed at which motion removes a source's heat as well as conduction, times a/kappa: the rise of a uniform
+  !> disk, 2 q a/(k sqrt(pi (4/pi + U a/(2 kappa)))), has the exact limits at rest and at great speed.
   real(wp), parameter :: conducting_speed = 8/acos(-1.0_wp)
 
 contains
 
-  !> Mean velocity [m/s] of a surface where `heat` enters it, weighted by that (of any unit, not negative),
-  !> and the errors of a model with this velocity, `uniform`, and of one that follows paths, `along_paths`.
+  !> Mean velocity [m/s] of a surface weighted by `heat` (of any unit, not negative), and the errors of a model with
+  !> this velocity, `uniform`, and of one that follows paths, `along_paths`.
   !>
   !> The surface moves with `u`, `v` [m/s]; the contact's semi-axes along x and y [m], diffusivity kappa
   !> [m2/s].

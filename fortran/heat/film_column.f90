@@ -3,11 +3,10 @@
 !> In weak form on Gauss-Lobatto levels, with w the weights and S the stiffness of `gauss_lobatto`, each level k
 !> obeys
 !>   h w_k (absorption_k T_k - source_k) + (conductivity/h) sum_l S_kl T_l + flux into its wall, if it is one = 0.
-!> The columns of S add to nothing, so that dissipation = what is convected away + what both walls take, to
-!> rounding.
+!> The columns of S add to zero, so that dissipation = convected heat + flux into both walls, to rounding.
 !>
-!> The source depends on the temperature of the whole column: oil that warms gives more or less heat itself,
-!> and lowers the stress everywhere. Its derivative d source_k / d T_l comes in that form,
+!> The source depends on the temperature of the whole column: warmer oil is heated more or less, and lowers the
+!> stress everywhere. Its derivative d source_k / d T_l has the form
 !>   growth_k delta_kl - sum_s loading_ks relief_ls,
 !> s being the two components of the shear stress.
 module film_column
@@ -20,16 +19,16 @@ module film_column
   public :: film_strip, new_film_strip, solve_columns, solve_column, warm_walls
 
   !> Columns solved together: their matrices stay in the first cache, and loops over them are long enough for gfortran to
-  !> turn into vector instructions as they stand; those of 16 it unrolls and shuffles.
+  !> vectorise as they are; those of 16 it unrolls and shuffles.
   integer, parameter :: lanes = 32
-  !> Most growth of heat with temperature that enters, in conductivity/h2, whatever oil carries away: where it carries all,
-  !> a column must not be warmer by more than those are from which oil comes. Conduction between the
-  !> walls carries off pi2 of it in the first mode across the film (8 of it for a parabola) and 4 pi2 in the second.
-  !> Stress is relieved where the film warms as a whole: hence a bound on the second mode, and a tighter one on what
-  !> relief leaves of the first. A linearisation that grows faster sends Newton's method astray; what is left out alters
-  !> how fast the source converges, not to what.
+  !> Limits of the linearised growth of heat with temperature, in conductivity/h2, whatever oil convects: where it convects
+  !> all heat, a column must not be warmer than its upstream columns by more than their excess. Conduction between the
+  !> walls removes pi2 in the first mode across the film (8 for a parabola) and 4 pi2 in the second. The stress falls
+  !> where the film warms as a whole: hence a limit on the second mode, and a tighter one on the remainder of the first.
+  !> Newton's method diverges with a linearisation that grows faster; the limits affect the rate of convergence, not the
+  !> solution.
   real(wp), parameter :: most_growth = 5.0_wp, most_growth_of_all = 1.5_wp
-  !> Least fraction of conduction's pivots that a linearisation leaves, whatever it may be.
+  !> Least pivots of a linearisation, over those of conduction.
   real(wp), parameter :: least_fraction = 0.1_wp
 
   !> Scratch of the columns solved together, lanes first.
@@ -38,13 +37,13 @@ module film_column
     real(wp), allocatable :: known(:, :), source(:, :), absorption(:, :), growth(:, :), loading(:, :, :), relief(:, :, :)
     !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
     real(wp), allocatable :: matrix(:, :, :), excess(:, :)
-    !> That of the inner levels while it is eliminated, and its pivots.
+    !> Derivative of the inner levels in the elimination, and its pivots.
     real(wp), allocatable :: a(:, :, :), pivot(:, :)
     !> Change of the inner levels' temperature, and its derivatives with respect to the walls, (lanes, n, 3).
     real(wp), allocatable :: change(:, :, :)
   end type lane_block
 
-  !> Room for m columns of n levels, of which the first `columns` are in use. The caller fills the first part,
+  !> A strip of m columns of n levels, of which the first `columns` are in use. The caller fills the first part,
   !> `solve_columns` the second.
   type :: film_strip
     integer :: columns = 0
@@ -55,9 +54,9 @@ module film_column
     real(wp), allocatable :: thickness(:), conductivity(:)
     !> Temperature of the two walls [K], (m, 2).
     real(wp), allocatable :: wall(:, :)
-    !> rho c times the rate at which oil leaves a level's surroundings [W/(m3 K)], not negative, (m, n).
+    !> rho c times the rate at which oil leaves a level's cell [W/(m3 K)], not negative, (m, n).
     real(wp), allocatable :: absorption(:, :)
-    !> Dissipation and what oil brings along [W/m3] at the temperature `known` [K], (m, n).
+    !> Dissipation and convected inflow of heat [W/m3] at the temperature `known` [K], (m, n).
     real(wp), allocatable :: source(:, :), known(:, :)
     !> Derivative of the source: heat with temperature [W/(m3 K)], (m, n); heat with shear stress [W/(m3 Pa)]
     !> and loss of shear stress with a level's temperature [Pa/K], (m, n, 2).
@@ -68,14 +67,14 @@ module film_column
     !> Derivatives with respect to the temperature of wall j: of flux i [W/(m2 K)], (m, 2, 2), and of the
     !> levels' temperature [-], (m, n, 2).
     real(wp), allocatable :: admittance(:, :, :), response(:, :, :)
-    !> Scratch: by how much walls are warmer than known [K], (m, 2).
+    !> Scratch: excess of the walls over `known` [K], (m, 2).
     real(wp), allocatable :: wall_rise(:, :)
     type(lane_block) :: work
   end type film_strip
 
 contains
 
-  !> A strip of so many columns, to be filled.
+  !> Allocates a strip of columns.
   subroutine new_film_strip(strip, columns, levels, stat)
     type(film_strip), intent(out) :: strip
     integer, intent(in) :: columns
@@ -101,7 +100,7 @@ contains
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_strip
 
-  !> Temperature, fluxes and their derivatives with respect to the walls.
+  !> Solves for temperature, fluxes and their derivatives with respect to the walls.
   pure subroutine solve_columns(strip)
     type(film_strip), intent(inout) :: strip
     integer :: first
@@ -114,7 +113,7 @@ contains
     call warm_walls(strip, strip%wall_rise)
   end subroutine solve_columns
 
-  !> The same for one column alone, whose walls stay as known.
+  !> Solves one column with its walls as in `known`.
   pure subroutine solve_column(strip, column)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: column
@@ -122,9 +121,9 @@ contains
     call solve_together(strip, column, 1)
   end subroutine solve_column
 
-  !> The same for `count` columns from `first` on, whose walls stay as known.
+  !> Solves `count` columns from `first` on with their walls as in `known`.
   !>
-  !> All lanes are computed, so that loops over them have a fixed length; those left over repeat the last column.
+  !> All lanes are computed, so that loops have a fixed length; surplus lanes repeat the last column.
   pure subroutine solve_together(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count
@@ -153,7 +152,7 @@ contains
     call set_walls(strip, first, count)
   end subroutine solve_together
 
-  !> `count` columns' values from `first` on, one for each lane.
+  !> Gathers `count` columns' values from `first` on, one for each lane.
   pure subroutine take(first, count, values, lane)
     integer, intent(in) :: first, count
     real(wp), contiguous, intent(in) :: values(:)
@@ -184,7 +183,7 @@ contains
     pivot([1, levels%count]) = 0
   end function conduction_pivots
 
-  !> Balances of all levels at the known temperature and their derivatives.
+  !> Computes the balances of all levels at the temperature `known` and their derivatives.
   pure subroutine set_balances(levels, thickness, conductance, known, source, absorption, growth, loading, relief, matrix, &
     excess)
     type(levels_across), intent(in) :: levels
@@ -215,11 +214,11 @@ contains
     end do
   end subroutine set_balances
 
-  !> Change of the inner levels' temperature that balances them, and its derivatives with respect to the
+  !> Solves for the change of the inner levels' temperature, and its derivatives with respect to the
   !> walls.
   !>
-  !> Elimination without exchange of rows, since conduction is positive definite; heating may not lower a
-  !> pivot below a fraction of conduction's.
+  !> Elimination is without pivoting, since conduction is positive definite; heating does not lower a pivot
+  !> below `least_fraction` of conduction's.
   pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, a, pivot, change)
     integer, intent(in) :: n
     real(wp), intent(in) :: least_pivot(n), conductance(lanes), matrix(lanes, n, n), excess(lanes, n)
@@ -262,8 +261,8 @@ contains
     change(:, n, 3) = 1
   end subroutine solve_inner_levels
 
-  !> The solution with walls as known, its derivatives, and what the balances at the walls leave for the
-  !> bodies.
+  !> Sets the solution with walls as in `known`, its derivatives, and the flux into the bodies by the balances at
+  !> the walls.
   pure subroutine set_walls(strip, first, count)
     type(film_strip), intent(inout) :: strip
     integer, intent(in) :: first, count

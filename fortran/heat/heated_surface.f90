@@ -1,4 +1,4 @@
-!> What any model of conduction in a body offers: the temperature of its surface under a flux of heat.
+!> Base of the models of conduction in a body: the temperature of its surface under a heat flux.
 module heated_surface
   use kinds, only: wp
   implicit none(type, external)
@@ -10,7 +10,7 @@ module heated_surface
   type, abstract :: heated_body
     !> Points of the grid.
     integer :: nx = 0, ny = 0
-    !> Temperature rise of a node under unit flux around it alone [K m2/W].
+    !> Temperature rise of a node under unit flux on its own cell [K m2/W].
     real(wp) :: own = 0
   contains
     procedure(rise_under), deferred :: rise

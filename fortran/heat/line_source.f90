@@ -1,8 +1,8 @@
 !> Surface temperature of a half-space that moves past a line contact, in the steady state.
 !>
 !> A line source warms the surface at a distance x downstream by q/(pi k) exp(p x) K0(p |x|), p = u/(2 kappa) (Jaeger
-!> 1942; Carslaw and Jaeger 1959, sec. 10.7): conduction along and into the body, for any velocity. Fast bodies have
-!> the limit of heat that flows straight into depth, q/sqrt(pi k rho c u x). A body at rest has no steady state: its
+!> 1942; Carslaw and Jaeger 1959, sec. 10.7): conduction along and into the body, for any velocity. For fast bodies
+!> it tends to one-dimensional conduction into depth, q/sqrt(pi k rho c u x). A body at rest has no steady state: its
 !> temperature grows as the logarithm of time. The kernel is integrated over cells in closed form.
 module line_source
   use bessel, only: scaled_bessel_k
@@ -26,7 +26,7 @@ module line_source
 contains
 
   !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface passes a grid of n points with
-  !> the velocity u [m/s], not zero; what lies downstream of a source, in the direction of u, is in its wake.
+  !> the velocity u [m/s], not zero; points downstream of a source, in the direction of u, are in its wake.
   subroutine new_line_body(self, n, dx, u, conductivity, heat_capacity, stat)
     type(line_body), intent(inout) :: self
     integer, intent(in) :: n

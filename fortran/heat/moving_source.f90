@@ -1,11 +1,11 @@
 !> Surface temperature of a half-space that moves past the contact with one velocity, in the steady state.
 !>
-!> Heat spread evenly over a cell of the grid for an instant leaves, a time t later, the temperature
+!> An instantaneous uniform heat source on a cell of the grid has, a time t later, the temperature
 !>   dt/(rho c sqrt(pi kappa t)) X(x, t) Y(y, t),  X = [erf((x + dx/2 - u t)/w) - erf((x - dx/2 - u t)/w)]/2, Y alike,
 !> on the surface, w = sqrt(4 kappa t) (Carslaw and Jaeger 1959, sec. 10.3; Jaeger 1942). The kernel of the
 !> convolution is its integral over all past times, exact in three dimensions for any velocity and for none;
-!> time is integrated by the trapezoidal rule in a variable for which the spot of heat grows, and moves by its
-!> own size, at an even pace.
+!> time is integrated by the trapezoidal rule in a variable in which the spot of heat grows, and moves by its
+!> own size, uniformly.
 module moving_source
   use convolution, only: grid_convolution, new_grid_convolution
   use heated_surface, only: heated_body
@@ -20,13 +20,13 @@ module moving_source
   !> Step of the trapezoidal rule in theta = ln t + U sqrt(t/kappa). Its error is about exp(-pi2/step) for a
   !> body at rest and exp(-(pi/step)2) for a fast one.
   real(wp), parameter :: step = 0.8_wp
-  !> Widths w to which a spot reaches: erfc(4) = 1.5e-8.
+  !> Extent of a spot in widths w: erfc(4) = 1.5e-8.
   real(wp), parameter :: reach = 4
-  !> Widths of a spot, in sizes of the window, from which on its temperature is the same all over the window.
+  !> Width of a spot, in sizes of the window, from which on its temperature is uniform in the window.
   real(wp), parameter :: even = 300
   !> Fraction of the largest term at which the sums of early and late spots end.
   real(wp), parameter :: negligible = 1e-9_wp
-  !> Spots added to the kernel together.
+  !> Number of spots added to the kernel together.
   integer, parameter :: batch = 32
 
   type, extends(heated_body) :: moving_body
@@ -38,7 +38,7 @@ module moving_source
 contains
 
   !> Body of `conductivity` [W/(m K)] and `heat_capacity` rho c [J/(m3 K)] whose surface passes the grid with
-  !> the velocity (u, v) [m/s]; what lies downstream of a source, in the direction of (u, v), is in its wake.
+  !> the velocity (u, v) [m/s]; points downstream of a source, in the direction of (u, v), are in its wake.
   subroutine new_moving_body(self, nx, ny, dx, dy, u, v, conductivity, heat_capacity, stat)
     type(moving_body), intent(inout) :: self
     integer, intent(in) :: nx, ny
@@ -69,8 +69,8 @@ contains
     call self%response%convolve(q, temperature_rise)
   end subroutine rise
 
-  !> Temperature [K m2/W] at all offsets from a cell under unit flux. Time is told by the depth sqrt(kappa t)
-  !> [m].
+  !> Temperature [K m2/W] at all offsets from a cell under unit flux. Time is parametrised by the depth
+  !> sqrt(kappa t) [m].
   subroutine integrate_spots(nx, ny, dx, dy, u, v, conductivity, diffusivity, kernel)
     integer, intent(in) :: nx, ny
     real(wp), intent(in) :: dx, dy, u, v, conductivity, diffusivity
@@ -167,8 +167,8 @@ contains
     end do
   end function late_spots
 
-  !> Factor X or Y of a spot at offsets `from` to `to`, beyond which it is negligible; none of them if the
-  !> spot is gone.
+  !> Factor X or Y of a spot at offsets `from` to `to`, beyond which it is negligible; an empty range if the
+  !> spot has left the window.
   pure subroutine spot_factor(n, spacing, speed, depth, factor, from, to)
     integer, intent(in) :: n
     real(wp), intent(in) :: spacing, speed, depth

@@ -2,15 +2,14 @@
 !>
 !> Heat flows into depth while a point of the surface crosses the contact (Sharif et al. 2001, eq. 19):
 !>   rise(t) = int q(t') / sqrt(pi k rho c (t - t')) dt'  along the point's path, from where it enters the window.
-!> Meanwhile it spreads to both sides of the path: a slender contact that is crossed the long way is cooled by
-!> that long before conduction along the path, which alone is neglected, counts.
+!> Meanwhile it spreads to both sides of the path: a slender contact crossed along its length is cooled by it
+!> long before conduction along the path, which is neglected, matters.
 !>
 !> The square root is a sum of exponentials of the age t - t', the trapezoidal rule for
 !>   1/sqrt(t) = 1/sqrt(pi) int exp(y/2 - t exp(y)) dy,
-!> whose integrals need no past but one line of the grid: lines are taken one after another with the motion,
-!> each node finds what its path brings at a foot on the line before it, and the flux in between is linear in
-!> time. What the paths bring spreads along the line by an implicit step, of which the spread, the variance,
-!> is exact.
+!> whose integrals need only the line of the grid before: lines are taken one after another with the motion,
+!> the integrals of each node start from the departure point of its path on the line before, and the flux in
+!> between is linear in time. Diffusion along the line is an implicit step of exact variance.
 module surface_path
   use heated_surface, only: heated_body
   use kinds, only: wp
@@ -22,22 +21,22 @@ module surface_path
   public :: fast_body, new_fast_body
 
   real(wp), parameter :: pi = acos(-1.0_wp)
-  !> Ratio of successive rates of decay. The sum's relative error swings by 2 |Gamma(1/2 + 2 pi
+  !> Ratio of successive rates of decay. The sum's relative error oscillates by 2 |Gamma(1/2 + 2 pi
   !> i/ln(ratio))|/sqrt(pi), 3.5e-4 for this ratio, and averages out.
   integer, parameter :: ratio = 3
-  !> Rates of decay from this over the longest age, where slower ones make one together, to this over the
-  !> shortest age, where faster ones have decayed.
+  !> Least rate of decay over that of the longest age, slower ones being merged into one, and largest over that
+  !> of the shortest age, faster ones having decayed.
   real(wp), parameter :: slowest = 0.1_wp, fastest = 9.0_wp
-  !> Iterations for the foot of a path, of which each gains the turn of the path in a step, and the move of
-  !> the foot, in nodes, by one more at which they end.
+  !> Largest number of iterations for the foot of a path, whose error falls by the turn of the path in a step, and
+  !> the move of the foot, in nodes, at which they end.
   integer, parameter :: foot_iterations = 8
   real(wp), parameter :: foot_settled = 1e-7_wp
-  !> Exponentials that are taken together: a vector register. Each group goes its way over all lines by
-  !> itself, so that threads that take different ones need not wait for each other.
+  !> Exponentials of a group, a vector register. Each group is advanced over all lines independently, so that
+  !> threads with different groups need not wait for each other.
   integer, parameter :: lanes = 4
 
   type, extends(heated_body) :: fast_body
-    !> How lines are taken.
+    !> Order of the lines.
     type(sweep_frame) :: way
     !> Nodes of a line, lines, and groups of exponentials.
     integer :: nodes = 0, lines = 0, groups = 0
@@ -46,16 +45,16 @@ module surface_path
     !> Persistence [s], one over the rate of decay, and weights [1/sqrt(s)] of the exponentials, slowest
     !> first, (lanes, groups); the first stands for all slower ones.
     real(wp), allocatable :: persistence(:, :), weight(:, :)
-    !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights, nought
+    !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights, zero
     !> if the foot is outside, (4, nodes, lines), and the time from the foot [s] and its root, (nodes, lines).
     integer, allocatable :: foot(:, :)
     real(wp), allocatable :: stencil(:, :, :), duration(:, :), root(:, :)
     !> Decay of the exponentials in that time, (lanes, nodes, lines, groups).
     real(wp), allocatable :: decay(:, :, :, :)
-    !> Factors of the implicit step along a line: what passes on to the next node, and one over the pivot,
+    !> Factors of the implicit step along a line: coupling to the next node, and reciprocal pivot,
     !> (nodes, lines).
     real(wp), allocatable :: passed(:, :), pivot(:, :)
-    !> Flux at the nodes and at the feet of their paths, and rise, (nodes, lines); what earlier steps add to
+    !> Flux at the nodes and at the feet of their paths, and rise, (nodes, lines); contribution of earlier steps to
     !> int q dt/sqrt(t) [W sqrt(s)/m2], (nodes, lines, groups).
     real(wp), allocatable :: flux(:, :), before(:, :), risen(:, :), history(:, :, :)
   contains
@@ -115,7 +114,7 @@ contains
     self%own = self%effusion*4/3*sqrt(sum(self%duration(:, 2:))/size(self%duration(:, 2:)))
   end subroutine new_fast_body
 
-  !> Where the paths through the nodes cross the line before, and how long they take from there.
+  !> Finds the feet of the nodes' paths on the line before, and the time from there.
   !>
   !> Simpson's rule along the path, with the velocity halfway from the mean of both lines: exact velocities if
   !> the body is rigid. `ahead` is the speed from line to line, `aside` along them [m/s], `apart` and
@@ -137,7 +136,7 @@ contains
         do node = 1, self%nodes
           slope(1) = aside_here(node)/ahead_here(node)
           slowness(1) = 1/ahead_here(node)
-          ! the slope at the node nearest to the foot of a straight path is a start
+          ! initial guess: the slope at the node nearest to the foot of a straight path
           first = nint(within(node - apart/spacing*slope(1), self%nodes))
           slope(3) = aside_before(first)/ahead_before(first)
           slope(2) = (slope(1) + slope(3))/2
@@ -180,7 +179,7 @@ contains
     stencil = [-(s - 1)*(s - 2)*(s - 3)/6, s*(s - 2)*(s - 3)/2, -s*(s - 1)*(s - 3)/2, s*(s - 1)*(s - 2)/6]
   end subroutine around
 
-  !> A place on a line of n nodes, or the end that it is beyond.
+  !> Clips a place to a line of n nodes.
   pure real(wp) function within(at, n)
     real(wp), intent(in) :: at
     integer, intent(in) :: n
@@ -188,7 +187,7 @@ contains
     within = min(max(at, 1.0_wp), real(n, wp))
   end function within
 
-  !> Exponentials for all ages between the shortest step and the longest stay, and their decay in every step.
+  !> Sets the exponentials for all ages between the shortest step and the longest stay, and their decay in each step.
   subroutine choose_rates(self, stat)
     type(fast_body), intent(inout) :: self
     integer, intent(out) :: stat
@@ -228,8 +227,8 @@ contains
     end do
   end subroutine choose_rates
 
-  !> Factors of an implicit step of diffusion along the lines, at so many squares of nodes per second. A line
-  !> that the paths cross askew is longer than they are wide.
+  !> Sets the factors of an implicit step of diffusion along the lines, in squared nodes per second. On a line
+  !> crossed obliquely distances are longer than across the paths.
   subroutine factor_spread(self, rate)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: rate(:, :)
@@ -280,7 +279,7 @@ contains
     call from_sweep(self%way, self%risen, temperature_rise)
   end subroutine rise
 
-  !> Flux at the feet of a line's paths, spread along the line meanwhile.
+  !> Computes the flux at the feet of a line's paths, diffused along the line in the step.
   subroutine flux_at_feet(self, line)
     class(fast_body), intent(inout) :: self
     integer, intent(in) :: line
@@ -304,12 +303,11 @@ contains
     end associate
   end subroutine flux_at_feet
 
-  !> What a group of exponentials remembers of earlier steps, line after line.
+  !> Advances a group of exponentials over all lines, for the contribution of earlier steps.
   subroutine remember(self, group)
     class(fast_body), intent(inout) :: self
     integer, intent(in) :: group
-    !> Integrals of the exponentials with the flux on a line, and what of those of the line before the paths
-    !> bring.
+    !> Integrals of the exponentials with the flux up to a line, and those convected along the paths to the next line.
     real(wp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
     real(wp), dimension(lanes) :: spread, decay, whole, early, product
     real(wp) :: stencil(4), here, there, pace

@@ -1,10 +1,10 @@
-!> Temperature of the two walls of a film, such that the bodies are as warm as the film's heat makes them.
+!> Temperature of the two walls of a film, in balance with the rise of the bodies by the film's heat.
 !>
-!> The film's flux into its walls, linearised about their present temperature, meets the rise it causes in the
-!> bodies:
+!> The film's flux into its walls, linearised about their present temperature, and the rise by it in the bodies
+!> satisfy
 !>   T_i = bulk_i + rise_i(q_i),  q_i = flux_i + sum_j admittance_ij (T_j - wall_j).
-!> The film passes heat from wall to wall three to ten times as well as a body takes it up over a lubricated
-!> contact, so that going to and fro between film and bodies diverges. As an integral equation of the second
+!> The film conducts heat from wall to wall three to ten times as well as a body takes it up over a lubricated
+!> contact, so that fixed-point iteration between film and bodies diverges. As an integral equation of the second
 !> kind it suits GMRES.
 module wall_balance
   use heated_surface, only: heated_body
@@ -16,12 +16,11 @@ module wall_balance
 
   public :: bounding_body, wall_pair, new_wall_pair, balance_walls
 
-  !> Rise of a node for the preconditioner, in rises under the flux on its own cell: a node heats those around
-  !> it, which heat it. Counted on a worm's contact, iterations are fewest from 4 to 8 and a third more with 1
-  !> or 16.
+  !> Rise of a node in the preconditioner, over that by the flux on its own cell, since neighbours heat each other.
+  !> On a worm's contact the number of iterations is least from 4 to 8 and a third more with 1 or 16.
   real(wp), parameter :: neighbourhood = 4
 
-  !> A body with the temperature [K] that its surface has where no heat reaches it.
+  !> A body with the temperature [K] of its unheated surface.
   type :: bounding_body
     class(heated_body), allocatable :: surface
     real(wp) :: bulk = 0
@@ -33,7 +32,7 @@ module wall_balance
     !> Temperature of the walls [K] and flux into the bodies [W/m2], (nx, ny, 2); derivative of flux i with
     !> respect to wall j [W/(m2 K)], (nx, ny, 2, 2).
     real(wp), allocatable :: wall(:, :, :), flux(:, :, :), admittance(:, :, :, :)
-    !> Flux and rise of one wall; what both walls miss and how they change.
+    !> Flux and rise of one wall; residual and change of both walls.
     real(wp), allocatable :: q(:, :), risen(:, :), missed(:, :, :), change(:, :, :)
     !> Krylov basis.
     real(pp), allocatable :: basis(:, :)
@@ -44,8 +43,8 @@ module wall_balance
 
 contains
 
-  !> Walls at the bulk temperatures [K] of `first` and `second`, which move into the pair; `most` Krylov
-  !> iterations at most in one balance.
+  !> Makes walls at the bulk temperatures [K] of `first` and `second`, which move into the pair; `most` bounds the
+  !> Krylov iterations of one balance.
   subroutine new_wall_pair(self, first, first_bulk, second, second_bulk, most, stat)
     type(wall_pair), intent(inout) :: self
     class(heated_body), allocatable, intent(inout) :: first, second
@@ -77,10 +76,10 @@ contains
   end subroutine new_wall_pair
 
   !> Moves the walls from their present temperature, at which flux and admittance are given, into balance, and
-  !> takes the flux along.
+  !> updates the flux.
   !>
-  !> `missed` [K] is by how much the bodies' temperature differed most from the walls' before; the balance
-  !> ends at `tolerance` times that, in the mean square, or after all iterations: `reduction` tells.
+  !> `missed` [K] is the largest difference of the bodies' temperature from the walls' before; the balance ends at
+  !> `tolerance` times that, in the mean square, or after all iterations; `reduction` is the fraction reached.
   subroutine balance_walls(self, tolerance, missed, iterations, reduction)
     type(wall_pair), target, intent(inout) :: self
     real(wp), intent(in) :: tolerance
@@ -120,7 +119,7 @@ contains
     end do
   end subroutine change_flux
 
-  !> Change of the walls less the rise of the bodies that it brings.
+  !> Multiplies by the system: change of the walls less the rise of the bodies by it.
   subroutine multiply(self, x, y)
     class(wall_pair), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)
@@ -140,7 +139,7 @@ contains
     end do
   end subroutine multiply
 
-  !> The same, solved for the heat that each neighbourhood takes from itself alone.
+  !> Solves the system approximately, with the rise of each node by the flux of its neighbourhood alone.
   subroutine precondition(self, x, y)
     class(wall_pair), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)

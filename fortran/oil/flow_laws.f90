@@ -1,4 +1,4 @@
-!> How an oil flows under shear: rate = F(tau) = g tau / eta, with g >= 1 the thinning of its law.
+!> Flow laws of an oil under shear: rate = F(tau) = g tau / eta, with g >= 1 the thinning of the law.
 !>
 !> Thinning is written as a function of the square of the stress, by which films shear in two directions
 !> (Sharif, Kong, Evans and Snidle 2001, eqs 4-7). Two laws have a stress that the oil cannot exceed. From
@@ -25,16 +25,16 @@ module flow_laws
 
   !> Fraction of the limit at which a wall slips (Sharif et al., text to fig. 4).
   real(wp), parameter :: slip_fraction = 0.995_wp
-  !> Stress, in fractions of that at slip, in which the rate grows e-fold beyond it. A tenth of this left films that slip all
-  !> over without a solution: which wall slips is decided by a gradient that its steps cannot resolve.
+  !> Stress, in fractions of that at slip, in which the rate grows e-fold beyond it. With a tenth of this, films that slip
+  !> everywhere had no solution: the slipping wall depends on a gradient that Newton steps cannot resolve.
   real(wp), parameter :: slip_step = 1e-3_wp
-  !> Least limiting stress [Pa]: one proportional to pressure would else forbid the oil to flow at ambient pressure.
+  !> Least limiting stress [Pa], since one proportional to pressure vanishes at ambient pressure.
   real(wp), parameter :: least_limit = 1e5_wp
   !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.
   real(wp), parameter :: largest_eyring = 150.0_wp, largest_slip = 50.0_wp, largest_carreau = 1e30_wp
   !> Square of tau/tau0 below which Eyring's thinning is summed as a series.
   real(wp), parameter :: series_below = 1.0_wp
-  !> Points summed or computed alike.
+  !> Points of a block that use the same formula.
   integer, parameter :: block_points = 32
   !> Least square of tau/tauL where the slope by the square grows without bound toward rest.
   real(wp), parameter :: least_ratio = 1e-12_wp
@@ -43,7 +43,7 @@ module flow_laws
     integer :: law = law_newton
     !> tau0 of Eyring, or G of Carreau [Pa], at ambient pressure and reference temperature.
     real(wp) :: reference = 1
-    !> Its logarithmic growth with pressure [1/Pa] and decay with the film's mean temperature [1/K].
+    !> Logarithmic growth of tau0 with pressure [1/Pa] and decay with the film's mean temperature [1/K].
     real(wp) :: reference_growth = 0, reference_decay = 0
     !> Limiting stress at ambient pressure [Pa] and its growth with pressure [-].
     real(wp) :: limit = 0, limit_growth = 0
@@ -60,7 +60,7 @@ contains
     has_limit = law%law == law_bair_winer .or. law%law == law_eyring_limited
   end function has_limit
 
-  !> Whether a stress of the law follows the pressure.
+  !> Whether a stress of the law depends on pressure.
   elemental logical function hardens(law)
     type(flow_law), intent(in) :: law
 
@@ -88,8 +88,8 @@ contains
   end subroutine stress_scales
 
   !> Thinning `g` [-] of `count` points and its derivative `slope` [1/Pa2] by the square of the stress, at
-  !> `square` [Pa2]; `per_reference` and `per_limit` are 1/reference^2 and 1/limit^2 [1/Pa2], which levels of
-  !> a film fraction.
+  !> `square` [Pa2]; `per_reference` and `per_limit` are 1/reference^2 and 1/limit^2 [1/Pa2], common to the levels
+  !> of a film.
   pure subroutine thinning(law, count, square, per_reference, per_limit, g, slope)
     type(flow_law), intent(in) :: law
     integer, intent(in) :: count
@@ -106,7 +106,7 @@ contains
     end do
   end subroutine thinning
 
-  !> Thinning of stresses below those at slip; beyond them it is finite and of no use.
+  !> Thinning of stresses below that at slip; beyond it the result is finite and unused.
   pure subroutine thinning_below_slip(law, count, square, per_reference, per_limit, g, slope)
     type(flow_law), intent(in) :: law
     integer, intent(in) :: count
@@ -135,7 +135,7 @@ contains
 
   !> g = sinh(x)/x at x^2 = square/reference^2.
   !>
-  !> Neighbours in a film mostly lie on the same side of where the series ends, which is far cheaper.
+  !> Neighbours in a film mostly lie on the same side of the end of the series, which is far cheaper.
   pure subroutine eyring(count, square, per_reference, g, slope)
     integer, intent(in) :: count
     real(wp), intent(in) :: square(count), per_reference(count)
@@ -156,7 +156,7 @@ contains
     end do
   end subroutine eyring
 
-  !> Points where the series is taken.
+  !> Evaluates points by the series.
   pure integer function number_near_rest(points, s)
     integer, intent(in) :: points
     real(wp), intent(in) :: s(points)
@@ -164,7 +164,7 @@ contains
     number_near_rest = count(s < series_below)
   end function number_near_rest
 
-  !> Near rest; `slope` enters as square/reference^2.
+  !> Evaluates thinning near rest; `slope` enters as square/reference^2.
   pure subroutine eyring_series(count, per_reference, g, slope)
     integer, intent(in) :: count
     real(wp), intent(in) :: per_reference(count)
@@ -189,7 +189,7 @@ contains
     end do
   end subroutine eyring_series
 
-  !> Away from rest; `slope` enters as square/reference^2.
+  !> Evaluates thinning away from rest; `slope` enters as square/reference^2.
   pure subroutine eyring_closed(count, per_reference, g, slope)
     integer, intent(in) :: count
     real(wp), intent(in) :: per_reference(count)
@@ -212,7 +212,7 @@ contains
     end do
   end subroutine eyring_closed
 
-  !> On both sides of where the series ends; `slope` enters as square/reference^2.
+  !> Evaluates thinning on both sides of the end of the series; `slope` enters as square/reference^2.
   pure subroutine eyring_mixed(count, per_reference, g, slope)
     integer, intent(in) :: count
     real(wp), intent(in) :: per_reference(count)
@@ -377,7 +377,7 @@ contains
     slip_by_reference = ((sinh(x) - x*cosh(x))*(excess + excess_slope*growth) - x*sinh(x)*excess*growth/reference)/stress
   end function slip_by_reference
 
-  !> Stress [Pa], about right for a first guess, at which the law shears as a Newtonian oil does at
+  !> Approximate stress [Pa], an initial guess, at which the law has the shear rate of a Newtonian oil at
   !> `newtonian` [Pa].
   elemental real(wp) function stress_guess(law, newtonian, reference, limit)
     type(flow_law), intent(in) :: law

@@ -1,4 +1,4 @@
-!> How an oil conducts and holds heat, against pressure and temperature (Sharif, Kong, Evans and Snidle 2001,
+!> Conductivity and heat capacity of an oil against pressure and temperature (Sharif, Kong, Evans and Snidle 2001,
 !> appendix).
 module thermal_properties
   use kinds, only: wp

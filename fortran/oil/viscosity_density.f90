@@ -13,8 +13,7 @@ module viscosity_density
 
   !> Minus the logarithm of the viscosity [Pa s] where Roelands' isotherms meet.
   real(wp), parameter :: roelands_pole_log = 9.67_wp
-  !> Largest exponent: beyond it an oil is a solid by any measure, and a Newton step that strays there
-  !> must not overflow.
+  !> Largest exponent, far beyond the solid state, so that a stray Newton step does not overflow.
   real(wp), parameter :: largest_exponent = 200.0_wp
   !> Temperature [K] where Roelands' oils solidify, and the least distance from it [K].
   real(wp), parameter :: roelands_pole_temperature = 138.0_wp, least_distance = 10.0_wp
@@ -86,7 +85,7 @@ contains
     pole = log(oil%eta0) + roelands_pole_log
     span = oil%temperature - roelands_pole_temperature
     last = size(rise, 2)
-    ! growth with pressure, once a point
+    ! growth with pressure, once for each point
     do i = 1, size(p)
       by_pressure(i, last) = pole*exp(oil%exponent*log(1 + p(i)/oil%pole_pressure))
     end do
@@ -104,7 +103,7 @@ contains
     end do
   end subroutine hot_fluidity
 
-  !> The same over a row of pressures; here, where it is inlined, the loop is turned into vector instructions.
+  !> Evaluates the law over a row of pressures; inlined here, the loop is vectorised.
   pure subroutine viscosities(oil, p, eta, slope)
     type(oil_law), intent(in) :: oil
     real(wp), contiguous, intent(in) :: p(:)

@@ -1,5 +1,5 @@
 !> Heat of the columns of a film: shearing, compression and conduction (Sharif et al. 2001, eq. 18 and appendix), from the
-!> shear that `shear_flow` has found. What oil brings along from other columns is the caller's to add.
+!> shear that `shear_flow` has found. The caller adds convection from other columns.
 module column_sources
   use film_column, only: film_strip
   use kinds, only: wp
@@ -13,17 +13,17 @@ module column_sources
 
   public :: set_heat, carried_away
 
-  !> Rise of temperature [K] that no oil bears.
+  !> Rise of temperature [K] beyond which a solution is meaningless.
   real(wp), parameter, public :: hottest = 5e3_wp
 
 contains
 
-  !> Film, conduction, dissipation as source, and its derivatives, of columns whose temperature is `known` and whose walls
-  !> stay as they are.
+  !> Sets film, conduction, dissipation as source, and its derivatives, of columns at the temperature `known` with fixed
+  !> walls.
   !>
   !> p [Pa]; `mean` temperature across the film above the inlet's [K]; (u1, v1) velocity of body 1 [m/s]; `softening`
-  !> derivative of the fluidity by temperature [1/(Pa s K)]. Out come the heat capacity [J/(m3 K)] of the columns, and of
-  !> their levels the velocity (u, v) [m/s] and the heat of compression [W/m3].
+  !> derivative of the fluidity by temperature [1/(Pa s K)]. Output: the heat capacity [J/(m3 K)] of the columns, and
+  !> velocity (u, v) [m/s] and heat of compression [W/m3] at their levels.
   subroutine set_heat(law, oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
     type(oil_heat_law), intent(in) :: law
     type(oil_law), intent(in) :: oil
@@ -56,7 +56,7 @@ contains
     columns%wall(:m, 2) = columns%known(:m, n)
   end subroutine set_heat
 
-  !> Heat `carried` [W/m2] that oil carries away from solved columns, less what it brought and compression gave, `inflow`
+  !> Heat `carried` [W/m2] convected away from solved columns, less the inflow and the heat of compression, `inflow`
   !> [W/m3].
   pure subroutine carried_away(columns, inflow, carried)
     type(film_strip), intent(in) :: columns

@@ -1,7 +1,7 @@
 !> Temperature of the film of a line contact, swept both ways (`thermal_step`).
 !>
-!> A sweep marches once against the entrainment, over the columns in which some oil flows back, and once with it, over
-!> all: each column sees what has just reached its neighbours, whichever way its levels flow. Derivatives along the film
+!> A sweep runs once against the entrainment, over the columns with backflow, and once with it, over all columns: each
+!> column uses the latest values of its neighbours, whatever the direction of flow of its levels. Derivatives along the film
 !> are upwind differences of second order.
 module line_heat
   use column_sources, only: set_heat, carried_away
@@ -23,11 +23,11 @@ module line_heat
 
   !> Columns treated together.
   integer, parameter :: most_columns = 64
-  !> Fraction of the largest pressure above which temperatures must settle, and of the walls' imbalance that a sweep
-  !> leaves; the Krylov iterations that it may take.
+  !> Fraction of the largest pressure above which temperatures must converge; reduction of the walls' imbalance by a
+  !> sweep, and its largest number of Krylov iterations.
   real(wp), parameter :: judged_pressure = 0.005_wp, wall_tolerance = 0.01_wp
   integer, parameter :: most_wall_iterations = 20
-  !> Fraction of the faster body's velocity below which oil is slow.
+  !> Velocity over that of the faster body below which oil is slow.
   real(wp), parameter :: slow_fraction = 0.2_wp
 
   type, extends(film_heat) :: line_film_heat
@@ -35,11 +35,11 @@ module line_heat
     integer :: onward = 1
     !> Velocity of body 1's surface at the nodes [m/s].
     real(wp), allocatable :: u1(:)
-    !> Stress at the middle of the film [Pa], from which the next sweep starts.
+    !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
     real(wp), allocatable :: stress(:)
-    !> What oil carries away, less what compression gives it [W/m2].
+    !> Heat convected by the oil, less that of its compression [W/m2].
     real(wp), allocatable :: carried(:)
-    !> Of the levels at the nodes: what a kelvin takes along x [W/(m3 K)], heat of shearing and of compression [W/m3].
+    !> At the levels of the nodes: convection along x per kelvin [W/(m3 K)], heat of shearing and of compression [W/m3].
     real(wp), allocatable :: flow(:, :), dissipation(:, :), compression(:, :)
     !> Columns of the inner nodes, strip by strip, and each thread's shear.
     type(film_strip), allocatable :: columns(:)
@@ -53,7 +53,7 @@ module line_heat
 
 contains
 
-  !> Heat of a line contact whose film is already sheared.
+  !> Makes the heat of a line contact whose film is already sheared.
   !>
   !> u1 is the nodal velocity of body 1's surface [m/s]; the bodies move into it, `bulk` being their temperature
   !> far below the surface, above the inlet's [K].
@@ -90,7 +90,7 @@ contains
     if (stat == status_ok) call set_walls(film, self, 0.0_wp, change)
   end subroutine new_line_heat
 
-  !> Gives a line contact whose film is already sheared its heat; for the arguments see `new_line_heat`.
+  !> Adds heat to a line contact whose film is already sheared; arguments as of `new_line_heat`.
   subroutine heat_line_contact(contact, law, u1, body_1, body_2, bulk, stat)
     type(thermal_contact), intent(inout) :: contact
     type(oil_heat_law), intent(in) :: law
@@ -108,21 +108,21 @@ contains
     if (stat == status_ok) call move_alloc(heat, contact%heat)
   end subroutine heat_line_contact
 
-  !> Columns whose shear stress was not found in the last sweep.
+  !> Number of columns whose shear stress did not converge in the last sweep.
   pure integer function unsolved(self)
     class(line_film_heat), intent(in) :: self
 
     unsolved = sum(self%shear%unsolved)
   end function unsolved
 
-  !> Forgets the stresses that sweeps start from.
+  !> Resets the initial stresses of sweeps.
   subroutine cool(self)
     class(line_film_heat), intent(inout) :: self
 
     self%stress = 0
   end subroutine cool
 
-  !> What oil carries away, less what compression gives it, at the nodes [W/m2], as of the last sweep.
+  !> Heat convected by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
   subroutine carried_heat(self, carried)
     class(line_film_heat), intent(in) :: self
     real(wp), intent(out) :: carried(:, :)
@@ -130,9 +130,9 @@ contains
     carried(:, 1) = self%carried
   end subroutine carried_heat
 
-  !> One sweep over the columns, with walls as they are: against the entrainment, then with it.
+  !> Makes one sweep over the columns with fixed walls: against the entrainment, then with it.
   !>
-  !> `change` is the largest of temperature [K] at more than a pressure of `least` [Pa].
+  !> `change` is the largest change of temperature [K] where the pressure exceeds `least` [Pa].
   subroutine sweep_columns(self, film, least, change)
     class(line_film_heat), intent(inout) :: self
     class(film_contact), intent(inout) :: film
@@ -156,7 +156,7 @@ contains
     end do
   end subroutine sweep_columns
 
-  !> Shear and heat of the columns at nodes first..last; what oil brings along is left out.
+  !> Computes shear and heat of the columns at nodes first..last, without convection.
   subroutine set_strip(self, film, first, last, columns, shear)
     class(line_film_heat), intent(inout) :: self
     class(film_contact), intent(in) :: film
@@ -185,7 +185,7 @@ contains
   end subroutine set_strip
 
   !> Solves the columns at the inner nodes one after another, `along` x or against it; against the entrainment only those
-  !> where some oil flows so.
+  !> with backflow.
   subroutine sweep_nodes(self, film, along)
     class(line_film_heat), intent(inout) :: self
     class(film_contact), intent(inout) :: film
@@ -209,11 +209,11 @@ contains
     end associate
   end subroutine sweep_nodes
 
-  !> What convection takes from the levels at node i for each kelvin, `absorption` [W/(m3 K)], and brings them, `inflow`
-  !> [W/m3], by differences to the one or two nodes from where oil comes.
+  !> Computes the heat convected from the levels at node i per kelvin, `absorption` [W/(m3 K)], and to them, `inflow`
+  !> [W/m3], by differences to one or two upstream nodes.
   !>
-  !> Where oil flows both ways, levels of little velocity have it from both sides: else one that turns from sweep to
-  !> sweep would have it now from the inlet, now from the contact.
+  !> Where oil flows in both directions, levels of little velocity convect from both sides; else one whose direction
+  !> changes from sweep to sweep would jump between the temperatures of inlet and contact.
   pure subroutine bring(rise, flow, i, absorption, inflow)
     real(wp), intent(in) :: rise(:, :), flow(:)
     integer, intent(in) :: i
@@ -236,8 +236,8 @@ contains
     end do
   end subroutine bring
 
-  !> Adds what a `rate` [W/(m3 K)] of oil takes and brings from one side of node i, by a difference of `second` order or of
-  !> first, with which errors of values that lag behind do not grow from sweep to sweep.
+  !> Adds the convection of a `rate` [W/(m3 K)] of oil from one side of node i, by a difference of `second` order or of
+  !> first, with which errors of lagging values do not grow from sweep to sweep.
   pure subroutine bring_from(side, rise, i, rate, second, absorption, inflow)
     integer, intent(in) :: side, i
     real(wp), intent(in) :: rise(:), rate
@@ -253,8 +253,8 @@ contains
     end if
   end subroutine bring_from
 
-  !> Fluxes and admittances of a strip's columns for the walls, what oil carries away, and the largest change of
-  !> temperature [K] at nodes of more than a pressure of `least` [Pa].
+  !> Gathers fluxes and admittances of a strip's columns for the walls, convected heat, and the largest change of
+  !> temperature [K] where the pressure exceeds `least` [Pa].
   subroutine take_up(self, film, strip, least, change)
     class(line_film_heat), intent(inout) :: self
     class(film_contact), intent(in) :: film

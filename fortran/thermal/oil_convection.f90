@@ -1,4 +1,4 @@
-!> Heat that oil carries along a film, from column to column: upwind differences along the path of the oil.
+!> Convection of heat along a film, from column to column, by upwind differences along the path of the oil.
 module oil_convection
   use kinds, only: wp
   implicit none(type, external)
@@ -8,13 +8,13 @@ module oil_convection
 
 contains
 
-  !> What convection takes from one level of a line's m columns for each kelvin, `absorption` [W/(m3 K)], and brings them,
-  !> `inflow` [W/m3], with the temperature of its own line and of those about it, at so many nodes and lines per metre.
+  !> Computes the heat convected from one level of a line's m columns per kelvin, `absorption` [W/(m3 K)], and to them,
+  !> `inflow` [W/m3], from the temperature of this line and its neighbours, with reciprocal spacings [1/m].
   !>
-  !> Oil comes from the foot of its path on the square of the eight nodes about its own; where that lies on the line
-  !> before, a second foot two lines back makes the difference along the path one of second order, unless there is no
-  !> such line (`two_back`) or the foot lies beyond its end (`at_first`, `at_last`). Elsewhere values lag behind, and
-  !> only a first-order difference is sure not to let their errors grow from sweep to sweep.
+  !> Oil comes from the foot of its path on the square of the eight neighbouring nodes; where that lies on the line
+  !> before, a second foot two lines back gives a second-order difference along the path, unless there is no such line
+  !> (`two_back`) or the foot lies beyond its end (`at_first`, `at_last`). Elsewhere values lag behind, and only with a
+  !> first-order difference do their errors never grow from sweep to sweep.
   pure subroutine carry_level(m, at_first, at_last, two_back, far, back, here, ahead, capacity, per_node, per_line, u, v, &
     absorption, inflow)
     integer, intent(in) :: m
@@ -22,8 +22,8 @@ contains
     real(wp), intent(in) :: far(-1:m + 2), back(0:m + 1), here(0:m + 1), ahead(0:m + 1), capacity(m), per_node, per_line, &
       u(m), v(m)
     real(wp), intent(out) :: absorption(m), inflow(m)
-    !> One or nought: oil comes from the left, from the line before, and rather from a line than along it; its second foot
-    !> is to be had.
+    !> One or zero: whether oil comes from the left, from the line before, and from a line more than along it; whether its
+    !> second foot exists.
     real(wp) :: left, behind, crossing, reached
     real(wp) :: along, across, rate, skew, beside, foot, second, order
     integer :: c, low, high

@@ -1,7 +1,7 @@
 !> Temperature of the film of a point contact, swept line by line with the oil (`thermal_step`).
 !>
-!> A sweep solves the columns line after line in the direction in which oil moves, upwind by the velocity of each level;
-!> what comes from later lines, or along a line, is as it was. Where oil flows back, a sweep the other way comes first.
+!> A sweep solves the columns line after line in the direction of the oil, upwind by the velocity of each level; values
+!> of later lines, and along a line, lag behind. Where oil flows back, a sweep in the other direction precedes it.
 module point_heat
   use column_sources, only: set_heat, carried_away
   use film_column, only: film_strip, new_film_strip, solve_columns
@@ -25,38 +25,38 @@ module point_heat
 
   !> Columns treated together, whatever the number of threads.
   integer, parameter :: most_columns = 32
-  !> Change of the columns in which oil flows against the sweep, over the largest rise, from which they are swept so too.
+  !> Change of the columns with backflow, over the largest rise, above which they are swept against the oil too.
   real(wp), parameter :: lagging = 0.01_wp
-  !> Fraction of the largest pressure above which temperatures must settle, and of the walls' imbalance that a sweep
-  !> leaves; the Krylov iterations that it may take.
+  !> Fraction of the largest pressure above which temperatures must converge; reduction of the walls' imbalance by a
+  !> sweep, and its largest number of Krylov iterations.
   real(wp), parameter :: judged_pressure = 0.02_wp, wall_tolerance = 0.1_wp
   integer, parameter :: most_wall_iterations = 8
 
-  !> What a thread works on: columns and their shear, and of their levels the derivative of the fluidity by temperature
-  !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat that compression and
-  !> oil bring [W/m3].
+  !> Scratch of a thread: columns and their shear, and at their levels the derivative of the fluidity by temperature
+  !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat of compression and
+  !> convection [W/m3].
   type :: column_work
     type(film_strip) :: columns
     type(shear_strip) :: shear
     real(wp), dimension(:, :), allocatable :: softening, u, v, rate, compression, inflow
   end type column_work
 
-  !> Fields are as the sweep meets them, (length, lines).
+  !> Fields are in the order of the sweep, (length, lines).
   type, extends(film_heat) :: point_film_heat
     type(sweep_frame) :: way
     !> Velocity of body 1's surface and of body 2 relative to it [m/s].
     real(wp), allocatable :: u1(:, :), v1(:, :), us(:, :), vs(:, :)
     !> Pressure [Pa] and film [m].
     real(wp), allocatable :: p(:, :), h(:, :)
-    !> Stress at the middle of the film [Pa], from which the next sweep starts.
+    !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
-    !> Heat of shearing, and what oil carries away less what compression gives it [W/m2]; the largest shear rate across
+    !> Heat of shearing, and heat convected by the oil less that of its compression [W/m2]; the largest shear rate across
     !> the film [1/s].
     real(wp), allocatable :: friction(:, :), carried(:, :), rate(:, :)
-    !> Temperature, (0:length + 1, lines, levels), with room for what would lie beside the ends of a line; that of the
-    !> line in work, and of the next, before the sweep, line k at mod(k, 2).
+    !> Temperature, (0:length + 1, lines, levels), with padding at the ends of a line; that of the present line and of the
+    !> next before the sweep, line k at mod(k, 2).
     real(wp), allocatable :: rise(:, :, :), old(:, :, :)
-    !> Whether oil flows against the sweep in the columns of a cut, (cuts, lines), and by how much a sweep changed them [K].
+    !> Whether oil flows against the sweep in the columns of a cut, (cuts, lines), and their change by a sweep [K].
     logical, allocatable :: returns(:, :)
     real(wp) :: returned = 0
     !> Flux into the walls and its derivatives (`wall_balance`), (length, lines, wall) and (length, lines, wall, wall).
@@ -72,7 +72,7 @@ module point_heat
 
 contains
 
-  !> Heat of a point contact whose film is already sheared.
+  !> Makes the heat of a point contact whose film is already sheared.
   !>
   !> u1 and v1 are the nodal velocity of body 1's surface [m/s]; the bodies move into it, `bulk` being their
   !> temperature far below the surface, above the inlet's [K].
@@ -111,7 +111,7 @@ contains
     if (stat == status_ok) call set_walls(film, self, 0.0_wp, change)
   end subroutine new_point_heat
 
-  !> Gives a point contact whose film is already sheared its heat; for the arguments see `new_point_heat`.
+  !> Adds heat to a point contact whose film is already sheared; arguments as of `new_point_heat`.
   subroutine heat_point_contact(contact, law, u1, v1, body_1, body_2, bulk, stat)
     type(thermal_contact), intent(inout) :: contact
     type(oil_heat_law), intent(in) :: law
@@ -152,14 +152,14 @@ contains
     end associate
   end subroutine new_column_work
 
-  !> Columns whose shear stress was not found in the last sweep.
+  !> Number of columns whose shear stress did not converge in the last sweep.
   pure integer function unsolved(self)
     class(point_film_heat), intent(in) :: self
 
     unsolved = sum(self%threads%shear%unsolved)
   end function unsolved
 
-  !> Forgets the stresses that sweeps start from, and what flowed back.
+  !> Resets the initial stresses of sweeps and the marks of backflow.
   subroutine cool(self)
     class(point_film_heat), intent(inout) :: self
 
@@ -168,7 +168,7 @@ contains
     self%returned = 0
   end subroutine cool
 
-  !> What oil carries away, less what compression gives it, at the nodes [W/m2], as of the last sweep.
+  !> Heat convected by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
   subroutine carried_heat(self, carried)
     class(point_film_heat), intent(in) :: self
     real(wp), intent(out) :: carried(:, :)
@@ -191,10 +191,10 @@ contains
     end select
   end subroutine swept_shear
 
-  !> One sweep over the columns, with walls as they are: with the oil, after one against it where oil that flows so has
-  !> not settled.
+  !> Makes one sweep over the columns with fixed walls: with the oil, after one against it where columns with backflow have
+  !> not converged.
   !>
-  !> `change` is the largest of temperature [K] at more than a pressure of `least` [Pa].
+  !> `change` is the largest change of temperature [K] where the pressure exceeds `least` [Pa].
   subroutine sweep_columns(self, film, least, change)
     class(point_film_heat), intent(inout) :: self
     class(film_contact), intent(inout) :: film
@@ -213,9 +213,9 @@ contains
     call leave_sweep(self, film)
   end subroutine sweep_columns
 
-  !> The lines from..to, one after another; against the oil only where oil flows so.
+  !> Sweeps the lines from..to, one after another; against the oil only columns with backflow.
   !>
-  !> `returned` grows to the largest change where it does [K].
+  !> `returned` is raised to the largest change of columns with backflow [K].
   subroutine sweep_lines(self, film, least, from, to, onward, change, returned)
     class(point_film_heat), intent(inout) :: self
     class(film_contact), intent(in) :: film
@@ -241,7 +241,7 @@ contains
     !$omp end parallel
   end subroutine sweep_lines
 
-  !> Keeps a cut of a line as it is before it is worked on, with the ends of the line and the room beside them.
+  !> Copies a cut of a line before it is solved, with the ends of the line and their padding.
   subroutine keep_line(self, line, cut)
     class(point_film_heat), intent(inout) :: self
     integer, intent(in) :: line, cut
@@ -252,7 +252,7 @@ contains
     self%old(first:last, mod(line, 2), :) = self%rise(first:last, line, :)
   end subroutine keep_line
 
-  !> What the columns need from the nodes of the grid.
+  !> Gathers the input of the columns from the nodes.
   subroutine enter_sweep(self, film)
     class(point_film_heat), intent(inout) :: self
     class(film_contact), intent(in) :: film
@@ -265,7 +265,7 @@ contains
     end do
   end subroutine enter_sweep
 
-  !> What the columns give to the nodes and to the walls.
+  !> Scatters the results of the columns to the nodes and the walls.
   subroutine leave_sweep(self, film)
     class(point_film_heat), intent(inout) :: self
     class(film_contact), intent(inout) :: film
@@ -282,7 +282,7 @@ contains
     end do
   end subroutine leave_sweep
 
-  !> The columns of a cut of a line.
+  !> Solves the columns of a cut of a line.
   subroutine heat_cut(self, film, line, cut, least, work, change, returned)
     class(point_film_heat), intent(inout) :: self
     class(film_contact), intent(in) :: film
@@ -366,7 +366,7 @@ contains
     across(:m) = (self%p(first:last, line + 1) - self%p(first:last, line - 1))*(self%way%per_line/2)
   end subroutine take_gradient
 
-  !> What convection takes from the levels of a line's columns for each kelvin, `absorption` [W/(m3 K)], and brings them,
+  !> Computes the heat convected from the levels of a line's columns per kelvin, `absorption` [W/(m3 K)], and to them,
   !> `inflow` [W/m3]. Oil moves with (along, across) the line [m/s].
   subroutine carry(self, line, first, last, capacity, along, across, absorption, inflow)
     class(point_film_heat), intent(in) :: self
@@ -375,7 +375,7 @@ contains
     real(wp), contiguous, intent(inout) :: absorption(:, :), inflow(:, :)
     integer :: k, before
 
-    ! the first line in work has but one before it
+    ! the first line solved has only one before it
     before = max(line - 2, 1)
     do k = 1, size(along, 2)
       call carry_level(last - first + 1, first == 2, last == self%way%length - 1, line > 2, &

@@ -1,11 +1,11 @@
-!> Newton steps of a film whose oil and bodies warm: what point and line contacts share.
+!> Newton steps of a heated film: the base of the heat of point and line contacts.
 !>
-!> Sharif et al. (2001), eqs 18, 19 and 21: heat is conducted across the film, carried along it, made by shearing and
-!> by compression. A sweep solves the columns of the film with the walls as they are (a kind of contact says in which
-!> order), but the columns' answer to a change of the walls is kept, with which the balance of the walls is solved for
-!> the whole contact at the end: in a thin film the flux follows the walls so closely that taking turns diverges.
+!> Sharif et al. (2001), eqs 18, 19 and 21: heat is conducted across the film, convected along it, made by shearing and
+!> by compression. A sweep solves the columns of the film with fixed walls, in the order of the kind of contact, and
+!> stores the columns' response to a change of the walls, with which the balance of the walls is then solved for the
+!> whole contact: in a thin film the flux depends so strongly on the walls that alternating solves diverge.
 !>
-!> Conduction along the film is left out: against that across it, it is as the square of film over contact length.
+!> Conduction along the film is neglected: relative to that across, it is of the order (film over contact length)^2.
 module thermal_step
   use column_sources, only: hottest
   use film_newton, only: film_contact, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
@@ -21,20 +21,20 @@ module thermal_step
 
   public :: film_heat, thermal_contact, new_film_heat, set_walls, heated_step, heat_sweep, set_temperature
 
-  !> Least fraction of a sweep's change that is taken.
+  !> Least relaxation factor of a sweep's change.
   real(wp), parameter :: least_fraction = 0.125_wp
 
-  !> Temperatures are those above the inlet's [K].
+  !> Heat of a film; temperatures are those above the inlet's [K].
   type, abstract :: film_heat
     type(oil_heat_law) :: law
     type(wall_pair) :: walls
-    !> Fraction of the largest pressure above which temperatures must settle (elsewhere they move little oil), and of the
-    !> walls' imbalance that a sweep leaves.
+    !> Fraction of the largest pressure above which temperatures must converge (elsewhere they affect little oil), and
+    !> reduction of the walls' imbalance by a sweep.
     real(wp) :: judged_pressure = 0, wall_tolerance = 0
     !> Temperature at the nodes of the grid before a step.
     real(wp), allocatable :: before(:, :, :)
-    !> Fraction of a sweep's change that is taken, now and in the step before (zero if there was none), and the whole
-    !> change of the sweep in the step before [K].
+    !> Relaxation factor of a sweep's change, now and in the step before (zero if there was none), and the whole change
+    !> of the sweep in the step before [K].
     real(wp) :: fraction = 1, last_fraction = 0
     real(wp), allocatable :: wanted(:, :, :)
     type(work_tally) :: work
@@ -52,8 +52,8 @@ module thermal_step
   end type thermal_contact
 
   abstract interface
-    !> One sweep over the columns of a film, with walls as they are; `change` is the largest of temperature [K] at more
-    !> than a pressure of `least` [Pa].
+    !> Makes one sweep over the columns of a film with fixed walls; `change` is the largest change of temperature [K]
+    !> where the pressure exceeds `least` [Pa].
     subroutine sweep(self, film, least, change)
       import :: film_heat, film_contact, wp
       implicit none(type, external)
@@ -63,21 +63,21 @@ module thermal_step
       real(wp), intent(out) :: change
     end subroutine sweep
 
-    !> Forgets the stresses that sweeps start from.
+    !> Resets the initial stresses of sweeps.
     subroutine reset(self)
       import :: film_heat
       implicit none(type, external)
       class(film_heat), intent(inout) :: self
     end subroutine reset
 
-    !> Columns whose shear stress was not found in the last sweep.
+    !> Number of columns whose shear stress did not converge in the last sweep.
     pure integer function count(self)
       import :: film_heat
       implicit none(type, external)
       class(film_heat), intent(in) :: self
     end function count
 
-    !> What oil carries away, less what compression gives it, at the nodes [W/m2], as of the last sweep.
+    !> Heat convected by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
     subroutine convection(self, carried)
       import :: film_heat, wp
       implicit none(type, external)
@@ -88,7 +88,7 @@ module thermal_step
 
 contains
 
-  !> What all kinds of heat hold, of a film that is sheared already; its temperature is to be set by `set_walls` then.
+  !> Makes the base of the heat of a sheared film; `set_walls` then sets its temperature.
   !>
   !> The bodies move into the walls, `bulk` being their temperature far below the surface, above the inlet's [K];
   !> `most_iterations` bounds the Krylov iterations of one balance of the walls.
@@ -114,13 +114,13 @@ contains
     self%wanted = 0
   end subroutine new_film_heat
 
-  !> One Newton step of the film from (p, h0), about which it was last evaluated, one sweep of heat at the new film, and
-  !> the film's balance there.
+  !> Makes one Newton step of the film from (p, h0), at which it was last evaluated, one sweep of heat at the new film,
+  !> and evaluates the film's balance there.
   !>
-  !> For the arguments see `film_step`, for `change` `heat_sweep`. The whole of Newton's step is judged after the heat
-  !> that follows it, so that flows are evaluated once. Where that is too much, by the step or by the heat, the step
-  !> is sought at the temperature before, and heat follows by half at most: a film that has thinned under pressure from
-  !> before makes heat without bound. Heat is swept even if no step helps.
+  !> Arguments are as of `film_step`, `change` as of `heat_sweep`. The full Newton step is accepted or rejected after its
+  !> sweep of heat, so that flows are evaluated once. If it is rejected, the damped step is found at the temperature
+  !> before, and the relaxation factor is at most one half: a film that has thinned under the former pressure makes unbounded
+  !> heat. Heat is swept even if no step is accepted.
   subroutine heated_step(film, heat, forcing, p, h0, residual, load_error, krylov, step, change, stat)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(inout) :: heat
@@ -158,8 +158,8 @@ contains
     heat%wanted(:, :, :) = (film%shear%nodes%rise - heat%before)/heat%fraction
   end subroutine heated_step
 
-  !> A sweep of heat, of whose change the fraction that settles is taken, `most` of it at most, and the balance of the
-  !> film that it leaves.
+  !> Makes a sweep of heat with a relaxation factor of at most `most`, and evaluates the balance of the film after
+  !> it.
   subroutine warm_film(film, heat, most, residual, load_error, change, stat)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(inout) :: heat
@@ -178,8 +178,8 @@ contains
     call film_balance(film, residual, load_error)
   end subroutine warm_film
 
-  !> Fraction of a sweep's change to be taken: less than all where sweeps undo or redouble what those before did, by
-  !> Aitken's extrapolation over the nodes where pressure counts (Kuettler and Wall 2008).
+  !> Relaxation factor of a sweep's change, below one where sweeps oscillate or grow, by Aitken's extrapolation over the
+  !> nodes with pressure (Kuettler and Wall 2008).
   real(wp) function settling_fraction(film, heat) result(fraction)
     class(film_contact), intent(in) :: film
     class(film_heat), intent(in) :: heat
@@ -207,10 +207,10 @@ contains
     end if
   end function settling_fraction
 
-  !> One sweep over the columns, then the balance of the walls.
+  !> Makes one sweep over the columns, then balances the walls.
   !>
-  !> `change` is the largest change of temperature [K] where pressure counts. If it leaves all sense, the contact is
-  !> given back as cold as its bodies.
+  !> `change` is the largest change of temperature [K] where there is pressure. If the temperature diverges, the contact
+  !> is reset to the temperature of its bodies.
   subroutine heat_sweep(film, heat, change, stat)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(inout) :: heat
@@ -225,9 +225,9 @@ contains
     call heat%work%start()
     least = heat%judged_pressure*maxval(film%fields%p)
     call heat%sweep_columns(film, least, change)
-    ! nor is heat of a stress that was not found to count as settled
+    ! heat of a stress that did not converge must not count as settled
     if (heat%unsolved() > 0) change = hottest
-    ! the walls of a film that has left all sense may not even be numbers in single precision
+    ! the walls of a diverged film may overflow in single precision
     call judge_temperature(film, heat, stat)
     if (stat == status_ok) then
       call balance_walls(heat%walls, heat%wall_tolerance, missed, iterations, reduction)
@@ -238,7 +238,7 @@ contains
     call heat%work%finish()
   end subroutine heat_sweep
 
-  !> Whether the film is between absolute zero and what no oil bears; if not it is cooled down.
+  !> Checks that the film is above absolute zero and below the largest rise; if not it is cooled down.
   subroutine judge_temperature(film, heat, stat)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(inout) :: heat
@@ -262,7 +262,7 @@ contains
     call set_walls(film, heat, 0.0_wp, change)
   end subroutine judge_temperature
 
-  !> Takes up a temperature above the inlet's [K], at the levels.
+  !> Sets the temperature above the inlet's [K], at the levels.
   subroutine set_temperature(film, heat, rise)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(inout) :: heat
@@ -273,8 +273,8 @@ contains
     heat%walls%wall(:, :, 2) = rise(:, :, size(rise, 3))
   end subroutine set_temperature
 
-  !> Gives the film the walls' temperature; what lies between follows as by conduction alone. On the outline it keeps
-  !> the inlet's. `change` is the largest of a wall [K] at more than a pressure of `least` [Pa].
+  !> Sets the film's walls to those of the balance; the levels between change as by conduction alone. On the outline the
+  !> film has the inlet's temperature. `change` is the largest of a wall [K] where the pressure exceeds `least` [Pa].
   subroutine set_walls(film, heat, least, change)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(in) :: heat

@@ -187,7 +187,7 @@ class Film:
         KernelError
             If a value is not finite or the shape is not that of the grid.
         """
-        check_status(core.bindings.film_store(self._handle, implicit, self._on_nodes(explicit)))
+        check_status(core.bindings.film_transient(self._handle, implicit, self._on_nodes(explicit)))
 
     def step(self, forcing: float) -> Step:
         """Make one Newton step and, where heat is simulated, one sweep of it at the new pressure.

@@ -3,7 +3,7 @@
 program test_line_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use kinds, only: wp
-  use film_newton, only: store, film_residual, film_step, set_system
+  use film_newton, only: set_transient_term, film_residual, film_step, set_system
   use line_film, only: line_contact, new_line_contact
   use viscosity_density, only: oil_law, law_barus, law_roelands
   use status, only: status_ok, status_bad_argument, status_not_finite
@@ -48,10 +48,10 @@ contains
     p = 0.3_wp*(1.2_wp + sin(5*x))
     along = cos(7*x)
     along([1, n]) = 0
-    ! entrainment of both signs, a squeeze, a compressible Roelands oil: every term takes part
+    ! entrainment of both signs, a transient term, a compressible Roelands oil: every term takes part
     call new_line_contact(contact, x**2/2, [(.true., i=1, n)], sin(3*x), 0.05_wp, modulus, &
       oil_law(law_roelands, 0.01_wp, 0.6_wp, 0.3_wp, 0.5_wp, 1.5_wp), load, floor, stat)
-    if (stat == status_ok) call store(contact, 1.5_wp, on_nodes(0.2_wp*x), stat)
+    if (stat == status_ok) call set_transient_term(contact, 1.5_wp, on_nodes(0.2_wp*x), stat)
     call check(stat == status_ok, "a contact is made")
     call film_residual(contact, on_nodes(p + step*along), h0 + step*along_h0, residual, load_error)
     forward = contact%imbalance(:, 1)
@@ -201,10 +201,10 @@ contains
     call new_line_contact(contact, field, covered, broken, 1.0_wp, modulus, barus, load, floor, stat)
     call check(stat == status_not_finite, "a velocity that is not finite is refused")
     call new_line_contact(contact, field, covered, field, 1.0_wp, modulus, barus, load, floor, stat)
-    call store(contact, 1.0_wp, on_nodes(broken), stat)
-    call check(stat == status_not_finite, "a squeeze that is not finite is refused")
-    call store(contact, 1.0_wp, on_nodes(field(:2)), stat)
-    call check(stat == status_bad_argument, "a squeeze of another grid is refused")
+    call set_transient_term(contact, 1.0_wp, on_nodes(broken), stat)
+    call check(stat == status_not_finite, "a transient term that is not finite is refused")
+    call set_transient_term(contact, 1.0_wp, on_nodes(field(:2)), stat)
+    call check(stat == status_bad_argument, "a transient term of another grid is refused")
   end subroutine refusals
 
 end program test_line_film

@@ -1,7 +1,7 @@
 !> Temperature of a line contact's film: thermal Couette flow, heat carried by a film of one velocity, compression,
 !> partition of heat between fast bodies, its balance, opposite flow and its mirror image.
 program test_line_heat
-  use film_newton, only: store, shear_contact, film_residual
+  use film_newton, only: set_transient_term, shear_contact, film_residual
   use flow_laws, only: flow_law, law_newton
   use heated_surface, only: heated_body
   use kinds, only: wp
@@ -76,7 +76,7 @@ contains
     ! bodies so stiff that no pressure bends them
     call new_line_contact(contact%film, 0*field, covered, (u1 + u2)/2*field, dx, 1e30_wp, oil, 1e5_wp, &
       1e-9_wp, stat)
-    if (stat == status_ok) call store(contact%film, 0.0_wp, on_nodes(1e-6_wp*field), stat)
+    if (stat == status_ok) call set_transient_term(contact%film, 0.0_wp, on_nodes(1e-6_wp*field), stat)
     call check(stat == status_ok, "a contact is made")
     call shear_contact(contact%film, flow_law(law_newton), levels, on_nodes((u2 - u1)*field), on_nodes(0*field), stat)
     allocate (moving)

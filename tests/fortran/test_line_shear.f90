@@ -1,6 +1,6 @@
 !> The flow of a sheared line contact: Newton's in its limit, its bands the derivative of its imbalance, a closed form.
 program test_line_shear
-  use film_newton, only: store, shear_contact, film_residual, film_step
+  use film_newton, only: set_transient_term, shear_contact, film_residual, film_step
   use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
   use kinds, only: wp
   use line_film, only: line_contact, new_line_contact
@@ -16,8 +16,8 @@ program test_line_shear
   type(oil_law), parameter :: oil = oil_law(law_roelands, 0.227_wp, 0.227_wp, 1.961e8_wp, 0.67e-9_wp, 2.68e-9_wp, &
     333.15_wp, 0.782_wp, 7.1e-4_wp, 1.5e-9_wp)
   real(wp), parameter :: tau0 = 3e6_wp
-  real(wp), parameter :: renewal = 300
-  real(wp) :: x(n), p(n), u(n), sliding(n), squeeze(n), h0
+  real(wp), parameter :: implicit_rate = 300
+  real(wp) :: x(n), p(n), u(n), sliding(n), explicit_rate(n), h0
   logical :: covered(n)
   integer :: stat
 
@@ -51,7 +51,7 @@ contains
     p = 5e8_wp*exp(-2*(x/5e-4_wp)**2)*(1 + 200*x)
     u = 1.5_wp*cos(x/1e-3_wp)
     sliding = 2.5_wp - 100*x
-    squeeze = 0.1_wp*x
+    explicit_rate = 0.1_wp*x
     covered = .true.
     h0 = 2e-6_wp
   end subroutine set_scene
@@ -60,7 +60,7 @@ contains
     type(line_contact), intent(out) :: contact
 
     call new_line_contact(contact, x**2/(2*radius), covered, u, dx, modulus, oil, load, floor, stat)
-    if (stat == status_ok) call store(contact, renewal, on_nodes(squeeze), stat)
+    if (stat == status_ok) call set_transient_term(contact, implicit_rate, on_nodes(explicit_rate), stat)
     call check(stat == status_ok, "a contact is made")
   end subroutine new_contact
 
@@ -161,7 +161,7 @@ contains
     p = 0
     call new_line_contact(contact, 0*x, covered, u, dx, modulus, &
       oil_law(law_barus, eta, 2e-8_wp, 1.0_wp, 0.0_wp, 0.0_wp), load, floor, stat)
-    call store(contact, 0.0_wp, on_nodes(0*x + 1e-6_wp), stat)
+    call set_transient_term(contact, 0.0_wp, on_nodes(0*x + 1e-6_wp), stat)
     call shear_contact(contact, flow_law(law_eyring, tau0), levels, on_nodes(sliding), on_nodes(0*sliding), stat)
     call film_residual(contact, on_nodes(p), film, residual, load_error)
     call nodal_shear(contact, .false., field, stat)

@@ -4,7 +4,7 @@ program test_point_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use kinds, only: wp
   use viscosity_density, only: oil_law, law_barus
-  use film_newton, only: store, film_residual, film_step
+  use film_newton, only: set_transient_term, film_residual, film_step
   use point_film, only: point_contact, new_point_contact
   use status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
@@ -99,10 +99,10 @@ contains
     call check(stat == status_not_finite, "a gap that is not finite is refused")
     call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
       1e-4_wp, stat)
-    call store(contact, 1.0_wp, broken, stat)
-    call check(stat == status_not_finite, "a squeeze that is not finite is refused")
-    call store(contact, 1.0_wp, field(:8, :), stat)
-    call check(stat == status_bad_argument, "a squeeze of another grid is refused")
+    call set_transient_term(contact, 1.0_wp, broken, stat)
+    call check(stat == status_not_finite, "a transient term that is not finite is refused")
+    call set_transient_term(contact, 1.0_wp, field(:8, :), stat)
+    call check(stat == status_bad_argument, "a transient term of another grid is refused")
   end subroutine refusals
 
 end program test_point_film

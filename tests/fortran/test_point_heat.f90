@@ -9,7 +9,7 @@ program test_point_heat
   use shear_fields, only: shear_field, nodal_shear
   use thermal_properties, only: oil_heat_law
   use viscosity_density, only: oil_law, law_barus
-  use film_newton, only: shear_contact, store, film_residual
+  use film_newton, only: shear_contact, set_transient_term, film_residual
   use point_film, only: point_contact, new_point_contact
   use status, only: status_ok
   use tap, only: check, close_to, done
@@ -70,7 +70,7 @@ contains
     ! bodies so stiff that no pressure bends them
     call new_point_contact(contact%film, 0*field, covered, (u1(1) + u2(1))/2*field, (u1(2) + u2(2))/2*field, &
       dx, dx, 1e30_wp, oil, 1.0_wp, 1e-9_wp, stat)
-    if (stat == status_ok) call store(contact%film, 0.0_wp, 1e-6_wp*field, stat)
+    if (stat == status_ok) call set_transient_term(contact%film, 0.0_wp, 1e-6_wp*field, stat)
     call check(stat == status_ok, "a contact is made")
     call shear_contact(contact%film, flow_law(law_newton), levels, (u2(1) - u1(1))*field, &
       (u2(2) - u1(2))*field, stat)

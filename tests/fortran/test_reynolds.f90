@@ -120,12 +120,12 @@ contains
     allocate (x(n + 1), y(ny + 1), wanted(n + 1, ny + 1), free(n + 1, ny + 1), imbalance(n + 1, ny + 1))
     x = [(-2 + (i - 1)*dx, i=1, n + 1)]
     y = [(-3 + (j - 1)*dy, j=1, ny + 1)]
-    allocate (system%grid%u(n + 1, ny + 1), system%grid%v(n + 1, ny + 1), system%grid%squeeze(n + 1, ny + 1))
+    allocate (system%grid%u(n + 1, ny + 1), system%grid%v(n + 1, ny + 1), system%grid%explicit_rate(n + 1, ny + 1))
     system%grid%nx = n + 1
     system%grid%ny = ny + 1
     system%grid%dx = dx
     system%grid%dy = dy
-    system%grid%squeeze = squeeze
+    system%grid%explicit_rate = squeeze
     call new_film_fields(n + 1, ny + 1, system%fields, stat)
     do j = 1, ny + 1
       do i = 1, n + 1

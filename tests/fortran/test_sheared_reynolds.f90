@@ -39,8 +39,8 @@ contains
     real(wp) :: x, y, bump
     integer :: i, j, k
 
-    grid = film_grid(nx, ny, 1e-4_wp, 1.2e-4_wp, renewal=500.0_wp)
-    allocate (grid%u(nx, ny), grid%v(nx, ny), grid%squeeze(nx, ny))
+    grid = film_grid(nx, ny, 1e-4_wp, 1.2e-4_wp, implicit_rate=500.0_wp)
+    allocate (grid%u(nx, ny), grid%v(nx, ny), grid%explicit_rate(nx, ny))
     call new_film_fields(nx, ny, fields, stat)
     call check(stat == status_ok, "fields are made")
     allocate (fields%mobility_y(nx, ny), source=0.0_wp)
@@ -53,7 +53,7 @@ contains
         h(i, j) = 1e-6_wp*(1 + x**2 + 0.5_wp*y**2 + 0.1_wp*x*y)
         grid%u(i, j) = 1.5_wp - 0.2_wp*y
         grid%v(i, j) = 0.3_wp + 0.2_wp*x
-        grid%squeeze(i, j) = 1e-4_wp*x
+        grid%explicit_rate(i, j) = 1e-4_wp*x
         sliding_x(i, j) = 2.5_wp - 0.4_wp*y
         sliding_y(i, j) = 0.5_wp + 0.4_wp*x
         do k = 1, levels
