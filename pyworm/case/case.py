@@ -55,7 +55,7 @@ class Case:
     tables : CaseTable
         The file, in SI.
     doubts : tuple of str
-        What is unusual in the file and in the contacts it makes, as `warnings` tells it.
+        Unusual values in the file and its contacts, as sentences of `warnings`.
     """
 
     name: str
@@ -285,8 +285,8 @@ def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The completely checked case of a case file's content; CaseError as of `load`."""
     case = Case(name, directory, _tables(data))
     # All contacts are made: the drive must mesh and the gap file must hold a gap.
-    told = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
-    checked_case = replace(case, doubts=told)
+    found = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
+    checked_case = replace(case, doubts=found)
     vars(checked_case).update(drive=case.drive)
     return checked_case
 

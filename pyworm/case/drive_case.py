@@ -6,7 +6,7 @@ from pyworm.case.case_file import CaseTable
 from pyworm.drives.drive import Drive
 
 LOADS = ("load", "worm_torque", "wheel_torque", "power")
-"""Keys of `[operation]` of which one says what the teeth carry."""
+"""Keys of `[operation]` of which one gives the load of the teeth."""
 
 
 class DriveCase(CaseTable):

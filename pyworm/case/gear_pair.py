@@ -125,4 +125,4 @@ def _gear(table: GearTable) -> Gear:
 
 
 CASE = GearPairCase
-"""What a case file about this kind of drive may say."""
+"""Tables and keys of a case file of this kind of drive."""

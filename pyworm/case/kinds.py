@@ -1,7 +1,6 @@
 """Kinds of case files: one model for each table; text with units becomes SI.
 
-Each model answers for the values of its own table only. Whether worm, wheel and hob make a drive is the
-drive's to say.
+Each model checks the values of its own table only; the drive checks that worm, wheel and hob fit.
 """
 
 from typing import Literal
@@ -17,7 +16,7 @@ CASES: dict[str, dict[str, type[CaseTable]]] = {
     "drive": {kind: module_of(kind, "pyworm.case").CASE for kind in KINDS},
     "contact": {"point-contact": PointCase, "line-contact": LineCase, "gap": GapCase},
 }
-"""Table that says what a case is about -> its kind -> what the file may say."""
+"""Table of the subject of a case -> its kind -> the model of its file."""
 
 RATED = tuple(kind for kind, case in CASES["drive"].items() if issubclass(case, RatedCase))
 """Kinds of drives whose case files may ask for ratings."""

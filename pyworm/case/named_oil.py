@@ -38,7 +38,7 @@ _UNITS = {
 """Key of a constant -> its SI unit; a key that is not here is a plain number."""
 
 _INSTEAD = {"z": "alpha", "s0": "beta"}
-"""Key that a file may give -> key of the named oil that says the same otherwise."""
+"""Key that a file may give -> key of the named oil with the same meaning."""
 
 
 def _known(name: str) -> str:
@@ -84,7 +84,7 @@ def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
     ValidationError
         No such oil, or none at this temperature.
     ValueError
-        It says in two ways how warm the oil is.
+        It gives the temperature of the oil twice.
     """
     asked = _ByName.model_validate(table)
     heat = table.get("heat")

@@ -36,7 +36,7 @@ class RoelandsTable(Table):
     """`[oil.viscosity]`, law = "roelands".
 
     The exponent is given as `z` or by the slope `alpha`; the pole as a pressure (1.96e8 Pa in its usual
-    rounding, which is what is taken if nothing is said) or as its reciprocal (5.1e-9 1/Pa).
+    rounding, which is the default) or as its reciprocal (5.1e-9 1/Pa).
     """
 
     law: Literal["roelands"]

@@ -32,8 +32,8 @@ of 180 HB. At a twentieth of its modulus the mean pressure is the hardness of th
 not yield, but at a quarter the contact is as large as the radius."""
 
 THICK = 1 / 20
-"""Film over the radius along the entrainment from which a film is told as thick; thin-film theory takes it as
-small, and beyond 1 the surfaces do not make a contact."""
+"""Film over the radius along the entrainment from which a film is reported as thick; thin-film theory takes
+it as small, and beyond 1 the surfaces do not make a contact."""
 
 MOLECULE = 1e-9
 """Thickness of a few molecules of oil [m], below which a film is no fluid."""
@@ -57,7 +57,7 @@ class Doubt:
     possible : bool
         Whether it may be all the same.
     sentence : str
-        What is said, without the key it follows from.
+        The sentence without its key.
     """
 
     of: str
@@ -163,15 +163,15 @@ def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Itera
     if pressure <= usual:
         return
     possible = pressure <= fraction * softer
-    said = f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}"
+    sentence = f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}"
     if possible:
-        said += (
+        sentence += (
             f"; {name} (the softer body has a modulus of {softer / 1e9:.3g} GPa) bear up to "
             f"{usual / 1e9:g} GPa as a rule"
         )
     else:
-        said += (
+        sentence += (
             f"; nothing with a modulus of {softer / 1e9:.3g} GPa, as the softer body has, bears more than "
             f"{fraction * softer / 1e9:.3g} GPa"
         )
-    yield Doubt("pressure", pressure / usual, possible, said)
+    yield Doubt("pressure", pressure / usual, possible, sentence)

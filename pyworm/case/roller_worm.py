@@ -170,4 +170,4 @@ class RollerWormCase(DriveCase):
 
 
 CASE = RollerWormCase
-"""What a case file about this kind of drive may say."""
+"""Tables and keys of a case file of this kind of drive."""

@@ -74,7 +74,7 @@ class RangeTable(_Interval):
 class DrawTable(_Interval):
     """Random values between two ends, spread evenly or, "log-uniform", evenly in their logarithm.
 
-    Each key has a sequence of its own, which the sweep's seed decides: more draws go on from the same first
+    Each key has its own random sequence, by the sweep's seed: more draws continue the same first
     ones, and another key beside it changes none.
     """
 
@@ -151,9 +151,9 @@ class SweepTable(Table):
         for number, axis in enumerate(self.axes()):
             counts = {key: len(values) for key, values in axis.items()}
             if len(set(counts.values())) > 1:
-                told = ", ".join(f"{key} has {count} values" for key, count in counts.items())
+                listed = ", ".join(f"{key} has {count} values" for key, count in counts.items())
                 raise ValueError(
-                    f"vary[{number}]: {told}; the keys of one table go together, "
+                    f"vary[{number}]: {listed}; the keys of one table go together, "
                     "give the same number or a [[vary]] of its own"
                 )
         return self

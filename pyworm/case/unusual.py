@@ -18,7 +18,8 @@ def unusual(file: BaseModel, data: dict[str, Any]) -> tuple[str, ...]:
     file : BaseModel
         The file as it was read.
     data : dict
-        The same as written; what it does not say, such as the numbers of a named oil, is not judged.
+        The table as written; values that it does not give, such as the numbers of a named oil, are not
+        judged.
     """
     keys: dict[tuple[str, str], list[str]] = {}
     for key, text, kind in _written(file, data):
@@ -40,14 +41,14 @@ def _written(table: BaseModel, data: dict[str, Any], above: str = "") -> Iterato
             )
 
 
-def _quantities(value: Any, said: Any, kind: Kind | None, key: str) -> Iterator[tuple]:
-    if isinstance(value, BaseModel) and isinstance(said, dict):
-        yield from _written(value, said, f"{key}.")
-    elif isinstance(value, dict) and isinstance(said, dict):
-        for name in value.keys() & said.keys():
-            yield from _quantities(value[name], said[name], kind, f"{key}.{name}")
-    elif isinstance(said, list):
-        for place, (one, entry) in enumerate(zip(value, said, strict=True)):
+def _quantities(value: Any, written: Any, kind: Kind | None, key: str) -> Iterator[tuple]:
+    if isinstance(value, BaseModel) and isinstance(written, dict):
+        yield from _written(value, written, f"{key}.")
+    elif isinstance(value, dict) and isinstance(written, dict):
+        for name in value.keys() & written.keys():
+            yield from _quantities(value[name], written[name], kind, f"{key}.{name}")
+    elif isinstance(written, list):
+        for place, (one, entry) in enumerate(zip(value, written, strict=True)):
             yield from _quantities(one, entry, kind, f"{key}[{place}]")
-    elif isinstance(said, str) and kind is not None:
-        yield key, said, kind
+    elif isinstance(written, str) and kind is not None:
+        yield key, written, kind

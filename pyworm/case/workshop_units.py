@@ -20,14 +20,14 @@ def shown(value: Any, field: FieldInfo | None = None) -> str:
 
 def assumptions(file: FileTable) -> dict[str, str]:
     """Assumptions of a file: "drive.module = 5.08 mm" -> reason; whole tables without a value."""
-    said = {}
+    reasons = {}
     for key, reason in file.assumed.items():
         *tables, last = key.split(".")
         value, table = file.at(key), file.at(".".join(tables)) if tables else file
         field = type(table).model_fields[last] if isinstance(table, BaseModel) else None
         whole = isinstance(value, BaseModel | dict)
-        said[key if whole else f"{key} = {shown(value, field)}"] = reason
-    return said
+        reasons[key if whole else f"{key} = {shown(value, field)}"] = reason
+    return reasons
 
 
 def _plain(value: Any, kind: Kind | None) -> str:

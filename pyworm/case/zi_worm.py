@@ -138,8 +138,8 @@ class OperationTable(Table):
             raise ValueError("lifts means nothing with sharing = equal, by which no tooth yields")
         phases = [phase for phase, _ in self.lifts]
         if any(after <= before for before, after in pairwise(phases)):
-            told = ", ".join(f"{phase:g}" for phase in phases)
-            raise ValueError(f"lifts has the phases {told}; they must rise")
+            listed = ", ".join(f"{phase:g}" for phase in phases)
+            raise ValueError(f"lifts has the phases {listed}; they must rise")
         return self
 
 
@@ -148,8 +148,8 @@ class CoolingTable(Table):
 
     `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
     them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
-    `worm_excess` says how much warmer the worm's bulk is than the wheel's. `tooth_loss` is the loss between
-    the teeth for which all this is struck; left out, it is found.
+    `worm_excess` is the excess of the worm's bulk temperature over the wheel's. `tooth_loss` is the loss
+    between the teeth for which all this is struck; left out, it is found.
     """
 
     ambient_temperature: units.Temperature
@@ -274,4 +274,4 @@ FIRST_FRICTION = 0.01
 
 
 CASE = ZiWormCase
-"""What a case file about this kind of drive may say."""
+"""Tables and keys of a case file of this kind of drive."""

@@ -1,7 +1,7 @@
 """Cylindrical worm gears by the methods of DIN 3996:2012 and ISO/TS 14521, as far as they could be checked.
 
 Neither text could be read. Every formula here is from memory and is checked by dimension, by the limits
-it must have, and by the worked values of a reference gear; each docstring says how. Lengths are in
+it must have, and by the worked values of a reference gear; each docstring names the check. Lengths are in
 metres, speeds in rad/s, torques in N m, pressures in Pa, temperatures in kelvin; the standards' own
 units are used inside only.
 """
@@ -206,7 +206,7 @@ def forward_efficiency(tan_lead: float, friction: float) -> float:
 def backward_efficiency(tan_lead: float, friction: float) -> float:
     """Efficiency of the teeth with the wheel driving [-], tan(gamma - atan mu)/tan gamma.
 
-    Zero or less says that the wheel cannot drive the worm.
+    At zero or less the wheel cannot drive the worm.
     """
     positive("tangent of the lead angle", tan_lead, "")
     within("tooth friction", friction, 0, 0.5, "")
@@ -366,7 +366,7 @@ def bulk_temperature(
 def temperature_safety(sump_temperature: float, limit: float) -> float:
     """S_T [-], limiting over actual sump temperature, both in degC inside; arguments in kelvin.
 
-    The limit belongs to the oil and is its maker's to say; 90 degC is usual for mineral oils, 100 degC
+    The limit is a property of the oil, given by its maker; 90 degC is usual for mineral oils, 100 degC
     for PAO and PAG.
     """
     within("sump temperature", sump_temperature, 273.16, 470, "K")

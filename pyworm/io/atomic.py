@@ -1,6 +1,6 @@
 """Atomic writing: files and directories appear complete or not at all.
 
-What is being written lies in the directory where it is to appear under a name of its own, `.NAME.TOKEN.part`,
+A file being written lies in its final directory under a temporary name, `.NAME.TOKEN.part`,
 and its writer holds a lock on it. Such a thing that nobody holds was left by a process that was killed.
 """
 
@@ -98,7 +98,7 @@ def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
 def remove_abandoned(directory: Path) -> None:
     """Remove the partial files of killed processes from a directory, if it exists.
 
-    File systems without locks do not tell what is abandoned; there it stays.
+    On file systems without locks abandoned files are not recognised and remain.
     """
     for path in directory.glob(".*.part"):
         if _PARTIAL.fullmatch(path.name):

@@ -13,7 +13,7 @@ from pyworm.io.terminal import encoding_of, plain, silence
 
 
 class Console(rich.console.Console):
-    """A console that shows text as it is: no markup, no emoji, no colours of its own for numbers."""
+    """A console that shows text unchanged: no markup, no emoji, no highlighting of numbers."""
 
     def __init__(self, stderr: bool = False):
         super().__init__(stderr=stderr, markup=False, emoji=False, highlight=False)
@@ -39,7 +39,7 @@ def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
     Yields
     ------
     callable or None
-        Told what is being done and which share of all is done, 0 to 1.
+        Called with what is being done and the fraction of all that is done, 0 to 1.
     """
     if not sys.stderr.isatty():
         yield None
@@ -50,13 +50,13 @@ def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
         TaskProgressColumn(markup=False),
         TimeRemainingColumn(),
     )
-    # Scenes may take minutes: the time that remains is told from the last ten.
+    # Scenes may take minutes: the remaining time is estimated from the last ten.
     how = {"console": Console(stderr=True), "transient": True, "speed_estimate_period": 600}
     with Progress(*columns, **how) as bar:
         task = bar.add_task("", total=1.0)
 
         def show(message: str, share: float) -> None:
-            if share == 0:  # another kind of work, at a pace of its own
+            if share == 0:  # another kind of work, at another pace
                 bar.reset(task)
             bar.update(task, description=plain(message, sys.stderr), completed=share)
 

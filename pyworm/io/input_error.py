@@ -52,7 +52,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     str
         Dotted key, value as written, and what would be right.
     """
-    # A misspelt key also leaves another one missing: the misspelling is the one to tell.
+    # A misspelt key also leaves another one missing: the misspelling is the one to report.
     problem = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
     name = shortened(_dotted(keys))

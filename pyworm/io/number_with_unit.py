@@ -29,7 +29,7 @@ def number_and_unit(text: str) -> tuple[str, str] | None:
 def measure(text: str, unit: str | None = None):
     """The pint quantity that a text means, in SI base units; None where it means none.
 
-    Where a speed of rotation is wanted, its own unit tells that revolutions in a minute are meant.
+    Where a speed of rotation is wanted, its unit distinguishes revolutions per minute.
     """
     parts = number_and_unit(text)
     if parts is None:

@@ -1,7 +1,7 @@
 """Quantities of a known kind: "14 kN" in a case file becomes the force of 14000.0.
 
 Each kind has two ranges. Beyond the possible one a value is refused: nothing is built or flows so, and
-products of powers of such values overflow. Beyond the usual one it is taken, and told.
+products of powers of such values overflow. Beyond the usual range it is accepted with a warning.
 """
 
 import math
@@ -39,7 +39,7 @@ _SLIPS = {
 """SI unit -> what is meant where it, or one of its multiples, is a slip."""
 
 Range = tuple[str, str]
-"""Two quantities, smallest and largest size, as they are told."""
+"""Two quantities, smallest and largest size, as shown to the user."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,8 @@ class Kind:
     possible : tuple of str
         Sizes between which every value lies that is not zero.
     usual : tuple of str, optional
-        Sizes beyond which a value is told, the smallest empty where none is too small; by default none is.
+        Sizes beyond which a value gives a warning, the smallest empty where none is too small; by default
+        none.
     """
 
     noun: str

@@ -20,7 +20,7 @@ _LETTERS = {
 """What stands for a character where it cannot be written; for others, their letter without its accent."""
 
 _SHOWN_BY_CODE = ("Cc", "Cf", "Cs", "Zl", "Zp")
-"""Categories of characters that say something to a terminal instead of showing something."""
+"""Categories of characters that control a terminal instead of being shown."""
 
 
 def prepare() -> None:

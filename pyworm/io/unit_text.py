@@ -28,7 +28,7 @@ ROTATIONS = ("1/min", "min-1", "min^-1", "min**-1", "r/min", "rev/min", "U/min")
 """What revolutions in a minute are written as, beside rpm."""
 
 DIVISORS_ONLY = ("degC", "degF")
-"""Temperatures that count from a point of their own; below a fraction bar they are differences."""
+"""Temperature scales with an offset; below a fraction bar they are differences."""
 
 
 def plain(text: str) -> str:

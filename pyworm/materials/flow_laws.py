@@ -107,7 +107,7 @@ class FlowLaw:
         highest = min(thinned, limit)
         if (
             not excess(highest) > 0
-        ):  # a limit so far away that only rounding tells thinned from limited
+        ):  # a limit so far away that thinned and limited differ by rounding only
             return highest
         return brentq(excess, 0.0, highest, xtol=1e-9 * limit)
 

@@ -144,10 +144,10 @@ def planned(
     quantities: tuple[str, ...],
     prediction: Prediction,
     asked: str | None = None,
-    kept: frozenset[str] = frozenset(),
+    required: frozenset[str] = frozenset(),
 ) -> Plan:
-    """The plan from a prediction of the contact; effects in `kept` stay on."""
-    judgements = _judged(scene, accuracy, quantities, prediction, asked, kept)
+    """The plan from a prediction of the contact; effects in `required` stay on."""
+    judgements = _judged(scene, accuracy, quantities, prediction, asked, required)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
     model = model_for(simple, accuracy, on)
@@ -192,11 +192,11 @@ def _judged(
     quantities: tuple[str, ...],
     prediction: Prediction,
     asked: str | None,
-    kept: frozenset[str],
+    required: frozenset[str],
 ) -> tuple[Judgement, ...]:
     """The effects judged for `planned`."""
     names = None if asked is None else chosen(scene, asked)
-    return judge(scene, accuracy, quantities, prediction, names, kept)
+    return judge(scene, accuracy, quantities, prediction, names, required)
 
 
 def _known(scene: Scene | LineScene) -> tuple[str, ...]:

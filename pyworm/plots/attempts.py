@@ -71,7 +71,7 @@ def _by_reason(failed: dict[str, str]) -> Iterable[tuple[str, list[str]]]:
 
 
 SHOWN = 3
-"""Pictures that a sentence names; of more it tells the number."""
+"""Largest number of pictures that a sentence names; of more it gives the number."""
 
 
 def _listed(names: list[str]) -> str:

@@ -182,7 +182,7 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
                 height / total_height,
             )
         )
-        panel.set_title(title, fontsize="medium", y=1)  # said, or it is sought among the ticks
+        panel.set_title(title, fontsize="medium", y=1)  # given, or it is sought among the ticks
         panel.set_xlim(window.left, window.right)
         panel.set_ylim(window.bottom, window.top)
         panel.set_aspect(window.stretch)

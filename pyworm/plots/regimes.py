@@ -41,7 +41,7 @@ MARGIN = 30.0
 
 
 def draw_regimes(result: Result) -> Figure:
-    """Every contact of a result on the chart of its kind; lines and points have charts of their own."""
+    """Every contact of a result on the chart of its kind, one for lines and one for points."""
     regimes = [solution.regime for solution in result.solutions]
     kinds = [kind for kind in (False, True) if any((one.ratio is None) == kind for one in regimes)]
     figure = new_figure(6.4 * len(kinds), 5.2, result_heading(result, "regimes of lubrication"))

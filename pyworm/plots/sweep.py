@@ -14,7 +14,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from pyworm.plots.attempts import Attempts
 from pyworm.plots.layout import joined, new_figure
-from pyworm.result.sweep_result import SweepResult, columns, telling
+from pyworm.result.sweep_result import SweepResult, columns, distinguishing
 from pyworm.scene.index import PLACE_NAMES
 
 # Variable, factor from SI to the unit shown, label, variable of its error, whether that is relative.
@@ -35,7 +35,7 @@ _FIGURES = (
 COLOURS = colormaps["viridis"]
 
 MOST_LINES = 6
-"""Values of a second axis that are still told apart as lines of one picture."""
+"""Largest number of values of a second axis drawn as lines of one picture."""
 
 WIDE = 4.0
 """Ratio of largest to smallest value beyond which a scale is logarithmic."""
@@ -114,7 +114,7 @@ def _axes(result: SweepResult) -> list[_Axis]:
     table = result.table
     axes = []
     for keys in result.axes:
-        names = telling(result, keys)
+        names = distinguishing(result, keys)
         labels = names if len(names) > 1 else [_joint(columns(result, keys))]
         for name, label in zip(names, labels, strict=True):
             unit = table[name].attrs.get("units", "")

@@ -75,7 +75,7 @@ def rate_bearing_table(name: str, table: BearingTable, directory: Path) -> Ratin
     name : str
         Its key in the file.
     table : BearingTable
-        What the file says.
+        Tables of the case file.
     directory : Path
         Where the file lies.
     """

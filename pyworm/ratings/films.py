@@ -83,15 +83,15 @@ def _both(found: Film) -> tuple[float | None, float | None]:
 
 def _groups(groups: PointGroups | LineGroups) -> str:
     """Dimensionless groups of the contact, as a sentence."""
-    said = f"Moes' M = {groups.moes_m:.3g}, L = {groups.moes_l:.3g}"
+    sentence = f"Moes' M = {groups.moes_m:.3g}, L = {groups.moes_l:.3g}"
     if isinstance(groups, LineGroups):
-        return f"{said}; {line_regime(groups).name}."
-    said += f", ellipticity k = {groups.ellipticity:.3g} across over along the entrainment"
+        return f"{sentence}; {line_regime(groups).name}."
+    sentence += f", ellipticity k = {groups.ellipticity:.3g} across over along the entrainment"
     least, most = POINT_RANGE
     if not least <= groups.ellipticity <= most:
         others = "all but Nijenbanning, Venner and Moes'"
-        return f"{said}, outside {least} to {most} where {others} formulas hold."
-    return f"{said}; {point_regime(groups).name}."
+        return f"{sentence}, outside {least} to {most} where {others} formulas hold."
+    return f"{sentence}; {point_regime(groups).name}."
 
 
 def _heated(prediction: Prediction) -> str:

@@ -183,7 +183,7 @@ def _simulated(
     """The same figures of the solved contacts."""
     thin = min(solutions, key=lambda solution: solution.figures.film_min.value)
     film = thin.figures.film_min.value
-    said: dict[str, float | str | None] = {
+    values: dict[str, float | str | None] = {
         "film_min_m": film,
         "film_min_phase": thin.phase,
         **_wear(duty, film),
@@ -191,18 +191,18 @@ def _simulated(
     }
     lost = mesh_loss(drive, solutions)
     if lost is not None:
-        said |= {
+        values |= {
             "friction": lost.friction,
             "loss_W": lost.loss,
             "efficiency": lost.efficiency,
         }
     if all(of.figures.temperature_max_body_1 is not None for of in solutions):
         hottest, phase = max((_surface(of), of.phase) for of in solutions)
-        said |= {
+        values |= {
             "contact_temperature_C": hottest - ZERO_CELSIUS,
             "contact_temperature_phase": phase,
         }
-    return said
+    return values
 
 
 def _surface(solution: Solution) -> float:

@@ -11,7 +11,7 @@ from pyworm.solver.solution import Solution
 def mesh_loss(drive: Drive | None, solutions: Sequence[Solution]) -> MeshLoss | None:
     """Loss between the teeth of a drive by its converged contacts.
 
-    None where there is no drive, friction was not simulated, or the contacts do not tell it.
+    None where there is no drive, friction was not simulated, or the contacts are not enough.
     """
     good = [of for of in solutions if of.converged]
     if drive is None or not good or any(of.figures.friction_coefficient is None for of in good):

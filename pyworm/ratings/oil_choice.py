@@ -256,19 +256,19 @@ def _bearing_step(duty: OilDuty, chosen: GradeRow) -> Step:
 
 def _scuffing_step(duty: OilDuty, chosen: GradeRow) -> Step:
     contact = duty.contact_temperature
-    said = []
+    texts = []
     for anti_scuff, words in ((False, "without"), (True, "with")):
         limit = scuffing.scuffing_temperature(chosen.grade * SQUARE_MILLIMETRE, anti_scuff)
         probability = float(scuffing.scuffing_probability(contact, limit))
-        said.append(
+        texts.append(
             f"{_celsius(limit)} {words} anti-scuff additives (probability {_percent(probability)}, "
             f"{scuffing.risk(probability)})"
         )
     limits = "The formula is for mineral oils. " if duty.base != "mineral" else ""
     return Step(
         "Scuffing",
-        f"The teeth reach {_celsius(contact)} in contact; VG {chosen.grade} scuffs at {said[0]} "
-        f"and at {said[1]}. {limits}".strip(),
+        f"The teeth reach {_celsius(contact)} in contact; VG {chosen.grade} scuffs at {texts[0]} "
+        f"and at {texts[1]}. {limits}".strip(),
         scuffing.SOURCE,
     )
 

@@ -16,7 +16,7 @@ def oil_choice(asked: Asked) -> OilChoice:
     Raises
     ------
     CaseError
-        The case does not say what the oil is to do, or no oil does it.
+        The case does not give the duty of the oil, or no oil meets it.
     """
     try:
         return choose_oil(oil_duty(asked))

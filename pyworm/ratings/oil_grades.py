@@ -143,13 +143,13 @@ class OilDuty:
         [m/s], for the rule of speed and the probability of distress; None for a worm gear, to which they
         do not apply.
     tables : tuple of TableAdvice or None
-        What tables say; None in the place of a table that has no row.
+        Grades by tables; None for a table without a row.
     contact_temperature : float or None
         Largest contact temperature of the teeth [K], if scuffing is to be judged.
     bearing_speed, bearing_diameter : float or None
         Speed [rad/s] and mean diameter [m] of the bearing that needs the thickest oil.
     coldest_start : float or None
-        Lowest temperature [K] that the drive starts at, if the pour point is to be said.
+        Lowest temperature at which the drive starts [K], if the pour point is to be given.
     """
 
     name: str

@@ -96,7 +96,7 @@ def rate_worm_table(
     Parameters
     ----------
     table : WormRatingTable
-        What the case says.
+        Rating tables of the case.
     duty : WormDuty
         Its worm gear.
     directory : Path
@@ -190,7 +190,7 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
     figures = [solution.figures for solution in solutions]
     film = float(np.mean([of.film_min.value for of in figures]))
     ratio = float(specific_film(film, duty.composite_roughness))
-    said: dict[str, float | str] = {
+    values: dict[str, float | str] = {
         "wheel_torque_Nm": duty.torque,
         "film_m": film,
         "film_central_m": float(np.mean([of.film_central.value for of in figures])),
@@ -201,7 +201,7 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
     }
     lost = mesh_loss(drive, solutions)
     if lost is not None:
-        said |= {
+        values |= {
             "friction": lost.friction,
             "efficiency": lost.efficiency,
             "efficiency_back": 1 - lost.loss / (lost.power - lost.loss),
@@ -212,8 +212,8 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
         hottest = max(
             max(of.temperature_max_body_1.value, of.temperature_max_body_2.value) for of in figures
         )
-        said["surface_temperature_max_C"] = hottest - ZERO_CELSIUS
-    return said
+        values["surface_temperature_max_C"] = hottest - ZERO_CELSIUS
+    return values
 
 
 def _sliding(solutions: tuple) -> float:

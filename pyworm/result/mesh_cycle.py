@@ -124,12 +124,12 @@ class DriveCycle:
 
 
 def _told(one: Extreme, unit: str) -> dict:
-    told = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
+    values = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
     if one.place is not None:
-        told |= {"face_m": one.place[0], "radius_m": one.place[1]}
+        values |= {"face_m": one.place[0], "radius_m": one.place[1]}
     if one.reason is not None:
-        told["error_reason"] = one.reason
-    return told
+        values["error_reason"] = one.reason
+    return values
 
 
 def drive_cycle(result: Result) -> DriveCycle | None:

@@ -109,10 +109,10 @@ def open_result(path: str | os.PathLike) -> Result:
         groups = _load(path)
     except Exception as error:  # whatever a damaged file makes the library stumble over
         raise ValueError(f"{path} is not a pyworm result: it cannot be read as NetCDF") from error
-    said = groups["/"].attrs
-    if said.get("format") != FORMAT:
+    attributes = groups["/"].attrs
+    if attributes.get("format") != FORMAT:
         raise ValueError(f"{path} is not a pyworm result: it is another kind of NetCDF file")
-    version = said.get("format_version")
+    version = attributes.get("format_version")
     if version != FORMAT_VERSION:
         raise ValueError(
             f"{path} has result format {version!s:.20}; this version of pyworm reads format {FORMAT_VERSION}"
@@ -138,8 +138,8 @@ def _load(path: Path) -> dict[str, xr.Dataset]:
 
 
 def _read(groups: dict[str, xr.Dataset]) -> Result:
-    said = groups["/"].attrs
-    provenance = typed(dict, json.loads(said["provenance"]), "provenance")
+    attributes = groups["/"].attrs
+    provenance = typed(dict, json.loads(attributes["provenance"]), "provenance")
     for name, kind in PROVENANCE.items():
         typed(kind, provenance.get(name, kind()), f"provenance.{name}")
     mesh_cycle = groups.get("/mesh_cycle")
@@ -150,8 +150,8 @@ def _read(groups: dict[str, xr.Dataset]) -> Result:
         raise ValueError("it has no scenes")
     scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
-        case_name=typed(str, said["case_name"], "case_name"),
-        case=typed(dict, json.loads(said["case"]), "case"),
+        case_name=typed(str, attributes["case_name"], "case_name"),
+        case=typed(dict, json.loads(attributes["case"]), "case"),
         solutions=tuple(_read_solution(groups, scene) for scene in scenes),
         mesh_cycle=mesh_cycle,
         provenance=provenance,

@@ -76,7 +76,7 @@ def case_for(path: Path, result: "Result", anyway: bool) -> tuple[Case, str | No
     if not differ:
         return as_solved(case, result), None
     more = f" and {len(differ) - MOST_LISTED} more" if len(differ) > MOST_LISTED else ""
-    told = f"the result is of another case than {path}: {'; '.join(differ[:MOST_LISTED])}{more}"
+    sentence = f"the result is of another case than {path}: {'; '.join(differ[:MOST_LISTED])}{more}"
     if not anyway:
-        raise CaseError(f"{told}; solve it again, or take it with --anyway")
-    return as_solved(case, result), told
+        raise CaseError(f"{sentence}; solve it again, or take it with --anyway")
+    return as_solved(case, result), sentence

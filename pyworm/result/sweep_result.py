@@ -63,12 +63,15 @@ class SweepResult:
     @cached_property
     def left_out(self) -> LeftOut:
         """Effects left out of the figures, at the worst of the converged scenes."""
-        told = {
+        influences = {
             str(name): column.values[self.converged].tolist()
             for name, column in self.table.items()
             if str(name).startswith(LEFT_OUT) or name in ("lubrication", *LAMBDAS)
         }
-        rows = (dict(zip(told, row, strict=True)) for row in zip(*told.values(), strict=True))
+        rows = (
+            dict(zip(influences, row, strict=True))
+            for row in zip(*influences.values(), strict=True)
+        )
         return worst([_left_out(row) for row in rows])
 
     def save(self, path: str | os.PathLike) -> Path:
@@ -200,8 +203,8 @@ def _left_out(row: Mapping[str, float | str]) -> LeftOut:
     influence = {
         name.removeprefix(LEFT_OUT): of for name, of in numbers.items() if name.startswith(LEFT_OUT)
     }
-    said = row.get("lubrication")
-    lubrication = said if said in BY_SEVERITY else "unknown"
+    regime = row.get("lubrication")
+    lubrication = regime if regime in BY_SEVERITY else "unknown"
     return LeftOut.read({**numbers, "left_out": influence, "lubrication": lubrication})
 
 
@@ -250,7 +253,7 @@ def columns(result: SweepResult, axis: list[str]) -> list[str]:
     ] or axis[:1]
 
 
-def telling(result: SweepResult, axis: list[str]) -> list[str]:
+def distinguishing(result: SweepResult, axis: list[str]) -> list[str]:
     """Variables of keys that vary together which distinguish their scenes.
 
     Most often the first, as of both bodies' velocities; errors of assembly, one at a time, take all.

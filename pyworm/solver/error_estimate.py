@@ -204,9 +204,9 @@ def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> di
     """Relative error of each figure that is left after the last two Newton steps changed it so much.
 
     What later steps of a geometric series would still add, at most four times the last change; that change
-    itself where the changes rise or have only begun. The fall of the residual says nothing here: it shows the
-    roughest errors, and a step may divide it by ten while the central film, a smooth figure, is still on its
-    way.
+    itself where the changes rise or have only begun. The fall of the residual is no measure here: it shows
+    the roughest errors, and a step may divide it by ten while the central film, a smooth figure, is still on
+    its way.
     """
     errors = {}
     for name in last:

@@ -35,16 +35,16 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         If values of the scene are not finite or memory does not suffice for the first grids
         (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
-    tell = _rising(progress)
+    report = _rising(progress)
     warm_start, spent = None, Cost(0.0, 0.0)
     while True:
-        solution, warm_start = solve_on_grids(plan.simplified(scene), plan, tell, warm_start)
+        solution, warm_start = solve_on_grids(plan.simplified(scene), plan, report, warm_start)
         spent = solution.cost.after(spent)
         updated = reviewed(scene, plan, solution.figures.values()) if solution.converged else plan
         if plan.asked is not None or updated.on <= plan.on:
             return replace(solution, effects=updated.effects, cost=spent)
         missed = ", ".join(sorted(updated.on - plan.on))
-        tell(f"{scene.name}: calls for {missed} too", 0.0)
+        report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated
 
 
@@ -52,10 +52,10 @@ def _rising(progress: Progress | None) -> Progress:
     """Progress that never decreases, even where a solve starts again with more effects."""
     reached = 0.0
 
-    def tell(message: str, fraction: float) -> None:
+    def report(message: str, fraction: float) -> None:
         nonlocal reached
         reached = max(reached, fraction)
         if progress is not None:
             progress(message, reached)
 
-    return tell
+    return report

@@ -61,7 +61,7 @@ def about_z(vector: Array) -> Array:
 
 @dataclass(frozen=True)
 class LineContact:
-    """Points of contact lines, all of them touching the roller of their own wheel angle.
+    """Points of contact lines, each touching the roller at its wheel angle.
 
     Vectors are (3, ...) in the drive frame, velocities for a wheel that turns by one radian in a second.
 

@@ -156,7 +156,7 @@ class RollerGap:
         roller, along, met = frame.roller_height(x, y)
         worm, place, sound = frame.worm_height(x, y)
         profile = section.envelope.profile
-        # a worm that was not found goes on as the contact's own curvature has it from the roller
+        # where the worm is not found it continues from the roller with the contact's curvature
         opening = 0.5 * float(frame.contact.curvature) * x**2
         start = frame.roller_height(np.zeros(()), np.zeros(()))[0]
         gap = np.where(sound & met, roller - worm, opening + profile.relief(along)) - start

@@ -28,7 +28,7 @@ class ParabolicRelief:
     length: float = 0.0
 
     def __call__(self, below_tip: Array) -> Array:
-        """What is taken off [m] at a distance below the tip [m]; beyond the tip it goes on."""
+        """What is taken off [m] at a distance below the tip [m]; beyond the tip it continues."""
         if self.amount == 0:
             return np.zeros(np.shape(below_tip))
         return self.amount * np.maximum(1 - below_tip / self.length, 0.0) ** 2

@@ -40,7 +40,7 @@ def judge(
     quantities: Sequence[str],
     prediction: Prediction,
     asked: frozenset[str] | None = None,
-    kept: frozenset[str] = frozenset(),
+    required: frozenset[str] = frozenset(),
 ) -> tuple[Judgement, ...]:
     """Judge every effect, whether to simulate it.
 
@@ -59,7 +59,7 @@ def judge(
         The contact by closed forms, or by solved figures.
     asked : frozenset of str, optional
         The effects to simulate, whatever their influence.
-    kept : frozenset of str
+    required : frozenset of str
         Effects to simulate even if the prediction no longer requires them.
     """
     judgements = {}
@@ -71,10 +71,10 @@ def judge(
             continue
         influence = effect.influence(prediction)
         worst = influence.on(quantities)
-        settled = _settled(effect, asked, kept, judgements)
+        settled = _settled(effect, asked, required, judgements)
         if settled is not None:
             on, reason = settled
-        elif effect.name in kept:
+        elif effect.name in required:
             on, reason = True, _needed(allowed) if worst > allowed else "proved needless"
         else:
             on = not worst <= allowed
@@ -96,7 +96,7 @@ def judge(
 def _settled(
     effect: Effect,
     asked: frozenset[str] | None,
-    kept: frozenset[str],
+    required: frozenset[str],
     judgements: Mapping[str, Judgement],
 ) -> tuple[bool, str] | None:
     """Decide an effect without its influence, with the reason; None where the influence decides.
@@ -107,7 +107,7 @@ def _settled(
         return False, "not simulated"
     if asked is not None:
         return (True, "asked for") if effect.name in asked else (False, "not asked for")
-    if effect.only_named and effect.name in kept:
+    if effect.only_named and effect.name in required:
         return True, "asked for"
     if effect.only_named:
         return False, f"only if named: auto,{effect.name}"

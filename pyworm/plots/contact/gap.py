@@ -63,7 +63,7 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
 
 
 def _draw_contours(axes: Axes, gap: np.ndarray, x: np.ndarray, y: np.ndarray) -> Line2D:
-    """Contours of a gap [um] over x and y [mm]; what the legend says of them."""
+    """Contours of a gap [um] over x and y [mm]; and their legend."""
     highest = float(np.nanmax(gap))
     levels = _levels(highest)
     colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))

@@ -152,7 +152,7 @@ def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution])
 
 
 def _legend(axes: Axes, columns: int) -> None:
-    """A legend in room of its own above the curves."""
+    """A legend in separate room above the curves."""
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + ROOM * (high - low))
     axes.legend(frameon=False, ncols=columns, loc="upper left")

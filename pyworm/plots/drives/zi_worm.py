@@ -88,7 +88,7 @@ def _draw_contact_point(axes: Axes, cycle: xr.Dataset) -> None:
 
 
 def _draw_tooth_load(axes: Axes, cycle: xr.Dataset) -> None:
-    """Normal load of a tooth pair, which may go on beyond the unloaded cycle, and how it turns the wheel."""
+    """Normal load of a tooth pair, also beyond the unloaded cycle, and the turn of the wheel."""
     phase, load = cycle["load_phase"], cycle["tooth_load"]
     carrying = phase.values[load.values > 0]
     axes.plot(phase, load * KILO, color="tab:brown")

@@ -12,7 +12,7 @@ from pyworm.solver.left_out import AS_IF_SMOOTH
 
 
 def closed_form_table(cycle: xr.Dataset) -> Table | None:
-    """What closed forms say of a mesh cycle; None of a kind of drive that has no such table.
+    """Table of the closed forms of a mesh cycle; None for a kind of drive without such a table.
 
     It is `CYCLE_TABLE` of the module in `drives` beside that is named after the kind.
     """
@@ -69,7 +69,7 @@ def loss_table(
     cycle : DriveCycle
         A cycle with a loss.
     standard : StandardLoss or NoStandard
-        What a standard says of its teeth; shown beside the simulation where roughness carries load.
+        Rating of its teeth by a standard, shown beside the simulation where roughness carries load.
     heating : Heating or None
         The loss that warms it; None where temperatures are given.
     """

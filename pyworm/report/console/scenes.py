@@ -332,7 +332,7 @@ def _temperature(summary: Mapping[str, Any], place: str) -> str:
 
 
 def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:
-    """Label and value of a row; what has two directions says so."""
+    """Label and value of a row; vectors are labelled with their directions."""
     values = value if isinstance(value, list) else [value]
     text = ", ".join(f"{part * scale:.4g}" for part in values)
     return f"{label} along x, y" if len(values) > 1 else label, f"{text} {unit}"

@@ -9,7 +9,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.io.console import Console
-from pyworm.result.sweep_result import SweepResult, telling
+from pyworm.result.sweep_result import SweepResult, distinguishing
 from pyworm.scene.index import PLACE_NAMES
 
 MOST_ROWS = 60
@@ -51,7 +51,7 @@ def rows(result: SweepResult) -> list[dict[str, Any]]:
 def rows_table(result: SweepResult) -> Table:
     """The table with one row for each scene."""
     data = result.table
-    varied = [name for axis in result.axes for name in telling(result, axis)]
+    varied = [name for axis in result.axes for name in distinguishing(result, axis)]
     varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]
     shown = [figure for figure in _FIGURES if figure[1] in data]
     left_out = result.left_out

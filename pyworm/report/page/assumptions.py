@@ -82,13 +82,15 @@ PROVENANCE = (
     *("pyworm", "commit", "kernel_digest", "compiler", "compiler_flags"),
     *("python", "numpy", "machine", "created"),
 )
-"""What a report says of what made the result, in this order."""
+"""Keys of the provenance in a report, in this order."""
 
 
 def provenance_section(result: Result) -> Section:
     """Versions, time and cost, for repeating the run."""
-    said = result.provenance
-    rows = [(key.replace("_", " "), str(said[key])) for key in PROVENANCE if key in said]
+    provenance = result.provenance
+    rows = [
+        (key.replace("_", " "), str(provenance[key])) for key in PROVENANCE if key in provenance
+    ]
     rows.append(("case", result.case_name))
     rows += [
         (
@@ -98,5 +100,7 @@ def provenance_section(result: Result) -> Section:
         )
         for of in result.solutions
     ]
-    rows += [(name, f"not solved: {reason}") for name, reason in said.get("failed", {}).items()]
+    rows += [
+        (name, f"not solved: {reason}") for name, reason in provenance.get("failed", {}).items()
+    ]
     return Section("Provenance", (Table(("", ""), tuple(rows)),))

@@ -36,7 +36,7 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
     result : Result
         The result.
     case : Case, optional
-        The case it is of, in place of the one it was solved with: with other ratings, say.
+        Case of the report in place of the solved one, such as one with other ratings.
     differ : str, optional
         How they differ, if they do and it is taken anyway.
 
@@ -124,5 +124,5 @@ def _rating_blocks(rating: Rating) -> list[Block]:
         title=rating.titled.replace("\n", "; "),
         note=f"Source: {rating.source}.",
     )
-    said = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)
-    return [table, Items(said)] if said else [table]
+    sentences = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)
+    return [table, Items(sentences)] if sentences else [table]

@@ -32,7 +32,7 @@ class Table:
     head : tuple of str
         Headings; the first may be empty.
     rows : tuple of tuple of str
-        Cells; what did not converge is told by a cell that says so.
+        Cells; a scene that did not converge has a cell with that statement.
     title : str
         Above it.
     note : str

@@ -30,7 +30,7 @@ DECIDE = (
     "temperature_safety",
     "modified_life_h",
 )
-"""Keys of rated figures that are told at a glance."""
+"""Keys of the rated figures in the summary of a report."""
 
 
 def composite_roughness(result: Result) -> float | None:
@@ -166,15 +166,15 @@ def film_section(case: Case, result: Result) -> Section:
             "" if hertz is None else f"{hertz / 1e6:.4g} MPa",
             "" if figures.dry is None else f"{figures.dry.pressure_max / 1e6:.4g} MPa",
         ]
-        told = [
+        values = [
             estimate(figures.pressure_max, 1e-6, "MPa"),
             estimate(figures.film_central, 1e6, "µm"),
             estimate(figures.film_min, 1e6, "µm"),
             figures.film_min_kind,
         ]
         if roughness:
-            told.append(f"{figures.film_min.value / roughness:.3g}")
-        cells += told if solution.converged else [""] * len(told)
+            values.append(f"{figures.film_min.value / roughness:.3g}")
+        cells += values if solution.converged else [""] * len(values)
         rows.append((*cells, _converged(solution)))
     blocks: list[Block] = [_without_empty(Table(tuple(head), tuple(rows)))]
     if roughness:
@@ -186,12 +186,12 @@ def film_section(case: Case, result: Result) -> Section:
 
 def _without_empty(table: Table) -> Table:
     """The table without empty columns."""
-    said = [n for n, name in enumerate(table.head) if n == 0 or any(row[n] for row in table.rows)]
+    filled = [n for n, name in enumerate(table.head) if n == 0 or any(row[n] for row in table.rows)]
 
-    def kept(cells: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(cells[n] for n in said)
+    def selected(cells: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(cells[n] for n in filled)
 
-    return Table(kept(table.head), tuple(kept(row) for row in table.rows))
+    return Table(selected(table.head), tuple(selected(row) for row in table.rows))
 
 
 def _load(solution: Solution) -> str:
@@ -219,7 +219,7 @@ def _converged(solution: Solution) -> str:
 def heat_section(case: Case, result: Result) -> Section | None:
     """Friction, loss and temperatures of every contact; None where friction was not simulated.
 
-    Of a contact that did not converge nothing is told.
+    A contact that did not converge has no figures.
     """
     if any(of.figures.friction_coefficient is None for of in result.solutions):
         return None

@@ -21,7 +21,7 @@ def render(report: Report) -> str:
     Parameters
     ----------
     report : Report
-        What it says.
+        Text of the element.
     """
     contents = "\n".join(
         f'<li><a href="#part-{number}">{escape(section.title)}</a></li>'

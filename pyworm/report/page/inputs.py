@@ -9,7 +9,7 @@ from pyworm.case.workshop_units import shown
 from pyworm.report.page.content import Section, Table
 
 _ELSEWHERE = {"title", "source", "published", "assumed", "accuracy", "effects", "quantities"}
-"""Keys of case files that other sections tell."""
+"""Keys of case files that other sections of the report show."""
 
 _FIRST = ("operation", "drive", "contact", "motion", "surfaces", "bodies", "oil")
 """Tables that come first, in this order."""

@@ -149,7 +149,7 @@ def _key() -> str:
     """Key of a calibration in the cache: machine, kernel build and threads."""
     from pyworm.kernel.core import EXTENSION
 
-    told = (
+    parts = (
         FORMAT,
         platform.node(),
         platform.machine(),
@@ -157,7 +157,7 @@ def _key() -> str:
         os.environ.get("OMP_NUM_THREADS", ""),
         sha256(EXTENSION.read_bytes()).hexdigest(),
     )
-    return sha256(repr(told).encode()).hexdigest()[:16]
+    return sha256(repr(parts).encode()).hexdigest()[:16]
 
 
 def _processor() -> str:
