@@ -153,7 +153,7 @@ def table_of(rows: list[dict]) -> list[list[str]]:
             "scenes",
             "asked",
             "converged",
-            "kept",
+            "met",
             "median error",
             "worst error",
             "cost, median",
