@@ -25,8 +25,14 @@ COARSE_TOLERANCE = 1e-4
 FIRMEST = 16.0
 """First factor of the stress continuation: stresses of the flow law over those of the oil."""
 
-SOFTENING, LEAST_SOFTENING = 2.0, 1.02
-"""First and least ratio of successive stresses in the continuation; its root is taken if a film is lost."""
+SOFTENING, LEAST_SOFTENING, LEAST_SOFTENING_OF_HEATED = 2.0, 1.05, 1.005
+"""First and least ratio of successive stresses in the continuation; its root is taken if a film is lost.
+
+A heated film bears smaller stresses than the cold one from which it began. Where walls slip, the slip grows
+e-fold with a thousandth of the stress (`flow_laws`)."""
+
+CONTINUATION_STEPS = 12
+"""Largest number of Newton steps from one film of the continuation to the next."""
 
 HEATED_TOLERANCE = 1e-2
 """Residual of a heated film, and change of its temperature, at which the stress continuation advances."""
@@ -136,12 +142,11 @@ class ContactSolver(ABC):
             sheared, stresses = self._sheared(level)
             steps += sheared
         if self._model.heated:
-            self._warm(level, None)
-            level.film.restart()
-            steps += self._to_own_entrainment(level)
-            if stresses > 1:  # hot oil is thin: it may bear stresses that no cold film leads to
-                steps += lead(level, HEATED_TOLERANCE)
-                softened, stresses = self._softened(level, stresses)
+            heated, stresses = self._heated(level, stresses)
+            steps += heated
+            # hot oil is thin: it may bear stresses that no cold film leads to
+            if not level.lost():
+                softened, stresses = self._softened(level, stresses, LEAST_SOFTENING_OF_HEATED)
                 steps += softened
         if stresses > 1:
             self._flow_by_law(level, 1.0, level.state())
@@ -159,24 +164,47 @@ class ContactSolver(ABC):
         if level.film.balance.worst <= self.shear_tolerance:
             return steps, 1.0
         level.film.start(newtonian.pressure, newtonian.rigid_film)
-        softened, stresses = self._softened(level, FIRMEST * SOFTENING)
+        softened, stresses = self._softened(level, FIRMEST * SOFTENING, LEAST_SOFTENING)
         return [*steps, *softened], stresses
 
-    def _softened(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
+    def _heated(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
+        """Newton steps from a sheared film to a heated one, and the factor of its stresses.
+
+        A film that is lost when it is heated is heated again under larger stresses.
+        """
+        cold, steps = level.state(), []
+        while True:
+            self._warm(level, None)
+            level.film.restart()
+            steps += self._to_own_entrainment(level)
+            steps += lead(level, HEATED_TOLERANCE)
+            if not level.lost() or stresses >= FIRMEST:
+                return steps, stresses
+            stresses *= SOFTENING
+            self._shear(level, stresses)
+            level.film.start(cold.pressure, cold.rigid_film)
+            steps += lead(level, self.shear_tolerance)
+
+    def _softened(
+        self, level: Level, stresses: float, least: float
+    ) -> tuple[list[NewtonStep], float]:
         """Newton steps of the stress continuation, and the factor of the stresses at its end.
 
-        The level holds the last film that converged.
+        The ratio of successive stresses adapts to what converges, but not below `least`. The level holds the
+        last film that converged.
         """
         steps: list[NewtonStep] = []
         found, ratio = level.state(), SOFTENING
-        while stresses > 1 and ratio >= LEAST_SOFTENING:
+        while stresses > 1 and ratio >= least:
             softer = max(stresses / ratio, 1.0)
             self._flow_by_law(level, softer, found)
-            steps += lead(level, HEATED_TOLERANCE if level.film.heated else self.shear_tolerance)
+            if level.film.balance.residual <= SENSELESS:
+                tolerance = HEATED_TOLERANCE if level.film.heated else self.shear_tolerance
+                steps += lead(level, tolerance, most=CONTINUATION_STEPS)
             if level.lost():
                 ratio = sqrt(ratio)
             else:
-                found, stresses = level.state(), softer
+                found, stresses, ratio = level.state(), softer, min(ratio**1.5, SOFTENING)
         if level.lost():
             self._flow_by_law(level, stresses, found)
         return steps, stresses

@@ -88,13 +88,16 @@ def newton_step(level: Level) -> NewtonStep | None:
     )
 
 
-def lead(level: Level, tolerance: float, warming: float | None = None) -> list[NewtonStep]:
+def lead(
+    level: Level, tolerance: float, warming: float | None = None, most: int = MOST_STEPS
+) -> list[NewtonStep]:
     """Make Newton steps on a grid outside the figures until its equations are met within a tolerance.
 
-    Temperatures are met within `warming`, a fraction of their largest rise, where that is given.
+    Temperatures are met within `warming`, a fraction of their largest rise, where that is given. After `most`
+    steps the film is left as it is.
     """
     steps: list[NewtonStep] = []
-    while len(steps) < MOST_STEPS and not level.film.balance.within(tolerance, warming):
+    while len(steps) < most and not level.film.balance.within(tolerance, warming):
         taken = newton_step(level)
         if taken is None:
             break

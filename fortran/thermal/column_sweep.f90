@@ -1,0 +1,335 @@
+!> Columns of a point contact's film, solved line after line in the direction in which oil moves.
+!>
+!> Lines lie across the direction of a sweep. The temperature of a column takes its upwind values, by the velocity of each
+!> level, from the lines before; values of later lines, and along a line, lag behind.
+module column_sweep
+  use column_sources, only: set_heat, carried_away
+  use film_column, only: film_strip, new_film_strip, solve_columns
+  use film_newton, only: film_contact
+  use kinds, only: wp
+  use oil_convection, only: carry_level
+  use omp_lib, only: omp_get_max_threads, omp_get_thread_num
+  use shear_fields, only: shear_columns
+  use shear_profile, only: film_shear_rate
+  use status, only: status_ok, status_no_memory
+  use strip_of_points, only: shear_strip, new_shear_strip
+  use sweep_order, only: sweep_frame, to_sweep, from_sweep
+  use thermal_properties, only: oil_heat_law
+  implicit none(type, external)
+  private
+
+  public :: swept_columns, column_work, new_swept_columns, new_column_work, enter_sweep, sweep_lines, swept_rise
+
+  !> Columns treated together, whatever the number of threads.
+  integer, parameter :: most_columns = 32
+  !> Heat capacity flow that holds the temperature of a level [W/(m3 K)], far above any other.
+  real(wp), parameter :: held = 1e30_wp
+
+  !> Scratch of a thread: columns and their shear, and at their levels the derivative of the fluidity by temperature
+  !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat of compression and
+  !> convection [W/m3].
+  type :: column_work
+    type(film_strip) :: columns
+    type(shear_strip) :: shear
+    real(wp), dimension(:, :), allocatable :: softening, u, v, rate, compression, inflow
+  end type column_work
+
+  !> Fields of the columns in the order of a sweep, (length, lines).
+  type :: swept_columns
+    type(sweep_frame) :: way
+    !> Velocity of body 1's surface and of body 2 relative to it [m/s].
+    real(wp), allocatable :: u1(:, :), v1(:, :), us(:, :), vs(:, :)
+    !> Pressure [Pa] and film [m].
+    real(wp), allocatable :: p(:, :), h(:, :)
+    !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
+    real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
+    !> Temperature, (0:length + 1, lines, levels), with padding at the ends of a line; that of the present line and of the
+    !> next before the sweep, line k at mod(k, 2).
+    real(wp), allocatable :: rise(:, :, :), old(:, :, :)
+    !> Whether sweeps go across the entrainment: they solve the levels only at which oil moves from line to line rather than
+    !> along the lines, and hold the others.
+    logical :: aside = .false.
+    !> Whether some oil in the columns of a cut flows with the sweep, or against it, (cuts, lines).
+    logical, allocatable :: onward(:, :), backward(:, :)
+    !> Of sweeps with the entrainment only: heat of shearing, and heat convected by the oil less that of its compression
+    !> [W/m2]; the largest shear rate across the film [1/s].
+    real(wp), allocatable :: friction(:, :), carried(:, :), rate(:, :)
+    !> And flux into the walls and its derivatives (`wall_balance`), (length, lines, wall) and (length, lines, wall, wall).
+    real(wp), allocatable :: flux(:, :, :), admittance(:, :, :, :)
+    !> Largest change of temperature [K] in the last sweep: in the cuts in which oil flows backward, and at the levels
+    !> at which it moves along the lines rather than from line to line.
+    real(wp) :: change_backward = 0, change_along = 0
+  end type swept_columns
+
+contains
+
+  !> Columns of a film that is already sheared, to be swept a way; u1 and v1 are the nodal velocity of body 1's surface
+  !> [m/s], `aside` as of `swept_columns`.
+  subroutine new_swept_columns(self, film, way, aside, u1, v1, stat)
+    type(swept_columns), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    type(sweep_frame), intent(in) :: way
+    logical, intent(in) :: aside
+    real(wp), intent(in) :: u1(:, :), v1(:, :)
+    integer, intent(out) :: stat
+    integer :: cuts, err
+
+    self%way = way
+    self%aside = aside
+    associate (n => way%length, lines => way%lines, levels => film%shear%nodes%levels%count)
+      cuts = (n - 3)/most_columns + 1
+      allocate (self%u1(n, lines), self%v1(n, lines), self%us(n, lines), self%vs(n, lines), self%p(n, lines), &
+        self%h(n, lines), self%stress_x(n, lines), self%stress_y(n, lines), self%rise(0:n + 1, lines, levels), &
+        self%old(0:n + 1, 0:1, levels), source=0.0_wp, stat=err)
+      if (err == 0 .and. .not. aside) allocate (self%friction(n, lines), self%carried(n, lines), self%rate(n, lines), &
+        self%flux(n, lines, 2), self%admittance(n, lines, 2, 2), source=0.0_wp, stat=err)
+      if (err == 0) allocate (self%onward(cuts, lines), self%backward(cuts, lines), source=aside, stat=err)
+    end associate
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    call to_sweep(way, u1, self%u1)
+    call to_sweep(way, v1, self%v1)
+    call to_sweep(way, film%shear%nodes%sliding_x, self%us)
+    call to_sweep(way, film%shear%nodes%sliding_y, self%vs)
+  end subroutine new_swept_columns
+
+  !> Scratch of each thread.
+  subroutine new_column_work(threads, film, stat)
+    type(column_work), allocatable, intent(out) :: threads(:)
+    class(film_contact), intent(in) :: film
+    integer, intent(out) :: stat
+    integer :: thread, err
+
+    allocate (threads(0:omp_get_max_threads() - 1), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    associate (levels => film%shear%nodes%levels%count)
+      do thread = 0, ubound(threads, 1)
+        associate (own => threads(thread))
+          if (stat == status_ok) call new_film_strip(own%columns, most_columns, film%shear%nodes%levels, stat)
+          if (stat == status_ok) call new_shear_strip(most_columns, levels, own%shear, stat)
+          allocate (own%softening(most_columns, levels), own%u(most_columns, levels), own%v(most_columns, levels), &
+            own%rate(most_columns, levels), own%compression(most_columns, levels), own%inflow(most_columns, levels), stat=err)
+          if (err /= 0) stat = status_no_memory
+        end associate
+      end do
+    end associate
+  end subroutine new_column_work
+
+  !> Copies pressure, film and temperature of the nodes into the order of the sweep.
+  subroutine enter_sweep(self, film)
+    type(swept_columns), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    integer :: k
+
+    call to_sweep(self%way, film%fields%p, self%p)
+    call to_sweep(self%way, film%fields%h, self%h)
+    do k = 1, film%shear%nodes%levels%count
+      call to_sweep(self%way, film%shear%nodes%rise(:, :, k), self%rise(1:self%way%length, :, k))
+    end do
+  end subroutine enter_sweep
+
+  !> Copies the temperature after a sweep to the nodes of the grid.
+  subroutine swept_rise(self, film)
+    type(swept_columns), intent(in) :: self
+    class(film_contact), intent(inout) :: film
+    integer :: k
+
+    do k = 1, film%shear%nodes%levels%count
+      call from_sweep(self%way, self%rise(1:self%way%length, :, k), film%shear%nodes%rise(:, :, k))
+    end do
+  end subroutine swept_rise
+
+  !> Sweeps all lines one after another, onward or backward, in the cuts in which oil flows so; with the entrainment in all.
+  !>
+  !> `change` is the largest of temperature [K] at more than a pressure of `least` [Pa].
+  subroutine sweep_lines(self, film, law, threads, backward, least, change)
+    type(swept_columns), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    type(oil_heat_law), intent(in) :: law
+    type(column_work), allocatable, intent(inout) :: threads(:)
+    logical, intent(in) :: backward
+    real(wp), intent(in) :: least
+    real(wp), intent(out) :: change
+    logical :: wanted
+    real(wp) :: change_backward, change_along
+    integer :: line, cut, thread, from, to, onward
+
+    onward = merge(-1, 1, backward)
+    from = merge(self%way%lines - 1, 2, backward)
+    to = merge(2, self%way%lines - 1, backward)
+    self%old(:, mod(from, 2), :) = self%rise(:, from, :)
+    change = 0
+    change_backward = 0
+    change_along = 0
+    !$omp parallel private(line, thread, wanted) reduction(max:change, change_backward, change_along)
+    thread = omp_get_thread_num()
+    do line = from, to, onward
+      !$omp do schedule(static)
+      do cut = 1, size(self%onward, 1)
+        wanted = merge(self%backward(cut, line), self%onward(cut, line) .or. .not. self%aside, backward)
+        if (wanted) call heat_cut(self, film, law, line, cut, least, threads(thread), change, change_backward, change_along)
+        call keep_line(self, line + onward, cut)
+      end do
+    end do
+    !$omp end parallel
+    self%change_backward = change_backward
+    self%change_along = change_along
+  end subroutine sweep_lines
+
+  !> Stores the temperature of a cut of a line before it is solved, with the ends of the line and their padding.
+  subroutine keep_line(self, line, cut)
+    type(swept_columns), intent(inout) :: self
+    integer, intent(in) :: line, cut
+    integer :: first, last
+
+    first = merge(0, 2 + (cut - 1)*most_columns, cut == 1)
+    last = merge(self%way%length + 1, 1 + cut*most_columns, cut == size(self%onward, 1))
+    self%old(first:last, mod(line, 2), :) = self%rise(first:last, line, :)
+  end subroutine keep_line
+
+  !> Solves the columns of a cut of a line.
+  subroutine heat_cut(self, film, law, line, cut, least, work, change, change_backward, change_along)
+    type(swept_columns), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    type(oil_heat_law), intent(in) :: law
+    integer, intent(in) :: line, cut
+    real(wp), intent(in) :: least
+    type(column_work), intent(inout) :: work
+    real(wp), intent(inout) :: change, change_backward, change_along
+    real(wp), dimension(most_columns) :: mean, capacity, friction
+    integer :: first, last, m, k, i
+
+    first = 2 + (cut - 1)*most_columns
+    last = min(1 + cut*most_columns, self%way%length - 1)
+    m = last - first + 1
+    associate (nodes => film%shear%nodes, p => self%p(first:last, line), u1 => self%u1(first:last, line), &
+        v1 => self%v1(first:last, line), shear => work%shear, columns => work%columns)
+      shear%points = m
+      shear%film(:m) = max(self%h(first:last, line), film%floor)
+      shear%us(:m) = self%us(first:last, line)
+      shear%vs(:m) = self%vs(first:last, line)
+      shear%tau_x(:m) = self%stress_x(first:last, line)
+      shear%tau_y(:m) = self%stress_y(first:last, line)
+      if (self%way%along_x) then
+        call take_gradient(self, line, first, last, shear%py, shear%px)
+      else
+        call take_gradient(self, line, first, last, shear%px, shear%py)
+      end if
+      do k = 1, nodes%levels%count
+        columns%known(:m, k) = self%rise(first:last, line, k)
+      end do
+      call shear_columns(film%oil, nodes, p, columns%known, shear, mean, work%softening)
+      call set_heat(law, film%oil, nodes, shear, p, mean, u1, v1, work%softening, columns, capacity, work%u, work%v, &
+        work%compression)
+      self%stress_x(first:last, line) = shear%tau_x(:m)
+      self%stress_y(first:last, line) = shear%tau_y(:m)
+      if (self%way%along_x) then
+        call carry(self, line, cut, first, last, capacity, work%v, work%u, columns%absorption, work%inflow)
+      else
+        call carry(self, line, cut, first, last, capacity, work%u, work%v, columns%absorption, work%inflow)
+      end if
+      friction = 0
+      do k = 1, nodes%levels%count
+        friction(:m) = friction(:m) + shear%film(:m)*nodes%levels%weight(k)*columns%source(:m, k)
+        work%inflow(:m, k) = work%inflow(:m, k) + work%compression(:m, k)
+        columns%source(:m, k) = columns%source(:m, k) + work%inflow(:m, k)
+      end do
+      call solve_columns(columns)
+      if (self%way%along_x) then
+        call take_changes(self, columns, work%v, work%u, self%backward(cut, line), p > least, change, change_backward, &
+          change_along)
+      else
+        call take_changes(self, columns, work%u, work%v, self%backward(cut, line), p > least, change, change_backward, &
+          change_along)
+      end if
+      do k = 1, nodes%levels%count
+        self%rise(first:last, line, k) = columns%temperature(:m, k)
+      end do
+      if (self%aside) return
+      self%friction(first:last, line) = friction(:m)
+      call carried_away(columns, work%inflow, self%carried(first:last, line))
+      call film_shear_rate(nodes%levels, shear, work%rate)
+      self%rate(first:last, line) = maxval(work%rate(:m, :), dim=2)
+      do k = 1, 2
+        self%flux(first:last, line, k) = columns%flux(:m, k)
+        do i = 1, 2
+          self%admittance(first:last, line, i, k) = columns%admittance(:m, i, k)
+        end do
+      end do
+    end associate
+  end subroutine heat_cut
+
+  !> Largest changes of the columns' temperature [K]: where they are `judged`, of columns in which oil flows backward, and
+  !> of levels at which it moves along the line rather than across it. Oil moves with (along, across) the line [m/s].
+  pure subroutine take_changes(self, columns, along, across, backward, judged, change, change_backward, change_along)
+    type(swept_columns), intent(in) :: self
+    type(film_strip), intent(in) :: columns
+    real(wp), contiguous, intent(in) :: along(:, :), across(:, :)
+    logical, intent(in) :: backward, judged(:)
+    real(wp), intent(inout) :: change, change_backward, change_along
+    real(wp), dimension(most_columns) :: warmed, warmed_along
+    real(wp) :: by, turned
+    integer :: c, k
+
+    warmed = 0
+    warmed_along = 0
+    do k = 1, columns%levels%count
+      do c = 1, columns%columns
+        by = abs(columns%temperature(c, k) - columns%known(c, k))
+        turned = merge(1.0_wp, 0.0_wp, abs(along(c, k))*self%way%per_node > abs(across(c, k)*self%way%per_line))
+        warmed(c) = max(warmed(c), by)
+        warmed_along(c) = max(warmed_along(c), turned*by)
+      end do
+    end do
+    change = max(change, maxval(warmed(:columns%columns), mask=judged))
+    change_along = max(change_along, maxval(warmed_along(:columns%columns), mask=judged))
+    if (backward) change_backward = max(change_backward, maxval(warmed(:columns%columns)))
+  end subroutine take_changes
+
+  !> Pressure gradient at nodes of a line, along it and from line to line [Pa/m].
+  pure subroutine take_gradient(self, line, first, last, along, across)
+    type(swept_columns), intent(in) :: self
+    integer, intent(in) :: line, first, last
+    real(wp), intent(inout) :: along(:), across(:)
+    integer :: m
+
+    m = last - first + 1
+    along(:m) = (self%p(first + 1:last + 1, line) - self%p(first - 1:last - 1, line))*(self%way%per_node/2)
+    across(:m) = (self%p(first:last, line + 1) - self%p(first:last, line - 1))*(self%way%per_line/2)
+  end subroutine take_gradient
+
+  !> Heat convected away from the levels of a line's columns for each kelvin, `absorption` [W/(m3 K)], and to them,
+  !> `inflow` [W/m3], by oil that moves with (along, across) the line [m/s].
+  subroutine carry(self, line, cut, first, last, capacity, along, across, absorption, inflow)
+    type(swept_columns), intent(inout) :: self
+    integer, intent(in) :: line, cut, first, last
+    real(wp), contiguous, intent(in) :: capacity(:), along(:, :), across(:, :)
+    real(wp), contiguous, intent(inout) :: absorption(:, :), inflow(:, :)
+    real(wp) :: across_rate(most_columns), along_rate(most_columns)
+    integer :: k, before, m
+
+    m = last - first + 1
+    ! the first line in work has but one before it
+    before = max(line - 2, 1)
+    self%onward(cut, line) = .false.
+    self%backward(cut, line) = .false.
+    do k = 1, size(along, 2)
+      call carry_level(m, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, &
+        self%rise(first - 2:last + 2, before, k), self%rise(first - 1:last + 1, line - 1, k), &
+        self%old(first - 1:last + 1, mod(line, 2), k), self%rise(first - 1:last + 1, line + 1, k), capacity, &
+        self%way%per_node, self%way%per_line, along(:, k), across(:, k), absorption(:, k), inflow(:, k))
+      along_rate(:m) = merge(1, 0, self%aside)*abs(along(:m, k))*self%way%per_node
+      across_rate(:m) = across(:m, k)*self%way%per_line
+      self%onward(cut, line) = self%onward(cut, line) .or. any(across_rate(:m) > along_rate(:m))
+      self%backward(cut, line) = self%backward(cut, line) .or. any(-across_rate(:m) > along_rate(:m))
+      if (self%aside) then
+        where (.not. abs(across_rate(:m)) > along_rate(:m))
+          absorption(:m, k) = held
+          inflow(:m, k) = held*self%rise(first:last, line, k)
+        end where
+      end if
+    end do
+  end subroutine carry
+
+end module column_sweep
