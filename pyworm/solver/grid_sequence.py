@@ -35,7 +35,7 @@ SOLVERS: dict[type, type[ContactSolver]] = {
 }
 """Solver of each kind of contact, by its scene."""
 
-DOMAIN_FRACTION = 0.3
+DOMAIN_FRACTION = 0.25
 """Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
 
 NO_WIDER_FILM = (
