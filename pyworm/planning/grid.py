@@ -93,6 +93,12 @@ class Grid:
             slice(first_y, first_y + (fine.ny + 1) // 2),
         )
 
+    def nodes_of(self, other: "Grid") -> tuple[slice, slice]:
+        """Index ranges of this grid's nodes that an aligned grid of the same spacing covers."""
+        first_x = round((other.west - self.west) / self.dx)
+        first_y = round((other.south - self.south) / self.dy)
+        return slice(first_x, first_x + other.nx), slice(first_y, first_y + other.ny)
+
 
 def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
     """Grids from one that spans `outer` to one of spacing dx, dy that spans `inner`.

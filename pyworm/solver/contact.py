@@ -6,7 +6,7 @@ reads figures and fields from the last one. `pyworm.solver.grid_sequence` decide
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from math import sqrt
+from math import log2, sqrt
 from typing import Any, ClassVar
 
 from pyworm.kernel import DryContact
@@ -87,6 +87,22 @@ class ContactSolver(ABC):
     @abstractmethod
     def begin(self, grids: Sequence[Any]) -> tuple[Level, list[NewtonStep]]:
         """Solve the grids by nested iteration up to the last one, on which the film is not yet settled."""
+
+    def in_wider_window(
+        self, grids: Sequence[Any], narrow: Level
+    ) -> tuple[Level, list[NewtonStep]]:
+        """Solve wider windows to the spacing of a level."""
+        level, steps = self.begin(grids)
+        for _ in range(self._refinements_between(level, narrow)):
+            steps += lead(level, self._plan.tolerance)
+            level, further = self.refined(level)
+            steps += further
+        return level, steps
+
+    @staticmethod
+    def _refinements_between(coarse: Level, fine: Level) -> int:
+        """Number of halvings from the spacing of one level to that of another."""
+        return round(log2(coarse.grid.spacing[0] / fine.grid.spacing[0]))
 
     @abstractmethod
     def at_next_time(self, earlier: Sequence[Level], fraction: float) -> Level:

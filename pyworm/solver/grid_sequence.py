@@ -9,6 +9,8 @@ from time import perf_counter, process_time
 
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import NO_MEMORY, KernelError
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
@@ -20,7 +22,7 @@ from pyworm.solver.estimates import estimates
 from pyworm.solver.level import Level
 from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.memory import NoMemoryError, shortage
-from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, lead, settle
+from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
@@ -73,11 +75,9 @@ def solve_on_grids(
     KernelError
         As of `pyworm.solve`.
     """
-    short = shortage(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes), plan.model)
-    if short is not None:
-        raise NoMemoryError(short)
-    started, started_work = perf_counter(), process_time()
     sequence = GridSequence(scene, plan, progress)
+    sequence.check_memory(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes))
+    started, started_work = perf_counter(), process_time()
     first = sequence.begin(warm_start)
     reason = sequence.settle()
     while reason is None:
@@ -219,21 +219,25 @@ class GridSequence:
 
     def _in_wider_window(self) -> tuple[Level, Settled]:
         """Solve the plan's wider window on a grid of the same spacing."""
-        level, steps = self._solver.begin(self._plan.wider_grids)
+        *_, grid = grids = self._plan.wider_grids
         for _ in range(self._refinements):
-            steps += lead(level, self._plan.tolerance)
-            level, further = self._finer(level)
-            steps += further
+            grid = grid.finer()
+        self.check_memory(grid)
+        level, steps = self._solver.in_wider_window(grids, self._level)
         settled = self._settled_on(level)
         self._steps += [*steps, *settled.steps]
         return level, settled
 
     def _finer(self, level: Level) -> tuple[Level, list[NewtonStep]]:
         """The level of half the spacing; NoMemoryError where memory does not suffice."""
-        short = shortage(level.grid.finer(), self._plan.model)
+        self.check_memory(level.grid.finer())
+        return self._solver.refined(level)
+
+    def check_memory(self, grid: Grid | LineGrid) -> None:
+        """Raise NoMemoryError for a grid that memory will not hold."""
+        short = shortage(grid, self._plan.model)
         if short is not None:
             raise NoMemoryError(short)
-        return self._solver.refined(level)
 
     def _settled_on(self, level: Level) -> Settled:
         plan = self._plan

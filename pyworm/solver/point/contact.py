@@ -22,6 +22,7 @@ from pyworm.solver.point.level import (
     PointLevel,
     dry_contact,
     first_level,
+    guess_around,
     guess_on,
     next_level,
     restart,
@@ -62,6 +63,33 @@ class PointContactSolver(ContactSolver):
 
     def begin(self, grids: Sequence[Grid]) -> tuple[PointLevel, list[NewtonStep]]:
         """Solve the windows by nested iteration to the first grid of the figures."""
+        level, steps = self._begun(grids)
+        return level, steps + self._add_shear_and_heat(level)
+
+    def in_wider_window(
+        self, grids: Sequence[Grid], narrow: PointLevel
+    ) -> tuple[PointLevel, list[NewtonStep]]:
+        """Solve wider windows to the spacing of a level, from its film within them."""
+        if not self._model.levels or self._assisted is not self._scene:
+            return super().in_wider_window(grids, narrow)
+        level, steps = self._begun(grids)
+        for _ in range(self._refinements_between(level, narrow)):
+            steps += lead(level, COARSE_TOLERANCE)
+            grid = level.grid.finer()
+            level = next_level(self._scene, self._size, level, grid, guess_on(level, grid))
+        steps += lead(level, COARSE_TOLERANCE)
+        guess = guess_around(narrow, level)
+        level.film.start(guess.pressure, guess.rigid_film)
+        self._shear_and_warm(level, guess)
+        # what the windows differ by is of the order of the tolerance, and heat converges slowly
+        steps += lead(level, self._plan.tolerance / 10)
+        if not level.lost():
+            return level, steps
+        level, further = super().in_wider_window(grids, narrow)
+        return level, steps + further
+
+    def _begun(self, grids: Sequence[Grid]) -> tuple[PointLevel, list[NewtonStep]]:
+        """Solve the windows for a Newtonian oil of one temperature; the last of them is not solved yet."""
         steps: list[NewtonStep] = []
         scene, size = self._scene, self._size
         level = first_level(self._assisted, scene, size, grids[0], self._transient_term)
@@ -70,7 +98,7 @@ class PointContactSolver(ContactSolver):
             before, level = level, next_level(scene, size, level, grid, guess_on(level, grid))
             if before.lost():
                 restart(scene, size, level)
-        return level, steps + self._add_shear_and_heat(level)
+        return level, steps
 
     def at_next_time(self, earlier: Sequence[PointLevel], fraction: float) -> PointLevel:
         """Extrapolate the film from the last two of the levels at earlier times, on the same grid."""

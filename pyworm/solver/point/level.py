@@ -102,6 +102,19 @@ def guess_on(level: PointLevel, grid: Grid) -> InitialGuess:
     return here.finer(level.grid.window_of(grid))
 
 
+def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
+    """Initial guess on a wider grid of the same spacing: the film of a level, and its own around that."""
+    here, within = wide.state(), narrow.state()
+    covered = wide.grid.nodes_of(narrow.grid)
+    pressure = here.pressure.copy(order="F")
+    pressure[covered] = within.pressure
+    rise = None
+    if within.rise is not None:
+        rise = np.zeros((*wide.grid.shape, within.rise.shape[-1]), order="F")
+        rise[covered] = within.rise
+    return InitialGuess(pressure, within.rigid_film, rise)
+
+
 def next_level(
     scene: Scene, size: Scales, level: PointLevel, grid: Grid, guess: InitialGuess
 ) -> PointLevel:
