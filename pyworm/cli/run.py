@@ -34,6 +34,12 @@ def add_run(commands: argparse._SubParsersAction) -> None:
     add_accuracy_and_effects(run)
     run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
     add_processes(run)
+    run.add_argument(
+        "--pictures",
+        choices=("key", "all", "none"),
+        default="key",
+        help="key (default): of the mesh cycle or curve, and of the contact with the thinnest film",
+    )
     run.set_defaults(command=_run)
 
 
@@ -65,8 +71,15 @@ def _run(options: argparse.Namespace) -> int:
             put(f"Results   {directory / RESULT_NAME}")
         # After the figures, which no picture may cost; and by this machine, since others need not reach
         # this place.
-        drawing = partial(draw, result, executor=None if options.scheduler else executor)
-        pictures, _ = drawn_pictures(directory, drawing, PICTURES)
+        drawing = partial(
+            draw,
+            result,
+            executor=None if options.scheduler else executor,
+            key_only=options.pictures == "key",
+        )
+        pictures = (
+            [] if options.pictures == "none" else drawn_pictures(directory, drawing, PICTURES)[0]
+        )
     if options.json:
         cycle, standard = drive_cycle(result), standard_loss(case)
         heating = heating_of(tasks[0].case, cycle, standard)
@@ -84,7 +97,8 @@ def _run(options: argparse.Namespace) -> int:
             }
         )
     else:
-        put(f"Pictures  {directory}/*.png ({len(pictures)})")
+        more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
+        put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
     return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
 
 

@@ -1,7 +1,7 @@
 """Pictures of a result; they read results and nothing else."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
@@ -48,6 +48,9 @@ SCENE_PICTURES = {
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
+KEY_PICTURES = {"point": ("film", "temperature"), "line": ("profiles", "temperature")}
+"""Kind of contact -> pictures that show most of it."""
+
 SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
     "temperature": lambda solution: solution.figures.temperature_max_film,
@@ -60,8 +63,10 @@ def draw(
     result: Result | str | os.PathLike,
     directory: str | os.PathLike,
     executor: Executor | None = None,
+    *,
+    key_only: bool = False,
 ) -> list[Path]:
-    """Draw every picture of a result as PNG.
+    """Draw the pictures of a result as PNG.
 
     Parameters
     ----------
@@ -71,6 +76,8 @@ def draw(
         Where the pictures go; made if missing.
     executor : Executor, optional
         Whose processes draw those of the scenes; by default this one does.
+    key_only : bool, optional
+        Whether to draw of all contacts only that with the thinnest film, and of it only `KEY_PICTURES`.
 
     Returns
     -------
@@ -87,8 +94,13 @@ def draw(
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
     made = Attempts()
-    for scene in _scene_pictures(result, directory, executor):
-        made.add(scene)
+    if key_only and result.solutions:
+        thinnest = result.solutions[result.thinnest]
+        names = KEY_PICTURES[thinnest.kind]
+        made.add(_draw_scene(result.case_name, directory, result.thinnest, thinnest, names))
+    elif not key_only:
+        for scene in _scene_pictures(result, directory, executor):
+            made.add(scene)
     for name, picture in cycle_pictures(result).items():
         made.draw(directory / f"{name}.png", partial(picture.draw, result))
     if result.solutions:
@@ -102,11 +114,15 @@ def _scene_pictures(
     result: Result, directory: Path, executor: Executor | None
 ) -> Iterator[Attempts]:
     """Pictures of each scene and their failures; a process that dies loses only those of its scene."""
+    scenes = [
+        (number, solution, tuple(SCENE_PICTURES[solution.kind]))
+        for number, solution in enumerate(result.solutions)
+    ]
     picture = partial(_draw_scene, result.case_name, directory)
     if executor is None:
-        yield from map(picture, range(len(result.solutions)), result.solutions)
+        yield from (picture(*scene) for scene in scenes)
         return
-    futures = [executor.submit(picture, *scene) for scene in enumerate(result.solutions)]
+    futures = [executor.submit(picture, *scene) for scene in scenes]
     for number, future in enumerate(futures):
         try:
             yield future.result()
@@ -114,14 +130,21 @@ def _scene_pictures(
             yield Attempts(failed={f"{_stem(number)}_*.png": reason_of(error)})
 
 
-def _draw_scene(case_name: str, directory: Path, number: int, solution: Solution) -> Attempts:
+def _draw_scene(
+    case_name: str, directory: Path, number: int, solution: Solution, names: Sequence[str]
+) -> Attempts:
     """The pictures of one scene."""
-    made = Attempts()
-    for name, picture in SCENE_PICTURES[solution.kind].items():
-        if name not in SHOWS or SHOWS[name](solution) is not None:
+    made, pictures = Attempts(), SCENE_PICTURES[solution.kind]
+    for name in names:
+        if has_picture(solution, name):
             file = directory / f"{_stem(number)}_{name}.png"
-            made.draw(file, partial(picture, case_name, solution))
+            made.draw(file, partial(pictures[name], case_name, solution))
     return made
+
+
+def has_picture(solution: Solution, name: str) -> bool:
+    """Whether what a picture shows was simulated."""
+    return name not in SHOWS or SHOWS[name](solution) is not None
 
 
 def _stem(number: int) -> str:

@@ -83,6 +83,13 @@ class Result:
         """The solutions that did not converge."""
         return tuple(one for one in self.solutions if not one.converged)
 
+    @property
+    def thinnest(self) -> int:
+        """Number of the converged contact with the thinnest film; of all contacts if none converged."""
+        judged = self.sound.solutions or self.solutions
+        thinnest = min(judged, key=lambda one: one.figures.film_min.value)
+        return next(number for number, one in enumerate(self.solutions) if one is thinnest)
+
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file, atomically."""
         path = Path(path)

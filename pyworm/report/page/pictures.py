@@ -7,7 +7,7 @@ from io import BytesIO
 from matplotlib.figure import Figure
 
 from pyworm.io.reason import reason_of
-from pyworm.plots.draw import SCENE_PICTURES, SHOWS
+from pyworm.plots.draw import KEY_PICTURES, SCENE_PICTURES, has_picture
 from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
@@ -20,9 +20,6 @@ from pyworm.solver.solution import Solution
 
 DOTS_PER_INCH = 100
 """Fewer than of pictures in files: a report holds them all."""
-
-KEY_PICTURES = {"point": ("film", "temperature"), "line": ("profiles", "temperature")}
-"""Kind of contact -> pictures shown of every contact; of the one with the thinnest film all are."""
 
 MOST_CONTACTS = 12
 """Contacts beyond which only the one with the thinnest film is shown."""
@@ -56,19 +53,17 @@ def cycle_section(result: Result) -> Section | None:
 def contact_section(result: Result) -> Section:
     """Pictures: regimes of all contacts, all of the thinnest contact, the most important of the others."""
     solutions = result.solutions
-    thin = min(result.sound.solutions or solutions, key=lambda of: of.figures.film_min.value)
+    thin = solutions[result.thinnest]
     shown = solutions if len(solutions) <= MOST_CONTACTS else (thin,)
     pictures = [_drawn("Contacts on the chart of regimes", partial(draw_regimes, result))]
     for solution in shown:
         names = SCENE_PICTURES[solution.kind] if solution is thin else KEY_PICTURES[solution.kind]
         pictures += [
-            _picture(result.case_name, solution, name) for name in names if _has(solution, name)
+            _picture(result.case_name, solution, name)
+            for name in names
+            if has_picture(solution, name)
         ]
     return Section("Contacts", tuple(pictures))
-
-
-def _has(solution: Solution, name: str) -> bool:
-    return name not in SHOWS or SHOWS[name](solution) is not None
 
 
 def _picture(case_name: str, solution: Solution, name: str) -> Picture | Words | None:

@@ -23,14 +23,14 @@ from pyworm.plots.draw import SCENE_PICTURES, draw
 from pyworm.result.result import open_result
 
 CASE = Path(__file__).parents[3] / "cases" / "point_m20_l10.toml"
-RUN = ("run", str(CASE), "--accuracy", "30%", "--effects", "isothermal")
+RUN = ("run", str(CASE), "--accuracy", "30%", "--effects", "isothermal", "--pictures", "all")
 
 KILLED = """
 import os, signal, sys
 import pyworm.plots.draw
 from pyworm.cli.main import main
 
-def draw(result, directory, executor):
+def draw(result, directory, executor, key_only):
     (directory / "scene_000_film.png").write_text("half")
     os.kill(os.getpid(), signal.SIGKILL)
 
@@ -45,11 +45,11 @@ from pyworm.cli.main import main
 draw = pyworm.plots.draw.draw
 left = int(sys.argv.pop(1))
 
-def with_little_memory(result, directory, executor):
+def with_little_memory(result, directory, executor, key_only):
     used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (used + left, resource.RLIM_INFINITY))
     try:
-        return draw(result, directory, executor)
+        return draw(result, directory, executor, key_only=key_only)
     finally:
         resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
 
@@ -133,7 +133,7 @@ def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monke
 
 
 def test_a_disk_that_is_full_costs_no_figure(tmp_path, capsys, monkeypatch):
-    def full(result, directory, executor):
+    def full(result, directory, executor, key_only):
         (directory / "half.png").write_text("half")
         raise OSError("No space left on device")
 
@@ -181,7 +181,7 @@ def test_a_run_killed_while_drawing_leaves_nothing_behind_after_the_next(tmp_pat
     ended = subprocess.run([sys.executable, "-c", KILLED, *command], check=False)
     assert ended.returncode == -signal.SIGKILL
     assert len(list(tmp_path.rglob("scene_000_film.png"))) == 1
-    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor, key_only: [])
     assert main(command) == CONVERGED
     assert [path.name for path in tmp_path.rglob("*")] == ["out", "result.nc"]
 

@@ -82,6 +82,18 @@ def test_all_pictures_of_a_file(tmp_path):
         assert np.unique(pixels @ [1.0, 300.0, 90000.0]).size > 20
 
 
+def test_key_pictures_are_those_of_the_thinnest_converged_film(tmp_path):
+    result = make_result()
+    thick, thin = result.solutions
+    figures = replace(thin.figures, film_min=Estimate(1e-7, 0.01))
+    thin = replace(thin, converged=True, figures=figures)
+    result = replace(result, solutions=(thick, thin))
+    assert result.thinnest == 1
+    written = [path.name for path in draw(result, tmp_path, key_only=True)]
+    assert written == ["scene_001_film.png", "mesh_cycle.png", "regimes.png"]
+    assert replace(result, solutions=(thick, replace(thin, converged=False))).thinnest == 0
+
+
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize(
     "solution",
