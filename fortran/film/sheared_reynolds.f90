@@ -128,24 +128,7 @@ contains
     do j = 2, grid%ny - 1
       call set_mobility(grid, j, film, fields)
     end do
-    call extend_to_outline(fields%mobility)
-    call extend_to_outline(fields%mobility_y)
-    call extend_to_outline(fields%mobility_p)
-    call extend_to_outline(fields%mobility_h)
   end subroutine set_sheared_fields
-
-  !> Gives the outline the values of the nodes beside it.
-  pure subroutine extend_to_outline(field)
-    real(wp), intent(inout) :: field(:, :)
-    integer :: nx, ny
-
-    nx = size(field, 1)
-    ny = size(field, 2)
-    field(2:nx - 1, 1) = field(2:nx - 1, 2)
-    field(2:nx - 1, ny) = field(2:nx - 1, ny - 1)
-    field(1, :) = field(2, :)
-    field(nx, :) = field(nx - 1, :)
-  end subroutine extend_to_outline
 
   !> Evaluates the oil at the nodes first..last of row j.
   subroutine set_oil(oil, first, last, j, nodes, fields)

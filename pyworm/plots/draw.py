@@ -136,7 +136,7 @@ def _draw_scene(
     """The pictures of one scene."""
     made, pictures = Attempts(), SCENE_PICTURES[solution.kind]
     for name in names:
-        if has_picture(solution, name):
+        if name in pictures and has_picture(solution, name):
             file = directory / f"{_stem(number)}_{name}.png"
             made.draw(file, partial(pictures[name], case_name, solution))
     return made

@@ -66,7 +66,7 @@ contains
   !> A Newtonian oil of one temperature flows as by `reynolds`, to rounding.
   subroutine newtonian_limit()
     type(sheared_film) :: film
-    real(wp) :: plain(nx, ny), sheared(nx, ny), dp(nx, ny), dh(nx, ny), mobility(nx, ny)
+    real(wp) :: plain(nx, ny), sheared(nx, ny), dp(nx, ny), dh(nx, ny)
 
     call new_sheared_film(flow_law(law_newton), levels, sliding_x, sliding_y, film, stat)
     call check(stat == status_ok, "a film is made")
@@ -74,15 +74,11 @@ contains
     fields%h = h
     call set_film_fields(oil, floor, fields)
     call flow_imbalance(grid, fields, plain)
-    mobility = fields%mobility
     dp = p*(1 - p/4e8_wp)*1e-3_wp
     dh = h*cos(p/1e8_wp)*1e-3_wp
     call set_sheared_fields(grid, oil, floor, film, fields)
     call sheared_imbalance(grid, film, fields, sheared)
     call close_to(maxval(abs(sheared - plain)), 0.0_wp, 1e-12_wp*maxval(abs(plain)), "Newton's limit")
-    ! those of the outline, too: without them the preconditioned residual is none of the equation
-    call check(all(fields%mobility > mobility/3 .and. fields%mobility < 3*mobility), "the preconditioner's mobility along x")
-    call check(all(fields%mobility_y > mobility/3 .and. fields%mobility_y < 3*mobility), "and along y")
     call sheared_imbalance_change(grid, film, fields, dp, dh, sheared)
     call set_film_fields(oil, floor, fields)
     call flow_imbalance_change(grid, fields, dp, dh, plain)

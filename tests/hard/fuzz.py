@@ -129,7 +129,7 @@ def solved(mutant: Mutant, directory: Path) -> tuple[int, str, list[str]]:
     out = directory / "out"
     command = ("run", "--accuracy", "30%", "--out", str(out), *SHORTER.get(mutant.base, ()))
     with (
-        patch("pyworm.plots.draw.draw", lambda result, directory, executor: []),
+        patch("pyworm.plots.draw.draw", lambda *given, **options: []),
         patch("pyworm.planning.discretisation.LARGEST_GRID", SMALL_GRID),
     ):
         run = outcome(mutant, directory, command, out / "result.nc")

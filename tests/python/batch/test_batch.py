@@ -32,7 +32,7 @@ RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--
 WITHOUT_PICTURES = """
 import sys, pyworm.plots.draw
 from pyworm.cli.__main__ import main
-pyworm.plots.draw.draw = lambda result, directory, executor: []
+pyworm.plots.draw.draw = lambda *given, **options: []
 sys.exit(main())
 """
 
@@ -227,7 +227,7 @@ def started(out):
 @pytest.fixture(autouse=True, scope="module")
 def without_pictures():
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
         yield
 
 

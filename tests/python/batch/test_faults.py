@@ -91,7 +91,7 @@ def whole_result(directory):
     out = directory / "out"
     command = ["run", str(TRACTION), *CHEAP, "--slide-roll-ratio", "0", "--out", str(out)]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
         assert main(command) == 0
     return (out / "result.nc").read_bytes(), command
 
@@ -258,7 +258,7 @@ def test_a_run_over_a_damaged_result_solves_again(tmp_path, capsys):
     file = tmp_path / "out" / "result.nc"
     file.write_bytes(content[: len(content) // 2])
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
         assert main(command) == 0
     assert open_result(file).converged
     assert "solved before" not in capsys.readouterr().err
@@ -329,7 +329,7 @@ FULL = """
 import resource, signal, sys
 import pyworm.plots.draw
 from pyworm.cli.main import main
-pyworm.plots.draw.draw = lambda result, directory, executor: []
+pyworm.plots.draw.draw = lambda *given, **options: []
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
 sys.exit(main(sys.argv[2:]))

@@ -39,7 +39,7 @@ def together(*arguments):
         time.sleep(0.01)
     sys.exit("the other run does not come")
 
-def one_picture(result, directory, executor):
+def one_picture(result, directory, executor, key_only):
     (directory / "mark.png").write_text(sys.argv[1])
     return [directory / "mark.png"]
 
@@ -144,7 +144,7 @@ def test_scenes_that_another_run_took_into_its_result_are_read_there(tmp_path, m
     """As when the other run ends between this one's last solve and its reading of what was solved."""
     out = tmp_path / "out"
     command = [*RUN, "--slide-roll-ratio", "0", "--out", str(out)]
-    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
     taken = []
     real = solve_all
 
@@ -163,7 +163,7 @@ def test_scenes_that_another_run_took_into_its_result_are_read_there(tmp_path, m
 
 def test_an_earlier_result_that_cannot_be_used_is_reported(tmp_path, capsys, monkeypatch):
     command = [*RUN, "--slide-roll-ratio", "0", "--out", str(tmp_path)]
-    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
     (tmp_path / "result.nc").write_text("no result")
     assert main(command) == CONVERGED
     said = capsys.readouterr().err

@@ -142,7 +142,7 @@ def test_warnings_go_to_standard_error_json_result_and_report(tmp_path, capsys):
     out = tmp_path / "out"
     how = ("--accuracy", "30%", "--effects", "isothermal", "--json", *ratio)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
         assert main(["run", case_file, *how, "--out", str(out)]) == 0
     said = capsys.readouterr()
     assert said.err.startswith(f"pyworm: warning: {SAID}\n")
@@ -179,7 +179,7 @@ def test_a_run_warns_of_a_film_that_is_too_hot(tmp_path, capsys):
     """After the solve, where it is known."""
     out = ("--json", "--accuracy", "30%", "--slide-roll-ratio", "3", "--out", str(tmp_path / "out"))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
         patch.setattr("pyworm.case.plausibility.HOTTEST_FILM", 61.0)
         assert main(["run", str(CASES / "traction_steel.toml"), *out]) == 0
     said = capsys.readouterr()

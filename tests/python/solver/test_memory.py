@@ -108,7 +108,7 @@ def test_a_scene_without_memory_costs_no_other(tmp_path, monkeypatch, capsys):
         return 1e6 if len(asked) == 1 else float("inf")
 
     monkeypatch.setattr(memory, "available", only_at_first)
-    monkeypatch.setattr("pyworm.plots.draw.draw", lambda result, directory, executor: [])
+    monkeypatch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
     command = ["run", str(CASE.with_name("traction_steel.toml")), "--accuracy", "30%"]
     command += ["--effects", "isothermal", "--slide-roll-ratio", "0", "1"]
     assert main([*command, "--out", str(tmp_path / "out")]) == NOT_CONVERGED
