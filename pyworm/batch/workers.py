@@ -7,7 +7,7 @@ import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from multiprocessing import get_context, parent_process
+from multiprocessing import get_context, parent_process, resource_tracker
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
 from typing import Any
@@ -111,7 +111,9 @@ class _Worker:
                 raise WorkerDiedError("the pool has ended")
             before = {name: os.environ.get(name) for name in _ONE_THREAD}
             os.environ.update(_ONE_THREAD)
-            # The keyboard's interrupt is for the process that waits, from the first moment of this one.
+            # The keyboard's interrupt is for the process that waits, from the first moment of this one. The
+            # library starts a helper with the first process, which would clear the mask: it comes before.
+            resource_tracker.ensure_running()
             mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
             try:
                 process.start()

@@ -121,6 +121,17 @@ def test_a_worker_in_a_long_call_ends_with_its_killed_parent():
         time.sleep(0.01)
 
 
+def test_the_first_worker_of_a_program_has_the_interrupt_blocked():
+    """Else the keyboard's would end it with a traceback while it starts."""
+    program = (
+        "import signal\nfrom pyworm.batch.workers import WorkerPool\n"
+        "with WorkerPool(1) as pool:\n"
+        "    mask = pool.submit(signal.pthread_sigmask, signal.SIG_BLOCK, []).result()\n"
+        "print(signal.SIGINT in mask)\n"
+    )
+    assert started("-c", program).communicate()[0] == "True\n"
+
+
 def test_a_pool_that_ends_starts_no_more_processes():
     pool = WorkerPool(1)
     with pytest.raises(KeyboardInterrupt), pool:
