@@ -17,7 +17,6 @@ PACKAGES = (
     "numpy",
     "scipy",
     "pydantic",
-    "pint",
     "xarray",
     "netCDF4",
     "matplotlib",

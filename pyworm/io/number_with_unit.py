@@ -1,13 +1,11 @@
-"""Numbers with units of any dimension: "540 MPa" measured by pint.
-
-Pint is imported at the first quantity only, since it takes longer to load than a case to check.
-"""
+"""Numbers with units of any dimension, such as "540 MPa"."""
 
 import math
 import re
 from functools import cache
 
-from pyworm.io.unit_text import ROTATIONS, expression, plain
+from pyworm.io.unit_table import Unit, product
+from pyworm.io.unit_text import ROTATIONS, factors, plain
 
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*")
 
@@ -16,9 +14,6 @@ _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+)(?![\d,])\s*(.*?)\s*")
 LONGEST = 200
 """Characters of the longest quantity that is read."""
 
-_SHARES = (("percent",), ("ppm",))
-"""Units that are numbers."""
-
 
 def number_and_unit(text: str) -> tuple[str, str] | None:
     """Number and unit of a quantity, both as they are written; None where there are no such two."""
@@ -26,8 +21,8 @@ def number_and_unit(text: str) -> tuple[str, str] | None:
     return None if match is None else (match[1], match[2])
 
 
-def measure(text: str, unit: str | None = None):
-    """The pint quantity that a text means, in SI base units; None where it means none.
+def measure(text: str, unit: str | None = None) -> tuple[float, Unit] | None:
+    """The number that a text means in SI base units, and its unit; None where it means none.
 
     Where a speed of rotation is wanted, its unit distinguishes revolutions per minute.
     """
@@ -38,26 +33,16 @@ def measure(text: str, unit: str | None = None):
     if unit == "rad/s" and plain(own) in ROTATIONS:
         own = "rpm"
     try:
-        # Built from number and unit apart, so that "60 degC" is a temperature and not a product.
-        return _registry().Quantity(float(number), _unit(own)).to_base_units()
-    except (ValueError, ArithmeticError):
+        meant = unit_of(own)
+    except ValueError:
         return None
-
-
-def base_unit(unit: str):
-    """The pint unit in SI base units that a unit of a case file or of SI comes down to.
-
-    Raises
-    ------
-    ValueError
-        It is none.
-    """
-    return _registry().Quantity(1.0, _unit(unit)).to_base_units().units
+    return float(number) * meant.factor + meant.zero, meant
 
 
 def converted(value: float, unit: str, other: str) -> float:
     """A value in one unit as a number in another of the same kind."""
-    return float(_registry().Quantity(value, _unit(unit)).to(_unit(other)).magnitude)
+    before, after = unit_of(unit), unit_of(other)
+    return (value * before.factor + before.zero - after.zero) / after.factor
 
 
 def parse_any(text: str) -> tuple[float, str]:
@@ -68,10 +53,11 @@ def parse_any(text: str) -> tuple[float, str]:
     ValueError
         Not a number and a unit.
     """
-    quantity = measure(text) if isinstance(text, str) else None
-    if quantity is None or not math.isfinite(quantity.magnitude):
+    measured = measure(text) if isinstance(text, str) else None
+    if measured is None or not math.isfinite(measured[0]):
         raise ValueError(f'must be a number with its unit, such as "540 MPa"{comma_hint(text)}')
-    return quantity.magnitude, f"{quantity.units:~C}"
+    value, unit = measured
+    return value, unit.base
 
 
 def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
@@ -99,7 +85,7 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
     number, own = number_and_unit(text)
     if unit is None or unit == own:
         return float(number), own
-    if base_unit(own) != base_unit(unit):
+    if unit_of(own).powers != unit_of(unit).powers:
         raise ValueError(f'must be in a unit of the same kind as "{unit}"')
     return converted(float(number), own, unit), unit
 
@@ -113,30 +99,6 @@ def comma_hint(text: object) -> str:
 
 
 @cache
-def _registry():
-    import pint
-
-    return pint.UnitRegistry()
-
-
-@cache
-def _unit(text: str):
-    """The pint unit that a text means.
-
-    Raises
-    ------
-    ValueError
-        It means none, or holds a number such as pi under a name.
-    """
-    try:
-        unit = _registry().Unit(expression(text))
-    except Exception as error:  # pint lets any error of its tokenizer and its arithmetic through
-        raise ValueError(f'"{text}" is no unit') from error
-    names = tuple(unit._units)
-    for name in names:
-        number = (
-            not _registry().Quantity(1.0, name).to_base_units().units._units
-        )  # not even an angle
-        if number and names not in _SHARES:
-            raise ValueError(f'"{text}" has a number within')
-    return unit
+def unit_of(text: str) -> Unit:
+    """The unit that a text means; ValueError if it means none."""
+    return product(factors(text))

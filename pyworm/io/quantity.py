@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
-from pyworm.io.number_with_unit import base_unit, comma_hint, measure, number_and_unit
+from pyworm.io.number_with_unit import comma_hint, measure, number_and_unit, unit_of
 
 _SIGNS = {
     "positive": (lambda value: value > 0, "greater than zero"),
@@ -131,10 +131,11 @@ def doubt(text: str, kind: Kind) -> str | None:
 def _in_kind(text: object, kind: Kind) -> float | None:
     """A text as a number in the unit of a kind; None where its dimension differs."""
     measured = measure(text, kind.unit) if isinstance(text, str) else None
-    # Units are compared, not dimensions: to pint "3" and "3 deg", "1 Hz" and "1 rad/s" have the same.
-    if measured is None or measured.units != base_unit(kind.unit):
+    if measured is None:
         return None
-    return float(measured.to(kind.unit).magnitude)
+    value, own = measured
+    unit = unit_of(kind.unit)
+    return value / unit.factor if own.powers == unit.powers else None
 
 
 def _lies(value: float, kind: Kind, between: Range) -> bool:

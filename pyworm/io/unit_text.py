@@ -1,4 +1,4 @@
-"""Units as users write them, parsed by a small grammar before pint evaluates them.
+"""Units as users write them, parsed by a small grammar into names with their powers.
 
     unit   = [1] factor { [* or / or blank or point] factor }
     factor = name [exponent] | ( unit )
@@ -36,8 +36,8 @@ def plain(text: str) -> str:
     return text.translate(_SUPERSCRIPTS).strip()
 
 
-def expression(text: str) -> str:
-    """A unit as an expression of names, products, quotients and powers of one digit.
+def factors(text: str) -> tuple[tuple[str, int], ...]:
+    """The names in a unit, each with its power.
 
     Raises
     ------
@@ -48,45 +48,45 @@ def expression(text: str) -> str:
         raise ValueError(f"a unit of {len(text)} characters")
     text = plain(text)
     if text in _RENAMED or text in DIVISORS_ONLY:
-        return _RENAMED.get(text, text)
-    parts: list[str] = []
+        return ((_RENAMED.get(text, text), 1),)
+    found: list[tuple[str, int]] = []
     below = [False]  # of each open bracket, whether it stands below a fraction bar
-    at, whole = 0, False  # whole: whether the last part ends a factor
+    at, whole, bar = (
+        0,
+        False,
+        False,
+    )  # whole: whether the last part ends a factor; bar: whether it is one
     while at < len(text):
         match = _TOKEN.match(text, at)
         if match is None:
             raise ValueError(f'"{text}" is no unit')
-        at = match.end()
         if match["divide"] or match["times"] or match["close"]:
             if not whole or (match["close"] and len(below) == 1):
                 raise ValueError(f'"{text}" is no unit')
             if match["close"]:
                 below.pop()
-            parts.append(match["divide"] or match["close"] or "*")
-            whole = bool(match["close"])
+            whole, bar = bool(match["close"]), bool(match["divide"])
+            at = match.end()
             continue
-        if match["one"] and (parts or not text[at:].lstrip().startswith("/")):
+        if match["one"] and (at or not text[match.end() :].lstrip().startswith("/")):
             raise ValueError(f'"{text}" has a number within')
-        parts += ["*"] * whole
-        divisor = below[-1] != (parts[-1:] == ["/"])
+        divisor = below[-1] != bar
         if match["open"]:
             below.append(divisor)
-        parts.append(_factor(match, divisor))
-        whole = not match["open"]
-    if (parts and not whole) or len(below) > 1:
+        elif match["name"]:
+            found += _powers(match, divisor)
+        at, whole, bar = match.end(), not match["open"], False
+    if (at and not whole) or len(below) > 1:
         raise ValueError(f'"{text}" is no unit')
-    return "".join(parts)
+    return tuple(found)
 
 
-def _factor(match: re.Match, divisor: bool) -> str:
-    """One name with its power, an opening bracket or the one of a reciprocal."""
-    if match["name"] is None:
-        return match["open"] or match["one"]
+def _powers(match: re.Match, divisor: bool) -> list[tuple[str, int]]:
+    """One name with its power, or two that are run together."""
     name = _RENAMED.get(match["name"], match["name"])
     if name == "percent" or (name in DIVISORS_ONLY and not divisor):
         raise ValueError(f'"{name}" is a unit only by itself')
     together = _RUN_TOGETHER.fullmatch(name)
-    if together:
-        name = f"({'*'.join(filter(None, together.groups()))})"
-    power = (match["power"] or "").strip("*^ \t")
-    return f"{name}**({power})" if power else name
+    names = filter(None, together.groups()) if together else (name,)
+    power = int((match["power"] or "1").strip("*^ \t"))
+    return [(of, -power if divisor else power) for of in names]

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pyworm.io.number_with_unit import parse_any
+from pyworm.io.number_with_unit import converted, parse_any
 from pyworm.io.quantity import SHARE, Kind, parse
 
 FORCE = Kind("a force", "N", "14 kN")
@@ -139,3 +139,40 @@ def test_any_quantity_is_read_with_its_unit():
     assert parse_any("540 MPa") == (540e6, "kg/m/s**2")
     with pytest.raises(ValueError, match="number with its unit"):
         parse_any("much")
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "base"),
+    [
+        ("1 psi", 6894.757293168361, "kg/m/s**2"),
+        ("1 microreyn", 6.894757293168361e-3, "kg/m/s"),
+        ("1 lbf", 4.4482216152605, "kg*m/s**2"),
+        ("1 hp", 745.69987158227022, "kg*m**2/s**3"),
+        ("1 PS", 735.49875, "kg*m**2/s**3"),
+        ("32 degF", 273.15, "K"),
+        ("1 1/degF", 1.8, "1/K"),
+        ("220 cSt", 220e-6, "m**2/s"),
+        ("3 cP", 3e-3, "kg/m/s"),
+        ("2 millimetres", 2e-3, "m"),
+        ("1 turn/s", 2 * math.pi, "rad/s"),
+        ("1 arcmin", math.pi / 10800, "rad"),
+        ("1 kWh", 3.6e6, "kg*m**2/s**2"),
+        ("50 ppm", 50e-6, ""),
+        ("4 W/(m^2 K)", 4.0, "kg/K/s**3"),
+    ],
+)
+def test_units_are_worth_what_is_defined(text, value, base):
+    """Inch, pound, standard gravity and calorie are exact by definition (NIST SP 811, appendix B)."""
+    found, unit = parse_any(text)
+    assert (found, unit) == (pytest.approx(value, rel=1e-14), base)
+
+
+@pytest.mark.parametrize("text", ["3 kdegC", "3 kilofoot", "3 mhp", "3 N pi", "3 dozen"])
+def test_units_that_are_not_known_are_refused(text):
+    with pytest.raises(ValueError, match="number with its unit"):
+        parse_any(text)
+
+
+def test_temperatures_are_converted_with_their_zeros():
+    assert converted(100.0, "degC", "degF") == pytest.approx(212.0, rel=1e-14)
+    assert converted(333.15, "K", "degC") == pytest.approx(60.0, rel=1e-14)
