@@ -15,6 +15,7 @@ import xarray as xr
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_past import Passing
+from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.checks import check_drive
 from pyworm.drives.roller_worm.dataset import roller_cycle_data
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
@@ -191,6 +192,7 @@ class RollerWormDrive(Drive):
         profile = replace(self.rollers.profile, radius=value)
         return replace(self, rollers=replace(self.rollers, profile=profile))
 
+    @remembered
     def shared(self, section: str, wheel_angle: float) -> SharedLoad:
         """Loads of a section's rollers while one of them is at a wheel angle [rad]."""
         part = self.sections[section]
@@ -199,33 +201,44 @@ class RollerWormDrive(Drive):
 
     def state(self, section: str, phase: float, stations: Sequence[float]) -> LineState:
         """State of a roller at a phase of a section, at fractions of its contact line from 0 to 1."""
+        return self._state(section, phase, tuple(stations))
+
+    @remembered
+    def _state(self, section: str, phase: float, stations: tuple[float, ...]) -> LineState:
         part = self.sections[section]
         angle = float(part.wheel_angle(phase))
         shared = self.shared(section, angle)
         roller = shared.roller(angle)
-        line, lengths = slices(part, np.array(angle))
-        turning = roller_speed(
-            part.envelope,
-            line,
-            lengths,
-            shared.load(line, roller),
-            self.wheel_speed,
-            self.rolling,
-            FilmTraction(self.oil, self.bodies),
-            self.rollers.pin,
-        )
-        contact = part.line(np.array(angle), np.asarray(stations, float))
+        contact = part.line(np.array(angle), np.array(stations))
         load = shared.load(contact, roller)
-        motion = line_motion(part.envelope, contact, self.wheel_speed, turning)
+        motion = line_motion(
+            part.envelope, contact, self.wheel_speed, self._turning(section, angle)
+        )
         return LineState(
             section=part,
             shared=shared,
             force=float(shared.forces[roller]),
-            length=float(lengths.sum()),
+            length=float(shared.lengths[roller]),
             contact=contact,
             load=load,
             motion=motion,
             films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
+        )
+
+    @remembered
+    def _turning(self, section: str, wheel_angle: float) -> float:
+        """Speed of a roller about its own axis [rad/s]."""
+        part, shared = self.sections[section], self.shared(section, wheel_angle)
+        line, lengths = slices(part, np.array(wheel_angle))
+        return roller_speed(
+            part.envelope,
+            line,
+            lengths,
+            shared.load(line, shared.roller(wheel_angle)),
+            self.wheel_speed,
+            self.rolling,
+            FilmTraction(self.oil, self.bodies),
+            self.rollers.pin,
         )
 
     def scene(self, section: str, phase: float, station: float | None = None) -> LineScene | Scene:

@@ -30,6 +30,8 @@ from pyworm.materials.body import Body, reduced_modulus
 SLICES = 25
 """Slices of a contact line (Gauss and Legendre's points)."""
 
+_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(SLICES)
+
 ROUNDS = 30
 """Largest number of fixed-point iterations for a load, whose error falls tenfold in each."""
 
@@ -132,11 +134,10 @@ class SharedLoad:
 
 def slices(section: WormSection, wheel_angles: Array) -> tuple[LineContact, Array]:
     """Slices of contact lines, (SLICES, ...) at wheel angles (...), and their lengths [m]."""
-    points, weights = np.polynomial.legendre.leggauss(SLICES)
     low, high = section.span(wheel_angles)
     shape = (SLICES,) + (1,) * np.ndim(wheel_angles)
-    contact = section.line(wheel_angles, (points.reshape(shape) + 1) / 2)
-    return contact, weights.reshape(shape) / 2 * (high - low) * contact.stretch
+    contact = section.line(wheel_angles, (_POINTS.reshape(shape) + 1) / 2)
+    return contact, _WEIGHTS.reshape(shape) / 2 * (high - low) * contact.stretch
 
 
 def lever(contact: LineContact) -> Array:
