@@ -19,7 +19,7 @@ from pyworm.formulas.regimes import (
     line_films,
     point_films,
 )
-from pyworm.plots.layout import new_figure, result_heading
+from pyworm.plots.layout import placed_panels, result_heading
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 
@@ -44,8 +44,11 @@ def draw_regimes(result: Result) -> Figure:
     """Every contact of a result on the chart of its kind, one for lines and one for points."""
     regimes = [solution.regime for solution in result.solutions]
     kinds = [kind for kind in (False, True) if any((one.ratio is None) == kind for one in regimes)]
-    figure = new_figure(6.4 * len(kinds), 5.2, result_heading(result, "regimes of lubrication"))
-    for axes, line in zip(figure.subplots(1, len(kinds), squeeze=False)[0], kinds, strict=True):
+    size, room = (6.4 * len(kinds), 5.2), (0.8, 0.1, 0.6, 0.35)
+    spaced = {"ncols": len(kinds), "squeeze": False, "gridspec_kw": {"wspace": 0.17}}
+    words = result_heading(result, "regimes of lubrication")
+    figure, panels = placed_panels(size, words, room, **spaced)
+    for axes, line in zip(panels[0], kinds, strict=True):
         shown = [
             (str(Place.of(solution)) or solution.name, solution.regime)
             for solution in result.solutions
@@ -126,4 +129,4 @@ def _draw_contacts(axes: Axes, shown: list[tuple[str, Regime]]) -> None:
             textcoords="offset points",
             fontsize=9,
         )
-    axes.set_title(title, fontsize=10)
+    axes.set_title(title, fontsize=10, y=1)

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.plots.layout import mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.plots.layout import mark_gaps, placed_panels, result_heading, with_gaps
 from pyworm.plots.overlays import draw_largest_temperatures
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -16,8 +16,10 @@ def draw_traction(result: Result) -> Figure:
     swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio)
     heated = [one for one in swept if one.figures.temperature_max_film is not None]
     rows = 2 if heated else 1
-    figure = new_figure(8, 3.2 * rows + 0.6, result_heading(result, "traction curve"))
-    axes = figure.subplots(rows, sharex=True, squeeze=False)[:, 0]
+    size, room = (8, 3.2 * rows + 0.6), (0.9, 0.1, 0.5, 0.1)
+    spaced = {"nrows": rows, "sharex": True, "squeeze": False, "gridspec_kw": {"hspace": 0.06}}
+    figure, panels = placed_panels(size, result_heading(result, "traction curve"), room, **spaced)
+    axes = panels[:, 0]
     _draw_friction(axes[0], swept)
     if heated:
         ratios = [solution.slide_roll_ratio for solution in heated]

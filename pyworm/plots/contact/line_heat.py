@@ -4,7 +4,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.contact.line_profiles import shown
-from pyworm.plots.layout import MEGA, MILLI, heading, new_figure
+from pyworm.plots.layout import MEGA, MILLI, heading, placed_panels
 from pyworm.solver.solution import Solution
 
 STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
@@ -13,8 +13,8 @@ STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
 def draw_line_temperature(case_name: str, solution: Solution) -> Figure:
     """Temperature of both surfaces and of the middle of the film."""
     fields = solution.fields
-    figure = new_figure(9, 4.8, heading(case_name, solution))
-    axes = figure.subplots()
+    room = (0.75, 0.1, 0.85, 0.1)
+    figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
     for name, label, colour in (
         ("temperature_body_1", "surface of body 1", "tab:blue"),
         ("temperature_body_2", "surface of body 2", "tab:orange"),
@@ -28,15 +28,15 @@ def draw_line_temperature(case_name: str, solution: Solution) -> Figure:
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
     axes.grid(True, color="0.9")
-    figure.legend(loc="outside lower center", ncols=4, frameon=False)
+    figure.legend(loc="lower center", ncols=4, frameon=False)
     return figure
 
 
 def draw_line_friction(case_name: str, solution: Solution) -> Figure:
     """Shear stress in the middle of the film, and friction power."""
     fields = solution.fields
-    figure = new_figure(9, 4.8, heading(case_name, solution))
-    axes = figure.subplots()
+    room = (0.75, 0.75, 0.55, 0.35)
+    figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
     place = fields["x"] * MILLI
     axes.plot(place, fields["shear_stress_x"] * MEGA, color=STRESS_COLOUR)
     axes.axhline(0, color="0.7", linewidth=0.8)
@@ -44,7 +44,8 @@ def draw_line_friction(case_name: str, solution: Solution) -> Figure:
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
     title = solution.left_out.headed("friction coefficient")
-    axes.set_title(f"{title}: {solution.figures.friction_coefficient.value:.3g}", fontsize="medium")
+    title = f"{title}: {solution.figures.friction_coefficient.value:.3g}"
+    axes.set_title(title, fontsize="medium", y=1)
     power_axes = axes.twinx()
     power_axes.plot(place, fields["friction_power"] * MEGA, color=POWER_COLOUR)
     power_axes.set_ylim(bottom=0)

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from pyworm.formulas.hertz import HertzLine, hertz_line
 from pyworm.plots.contact.film import thickest_shown
 from pyworm.plots.contact.profiles import draw_profile
-from pyworm.plots.layout import MICRO, MILLI, heading, new_figure
+from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
 from pyworm.solver.solution import Solution
 
 SHOWN = 0.01
@@ -21,12 +21,12 @@ def draw_line_profiles(case_name: str, solution: Solution) -> Figure:
     """Film pressure, Hertz pressure (dashed) and film."""
     fields = solution.fields
     contact = hertz_of(fields)
-    figure = new_figure(9, 4.8, heading(case_name, solution))
-    axes = figure.subplots()
+    room = (0.75, 0.75, 0.85, 0.1)
+    figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
     handles = draw_profile(axes, fields, "x", contact.pressure, thickest_shown(solution) * MICRO)
     axes.set_xlim(*shown(fields))
     axes.set_xlabel("x / mm")
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, frameon=False)
+    figure.legend(handles=handles, loc="lower center", ncols=4, frameon=False)
     return figure
 
 

@@ -10,7 +10,7 @@ from pyworm.formulas.unit_factors import RPM
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
-from pyworm.plots.layout import MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.plots.layout import MICRO, MILLI, mark_gaps, placed_panels, result_heading, with_gaps
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
@@ -18,8 +18,9 @@ from pyworm.solver.solution import Solution
 def draw_roller_cycle(result: Result) -> Figure:
     """Film, load, velocities and specific film over the wheel angle of a roller."""
     cycle = result.mesh_cycle
-    figure = new_figure(9, 11, result_heading(result, "path of a roller through both sections"))
-    axes = figure.subplots(4, sharex=True)
+    words = result_heading(result, "path of a roller through both sections")
+    spaced = {"nrows": 4, "sharex": True, "gridspec_kw": {"hspace": 0.08}}
+    figure, axes = placed_panels((9, 11), words, (0.8, 0.85, 0.5, 0.1), **spaced)
     _draw_film(axes[0], cycle, result.solutions)
     _draw_load(axes[1], cycle)
     _draw_motion(axes[2], cycle)
@@ -160,8 +161,10 @@ PARAMETERS = (
 def draw_roller_sensitivity(result: Result) -> Figure:
     """Least film at entry and exit of both sections over roller radius, throat and tilt."""
     cycle = result.mesh_cycle
-    figure = new_figure(11, 4.2, f"{result.case_name}  ·  sensitivity of the film")
-    for number, axes in enumerate(figure.subplots(1, 3, sharey=True)):
+    words = f"{result.case_name}  ·  sensitivity of the film"
+    spaced = {"ncols": 3, "sharey": True, "gridspec_kw": {"wspace": 0.05}}
+    figure, panels = placed_panels((11, 4.2), words, (0.8, 0.1, 0.55, 0.1), **spaced)
+    for number, axes in enumerate(panels):
         label, factor = PARAMETERS[number]
         value = cycle["varied_value"].isel(parameter=number) * factor
         for section, colour in SECTION_COLOURS.items():

@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.regimes import line_films
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
-from pyworm.plots.layout import MICRO, new_figure
+from pyworm.plots.layout import MICRO, placed_panels
 from pyworm.plots.regimes import SHORT, draw_chart
 from pyworm.result.result import Result
 
@@ -14,8 +14,9 @@ from pyworm.result.result import Result
 def draw_roller_regimes(result: Result) -> Figure:
     """The chart with the path of the middle of the contact line; beside it the films by the four formulas."""
     cycle = result.mesh_cycle
-    figure = new_figure(11, 5.2, f"{result.case_name}  ·  regimes of lubrication")
-    chart, films = figure.subplots(1, 2)
+    words = f"{result.case_name}  ·  regimes of lubrication"
+    spaced = {"ncols": 2, "gridspec_kw": {"wspace": 0.17}}
+    figure, (chart, films) = placed_panels((11, 5.2), words, (0.8, 0.1, 0.6, 0.1), **spaced)
     middle = cycle.isel(station=cycle.sizes["station"] // 2)
     _draw_chart(chart, middle)
     _draw_films(films, middle)

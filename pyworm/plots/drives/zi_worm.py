@@ -14,7 +14,7 @@ from pyworm.plots.layout import (
     MICRO,
     MILLI,
     mark_gaps,
-    new_figure,
+    placed_panels,
     result_heading,
     scale_from_zero,
     with_gaps,
@@ -46,8 +46,9 @@ def draw_cycle(result: Result) -> Figure:
         (_draw_temperatures, heated, bool(heated)),
     ]
     drawn = [(draw, what) for draw, what, known in drawn if known]
-    figure = new_figure(8, 2.3 * len(drawn) + 0.6, result_heading(result, "mesh cycle"))
-    axes = figure.subplots(len(drawn), sharex=True)
+    size, room = (8, 2.3 * len(drawn) + 0.6), (1.0, 1.0, 0.5, 0.1)
+    spaced = {"nrows": len(drawn), "sharex": True, "gridspec_kw": {"hspace": 0.07}}
+    figure, axes = placed_panels(size, result_heading(result, "mesh cycle"), room, **spaced)
     for panel, (draw, what) in zip(axes, drawn, strict=True):
         draw(panel, what)
     for panel in axes:
