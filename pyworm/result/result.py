@@ -5,7 +5,7 @@ Layout of the file:
     /                       attributes: format, format_version, case_name, case, provenance
     /mesh_cycle             the unloaded mesh cycle over phase, if the case is a drive
     /scene_000              attributes: the scalars of the solution, units in their names
-    /scene_000/fields       fields over (y, x), or over x for a line contact
+    /scene_000/fields       fields over (y, x), or over x for a line contact, in single precision
     /scene_000/history      convergence over iterations
     /scene_000/profile      temperature and velocity across the film at its hottest point, if simulated
 

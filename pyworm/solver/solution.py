@@ -180,7 +180,7 @@ class Solution:
     regime : Regime
         The regime of lubrication by the chart.
     fields : xarray.Dataset
-        Fields over (y, x) in SI with units: gap, covered, dry_pressure, pressure, film,
+        Fields over (y, x) in SI with units, in single precision: gap, covered, dry_pressure, pressure, film,
         entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
         shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
         flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
