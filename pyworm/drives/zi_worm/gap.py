@@ -1,6 +1,7 @@
 """The gap and the surface velocities of a tooth contact, for a scene."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -78,10 +79,22 @@ class ToothMotion:
     def velocity(self, x: Array, y: Array) -> Array:
         """Velocity [m/s] along x, y and the common normal, (3, ...)."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-        point = surface_points(self.contact, x, y, self.flank.solve(x, y)[0])
-        arm = np.moveaxis(point, 0, -1) - self.axis_point
-        velocity = np.cross(self.rotation, arm) - self.contact.velocity
-        return np.moveaxis(velocity @ self.contact.axes.T, -1, 0)
+        height = self.flank.solve(x, y)[0]
+        (u, v, w), (about_x, about_y, spin) = self._twist
+        return np.stack(
+            [
+                u + about_y * height - spin * y,
+                v + spin * x - about_x * height,
+                w + about_x * y - about_y * x,
+            ]
+        )
+
+    @cached_property
+    def _twist(self) -> tuple[Array, Array]:
+        """Velocity at the origin of the tangent plane, and angular velocity, each on the contact's axes."""
+        contact = self.contact
+        velocity = np.cross(self.rotation, contact.point - self.axis_point) - contact.velocity
+        return contact.axes @ velocity, contact.axes @ self.rotation
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity components (u, v) [m/s] at (x, y)."""

@@ -29,8 +29,6 @@ class ParabolicRelief:
 
     def __call__(self, below_tip: Array) -> Array:
         """What is taken off [m] at a distance below the tip [m]; beyond the tip it continues."""
-        if self.amount == 0:
-            return np.zeros(np.shape(below_tip))
         return self.amount * np.maximum(1 - below_tip / self.length, 0.0) ** 2
 
 
@@ -67,6 +65,8 @@ class WormTooth:
 
     def taken_off(self, point: Array) -> Array:
         """What is taken off the helicoid at its points (3, ...) [m]."""
+        if self.tip_relief == NO_RELIEF:
+            return np.zeros(point.shape[1:])
         return self.tip_relief(self.tip_radius - self.worm.radius(point))
 
 
@@ -101,6 +101,8 @@ class WheelTooth:
 
     def taken_off(self, point: Array) -> Array:
         """What is taken off the hobbed flank at its points (3, ...) [m]."""
+        if self.tip_relief == NO_RELIEF:
+            return np.zeros(point.shape[1:])
         margins = self.margins(point)
         return self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
 
