@@ -40,8 +40,9 @@ PROVENANCE = {"plans": list, "keys": list, "failed": dict}
 LARGEST = 2**31
 """Size beyond which arrays are not read [bytes], some twenty times the largest scene of the solver."""
 
-_WORTH, _REPEATED = 1000, 0.1
-"""Least number of values, and least fraction that repeat their neighbours, for compression."""
+_WORTH, _REPEATED = 1000, 0.9
+"""Least number of values, and least fraction that repeat their neighbours, for compression: of marks
+and constants hardly anything is left, other fields take longer to compress than to write."""
 
 
 @dataclass(frozen=True)
@@ -261,7 +262,7 @@ def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
 
 
 def _storage(values: np.ndarray) -> dict[str, Any]:
-    """Storage options; values that do not repeat are not compressed, which would save only a tenth."""
+    """Storage options: values that hardly ever change from one to the next are compressed."""
     if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
         return {}
     return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}

@@ -74,13 +74,17 @@ def _above_neighbours(field: Array, axis: int) -> Array:
 
     Where a neighbour is missing (NaN): height above the line through the next two nodes on the other side.
     """
-    ends = [(0, 0)] * field.ndim
-    ends[axis] = (2, 2)
-    bends = np.diff(np.pad(field, ends, constant_values=np.nan), 2, axis=axis)
-    before, here, behind = (
-        np.take(bends, range(first, first + field.shape[axis]), axis) for first in range(3)
+    line = np.moveaxis(field, axis, 0)
+    above = np.full(line.shape, np.nan)
+    above[1:-1] = (line[1:-1] - line[:-2]) - (line[2:] - line[1:-1])
+    i, *across = np.nonzero(np.isnan(above))
+    beyond = np.pad(line, [(2, 2)] + [(0, 0)] * (line.ndim - 1), constant_values=np.nan)
+    two_before, before, here, behind, two_behind = (beyond[(i + k, *across)] for k in range(5))
+    sides = np.fmax(
+        (here - before) - (before - two_before), (two_behind - behind) - (behind - here)
     )
-    return np.nan_to_num(np.where(np.isnan(here), np.fmax(before, behind), -here))
+    above[(i, *across)] = np.nan_to_num(sides)
+    return np.moveaxis(above, 0, axis)
 
 
 FINE_LEVELS = 201

@@ -78,15 +78,16 @@ class ToothMotion:
 
     def velocity(self, x: Array, y: Array) -> Array:
         """Velocity [m/s] along x, y and the common normal, (3, ...)."""
+        return np.stack(self._components(x, y))
+
+    def _components(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         height = self.flank.solve(x, y)[0]
         (u, v, w), (about_x, about_y, spin) = self._twist
-        return np.stack(
-            [
-                u + about_y * height - spin * y,
-                v + spin * x - about_x * height,
-                w + about_x * y - about_y * x,
-            ]
+        return (
+            u + about_y * height - spin * y,
+            v + spin * x - about_x * height,
+            w + about_x * y - about_y * x,
         )
 
     @cached_property
@@ -98,5 +99,5 @@ class ToothMotion:
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity components (u, v) [m/s] at (x, y)."""
-        u, v, _ = self.velocity(x, y)
+        u, v, _ = self._components(x, y)
         return u, v

@@ -126,7 +126,7 @@ def test_only_what_repeats_is_compressed(result, dataset, tmp_path):
     with netCDF4.Dataset(path) as file:
         variables = file["mesh_cycle"].variables
         compressed = {name for name, of in variables.items() if (of.filters() or {}).get("zlib")}
-    assert compressed == {"dry", "covered"}
+    assert compressed == {"covered"}
 
 
 def test_more_than_ten_scenes_keep_their_order(result, tmp_path):
