@@ -4,11 +4,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import ClassVar
 
-import xarray as xr
-
 from pyworm.drives.duty import Duty
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
+from pyworm.io.on_demand import xarray as xr
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -49,10 +48,10 @@ class Drive(ABC):
         """
 
     @abstractmethod
-    def cycle_data(self) -> xr.Dataset:
+    def cycle_data(self) -> "xr.Dataset":
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
 
-    def scene_data(self, scene: Scene | LineScene) -> xr.Dataset:
+    def scene_data(self, scene: Scene | LineScene) -> "xr.Dataset":
         """Data that pictures of one scene show beside the fields of its solution; may be empty."""
         return xr.Dataset()
 

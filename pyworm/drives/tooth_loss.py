@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from pyworm.drives.mesh_loss import ContactLoss
+from pyworm.io.on_demand import xarray as xr
 
 Array = np.ndarray
 
@@ -66,7 +66,7 @@ class Loss:
         return (1 - self.efficiency) * self.error / self.power
 
 
-def cycle_loss(cycle: xr.Dataset, contacts: Sequence[ContactLoss]) -> Loss:
+def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     """Compute the loss of all teeth, equation 1.
 
     Parameters
@@ -89,7 +89,7 @@ def cycle_loss(cycle: xr.Dataset, contacts: Sequence[ContactLoss]) -> Loss:
     def along(chosen: Array) -> Array:
         """Friction at all phases, interpolated from that at some of the solved ones."""
         inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
-        return PchipInterpolator(solved[chosen], friction[chosen])(inside)
+        return scipy.interpolate.PchipInterpolator(solved[chosen], friction[chosen])(inside)
 
     all_of_them = np.arange(len(solved))
     half = np.unique([*all_of_them[::2], all_of_them[-1]])

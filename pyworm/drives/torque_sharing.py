@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Literal
 
-from scipy.optimize import brentq
+import scipy
 
 Sharing = Literal["elastic", "equal"]
 """Sharing of the torque among teeth or rollers in mesh: by compliance, or equally."""
@@ -23,4 +23,4 @@ def rising_root(function: Callable[[float], float], guess: float) -> float:
         if function(high) > 0:
             break
         high *= 2
-    return float(brentq(function, low, high, xtol=1e-15, rtol=1e-13))
+    return float(scipy.optimize.brentq(function, low, high, xtol=1e-15, rtol=1e-13))

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from math import exp, inf, log, pi, sqrt
 
 import numpy as np
-from scipy.optimize import brentq
-from scipy.special import elliprd, elliprf
+import scipy
 
 
 @dataclass(frozen=True)
@@ -152,13 +151,16 @@ def _axis_ratio(radius_ratio: float) -> float:
     # The axes never differ by more than the radii, so these ends enclose the root; the margin
     # keeps the signs apart where the contact is circular and rounding alone would decide them.
     margin = 1e-3
-    return exp(brentq(excess, -log(radius_ratio) - margin, margin, xtol=1e-15, rtol=1e-15))
+    return exp(
+        scipy.optimize.brentq(excess, -log(radius_ratio) - margin, margin, xtol=1e-15, rtol=1e-15)
+    )
 
 
 def _elliptic_integrals(axis_ratio: float) -> tuple[float, float]:
     """K(m) and D(m) = (K - E) / m of m = 1 - axis_ratio^2, in Carlson's symmetric forms."""
     squared = axis_ratio**2
-    return float(elliprf(0.0, squared, 1.0)), float(elliprd(0.0, squared, 1.0)) / 3
+    first, second = scipy.special.elliprf, scipy.special.elliprd
+    return float(first(0.0, squared, 1.0)), float(second(0.0, squared, 1.0)) / 3
 
 
 def _require_positive(**values: float) -> None:

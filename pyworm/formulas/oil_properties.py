@@ -7,7 +7,7 @@ constants belong to other units convert inside.
 from math import log, log10
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.formulas.ranges import Values, within
 from pyworm.formulas.unit_factors import SQUARE_METRE, ZERO_CELSIUS
@@ -147,7 +147,7 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
     """
     within("viscosity index", index, 0, 400, "")
     within("kinematic viscosity at 40 degC", viscosity_40, 6e-6, 1e-2, "m2/s")
-    return brentq(
+    return scipy.optimize.brentq(
         lambda hot: viscosity_index(viscosity_40, hot) - index, 2e-6, 0.9 * viscosity_40, xtol=1e-12
     )
 

@@ -6,7 +6,7 @@ Temperatures are in kelvin, all else in SI; formulas fitted in degrees Celsius o
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtr
+import scipy
 
 from pyworm.formulas.ranges import Values, positive, within
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -125,7 +125,7 @@ def scuffing_probability(contact: Values, scuffing: Values) -> Values:
     within("scuffing temperature", scuffing, 300, 1000, "K")
     mean = (np.asarray(scuffing) - ZERO_CELSIUS) * 1.8 + 32
     excess = (np.asarray(contact) - np.asarray(scuffing)) * 1.8
-    return ndtr(excess / (SPREAD * mean))
+    return scipy.special.ndtr(excess / (SPREAD * mean))
 
 
 def risk(probability: float) -> str:

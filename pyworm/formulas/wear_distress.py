@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtr, ndtri
+import scipy
 
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
 from pyworm.formulas.ranges import Values, positive, within
@@ -61,7 +61,7 @@ def distress_probability(specific_film: Values, pitch_line_velocity: float) -> V
     positive("pitch line velocity", pitch_line_velocity, "m/s")
     within("pitch line velocity", pitch_line_velocity, 0, 300, "m/s")
     _, mean, spread = next(row for row in _DISTRESS if pitch_line_velocity <= row[0])
-    return 1 - ndtr((np.asarray(specific_film) - mean) / spread)
+    return 1 - scipy.special.ndtr((np.asarray(specific_film) - mean) / spread)
 
 
 def film_of_probability(probability: float, pitch_line_velocity: float) -> float:
@@ -69,7 +69,7 @@ def film_of_probability(probability: float, pitch_line_velocity: float) -> float
     within("probability", probability, 1e-6, 0.95, "")
     positive("pitch line velocity", pitch_line_velocity, "m/s")
     _, mean, spread = next(row for row in _DISTRESS if pitch_line_velocity <= row[0])
-    return float(mean + spread * ndtri(1 - probability))
+    return float(mean + spread * scipy.special.ndtri(1 - probability))
 
 
 @dataclass(frozen=True)

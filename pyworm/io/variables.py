@@ -1,6 +1,6 @@
 """Units and long names of all variables of fields, convergence histories and mesh cycles."""
 
-import xarray as xr
+from pyworm.io.on_demand import xarray as xr
 
 VARIABLES = {
     "x": ("m", "tangent plane, first direction from the contact point"),
@@ -138,7 +138,7 @@ VARIABLES = {
 """Name -> unit and long name."""
 
 
-def describe(dataset: xr.Dataset) -> xr.Dataset:
+def describe(dataset: "xr.Dataset") -> "xr.Dataset":
     """A copy of a dataset whose variables carry the units and long names of `VARIABLES`.
 
     Raises

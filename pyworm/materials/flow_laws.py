@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from math import asinh, exp, expm1, inf, sinh
 from typing import Literal, get_args
 
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.formulas.ranges import one_of, positive, within
 
@@ -109,7 +109,7 @@ class FlowLaw:
             not excess(highest) > 0
         ):  # a limit so far away that thinned and limited differ by rounding only
             return highest
-        return brentq(excess, 0.0, highest, xtol=1e-9 * limit)
+        return scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
 
     @property
     def thins(self) -> bool:

@@ -10,7 +10,7 @@ from functools import cached_property
 from math import cos, hypot, inf, log, pi, sin, sqrt
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.formulas.film import LineGroups, PointGroups
 from pyworm.materials.body import Body
@@ -175,7 +175,9 @@ class Prediction:
             rise = surfaces * self.surface_rise(heat) + film * self.film_rise(heat) * 2 / 3
             return stress - self.stress(flow, rise)
 
-        return brentq(excess, 0.0, cold, xtol=1e-6 * cold) if excess(cold) > 0 else cold
+        if not excess(cold) > 0:
+            return cold
+        return scipy.optimize.brentq(excess, 0.0, cold, xtol=1e-6 * cold)
 
     @property
     def heat(self) -> float:

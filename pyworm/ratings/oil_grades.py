@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.formulas import film as films
 from pyworm.formulas import gear_oil
@@ -239,7 +239,9 @@ def grade_row(duty: OilDuty, grade: int) -> GradeRow:
 
     # Thinner with every degree, so that there is one balance; the teeth's share alone bounds it from below.
     coldest = duty.ambient_temperature + (1 - fraction) * rise
-    sump = brentq(lambda sump: duty.ambient_temperature + rise * heat(sump) - sump, coldest, 499.0)
+    sump = scipy.optimize.brentq(
+        lambda sump: duty.ambient_temperature + rise * heat(sump) - sump, coldest, 499.0
+    )
     bulk = sump + duty.bulk_excess
     film = duty.film.of(oil, bulk)
     return GradeRow(
@@ -278,7 +280,7 @@ def viscosity_needed(duty: OilDuty) -> float | None:
         return None
     if surplus(thinnest) > 0:
         return thinnest
-    return brentq(surplus, thinnest, THICKEST, rtol=1e-6)
+    return scipy.optimize.brentq(surplus, thinnest, THICKEST, rtol=1e-6)
 
 
 def past_practice(duty: OilDuty) -> list[int]:

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
+import scipy
 import xarray as xr
-from scipy.ndimage import distance_transform_edt, gaussian_filter, map_coordinates
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.variables import describe
@@ -146,7 +146,9 @@ def supply(solution: Solution, x: Array, y: Array) -> Array:
     u, v = (_filled(there[f"entrainment_{axis}"].values) for axis in "xy")
     speed = np.hypot(u, v)
     # the square of a dry pressure falls to zero linearly: its slope is square to the outline
-    square = gaussian_filter(np.nan_to_num(there["dry_pressure"].values) ** 2, SMOOTHING)
+    square = scipy.ndimage.gaussian_filter(
+        np.nan_to_num(there["dry_pressure"].values) ** 2, SMOOTHING
+    )
     normal_y, normal_x = np.gradient(square, dy, dx)
     inflow = (u * normal_x + v * normal_y) / np.maximum(np.hypot(normal_x, normal_y), TINY)
     within = inside.astype(float)
@@ -185,7 +187,7 @@ MOST_STEPS = 4 * sum(NODES)
 
 def _at(field: Array, place: Array) -> Array:
     """Values of a field between nodes."""
-    return map_coordinates(field, place, order=1, mode="nearest")
+    return scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
 
 
 def _filled(field: Array) -> Array:
@@ -193,5 +195,7 @@ def _filled(field: Array) -> Array:
     missing = np.isnan(field)
     if not missing.any():
         return field
-    nearest = distance_transform_edt(missing, return_distances=False, return_indices=True)
+    nearest = scipy.ndimage.distance_transform_edt(
+        missing, return_distances=False, return_indices=True
+    )
     return field[tuple(nearest)]

@@ -22,11 +22,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
-from xarray.backends import NetCDF4DataStore
 
 from pyworm.io.atomic import whole_file
 from pyworm.io.input_error import CaseError
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.reason import reason_of
 from pyworm.result.sound_result import check, typed
 from pyworm.solver.solution import Solution
@@ -66,7 +65,7 @@ class Result:
     case_name: str
     case: dict
     solutions: tuple[Solution, ...]
-    mesh_cycle: xr.Dataset | None
+    mesh_cycle: "xr.Dataset | None"
     provenance: dict
 
     @property
@@ -132,7 +131,7 @@ def open_result(path: str | os.PathLike) -> Result:
         raise ValueError(f"{path} is damaged: expected content is missing ({why})") from error
 
 
-def _load(path: Path) -> dict[str, xr.Dataset]:
+def _load(path: Path) -> "dict[str, xr.Dataset]":
     """Read all groups of a file by their paths."""
     # Times are numbers of seconds here, not dates to be decoded.
     groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
@@ -145,7 +144,7 @@ def _load(path: Path) -> dict[str, xr.Dataset]:
             group.close()
 
 
-def _read(groups: dict[str, xr.Dataset]) -> Result:
+def _read(groups: "dict[str, xr.Dataset]") -> Result:
     attributes = groups["/"].attrs
     provenance = typed(dict, json.loads(attributes["provenance"]), "provenance")
     for name, kind in PROVENANCE.items():
@@ -195,7 +194,7 @@ def readable(path: Path) -> Iterator[None]:
         ) from error
 
 
-def _groups(result: Result) -> dict[str, xr.Dataset]:
+def _groups(result: Result) -> "dict[str, xr.Dataset]":
     about = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -246,7 +245,7 @@ def _to_json(value: Any) -> str:
     return json.dumps(value, default=lambda item: item.tolist())
 
 
-def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
+def _as_netcdf(groups: "dict[str, xr.Dataset]") -> memoryview:
     """The content of a file of these groups.
 
     It is made in memory, since the library reports a full disk without the reason, and not as xarray's tree,
@@ -257,7 +256,7 @@ def _as_netcdf(groups: dict[str, xr.Dataset]) -> memoryview:
     file = Dataset("result", "w", memory=0)
     for name, group in groups.items():
         encoding = {of: _storage(data.values) for of, data in group.data_vars.items()}
-        group.dump_to_store(NetCDF4DataStore(file.createGroup(name)), encoding=encoding)
+        group.dump_to_store(xr.backends.NetCDF4DataStore(file.createGroup(name)), encoding=encoding)
     return file.close()
 
 
@@ -268,7 +267,7 @@ def _storage(values: np.ndarray) -> dict[str, Any]:
     return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}
 
 
-def _read_solution(groups: dict[str, xr.Dataset], scene: str) -> Solution:
+def _read_solution(groups: "dict[str, xr.Dataset]", scene: str) -> Solution:
     datasets = {
         part: groups[f"{scene}/{part}"]
         for part in ("fields", "history", "profile")

@@ -13,8 +13,8 @@ from types import NoneType, UnionType
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
-import xarray as xr
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.solver.solution import Estimate, Solution
 
 _SURFACES = ("gap", "covered", "pressure", "film", "entrainment_x", "sliding_x")
@@ -174,7 +174,7 @@ def _flaws_of_figures(solution: Solution) -> Iterator[str]:
         yield "its figures are those of another kind of contact"
 
 
-def _rises(coordinate: xr.DataArray) -> bool:
+def _rises(coordinate: "xr.DataArray") -> bool:
     values = coordinate.values
     return values.dtype.kind in "iuf" and values.size > 1 and bool((np.diff(values) > 0).all())
 

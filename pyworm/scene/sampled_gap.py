@@ -4,9 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.interpolate import RectBivariateSpline
-from scipy.sparse import diags_array, eye_array, kron, vstack
-from scipy.sparse.linalg import spsolve
+import scipy
 
 from pyworm.scene.contact import Array
 
@@ -163,10 +161,10 @@ class SampledGap:
         return _fit_quadratic(self.x, self.y, self.gap)
 
     @cached_property
-    def _rest(self) -> RectBivariateSpline:
+    def _rest(self) -> "scipy.interpolate.RectBivariateSpline":
         """Spline through the residual of the quadratic, filled where a body is missing [m]."""
         rest = self.gap - self._quadratic(self.x[None, :], self.y[:, None])
-        return RectBivariateSpline(self.y, self.x, _fill(rest))
+        return scipy.interpolate.RectBivariateSpline(self.y, self.x, _fill(rest))
 
 
 def _quadratic_terms(x: Array, y: Array) -> tuple[Array, ...]:
@@ -191,20 +189,23 @@ def _fill(values: Array) -> Array:
         return values
     ny, nx = values.shape
     bend_x, bend_y = (
-        diags_array([1.0, -2.0, 1.0], offsets=[0, 1, 2], shape=(count - 2, count))
+        scipy.sparse.diags_array([1.0, -2.0, 1.0], offsets=[0, 1, 2], shape=(count - 2, count))
         for count in (nx, ny)
     )
     slope_x, slope_y = (
-        diags_array([-1.0, 1.0], offsets=[0, 1], shape=(count - 1, count)) for count in (nx, ny)
+        scipy.sparse.diags_array([-1.0, 1.0], offsets=[0, 1], shape=(count - 1, count))
+        for count in (nx, ny)
     )
-    differences = vstack(
+    differences = scipy.sparse.vstack(
         [
-            kron(eye_array(ny), bend_x),
-            kron(bend_y, eye_array(nx)),
-            np.sqrt(2) * kron(slope_y, slope_x),
+            scipy.sparse.kron(scipy.sparse.eye_array(ny), bend_x),
+            scipy.sparse.kron(bend_y, scipy.sparse.eye_array(nx)),
+            np.sqrt(2) * scipy.sparse.kron(slope_y, slope_x),
         ]
     ).tocsc()
     filled = np.where(unknown, 0.0, values.ravel())
     free = differences[:, unknown]
-    filled[unknown] = spsolve((free.T @ free).tocsc(), -free.T @ (differences @ filled))
+    filled[unknown] = scipy.sparse.linalg.spsolve(
+        (free.T @ free).tocsc(), -free.T @ (differences @ filled)
+    )
     return filled.reshape(values.shape)

@@ -3,15 +3,15 @@
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.newton import NewtonStep
 
 
-def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> xr.Dataset:
+def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> "xr.Dataset":
     """Over iteration: grid points along each direction of a grid, balances, GMRES iterations and work."""
     columns = {
         f"points_{axis}": [step.points[number] for step in steps]

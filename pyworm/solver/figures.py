@@ -3,8 +3,7 @@
 from math import nan
 
 import numpy as np
-from scipy.interpolate import RectBivariateSpline
-from scipy.optimize import minimize_scalar
+import scipy
 
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -174,7 +173,9 @@ def value_at_origin(grid: Grid | LineGrid, field: Array) -> float:
         return float(field[round(i), round(j)])
     columns = _around(i, grid.nx)
     rows = _around(j, grid.ny)
-    spline = RectBivariateSpline(grid.x[columns], grid.y[rows], field[columns, rows])
+    spline = scipy.interpolate.RectBivariateSpline(
+        grid.x[columns], grid.y[rows], field[columns, rows]
+    )
     return float(spline(0.0, 0.0, grid=False))
 
 
@@ -189,7 +190,7 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
 
     Only the first minimum behind the contact point counts; the film grows without end beyond it.
     """
-    spline = RectBivariateSpline(grid.x, grid.y, film)
+    spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, film)
     direction = np.array([np.cos(angle), np.sin(angle)])
     sides = np.array(
         [
@@ -201,7 +202,7 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
         reach = float(np.min(np.abs(sides / direction)))
     along = np.linspace(0.0, reach, 4 * max(film.shape))
     place = int(np.argmin(spline(along * direction[0], along * direction[1], grid=False)))
-    found = minimize_scalar(
+    found = scipy.optimize.minimize_scalar(
         lambda distance: float(spline(*(distance * direction), grid=False)),
         bounds=(along[max(place - 1, 0)], along[min(place + 1, along.size - 1)]),
         method="bounded",

@@ -6,9 +6,9 @@ from math import nan
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from pyworm import kernel
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 from pyworm.planning.model import Model
 from pyworm.scene.contact import Array, Contact
@@ -32,9 +32,9 @@ class Outcome:
     """
 
     figures: dict[str, Any]
-    fields: xr.Dataset
+    fields: "xr.Dataset"
     flaw: str | None = None
-    profile: xr.Dataset | None = None
+    profile: "xr.Dataset | None" = None
 
 
 def fields(
@@ -43,7 +43,7 @@ def fields(
     level: Level,
     dry_pressure: Array | None,
     attributes: Mapping[str, float],
-) -> xr.Dataset:
+) -> "xr.Dataset":
     """All fields over the grid of a level, in single precision: its 24 bits are far finer than any error bar.
 
     Parameters
@@ -108,7 +108,7 @@ def _heat_fields(level: Level, inlet_temperature: float) -> dict[str, Array]:
     }
 
 
-def profile(scene: Contact, level: Level) -> xr.Dataset:
+def profile(scene: Contact, level: Level) -> "xr.Dataset":
     """Temperature and velocity across the film where it is hottest in the contact."""
     rise = level.film.rise()
     hottest = np.where(level.contact(), rise.max(axis=-1), -np.inf)

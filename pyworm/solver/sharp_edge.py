@@ -5,7 +5,8 @@ At a sharp edge the elastic pressure grows without bound as the grid is refined 
 """
 
 import numpy as np
-import xarray as xr
+
+from pyworm.io.on_demand import xarray as xr
 
 LEAST_RATIO = 0.3
 """Least ratio of the dry pressure beside an edge to the largest for a contact that rests on it."""
@@ -17,7 +18,7 @@ CURE = (
 """Advice that a stop reason adds then."""
 
 
-def rests_on_edge(fields: xr.Dataset) -> bool:
+def rests_on_edge(fields: "xr.Dataset") -> bool:
     """Whether the dry pressure of a solution's fields is large beside the end of a surface.
 
     Parameters

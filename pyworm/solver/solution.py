@@ -3,10 +3,9 @@
 from dataclasses import asdict, dataclass
 from typing import Literal
 
-import xarray as xr
-
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import xarray as xr
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.scene.index import Place
 from pyworm.solver.left_out import LeftOut, judged
@@ -216,15 +215,15 @@ class Solution:
     stop_reason: str
     figures: Figures
     regime: Regime
-    fields: xr.Dataset
-    history: xr.Dataset
+    fields: "xr.Dataset"
+    history: "xr.Dataset"
     cost: Cost
     inlet_temperature: float | None = None
     slide_roll_ratio: float | None = None
     section: str | None = None
     station: float | None = None
     composite_roughness: float | None = None
-    profile: xr.Dataset | None = None
+    profile: "xr.Dataset | None" = None
     effects: tuple[Judgement, ...] = ()
     accuracy: float = 0.0
 

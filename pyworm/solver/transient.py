@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import cos, inf, isfinite, sin
 
 import numpy as np
-from scipy.interpolate import CubicSpline, RectBivariateSpline
+import scipy
 
 from pyworm.kernel.core import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
 from pyworm.planning.expected_work import TIME_STEPS
@@ -297,9 +297,9 @@ def _time_level(moment: Earlier, level: Level) -> TimeLevel:
 def _between(grid: Grid | LineGrid, field: Array) -> Callable[..., Array]:
     """Interpolate a field between nodes; beyond the grid it is constant."""
     if isinstance(grid, LineGrid):
-        spline = CubicSpline(grid.x, field)
+        spline = scipy.interpolate.CubicSpline(grid.x, field)
         return lambda x: spline(np.clip(x, grid.x[0], grid.x[-1]))
-    spline = RectBivariateSpline(grid.x, grid.y, field)
+    spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, field)
     return lambda x, y: spline(x, y, grid=False)
 
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 
 KIND = "gear-pair"
@@ -37,7 +37,7 @@ def line_of_action_data(
     rating: Any,
     marks: Mapping[str, float],
     driver: str,
-) -> xr.Dataset:
+) -> "xr.Dataset":
     """The contacts along a line of action as one dataset over phase.
 
     Parameters
@@ -69,7 +69,7 @@ def line_of_action_data(
     )
 
 
-def with_friction(data: xr.Dataset, friction: float, load_factor: np.ndarray) -> xr.Dataset:
+def with_friction(data: "xr.Dataset", friction: float, load_factor: np.ndarray) -> "xr.Dataset":
     """Add the coefficient of friction of the closed forms to the line of action.
 
     Parameters

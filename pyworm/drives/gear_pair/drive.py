@@ -12,7 +12,6 @@ from functools import cached_property
 from math import cos, sin
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty
@@ -30,6 +29,7 @@ from pyworm.drives.gear_pair.misalignment import gear_misalignment
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.mesh_past import Passing
 from pyworm.drives.misalignment import Misalignment
+from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene
@@ -287,7 +287,7 @@ class GearPairDrive(Drive):
         """Film, specific film and contact temperature by closed forms at these contacts."""
         return rate(contacts, self.bodies, self.oil, self.surfaces)
 
-    def cycle_data(self) -> xr.Dataset:
+    def cycle_data(self) -> "xr.Dataset":
         """The line of action with its closed forms, for the result."""
         contacts = self.contacts(self.cycle_phases())
         teeth = self.teeth

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import acos, asin, atan, cos, pi, sin, sqrt, tan
 
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.drives.gear_pair.involute_checks import check_pair
 
@@ -21,7 +21,9 @@ def involute(angle: float) -> float:
 
 def inverse_involute(value: float) -> float:
     """Pressure angle [rad] whose involute function is a value above zero."""
-    return brentq(lambda angle: involute(angle) - value, 0.0, pi / 2 - 1e-6, xtol=1e-15)
+    return scipy.optimize.brentq(
+        lambda angle: involute(angle) - value, 0.0, pi / 2 - 1e-6, xtol=1e-15
+    )
 
 
 @dataclass(frozen=True)

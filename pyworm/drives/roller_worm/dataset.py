@@ -3,10 +3,10 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.roller_worm.film_formulas import REGIMES
 from pyworm.drives.roller_worm.load_sharing import lever
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ TILTS = np.radians([0.0, 15.0, 30.0, 45.0, 60.0])
 """Tilts of the rollers' axes in the sensitivity of the film [rad]."""
 
 
-def roller_cycle_data(drive: "RollerWormDrive") -> xr.Dataset:
+def roller_cycle_data(drive: "RollerWormDrive") -> "xr.Dataset":
     """The mesh cycle of both sections.
 
     Parameters

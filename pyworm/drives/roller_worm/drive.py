@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_past import Passing
@@ -32,6 +31,7 @@ from pyworm.drives.roller_worm.motion import (
 )
 from pyworm.drives.roller_worm.section import WormSection
 from pyworm.drives.torque_sharing import Sharing
+from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene, Parabola
@@ -322,7 +322,7 @@ class RollerWormDrive(Drive):
             section=section,
         )
 
-    def cycle_data(self) -> xr.Dataset:
+    def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle of both sections for the result."""
         return roller_cycle_data(self)
 

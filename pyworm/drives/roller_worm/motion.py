@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.drives.roller_worm.envelope import (
     Array,
@@ -248,7 +248,7 @@ def roller_speed(
     contact = LineContact(**{name: part[..., pressed] for name, part in vars(contact).items()})
     lengths, loads, rolling = lengths[pressed], loads[pressed], rolling[pressed]
     width, pressure, viscosity = traction.slices(loads, contact.curvature)
-    resisting = pin.moment(np.sum(loads * lengths))
+    drag = pin.moment(np.sum(loads * lengths))
 
     def moment(speed: float) -> float:
         """Moment of the film on the roller [N m]."""
@@ -260,10 +260,10 @@ def roller_speed(
         return float(np.sum(stress * along * width * contact.radius * lengths))
 
     push = moment(0.0)
-    if abs(push) <= resisting:
+    if abs(push) <= drag:
         return 0.0
     way = np.sign(push)
     # beyond the fastest slice's rolling the film brakes all along
     fastest = float(np.max(way * rolling))
-    speed = brentq(lambda u: way * moment(way * u) - resisting, 0.0, fastest, rtol=1e-10)
+    speed = scipy.optimize.brentq(lambda u: way * moment(way * u) - drag, 0.0, fastest, rtol=1e-10)
     return float(way * speed)

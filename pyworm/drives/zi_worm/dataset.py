@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.zi_worm.load_sharing import SharedLoad
 from pyworm.drives.zi_worm.tooth import wheel_radius
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 from pyworm.scene.point import Gap
 
@@ -17,7 +17,7 @@ TOOTH_SAMPLES = 129
 """Number of points along each direction at which the gap is sampled over the whole tooth."""
 
 
-def mesh_cycle_data(contacts: Iterable[Any]) -> xr.Dataset:
+def mesh_cycle_data(contacts: Iterable[Any]) -> "xr.Dataset":
     """The contacts of a mesh cycle as one dataset over phase.
 
     Parameters
@@ -54,7 +54,7 @@ LOADED_PHASES = 101
 """Number of phases of the loads of the tooth pairs, for curves and integrals over the cycle."""
 
 
-def loaded_cycle_data(drive: Any, beyond: float) -> xr.Dataset:
+def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
     """Loads, levers and speeds of a tooth pair over its cycle under load.
 
     Parameters
@@ -112,7 +112,7 @@ def _loads(shared: Sequence[SharedLoad], phases: np.ndarray) -> np.ndarray:
 
 def tooth_data(
     outline: Any, gap: Gap, place: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
-) -> xr.Dataset:
+) -> "xr.Dataset":
     """The tooth, its whole gap and its path of contact over a contact's tangent plane.
 
     Parameters

@@ -6,7 +6,6 @@ from functools import cached_property, partial
 from math import degrees, floor, pi
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
@@ -29,6 +28,7 @@ from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
 from pyworm.drives.zi_worm.tooth_outline import ToothOutline, flank_outline
+from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.point import Scene
@@ -259,7 +259,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         """Coefficient of friction in the balance of forces [-]."""
         return self.load.friction if isinstance(self.load, Transmission) else 0.0
 
-    def cycle_data(self) -> xr.Dataset:
+    def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle for the result, without load and with it."""
         beyond = BEYOND if isinstance(self.load, Transmission) else 0.0
         parts = loaded_cycle_data(self, beyond), sensitivity_data(self)
@@ -292,7 +292,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         """The drive as input of ratings by standards of worm gears."""
         return worm_duty(self)
 
-    def scene_data(self, scene: Scene) -> xr.Dataset:
+    def scene_data(self, scene: Scene) -> "xr.Dataset":
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
         contact = self.contact(scene.phase)
         place = partial(self.flank_place, contact)

@@ -22,7 +22,7 @@ from math import inf
 from typing import Literal
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from pyworm.drives.torque_sharing import Sharing, rising_root
 from pyworm.drives.zi_worm.tooth_compliance import ToothSprings
@@ -63,7 +63,9 @@ class Transmission:
         if len(self.lifts) < 2:
             return np.full(np.shape(phases), self.lifts[0][1] if self.lifts else 0.0)
         known, lifts = zip(*self.lifts, strict=True)
-        return PchipInterpolator(known, lifts)(np.clip(phases, known[0], known[-1]))
+        return scipy.interpolate.PchipInterpolator(known, lifts)(
+            np.clip(phases, known[0], known[-1])
+        )
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.drives.zi_worm.flank_height import FlankHeight, WheelPlanes, WormPlanes
 from pyworm.drives.zi_worm.helicoid import Array, Helicoid
@@ -205,8 +205,8 @@ def find_mesh_cycle(
         for low, high in pairwise(edges):
             if not inside[low + 1]:
                 continue
-            end = brentq(margin, places[low], places[low + 1], xtol=1e-15)
-            begin = brentq(margin, places[high], places[high + 1], xtol=1e-15)
+            end = scipy.optimize.brentq(margin, places[low], places[low + 1], xtol=1e-15)
+            begin = scipy.optimize.brentq(margin, places[high], places[high + 1], xtol=1e-15)
             cycle = MeshCycle(worm, flank, line, begin, end, boundary(begin), boundary(end))
             if all(min(cycle.contact(phase).radii) > 0 for phase in (0.0, 0.5, 1.0)):
                 cycles.append(cycle)

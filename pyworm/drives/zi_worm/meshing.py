@@ -18,7 +18,7 @@ the line of action of an involute screw drive is a straight line in space.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.drives.zi_worm.helicoid import Array, Helicoid
 
@@ -177,7 +177,9 @@ def lines_of_action(worm: Helicoid, flank: WheelFlank) -> tuple[LineOfAction, ..
     changes = np.flatnonzero(values[:-1] * values[1:] < 0)
     lines = []
     for i in changes:
-        theta = brentq(lambda t: float(offset(np.array(t))), grid[i], grid[i + 1], xtol=1e-15)
+        theta = scipy.optimize.brentq(
+            lambda t: float(offset(np.array(t))), grid[i], grid[i + 1], xtol=1e-15
+        )
         lag, hob_theta, _, foot = _matched(worm, flank, np.array(theta))
         lines.append(
             LineOfAction(theta, float(hob_theta), float(lag), foot, worm.normals(theta)[0])

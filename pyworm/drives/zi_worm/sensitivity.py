@@ -4,9 +4,9 @@ from math import nan
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.zi_worm.tooth_compliance import placed_gap
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 from pyworm.materials.body import reduced_modulus
 from pyworm.scene.scales import scales
@@ -33,7 +33,7 @@ CONTACT = (
 """Variables of each contact."""
 
 
-def sensitivity_data(drive: Any) -> xr.Dataset:
+def sensitivity_data(drive: Any) -> "xr.Dataset":
     """The contact at mid-mesh under its load with each error alone; NaN where there is none.
 
     Parameters

@@ -6,7 +6,7 @@ from functools import cached_property
 from math import inf
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from pyworm import kernel
 from pyworm.formulas.hertz import hertz
@@ -61,14 +61,14 @@ class ToothSprings:
     approaches: Array
 
     @cached_property
-    def _separation(self) -> PchipInterpolator:
-        return PchipInterpolator(self.phases, self.separations, extrapolate=False)
+    def _separation(self) -> "scipy.interpolate.PchipInterpolator":
+        return scipy.interpolate.PchipInterpolator(self.phases, self.separations, extrapolate=False)
 
     @cached_property
-    def _pressed(self) -> PchipInterpolator:
+    def _pressed(self) -> "scipy.interpolate.PchipInterpolator":
         """Interpolant of the logarithm of the approach beyond the first touch over phase."""
         pressed = self.approaches - self.separations[:, None]
-        return PchipInterpolator(self.phases, np.log(pressed), extrapolate=False)
+        return scipy.interpolate.PchipInterpolator(self.phases, np.log(pressed), extrapolate=False)
 
     def at(self, phase: float) -> "ToothSpring":
         """The pair at a phase; beyond the last ones it never touches."""
@@ -80,7 +80,9 @@ class ToothSprings:
         powers = np.diff(loads)[[0, -1]] / np.diff(pressed)[[0, -1]]
         far = loads[[0, -1]] + powers * step
         pressed = np.concatenate(([pressed[0] - 20], pressed, [pressed[-1] + 20]))
-        curve = PchipInterpolator(pressed, np.concatenate((far[:1], loads, far[1:])))
+        curve = scipy.interpolate.PchipInterpolator(
+            pressed, np.concatenate((far[:1], loads, far[1:]))
+        )
         return ToothSpring(float(self._separation(phase)), curve)
 
 
@@ -97,7 +99,7 @@ class ToothSpring:
     """
 
     separation: float
-    curve: PchipInterpolator | None
+    curve: "scipy.interpolate.PchipInterpolator | None"
 
     def load(self, approach: float) -> float:
         """Normal load [N] at an approach [m]."""

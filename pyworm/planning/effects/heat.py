@@ -3,7 +3,7 @@
 from dataclasses import replace
 from math import asinh, exp, expm1, sqrt
 
-from scipy.special import lambertw
+import scipy
 
 from pyworm.formulas.thermal_reduction import wilson_sheu
 from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
@@ -141,7 +141,7 @@ def _parabola_error(warmth: float) -> float:
         return 0.0
     x = sqrt(expm1(min(warmth, MOST_WARMTH)))
     exact = asinh(x) / (x * sqrt(1 + x**2))
-    return abs(exp(-float(lambertw(2 * x**2 / 3).real)) / exact - 1)
+    return abs(exp(-float(scipy.special.lambertw(2 * x**2 / 3).real)) / exact - 1)
 
 
 PARABOLA_FILM, PARABOLA_THINNED, PARABOLA_ROLLING = 1e-3, 0.1, 0.03

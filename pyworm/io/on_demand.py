@@ -1,0 +1,18 @@
+"""Modules that take long to load, loaded with the first use of what is in them.
+
+SciPy does so by itself: `import scipy` is quick, and `scipy.optimize` is loaded where it is called.
+"""
+
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+
+class _OnDemand(ModuleType):
+    """Stands for a module and loads it for its attributes; annotations that name one are quoted."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(import_module(self.__name__), name)
+
+
+xarray = _OnDemand("xarray")
