@@ -41,6 +41,24 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     """
     if field.ndim == 1:
         return _line_minimum(field, within, usable)
+    if not within.any():
+        return np.inf, (0.0, 0.0)
+    # what lies farther off than the surface depends on is not looked at
+    near = tuple(_near(within.any(axis=1 - axis)) for axis in (0, 1))
+    value, place = _surface_minimum(field[near], within[near], usable[near])
+    return value, (place[0] + near[0].start, place[1] + near[1].start)
+
+
+def _near(within: Array) -> slice:
+    """The nodes along one direction on which the surface about some of them depends."""
+    at = np.flatnonzero(within)
+    return slice(max(int(at[0]) - MARGIN, 0), int(at[-1]) + MARGIN + 1)
+
+
+def _surface_minimum(
+    field: Array, within: Array, usable: Array
+) -> tuple[float, tuple[float, float]]:
+    """As `minimum`, of the surface through a field over a plane."""
     nodal = np.where(within, field, np.inf)
     lowest = np.unravel_index(np.argmin(nodal), nodal.shape)
     if not np.isfinite(nodal[lowest]):

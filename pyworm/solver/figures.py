@@ -95,7 +95,7 @@ ABOUT = 12
 """Nodes to each side of the hottest one whose columns are searched: those on which the surface depends."""
 
 
-def maximum_across(field: Array, positions: Array, within: Array) -> float:
+def maximum_across(field: Array, positions: Array, within: Array, highest: Array) -> float:
     """Largest value of a field at levels across the film, between nodes and between levels.
 
     Across the film the field is the polynomial through the levels, as in the kernel.
@@ -108,8 +108,10 @@ def maximum_across(field: Array, positions: Array, within: Array) -> float:
         Positions of the levels, from -1/2 to 1/2.
     within : numpy.ndarray
         Nodes that count.
+    highest : numpy.ndarray
+        Largest value of each column, at its levels.
     """
-    nodal = np.where(within, field.max(axis=-1), -np.inf)
+    nodal = np.where(within, highest, -np.inf)
     node = np.unravel_index(np.argmax(nodal), nodal.shape)
     about = tuple(slice(max(at - ABOUT, 0), at + ABOUT + 1) for at in node)
     between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))

@@ -201,7 +201,7 @@ class Level(ABC):
         counted = dict(zip(HEAT_FIGURES, (True, True, contact), strict=True))
         largest = {name: figures.maximum(field, counted[name]) for name, field in of.items()}
         largest["temperature_max_film"] = figures.maximum_across(
-            rise, kernel.level_positions(self.film.levels), contact
+            rise, kernel.level_positions(self.film.levels), contact, of["temperature_max_film"]
         )
         return largest, {
             name: figures.peak(field, counted[name], largest[name]) for name, field in of.items()

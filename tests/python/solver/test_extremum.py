@@ -16,6 +16,10 @@ from pyworm.solver.figures import (
 from pyworm.solver.newtonian_shear import newtonian_shear
 
 
+def _across(field, positions, within):
+    return maximum_across(field, positions, within, field.max(axis=-1))
+
+
 @pytest.mark.parametrize("levels", [5, 7, 13])
 def test_a_peak_between_nodes_and_levels_is_found(levels):
     z = kernel.level_positions(levels)
@@ -23,13 +27,13 @@ def test_a_peak_between_nodes_and_levels_is_found(levels):
     across = 1 - 4 * (z - 0.2) ** 2 + 0.3 * (z - 0.2) ** 3
     field = 50 * across * (1 - 0.02 * (x - 4.3) ** 2 - 0.03 * (y - 2.8) ** 2)
     assert field.max() < 0.999 * 50
-    assert maximum_across(field, z, np.ones(field.shape[:2], bool)) == pytest.approx(50, rel=2e-4)
+    assert _across(field, z, np.ones(field.shape[:2], bool)) == pytest.approx(50, rel=2e-4)
 
 
 def test_a_peak_at_a_wall_in_a_corner_is_found():
     z = kernel.level_positions(7)
     x, y = np.arange(6.0)[:, None, None], np.arange(6.0)[None, :, None]
-    assert maximum_across(x + y + 10 * z, z, np.ones((x + y).shape[:2], bool)) == pytest.approx(15)
+    assert _across(x + y + 10 * z, z, np.ones((x + y).shape[:2], bool)) == pytest.approx(15)
 
 
 SHAPE = (25, 21)
@@ -207,7 +211,7 @@ def test_a_hot_column_outside_the_contact_is_not_the_films_temperature(shape):
     field = hump[..., np.newaxis] * (1.2 - 2 * positions**2)
     field[(1,) * len(shape)] = 5.0  # a column by the side of the window that heat never settled
     within = hump > 0.2
-    assert maximum_across(field, positions, within) == pytest.approx(1.2, rel=2e-3)
+    assert _across(field, positions, within) == pytest.approx(1.2, rel=2e-3)
 
 
 def test_shear_of_a_newtonian_film_is_that_of_its_profile():
@@ -227,3 +231,15 @@ def test_shear_of_a_newtonian_film_is_that_of_its_profile():
     heat = np.trapezoid(squares / viscosity, place, axis=0)
     assert shear.friction == pytest.approx(heat, rel=1e-5)
     assert shear.rate == pytest.approx(np.sqrt(squares).max(axis=0) / viscosity)
+
+
+def test_what_is_far_from_the_nodes_that_count_does_not_matter():
+    field = np.random.default_rng(2).random((40, 50))
+    within = np.zeros(field.shape, bool)
+    within[15:20, 22:30] = True
+    usable = np.ones(field.shape, bool)
+    value, place = minimum(field, within, usable)
+    changed = field.copy()
+    changed[:8], changed[28:], changed[:, :15], changed[:, 37:] = -1.0, -1.0, -1.0, -1.0
+    assert minimum(changed, within, usable) == (value, place)
+    assert minimum(field, within & False, usable) == (np.inf, (0.0, 0.0))
