@@ -21,12 +21,11 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from pyworm.io.atomic import whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.reason import reason_of
+from pyworm.result.netcdf import as_netcdf
 from pyworm.result.sound_result import check, typed
 from pyworm.solver.solution import Solution
 
@@ -38,10 +37,6 @@ PROVENANCE = {"plans": list, "keys": list, "failed": dict}
 
 LARGEST = 2**31
 """Size beyond which arrays are not read [bytes], some twenty times the largest scene of the solver."""
-
-_WORTH, _REPEATED = 1000, 0.9
-"""Least number of values, and least fraction that repeat their neighbours, for compression: of marks
-and constants hardly anything is left, other fields take longer to compress than to write."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +88,7 @@ class Result:
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file, atomically."""
         path = Path(path)
-        content = _as_netcdf(_groups(self))
+        content = as_netcdf(_groups(self))
         with whole_file(path) as partial:
             partial.write_bytes(content)
         return path
@@ -243,28 +238,6 @@ def _scalars(value: Any) -> Any:
 def _to_json(value: Any) -> str:
     # NumPy's scalars and arrays know their own plain form; anything else is a mistake of ours.
     return json.dumps(value, default=lambda item: item.tolist())
-
-
-def _as_netcdf(groups: "dict[str, xr.Dataset]") -> memoryview:
-    """The content of a file of these groups.
-
-    It is made in memory, since the library reports a full disk without the reason, and not as xarray's tree,
-    whose nodes refer to each other and outlive their use.
-    """
-    from netCDF4 import Dataset
-
-    file = Dataset("result", "w", memory=0)
-    for name, group in groups.items():
-        encoding = {of: _storage(data.values) for of, data in group.data_vars.items()}
-        group.dump_to_store(xr.backends.NetCDF4DataStore(file.createGroup(name)), encoding=encoding)
-    return file.close()
-
-
-def _storage(values: np.ndarray) -> dict[str, Any]:
-    """Storage options: values that hardly ever change from one to the next are compressed."""
-    if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
-        return {}
-    return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}
 
 
 def _read_solution(groups: "dict[str, xr.Dataset]", scene: str) -> Solution:

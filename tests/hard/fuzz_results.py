@@ -24,7 +24,8 @@ from fuzz import CASES, FACTORS, LITTER, LONGEST
 
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, FAILED, NOT_CONVERGED
-from pyworm.result.result import _as_netcdf, _load, open_result
+from pyworm.result.netcdf import as_netcdf
+from pyworm.result.result import _load, open_result
 
 COARSE = ("--accuracy", "30%")
 
@@ -109,7 +110,7 @@ def mutated(base: Base, rng: random.Random, directory: Path) -> tuple[str, bytes
             if what is not None:
                 with warnings.catch_warnings():
                     warnings.simplefilter("ignore")
-                    return f"{name}: {what}", bytes(_as_netcdf(changed))
+                    return f"{name}: {what}", bytes(as_netcdf(changed))
         except (ValueError, TypeError, LookupError, AttributeError, OverflowError, RuntimeError):
             continue  # nothing that NetCDF can hold
 

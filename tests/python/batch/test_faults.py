@@ -23,7 +23,8 @@ import pyworm
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, FAILED
 from pyworm.planning.grid import Grid
-from pyworm.result.result import _as_netcdf, _load, open_result
+from pyworm.result.netcdf import as_netcdf
+from pyworm.result.result import _load, open_result
 
 CASES = Path(__file__).parents[3] / "cases"
 TRACTION = CASES / "traction_steel.toml"
@@ -248,7 +249,7 @@ def test_a_result_that_no_solver_wrote_is_refused_with_its_error(
     file.write_bytes(result_file)
     groups = _load(file)
     damage(groups)
-    file.write_bytes(_as_netcdf(groups))
+    file.write_bytes(as_netcdf(groups))
     for command in ("plot", "report"):
         assert sentence in refusal(command, str(file))
 

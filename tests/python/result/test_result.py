@@ -179,7 +179,7 @@ def test_failed_save_leaves_the_old_file(result, saved):
     with pytest.raises(AttributeError):
         broken.save(saved)
     unwritable = replace(result, mesh_cycle=xr.Dataset({"bad": ("phase", [{}])}))
-    with pytest.raises(Exception, match="object"):
+    with pytest.raises(TypeError, match="dict"):
         unwritable.save(saved)
     assert [path.name for path in saved.parent.iterdir()] == [saved.name]
     assert_same(result, open_result(saved))
