@@ -110,9 +110,9 @@ def line_motion(
     return LineMotion(
         x_axis=x_axis,
         y_axis=y_axis,
-        worm=np.stack([dot(worm, x_axis), dot(worm, y_axis)]),
-        roller=np.stack([dot(roller, x_axis), dot(roller, y_axis)]),
-        spin=np.stack(
+        worm=np.array([dot(worm, x_axis), dot(worm, y_axis)]),
+        roller=np.array([dot(roller, x_axis), dot(roller, y_axis)]),
+        spin=np.array(
             [
                 -dot(turn, contact.normal),
                 -dot(wheel_turn + roller_speed * axis, contact.normal),

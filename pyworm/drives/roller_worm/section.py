@@ -14,7 +14,10 @@ import numpy as np
 from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelope
 
 SECANTS = 7
-"""Number of secant steps to the intersection of a face and a contact line, down to rounding."""
+"""Largest number of secant steps to the intersection of a face and a contact line."""
+
+ROUNDING = 1e-15
+"""Distance from the face at which the steps end [m]."""
 
 _QUARTERS = ((floor, pi / 2), (ceil, -pi / 2))
 """Rounding and bound by which the rollers on the worm's side of the wheel are counted."""
@@ -157,4 +160,6 @@ class WormSection:
                 one, off_one = other, off_other
                 other = np.clip(np.where(settled, other, new), low, high)
                 off_other = self._along(other, wheel_angle) - face
+                if np.all(np.abs(off_other) <= ROUNDING):
+                    break
         return other
