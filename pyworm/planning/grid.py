@@ -94,10 +94,15 @@ class Grid:
         )
 
     def nodes_of(self, other: "Grid") -> tuple[slice, slice]:
-        """Index ranges of this grid's nodes that an aligned grid of the same spacing covers."""
+        """Index ranges of this grid's nodes that an aligned grid of the same spacing has, too."""
         first_x = round((other.west - self.west) / self.dx)
         first_y = round((other.south - self.south) / self.dy)
-        return slice(first_x, first_x + other.nx), slice(first_y, first_y + other.ny)
+        return _within(first_x, other.nx, self.nx), _within(first_y, other.ny, self.ny)
+
+
+def _within(first: int, count: int, nodes: int) -> slice:
+    """The range of some nodes from a first one on, as far as there are such nodes."""
+    return slice(max(first, 0), min(first + count, nodes))
 
 
 def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:

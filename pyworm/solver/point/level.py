@@ -103,15 +103,18 @@ def guess_on(level: PointLevel, grid: Grid) -> InitialGuess:
 
 
 def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
-    """Initial guess on a wider grid of the same spacing: the film of a level, and its own around that."""
+    """Initial guess on a wider grid of the same spacing: the film of a level, and its own around that.
+
+    Where teeth end, the wider grid may end some nodes before the narrow one.
+    """
     here, within = wide.state(), narrow.state()
-    covered = wide.grid.nodes_of(narrow.grid)
+    covered, shared = wide.grid.nodes_of(narrow.grid), narrow.grid.nodes_of(wide.grid)
     pressure = here.pressure.copy(order="F")
-    pressure[covered] = within.pressure
+    pressure[covered] = within.pressure[shared]
     rise = None
     if within.rise is not None:
         rise = np.zeros((*wide.grid.shape, within.rise.shape[-1]), order="F")
-        rise[covered] = within.rise
+        rise[covered] = within.rise[shared]
     return InitialGuess(pressure, within.rigid_film, rise)
 
 

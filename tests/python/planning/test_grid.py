@@ -103,3 +103,13 @@ def test_a_window_ends_where_the_teeth_do():
     reach = Reach(150.0, 10.0)
     (cut,), (whole,) = (windows(of, size, reach) for of in (replace(scene, gap=short), scene))
     assert cut[3] < whole[3]
+
+
+@pytest.mark.parametrize("west", [-5.0, -2.0, 2.0])
+@pytest.mark.parametrize("count", [4, 8, 20])
+def test_nodes_that_two_grids_share_are_at_the_same_places(west, count):
+    one, other = Grid(-3.0, -2.0, 1.0, 0.5, 10, 8), Grid(west, 0.0, 1.0, 0.5, count, 9)
+    (x, y), (its_x, its_y) = one.nodes_of(other), other.nodes_of(one)
+    np.testing.assert_array_equal(one.x[x], other.x[its_x])
+    np.testing.assert_array_equal(one.y[y], other.y[its_y])
+    assert set(one.x[x]) == set(one.x) & set(other.x)
