@@ -16,7 +16,7 @@ module multigrid
   use kinds, only: pp, wp
   use lapack, only: sgbtrf, sgbtrs
   use line_relaxation, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
-  use reynolds, only: film_fields, film_grid
+  use reynolds, only: arithmetic_share, film_fields, film_grid
   use status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)
   private
@@ -36,10 +36,10 @@ module multigrid
     real(pp) :: compliance = 0
     !> Entrainment through the face after a node, along the line and towards the next line [m/s].
     real(pp), allocatable :: along(:, :), across(:, :)
-    !> Mobility, pressure, and 1 where it is free to change, else 0.
-    real(pp), allocatable :: m(:, :), p(:, :), free(:, :)
-    !> Mobility towards the next line where it differs from that within a line.
-    real(pp), allocatable :: m_across(:, :)
+    !> Root of the mobility, pressure, and 1 where it is free to change, else 0.
+    real(pp), allocatable :: root(:, :), p(:, :), free(:, :)
+    !> Root of the mobility towards the next line where it differs from that within a line.
+    real(pp), allocatable :: root_across(:, :)
     type(line_systems) :: lines
     !> Solution and right-hand side. While a level is built: derivatives of mobility and of
     !> rho h by pressure.
@@ -134,7 +134,7 @@ contains
 
     n = level%length
     m = level%count
-    allocate (level%along(n, m), level%across(n, m), level%m(n, m), level%p(n, m), level%free(n, m), level%x(n, m), &
+    allocate (level%along(n, m), level%across(n, m), level%root(n, m), level%p(n, m), level%free(n, m), level%x(n, m), &
       level%f(n, m), source=0.0_pp, stat=err)
     stat = status_no_memory
     if (err == 0) call new_line_systems(n, m, level%lines, stat)
@@ -198,10 +198,10 @@ contains
         call orient(self%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
           + level%compliance*fields%rho(::stride, ::stride), level%f)
         call orient(self%transposed, merge(1.0_wp, 0.0_wp, free(::stride, ::stride)), level%free)
-        if (allocated(level%m_across)) then
-          call set_lines(self, l, level%m_across)
+        if (allocated(level%root_across)) then
+          call set_lines(self, l, level%root_across)
         else
-          call set_lines(self, l, level%m)
+          call set_lines(self, l, level%root)
         end if
         level%x = 0
       end associate
@@ -209,51 +209,63 @@ contains
     call factor_coarsest(self, stat)
   end subroutine set_film_multigrid
 
-  !> Sets the mobility on every level, in one direction or in both.
+  !> Sets the root of the mobility on every level, in one direction or in both.
   subroutine set_mobility(self, fields)
     type(film_multigrid), intent(inout) :: self
     type(film_fields), intent(in) :: fields
     integer :: l
 
     if (.not. allocated(fields%mobility_y)) then
-      call orient(self%transposed, fields%mobility, self%level(1)%m)
+      call orient_root(fields%mobility, self%level(1)%root)
     else
-      if (.not. allocated(self%level(1)%m_across)) self%level(1)%m_across = self%level(1)%m
+      if (.not. allocated(self%level(1)%root_across)) self%level(1)%root_across = self%level(1)%root
       if (self%transposed) then
-        call orient(.true., fields%mobility_y, self%level(1)%m)
-        call orient(.true., fields%mobility, self%level(1)%m_across)
+        call orient_root(fields%mobility_y, self%level(1)%root)
+        call orient_root(fields%mobility, self%level(1)%root_across)
       else
-        call orient(.false., fields%mobility, self%level(1)%m)
-        call orient(.false., fields%mobility_y, self%level(1)%m_across)
+        call orient_root(fields%mobility, self%level(1)%root)
+        call orient_root(fields%mobility_y, self%level(1)%root_across)
       end if
     end if
     do l = 2, size(self%level)
-      self%level(l)%m = self%level(l - 1)%m(::2, ::2)
-      call restrict(self%level(l - 1)%m, self%level(l)%m)
-      if (allocated(self%level(1)%m_across)) then
-        self%level(l)%m_across = self%level(l - 1)%m_across(::2, ::2)
-        call restrict(self%level(l - 1)%m_across, self%level(l)%m_across)
+      self%level(l)%root = self%level(l - 1)%root(::2, ::2)
+      call restrict(self%level(l - 1)%root, self%level(l)%root)
+      if (allocated(self%level(1)%root_across)) then
+        self%level(l)%root_across = self%level(l - 1)%root_across(::2, ::2)
+        call restrict(self%level(l - 1)%root_across, self%level(l)%root_across)
       end if
     end do
+
+  contains
+
+    !> Copies the root of a mobility to the order of the finest level; ratios of roots must stay finite.
+    subroutine orient_root(mobility, root)
+      real(wp), intent(in) :: mobility(:, :)
+      real(pp), intent(out) :: root(:, :)
+
+      call orient(self%transposed, sqrt(mobility), root)
+      root = max(root, tiny(root))
+    end subroutine orient_root
+
   end subroutine set_mobility
 
   !> The five-point matrix of the local model: factored lines, on the coarsest level a band. Rows where
   !> pressure is not free are those of the identity.
-  subroutine set_lines(self, l, m_across)
+  subroutine set_lines(self, l, root_across)
     type(film_multigrid), intent(inout) :: self
     integer, intent(in) :: l
-    real(pp), intent(in) :: m_across(:, :)
+    real(pp), intent(in) :: root_across(:, :)
     real(pp), dimension(self%level(l)%length) :: centre, left, right, before, after, leave, enter
     integer :: i, j, n
 
     n = self%level(l)%length
     if (l == size(self%level)) self%band = 0
-    associate (level => self%level(l), m => self%level(l)%m, p => self%level(l)%p, free => self%level(l)%free, &
+    associate (level => self%level(l), root => self%level(l)%root, p => self%level(l)%p, free => self%level(l)%free, &
       dm => self%level(l)%x, dq => self%level(l)%f)
       !$omp parallel do private(i, centre, left, right, before, after, leave, enter) schedule(static)
       do j = 2, level%count - 1
         ! through the faces within the line: outflow by a node's pressure, inflow by the next one's
-        call face_flow(m(:n - 1, j), m(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
+        call face_flow(root(:n - 1, j), root(2:, j), p(:n - 1, j), p(2:, j), dm(:n - 1, j), dm(2:, j), dq(:n - 1, j), &
           dq(2:, j), level%along(:n - 1, j), 1/level%d_along, leave(:n - 1), enter(:n - 1))
         do i = 2, n - 1
           centre(i) = self%implicit_rate*dq(i, j) + leave(i) + enter(i - 1)
@@ -261,14 +273,14 @@ contains
           left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
         end do
         ! through the faces towards the next line, and from the one before
-        call face_flow(m_across(:, j), m_across(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), dq(:, j), dq(:, j + 1), &
-          level%across(:, j), 1/level%d_across, leave, enter)
+        call face_flow(root_across(:, j), root_across(:, j + 1), p(:, j), p(:, j + 1), dm(:, j), dm(:, j + 1), &
+          dq(:, j), dq(:, j + 1), level%across(:, j), 1/level%d_across, leave, enter)
         do i = 2, n - 1
           centre(i) = centre(i) + leave(i)
           after(i) = -free(i, j)*enter(i)*free(i, j + 1)
         end do
-        call face_flow(m_across(:, j - 1), m_across(:, j), p(:, j - 1), p(:, j), dm(:, j - 1), dm(:, j), dq(:, j - 1), dq(:, j), &
-          level%across(:, j - 1), 1/level%d_across, leave, enter)
+        call face_flow(root_across(:, j - 1), root_across(:, j), p(:, j - 1), p(:, j), dm(:, j - 1), dm(:, j), &
+          dq(:, j - 1), dq(:, j), level%across(:, j - 1), 1/level%d_across, leave, enter)
         do i = 2, n - 1
           centre(i) = merge(centre(i) + enter(i), 1.0_pp, free(i, j) > 0)
           before(i) = -free(i, j)*leave(i)*free(i, j - 1)
@@ -305,15 +317,16 @@ contains
 
   !> Computes the flow through faces between nodes 1 and 2 by a pressure change at 1, `leave`, and against it by
   !> one at 2, `enter`.
-  elemental subroutine face_flow(m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length, leave, enter)
-    real(pp), intent(in) :: m1, m2, p1, p2, dm1, dm2, dq1, dq2, u, per_length
+  elemental subroutine face_flow(root1, root2, p1, p2, dm1, dm2, dq1, dq2, u, per_length, leave, enter)
+    real(pp), intent(in) :: root1, root2, p1, p2, dm1, dm2, dq1, dq2, u, per_length
     real(pp), intent(out) :: leave, enter
+    real(pp), parameter :: share = real(arithmetic_share, pp)
     real(pp) :: diffusion, drop
 
-    diffusion = (m1 + m2)/2*per_length**2
+    diffusion = (share/2*(root1**2 + root2**2) + (1 - share)*root1*root2)*per_length**2
     drop = (p1 - p2)/2*per_length**2
-    leave = diffusion + drop*dm1 + max(u, 0.0_pp)*dq1*per_length
-    enter = diffusion - drop*dm2 - min(u, 0.0_pp)*dq2*per_length
+    leave = diffusion + drop*dm1*(share + (1 - share)*root2/root1) + max(u, 0.0_pp)*dq1*per_length
+    enter = diffusion - drop*dm2*(share + (1 - share)*root1/root2) - min(u, 0.0_pp)*dq2*per_length
   end subroutine face_flow
 
   subroutine factor_coarsest(self, stat)

@@ -1,8 +1,8 @@
 !> Reynolds' equation div(rho h um) - div(rho h^3 / (12 eta) grad p) + d(rho h)/dt = 0 on a uniform grid.
 !>
-!> Node-centred finite volumes: diffusive fluxes with the mean mobility of a face's two nodes, wedge fluxes
-!> with second-order upwind rho h by the sign of the entrainment at the face. Density is taken relative to
-!> that at ambient pressure, so that the residual is a volume flow per area [m/s].
+!> Node-centred finite volumes: diffusive fluxes with a mean mobility of a face's two nodes that is near the
+!> logarithmic one, wedge fluxes with rho h of third order, biased upwind by the sign of the entrainment at the face.
+!> Density is taken relative to that at ambient pressure, so that the residual is a volume flow per area [m/s].
 module reynolds
   use kinds, only: wp
   use viscosity_density, only: oil_law, viscosities, densities
@@ -11,7 +11,13 @@ module reynolds
   private
 
   public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
-  public :: add_wedge
+  public :: add_wedge, face_mean
+
+  !> Share of the arithmetic mean in the mobility of a face; the rest is the geometric mean. Where mobility is
+  !> exponential in pressure, its mean over the pressure between two nodes is the logarithmic one, (a - b)/ln(a/b),
+  !> which a third of one and two thirds of the other follow to fourth order in ln(a/b)
+  !> (B. C. Carlson, The logarithmic mean, American Mathematical Monthly 79 (1972) 615).
+  real(wp), parameter, public :: arithmetic_share = 1.0_wp/3
 
   !> Rows of a block, whose upwind rows are computed again and lie in the first caches.
   integer, parameter :: strip = 32
@@ -163,22 +169,27 @@ contains
     type(film_fields), intent(in) :: fields
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: imbalance(:, :)
-    !> rho h of row j at mod(j, 5); wedge flow to the row and to the next.
-    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx), transient(grid%nx), flux(grid%nx)
+    !> rho h of row j at mod(j, 5), root of the mobility at mod(j, 3); wedge flow to the row and to the next.
+    real(wp) :: mass(grid%nx, 0:4), root(grid%nx, 0:2), before(grid%nx), after(grid%nx), transient(grid%nx), &
+      flux(grid%nx)
     integer :: j, k
 
     do j = max(first - 2, 1), first + 1
       mass(:, mod(j, 5)) = fields%rho(:, j)*fields%h(:, j)
     end do
+    do j = first - 1, first
+      root(:, mod(j, 3)) = sqrt(fields%mobility(:, j))
+    end do
     call wedge_to_next_row(grid, first - 1, mass, before)
     do j = first, last
       k = min(j + 2, grid%ny)
       mass(:, mod(k, 5)) = fields%rho(:, k)*fields%h(:, k)
+      root(:, mod(j + 1, 3)) = sqrt(fields%mobility(:, j + 1))
       call wedge_to_next_row(grid, j, mass, after)
       transient = grid%implicit_rate*mass(:, mod(j, 5)) + grid%explicit_rate(:, j)
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
         transient, flux, imbalance(:, j))
-      call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
+      call add_diffusion(grid, root(:, mod(j - 1, 3)), root(:, mod(j, 3)), root(:, mod(j + 1, 3)), &
         fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), imbalance(:, j))
       before = after
     end do
@@ -191,37 +202,51 @@ contains
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     integer, intent(in) :: first, last
     real(wp), contiguous, intent(inout) :: change(:, :)
-    !> Change of rho h of row j at mod(j, 5), of the mobility at mod(j, 3); wedge flow to the row and to the
-    !> next.
-    real(wp) :: mass(grid%nx, 0:4), mobility(grid%nx, 0:2), before(grid%nx), after(grid%nx), transient(grid%nx), &
-      flux(grid%nx)
+    !> Change of rho h of row j at mod(j, 5); root of the mobility and its change at mod(j, 3); wedge flow to the
+    !> row and to the next.
+    real(wp), dimension(grid%nx, 0:2) :: root, root_change
+    real(wp) :: mass(grid%nx, 0:4), before(grid%nx), after(grid%nx), transient(grid%nx), flux(grid%nx)
     integer :: j, k
 
     do j = max(first - 2, 1), first + 1
       mass(:, mod(j, 5)) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
     end do
     do j = first - 1, first
-      mobility(:, mod(j, 3)) = fields%mobility_p(:, j)*dp(:, j) + fields%mobility_h(:, j)*dh(:, j)
+      call set_root(grid%nx, fields%mobility(:, j), fields%mobility_p(:, j), fields%mobility_h(:, j), dp(:, j), &
+        dh(:, j), root(:, mod(j, 3)), root_change(:, mod(j, 3)))
     end do
     call wedge_to_next_row(grid, first - 1, mass, before)
     do j = first, last
       k = min(j + 2, grid%ny)
       mass(:, mod(k, 5)) = fields%rho_p(:, k)*fields%h(:, k)*dp(:, k) + fields%rho(:, k)*dh(:, k)
       k = j + 1
-      mobility(:, mod(k, 3)) = fields%mobility_p(:, k)*dp(:, k) + fields%mobility_h(:, k)*dh(:, k)
+      call set_root(grid%nx, fields%mobility(:, k), fields%mobility_p(:, k), fields%mobility_h(:, k), dp(:, k), &
+        dh(:, k), root(:, mod(k, 3)), root_change(:, mod(k, 3)))
       call wedge_to_next_row(grid, j, mass, after)
       transient = grid%implicit_rate*mass(:, mod(j, 5))
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
         transient, flux, change(:, j))
-      call add_diffusion(grid, fields%mobility(:, j - 1), fields%mobility(:, j), fields%mobility(:, j + 1), &
-        dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
-      call add_diffusion(grid, mobility(:, mod(j - 1, 3)), mobility(:, mod(j, 3)), mobility(:, mod(j + 1, 3)), &
-        fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), change(:, j))
+      associate (m_before => root(:, mod(j - 1, 3)), m => root(:, mod(j, 3)), m_after => root(:, mod(j + 1, 3)))
+        call add_diffusion(grid, m_before, m, m_after, dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
+        call add_diffusion_change(grid, m_before, m, m_after, root_change(:, mod(j - 1, 3)), &
+          root_change(:, mod(j, 3)), root_change(:, mod(j + 1, 3)), fields%p(:, j - 1), fields%p(:, j), &
+          fields%p(:, j + 1), change(:, j))
+      end associate
       before = after
     end do
   end subroutine change_of_rows
 
-  !> Adds -div(m grad p) to a row's r; m and p of the row before, the row itself and the next.
+  !> Computes the root of a row's mobility and its change.
+  pure subroutine set_root(n, mobility, mobility_p, mobility_h, dp, dh, root, change)
+    integer, intent(in) :: n
+    real(wp), dimension(n), intent(in) :: mobility, mobility_p, mobility_h, dp, dh
+    real(wp), dimension(n), intent(out) :: root, change
+
+    root = sqrt(mobility)
+    change = (mobility_p*dp + mobility_h*dh)/(2*root)
+  end subroutine set_root
+
+  !> Adds -div(m grad p) to a row's r; root of m and p of the row before, the row itself and the next.
   pure subroutine add_diffusion(grid, m_before, m, m_after, p_before, p, p_after, r)
     type(film_grid), intent(in) :: grid
     real(wp), dimension(grid%nx), intent(in) :: m_before, m, m_after, p_before, p, p_after
@@ -229,16 +254,49 @@ contains
     real(wp) :: along_x, along_y
     integer :: i
 
-    along_x = 0.5_wp/grid%dx**2
-    along_y = 0.5_wp/grid%dy**2
+    along_x = 1/grid%dx**2
+    along_y = 1/grid%dy**2
     do i = 2, grid%nx - 1
-      r(i) = r(i) + along_x*((m(i) + m(i + 1))*(p(i) - p(i + 1)) + (m(i) + m(i - 1))*(p(i) - p(i - 1))) &
-        + along_y*((m(i) + m_after(i))*(p(i) - p_after(i)) + (m(i) + m_before(i))*(p(i) - p_before(i)))
+      r(i) = r(i) + along_x*(face_mean(m(i), m(i + 1))*(p(i) - p(i + 1)) + face_mean(m(i), m(i - 1))*(p(i) - p(i - 1))) &
+        + along_y*(face_mean(m(i), m_after(i))*(p(i) - p_after(i)) + face_mean(m(i), m_before(i))*(p(i) - p_before(i)))
     end do
   end subroutine add_diffusion
 
-  !> Sets a row's r to the transient term of its cells plus div(q um), with q upwind to second order; next to the
-  !> outline q is the mean of a face's two nodes; `flux` is workspace.
+  !> Adds the change of -div(m grad p) by that of m at the same p to a row's r; root of m, its change, and p of the
+  !> row before, the row itself and the next.
+  pure subroutine add_diffusion_change(grid, m_before, m, m_after, dm_before, dm, dm_after, p_before, p, p_after, r)
+    type(film_grid), intent(in) :: grid
+    real(wp), dimension(grid%nx), intent(in) :: m_before, m, m_after, dm_before, dm, dm_after, p_before, p, p_after
+    real(wp), intent(inout) :: r(grid%nx)
+    real(wp) :: along_x, along_y
+    integer :: i
+
+    along_x = 1/grid%dx**2
+    along_y = 1/grid%dy**2
+    do i = 2, grid%nx - 1
+      r(i) = r(i) + along_x*(mean_change(m(i), m(i + 1), dm(i), dm(i + 1))*(p(i) - p(i + 1)) &
+        + mean_change(m(i), m(i - 1), dm(i), dm(i - 1))*(p(i) - p(i - 1))) &
+        + along_y*(mean_change(m(i), m_after(i), dm(i), dm_after(i))*(p(i) - p_after(i)) &
+        + mean_change(m(i), m_before(i), dm(i), dm_before(i))*(p(i) - p_before(i)))
+    end do
+  end subroutine add_diffusion_change
+
+  !> Mobility of a face from the roots of those of its two nodes.
+  pure real(wp) function face_mean(a, b)
+    real(wp), intent(in) :: a, b
+
+    face_mean = arithmetic_share/2*(a**2 + b**2) + (1 - arithmetic_share)*a*b
+  end function face_mean
+
+  !> Change of `face_mean` by those of the roots.
+  pure real(wp) function mean_change(a, b, da, db)
+    real(wp), intent(in) :: a, b, da, db
+
+    mean_change = arithmetic_share*(a*da + b*db) + (1 - arithmetic_share)*(a*db + b*da)
+  end function mean_change
+
+  !> Sets a row's r to the transient term of its cells plus div(q um), with q biased upwind to third order; next to
+  !> the outline q is the mean of a face's two nodes; `flux` is workspace.
   pure subroutine set_wedge(nx, dx, u, q, before, after, transient, flux, r)
     integer, intent(in) :: nx
     real(wp), intent(in) :: dx, u(nx), q(nx), before(nx), after(nx), transient(nx)
@@ -280,7 +338,7 @@ contains
   pure real(wp) function upwind(u, q1, q2, q3, q4)
     real(wp), intent(in) :: u, q1, q2, q3, q4
 
-    upwind = max(u, 0.0_wp)*(1.5_wp*q2 - 0.5_wp*q1) + min(u, 0.0_wp)*(1.5_wp*q3 - 0.5_wp*q4)
+    upwind = (max(u, 0.0_wp)*(5*q2 + 2*q3 - q1) + min(u, 0.0_wp)*(5*q3 + 2*q2 - q4))*(1/6.0_wp)
   end function upwind
 
   pure subroutine clear_outline(r)

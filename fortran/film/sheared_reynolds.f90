@@ -12,7 +12,7 @@ module sheared_reynolds
   use kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use viscosity_density, only: oil_law, hot_fluidity, hot_density
-  use reynolds, only: film_grid, film_fields, add_wedge
+  use reynolds, only: arithmetic_share, film_grid, film_fields, add_wedge
   use shear_flow, only: flow_change, flow_change_by_stresses
   use shear_stress, only: solve_shear
   use strip_of_points, only: shear_strip, new_shear_strip
@@ -128,7 +128,22 @@ contains
     do j = 2, grid%ny - 1
       call set_mobility(grid, j, film, fields)
     end do
+    call extend_to_outline(fields%mobility)
+    call extend_to_outline(fields%mobility_y)
   end subroutine set_sheared_fields
+
+  !> Gives the outline the values of the nodes beside it.
+  pure subroutine extend_to_outline(field)
+    real(wp), intent(inout) :: field(:, :)
+    integer :: nx, ny
+
+    nx = size(field, 1)
+    ny = size(field, 2)
+    field(2:nx - 1, 1) = field(2:nx - 1, 2)
+    field(2:nx - 1, ny) = field(2:nx - 1, ny - 1)
+    field(1, :) = field(2, :)
+    field(nx, :) = field(nx - 1, :)
+  end subroutine extend_to_outline
 
   !> Evaluates the oil at the nodes first..last of row j.
   subroutine set_oil(oil, first, last, j, nodes, fields)
@@ -214,6 +229,8 @@ contains
     type(face_flow), intent(inout) :: faces
     real(wp), dimension(strip) :: h1, h2, mass1, mass2, weight, rho, by_weight, by_fluidity1, by_fluidity2, by_p1, by_p2, &
       by_h
+    !> Geometric means of the nodes' fluidities at the levels, and their weight from those of the nodes.
+    real(wp) :: geometric(strip, nodes%levels%count), by_geometric(strip)
     real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
     integer :: m, k, failures
 
@@ -237,8 +254,11 @@ contains
       weight(:m) = mass1(:m)/(mass1(:m) + mass2(:m))
       h = (h1(:m) + h2(:m))/2
       rho(:m) = (mass1(:m) + mass2(:m))/(2*h**3)
+      by_geometric(:m) = sqrt(weight(:m)*(1 - weight(:m)))
       do k = 1, nodes%levels%count
-        work%fluidity(:m, k) = weight(:m)*f1(:, k) + (1 - weight(:m))*f2(:, k)
+        geometric(:m, k) = 2*(1 - arithmetic_share)*sqrt(f1(:, k)*f2(:, k))
+        work%fluidity(:m, k) = arithmetic_share*(weight(:m)*f1(:, k) + (1 - weight(:m))*f2(:, k)) &
+          + by_geometric(:m)*geometric(:m, k)
       end do
       work%us(:m) = (nodes%sliding_x(first:last, j) + nodes%sliding_x(first + di:last + di, j + dj))/2
       work%vs(:m) = (nodes%sliding_y(first:last, j) + nodes%sliding_y(first + di:last + di, j + dj))/2
@@ -272,16 +292,20 @@ contains
       by_fluidity1 = 0
       by_fluidity2 = 0
       do k = 1, nodes%levels%count
-        by_weight(:m) = by_weight(:m) + f_x(:m, k)*(f1(:, k) - f2(:, k))
-        by_fluidity1(:m) = by_fluidity1(:m) + f_x(:m, k)*nodes%fluidity_p(first:last, j, k)
-        by_fluidity2(:m) = by_fluidity2(:m) + f_x(:m, k)*nodes%fluidity_p(first + di:last + di, j + dj, k)
+        geometric(:m, k) = by_geometric(:m)*geometric(:m, k)/2
+        by_weight(:m) = by_weight(:m) + f_x(:m, k)*(arithmetic_share*(f1(:, k) - f2(:, k))*by_geometric(:m)**2 &
+          + (1 - 2*weight(:m))*geometric(:m, k))
+        by_fluidity1(:m) = by_fluidity1(:m) + f_x(:m, k)*nodes%fluidity_p(first:last, j, k) &
+          *(arithmetic_share*weight(:m) + geometric(:m, k)/f1(:, k))
+        by_fluidity2(:m) = by_fluidity2(:m) + f_x(:m, k)*nodes%fluidity_p(first + di:last + di, j + dj, k) &
+          *(arithmetic_share*(1 - weight(:m)) + geometric(:m, k)/f2(:, k))
       end do
-      by_weight(:m) = rho(:m)*by_weight(:m)*weight(:m)*(1 - weight(:m))
+      by_weight(:m) = rho(:m)*by_weight(:m)
 
       ! density, weights and fluidities depend on the pressure of each node, the stresses of the flow law on both
-      by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_weight(:m)*rho1_p/rho1 + rho(:m)*(weight(:m)*by_fluidity1(:m) &
+      by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_weight(:m)*rho1_p/rho1 + rho(:m)*(by_fluidity1(:m) &
         + (onset_x(:m)*nodes%onset_p(first:last, j) + limit_x(:m)*nodes%limit_p(first:last, j))/2)
-      by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_weight(:m)*rho2_p/rho2 + rho(:m)*((1 - weight(:m))*by_fluidity2(:m) &
+      by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_weight(:m)*rho2_p/rho2 + rho(:m)*(by_fluidity2(:m) &
         + (onset_x(:m)*nodes%onset_p(first + di:last + di, j + dj) &
         + limit_x(:m)*nodes%limit_p(first + di:last + di, j + dj))/2)
       by_h(:m) = rho(:m)*(h_x(:m) - 3*s_x(:m)/h)/2
@@ -309,8 +333,10 @@ contains
 
     associate (x => film%along_x, y => film%along_y, p => fields%p)
       do i = 2, grid%nx - 1
-        fields%mobility(i, j) = (x%after(i, j) - x%before(i, j) + x%after(i - 1, j) - x%before(i - 1, j))*grid%dx/4
-        fields%mobility_y(i, j) = (y%after(i, j) - y%before(i, j) + y%after(i, j - 1) - y%before(i, j - 1))*grid%dy/4
+        fields%mobility(i, j) = max(tiny(drop), &
+          (x%after(i, j) - x%before(i, j) + x%after(i - 1, j) - x%before(i - 1, j))*grid%dx/4)
+        fields%mobility_y(i, j) = max(tiny(drop), &
+          (y%after(i, j) - y%before(i, j) + y%after(i, j - 1) - y%before(i, j - 1))*grid%dy/4)
         drop = [(p(i + 1, j) - p(i, j))/grid%dx, (p(i, j) - p(i - 1, j))/grid%dx, &
           (p(i, j + 1) - p(i, j))/grid%dy, (p(i, j) - p(i, j - 1))/grid%dy]
         squares = sum(drop**2)
