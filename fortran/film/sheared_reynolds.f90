@@ -31,6 +31,8 @@ module sheared_reynolds
     !> Stress at the middle of the film [Pa], the initial guess of the next evaluation.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
     real(wp), allocatable :: flow(:, :)
+    !> Change of the flow by that of the pressure gradient through the face, without sign [m3 s/kg].
+    real(wp), allocatable :: mobility(:, :)
     !> Derivatives by the pressure of the node before and after, by the pressure gradient along the face, and by
     !> the film before and after.
     real(wp), allocatable :: before(:, :), after(:, :), aside(:, :), film_before(:, :), film_after(:, :)
@@ -96,8 +98,9 @@ contains
     integer, intent(out) :: stat
     integer :: err
 
-    allocate (faces%stress_x(nx, ny), faces%stress_y(nx, ny), faces%flow(nx, ny), faces%before(nx, ny), &
-      faces%after(nx, ny), faces%aside(nx, ny), faces%film_before(nx, ny), faces%film_after(nx, ny), &
+    allocate (faces%stress_x(nx, ny), faces%stress_y(nx, ny), faces%flow(nx, ny), &
+      faces%mobility(nx, ny), faces%before(nx, ny), faces%after(nx, ny), faces%aside(nx, ny), &
+      faces%film_before(nx, ny), faces%film_after(nx, ny), &
       source=0.0_wp, stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_face_flow
@@ -311,6 +314,7 @@ contains
       by_h(:m) = rho(:m)*(h_x(:m) - 3*s_x(:m)/h)/2
 
       faces%flow(first:last, j) = rho(:m)*s_x(:m)
+      faces%mobility(first:last, j) = rho(:m)*m_xx(:m)
       faces%before(first:last, j) = by_p1(:m) - rho(:m)*m_xx(:m)*per_length
       faces%after(first:last, j) = by_p2(:m) + rho(:m)*m_xx(:m)*per_length
       faces%aside(first:last, j) = rho(:m)*m_xy(:m)
@@ -333,10 +337,8 @@ contains
 
     associate (x => film%along_x, y => film%along_y, p => fields%p)
       do i = 2, grid%nx - 1
-        fields%mobility(i, j) = max(tiny(drop), &
-          (x%after(i, j) - x%before(i, j) + x%after(i - 1, j) - x%before(i - 1, j))*grid%dx/4)
-        fields%mobility_y(i, j) = max(tiny(drop), &
-          (y%after(i, j) - y%before(i, j) + y%after(i, j - 1) - y%before(i, j - 1))*grid%dy/4)
+        fields%mobility(i, j) = (x%mobility(i - 1, j) + x%mobility(i, j))/2
+        fields%mobility_y(i, j) = (y%mobility(i, j - 1) + y%mobility(i, j))/2
         drop = [(p(i + 1, j) - p(i, j))/grid%dx, (p(i, j) - p(i - 1, j))/grid%dx, &
           (p(i, j + 1) - p(i, j))/grid%dy, (p(i, j) - p(i, j - 1))/grid%dy]
         squares = sum(drop**2)

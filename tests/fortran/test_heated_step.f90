@@ -100,7 +100,7 @@ contains
       before = contact%heat%wanted
       share_before = contact%heat%last_fraction
       call heated_step(contact%film, contact%heat, 0.03_wp, p, h0, residual, load_error, krylov, step, change, stat)
-      if (stat /= status_ok .or. change < 1e-2_wp) exit
+      if (stat /= status_ok .or. (change < 1e-2_wp .and. residual < 1e-3_wp)) exit
       if (steps == 1 .or. step < 1) cycle
       wanted = contact%heat%wanted
       judged = spread(contact%film%fields%p > 0.02_wp*maxval(contact%film%fields%p), 3, levels)
