@@ -221,20 +221,11 @@ contains
     integer, intent(in) :: levels
     real(wp), intent(in) :: sliding_x(:, :), sliding_y(:, :)
     integer, intent(out) :: stat
-    integer :: err
 
     stat = status_not_finite
     if (.not. all(abs(sliding_x) + abs(sliding_y) <= huge(1.0_wp))) return
     if (.not. allocated(self%shear)) allocate (self%shear)
     call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
-    ! a line contact has no flow along y
-    if (stat /= status_ok .or. allocated(self%fields%mobility_y) .or. size(self%gap, 2) == 1) return
-    allocate (self%fields%mobility_y, mold=self%gap, stat=err)
-    if (err /= 0) then
-      stat = status_no_memory
-      return
-    end if
-    self%fields%mobility_y = 0
   end subroutine shear_contact
 
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].

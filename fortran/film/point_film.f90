@@ -114,7 +114,8 @@ contains
     class(point_contact), intent(inout) :: self
     integer, intent(out) :: stat
 
-    call set_film_multigrid(self%cycles, self%fields, self%free, stat)
+    ! a film that is not sheared passes no argument
+    call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear)
   end subroutine linearise
 
   !> Computes the change of the imbalance by a small change of pressure and film.

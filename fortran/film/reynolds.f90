@@ -42,8 +42,6 @@ module reynolds
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
-    !> Mobility along y where it differs from that along x (`sheared_reynolds`).
-    real(wp), allocatable :: mobility_y(:, :)
   end type film_fields
 
 contains

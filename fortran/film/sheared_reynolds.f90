@@ -20,7 +20,7 @@ module sheared_reynolds
   implicit none(type, external)
   private
 
-  public :: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change
+  public :: sheared_film, face_flow, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change
   public :: sheared_oil, set_oil, flow_through
 
   !> Faces treated together: enough for vectors, few enough to stay in the first cache.
@@ -107,8 +107,7 @@ contains
 
   !> Evaluates fields and face flows at the pressure and film of `fields`.
   !>
-  !> `fields` gets the density and, for the preconditioner, mobilities along x and y with derivatives. A film below
-  !> `floor` [m] is replaced by the floor.
+  !> `fields` gets the density. A film below `floor` [m] is replaced by the floor.
   subroutine set_sheared_fields(grid, oil, floor, film, fields)
     type(film_grid), intent(in) :: grid
     type(oil_law), intent(in) :: oil
@@ -127,26 +126,7 @@ contains
       if (j > 1 .and. j < grid%ny) call flow_within_row(grid, floor, j, fields, film)
       if (j < grid%ny) call flow_between_rows(grid, floor, j, fields, film)
     end do
-    !$omp parallel do schedule(static)
-    do j = 2, grid%ny - 1
-      call set_mobility(grid, j, film, fields)
-    end do
-    call extend_to_outline(fields%mobility)
-    call extend_to_outline(fields%mobility_y)
   end subroutine set_sheared_fields
-
-  !> Gives the outline the values of the nodes beside it.
-  pure subroutine extend_to_outline(field)
-    real(wp), intent(inout) :: field(:, :)
-    integer :: nx, ny
-
-    nx = size(field, 1)
-    ny = size(field, 2)
-    field(2:nx - 1, 1) = field(2:nx - 1, 2)
-    field(2:nx - 1, ny) = field(2:nx - 1, ny - 1)
-    field(1, :) = field(2, :)
-    field(nx, :) = field(nx - 1, :)
-  end subroutine extend_to_outline
 
   !> Evaluates the oil at the nodes first..last of row j.
   subroutine set_oil(oil, first, last, j, nodes, fields)
@@ -324,35 +304,6 @@ contains
         0.0_wp, fields%h(first + di:last + di, j + dj) > floor)
     end associate
   end subroutine flow_through
-
-  !> Computes the preconditioner's mobilities about the nodes of row j: mean tangents of the faces, and the
-  !> least-squares slopes of their flows by pressure and film.
-  subroutine set_mobility(grid, j, film, fields)
-    type(film_grid), intent(in) :: grid
-    integer, intent(in) :: j
-    type(sheared_film), intent(in) :: film
-    type(film_fields), intent(inout) :: fields
-    real(wp) :: drop(4), squares
-    integer :: i
-
-    associate (x => film%along_x, y => film%along_y, p => fields%p)
-      do i = 2, grid%nx - 1
-        fields%mobility(i, j) = (x%mobility(i - 1, j) + x%mobility(i, j))/2
-        fields%mobility_y(i, j) = (y%mobility(i, j - 1) + y%mobility(i, j))/2
-        drop = [(p(i + 1, j) - p(i, j))/grid%dx, (p(i, j) - p(i - 1, j))/grid%dx, &
-          (p(i, j + 1) - p(i, j))/grid%dy, (p(i, j) - p(i, j - 1))/grid%dy]
-        squares = sum(drop**2)
-        if (.not. squares > 0) squares = huge(squares)
-        fields%mobility_p(i, j) = (drop(1)*(x%before(i, j) + x%after(i, j)) &
-          + drop(2)*(x%before(i - 1, j) + x%after(i - 1, j)) + drop(3)*(y%before(i, j) + y%after(i, j)) &
-          + drop(4)*(y%before(i, j - 1) + y%after(i, j - 1)))/squares
-        fields%mobility_h(i, j) = (drop(1)*(x%film_before(i, j) + x%film_after(i, j)) &
-          + drop(2)*(x%film_before(i - 1, j) + x%film_after(i - 1, j)) &
-          + drop(3)*(y%film_before(i, j) + y%film_after(i, j)) &
-          + drop(4)*(y%film_before(i, j - 1) + y%film_after(i, j - 1)))/squares
-      end do
-    end associate
-  end subroutine set_mobility
 
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine sheared_imbalance(grid, film, fields, imbalance)

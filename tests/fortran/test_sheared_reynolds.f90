@@ -1,7 +1,8 @@
 !> The flow of a sheared film: Newton's in its limit, its Jacobian that of its imbalance.
 program test_sheared_reynolds
   use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
-  use kinds, only: wp
+  use film_levels, only: grid_level, new_level, set_level, set_mobility, model_line
+  use kinds, only: pp, wp
   use viscosity_density, only: oil_law, law_roelands
   use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
   use sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
@@ -43,7 +44,6 @@ contains
     allocate (grid%u(nx, ny), grid%v(nx, ny), grid%explicit_rate(nx, ny))
     call new_film_fields(nx, ny, fields, stat)
     call check(stat == status_ok, "fields are made")
-    allocate (fields%mobility_y(nx, ny), source=0.0_wp)
     do j = 1, ny
       do i = 1, nx
         x = (i - nx/2)*grid%dx/1e-3_wp
@@ -83,7 +83,31 @@ contains
     call set_film_fields(oil, floor, fields)
     call flow_imbalance_change(grid, fields, dp, dh, plain)
     call close_to(maxval(abs(sheared - plain)), 0.0_wp, 1e-11_wp*maxval(abs(plain)), "and its Jacobian")
+    call preconditioner(film, .true.)
+    call preconditioner(film, .false.)
   end subroutine newtonian_limit
+
+  !> The preconditioner's model of the finest grid, too, to its single precision.
+  subroutine preconditioner(film, transposed)
+    type(sheared_film), intent(in) :: film
+    logical, intent(in) :: transposed
+    type(grid_level) :: level
+    real(pp), dimension(merge(ny, nx, transposed), 5) :: plain, sheared
+    logical :: free(nx, ny)
+    integer :: j
+
+    free = .true.
+    call new_level(grid, transposed, 1, 1e-16_wp, level, stat)
+    call set_level(level, fields, free)
+    call set_mobility(level, fields)
+    do j = 2, level%count - 1
+      call model_line(level, j, 500.0_pp, null(), plain(:, 1), plain(:, 2), plain(:, 3), plain(:, 4), plain(:, 5))
+      call model_line(level, j, 500.0_pp, film, sheared(:, 1), sheared(:, 2), sheared(:, 3), sheared(:, 4), &
+        sheared(:, 5))
+      call check(all(abs(sheared(2:level%length - 1, :) - plain(2:level%length - 1, :)) &
+        < 1e-5_pp*maxval(abs(plain(2:level%length - 1, :)))), "and its preconditioner")
+    end do
+  end subroutine preconditioner
 
   !> Change of the imbalance against central differences, in a smooth random direction.
   subroutine jacobian(law, what)

@@ -1,0 +1,45 @@
+!> Couplings of neighbouring pressures through a sheared film, for the preconditioner: the exact derivatives of the flow
+!> through faces, but those by the pressure gradient along a face, on a grid or on a coarser one.
+module sheared_couplings
+  use kinds, only: pp, wp
+  use sheared_reynolds, only: face_flow
+  implicit none(type, external)
+  private
+
+  public :: couple_row
+
+contains
+
+  !> Computes the couplings through the faces after a row of nodes of every `stride`-th of the film's: outflow by the
+  !> pressure of the node before, `leave`, and inflow by that of the node after, `enter` [m/(s Pa)].
+  !>
+  !> The row starts at node `start` of the coarse grid and goes on by `step`; the faces lie in the direction `along`. Each is
+  !> the mean of the faces of the film's grid that it spans; `spacing` [m] is that of the coarse grid. The film
+  !> follows the pressure by `compliance` [m/Pa].
+  pure subroutine couple_row(faces, stride, start, step, along, spacing, compliance, leave, enter)
+    type(face_flow), intent(in) :: faces
+    integer, intent(in) :: stride, start(2), step(2), along(2)
+    real(pp), intent(in) :: spacing, compliance
+    real(pp), intent(out) :: leave(:), enter(:)
+    real(wp) :: mobility, before, after
+    integer :: k, s, i, j
+
+    do k = 1, size(leave)
+      mobility = 0
+      before = 0
+      after = 0
+      do s = 0, stride - 1
+        i = 1 + stride*(start(1) - 1 + (k - 1)*step(1)) + s*along(1)
+        j = 1 + stride*(start(2) - 1 + (k - 1)*step(2)) + s*along(2)
+        mobility = mobility + faces%mobility(i, j)
+        before = before + faces%before(i, j) + compliance*faces%film_before(i, j)
+        after = after + faces%after(i, j) + compliance*faces%film_after(i, j)
+      end do
+      ! the part by the gradient falls with the spacing, the rest does not
+      mobility = mobility*(1.0_wp/stride - 1)*stride/spacing
+      leave(k) = real((mobility - before)/(stride*spacing), pp)
+      enter(k) = real((mobility + after)/(stride*spacing), pp)
+    end do
+  end subroutine couple_row
+
+end module sheared_couplings
