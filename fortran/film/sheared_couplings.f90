@@ -21,7 +21,7 @@ contains
     integer, intent(in) :: stride, start(2), step(2), along(2)
     real(pp), intent(in) :: spacing, compliance
     real(pp), intent(out) :: leave(:), enter(:)
-    real(wp) :: mobility, before, after
+    real(wp) :: mobility, before, after, least
     integer :: k, s, i, j
 
     do k = 1, size(leave)
@@ -37,8 +37,9 @@ contains
       end do
       ! the part by the gradient falls with the spacing, the rest does not
       mobility = mobility*(1.0_wp/stride - 1)*stride/spacing
-      leave(k) = real((mobility - before)/(stride*spacing), pp)
-      enter(k) = real((mobility + after)/(stride*spacing), pp)
+      least = max(0.0_wp, before - mobility, -after - mobility)
+      leave(k) = real((mobility - before + least)/(stride*spacing), pp)
+      enter(k) = real((mobility + after + least)/(stride*spacing), pp)
     end do
   end subroutine couple_row
 
