@@ -64,6 +64,8 @@ class Convergence:
     ----------
     orders : mapping
         Highest credible order of convergence of each figure with the spacing.
+    left : mapping
+        Error of each figure that is extrapolated, over its change between the only two grids.
     window_limits : mapping
         Window error of each figure over its change when the reach of the window (in gap) doubles.
     wider_ratios : mapping
@@ -71,16 +73,17 @@ class Convergence:
     """
 
     orders: Mapping[str, float]
+    left: Mapping[str, float]
     window_limits: Mapping[str, float]
     wider_ratios: Mapping[str, float]
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
     """Absolute relative change of each figure from one reading to another."""
-    return {name: abs(of) for name, of in _changes(before, after).items()}
+    return {name: abs(of) for name, of in changes(before, after).items()}
 
 
-def _changes(before: Reading, after: Reading) -> dict[str, float]:
+def changes(before: Reading, after: Reading) -> dict[str, float]:
     """Change of each figure from one reading to another, relative to the latter."""
     last = before.figures
     return {name: _ratio(value - last[name], abs(value)) for name, value in after.figures.items()}
@@ -109,11 +112,11 @@ def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dic
     """
     if len(readings) == 1:
         return dict.fromkeys(readings[0].figures, np.inf)
-    last = _changes(readings[-2], readings[-1])
+    last = changes(readings[-2], readings[-1])
     if len(readings) == 2:
         films = max(abs(last[name]) for name in FILMS)
         return {name: SAFETY * max(films, abs(of)) for name, of in last.items()}
-    before = _changes(readings[-3], readings[-2])
+    before = changes(readings[-3], readings[-2])
     return {name: _grid_error(before[name], last[name], 2 ** orders[name]) for name in last}
 
 

@@ -10,11 +10,11 @@ from pyworm.solver.contact import ContactSolver
 from pyworm.solver.error_estimate import (
     LEAST_PEAK,
     Reading,
-    grid_errors,
     hot_spike,
     peak_errors,
     unresolved,
 )
+from pyworm.solver.grid_limit import grid_limits
 from pyworm.solver.level import Level
 from pyworm.solver.newton import Settled
 from pyworm.solver.solution import Estimate
@@ -49,7 +49,8 @@ def estimates(
     transient_errors : mapping
         Relative error of each figure by the integration in time; empty for a steady contact.
     """
-    grid = grid_errors(readings or [settled.reading], solver.convergence.orders)
+    limits = grid_limits(readings or [settled.reading], solver.convergence)
+    grid = {name: of.error for name, of in limits.items()}
     grid |= {name: max(grid[name], of) for name, of in peak_errors(settled.reading).items()}
     reasons = {"pressure_max": unresolved(settled.reading)}
     if not film_is_sound(level, settled, plan):
@@ -57,12 +58,13 @@ def estimates(
     modelled = level.model_errors()
     found = {
         name: Estimate(
-            solver.origins.get(name, 0.0) + value,
+            solver.origins.get(name, 0.0) + limits[name].value,
             grid[name],
             window_errors.get(name, np.inf),
             settled.algebra[name],
             modelled.get(name, 0.0) + transient_errors.get(name, 0.0),
             reasons.get(name),
+            on_grid=solver.origins.get(name, 0.0) + value,
         )
         for name, value in settled.reading.figures.items()
     }

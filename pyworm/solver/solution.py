@@ -18,7 +18,8 @@ class Estimate:
     Attributes
     ----------
     value : float
-        The figure in SI units.
+        The figure in SI units, extrapolated to infinitely fine grids where it can be
+        (`pyworm.solver.grid_limit`).
     grid : float
         Discretisation error, from grids of halving spacing [-].
     domain : float
@@ -30,6 +31,8 @@ class Estimate:
         and of all figures of a transient film by the integration in time (`pyworm.solver.transient`) [-].
     reason : str or None
         Reason why this figure alone has an infinite error bar.
+    on_grid : float or None
+        The figure on the finest grid, to which the fields belong; None where it is not known apart.
     """
 
     value: float
@@ -38,6 +41,7 @@ class Estimate:
     algebra: float = 0.0
     model: float = 0.0
     reason: str | None = None
+    on_grid: float | None = None
 
     @property
     def error(self) -> float:
@@ -342,8 +346,10 @@ POWER_UNITS = {"point": "W", "line": "per_length_W_m"}
 
 def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
     """A figure, its error bar, the parts of that and the reason of an infinite one under flat names."""
+    key = f"{name}_{unit}" if unit else name
     return {
-        f"{name}_{unit}" if unit else name: estimate.value,
+        key: estimate.value,
+        **({} if estimate.on_grid is None else {f"{name}_on_grid{key.removeprefix(name)}": estimate.on_grid}),
         f"{name}_error": estimate.error,
         **{
             f"{name}_error_{part}": getattr(estimate, part)

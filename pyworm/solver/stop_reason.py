@@ -55,7 +55,7 @@ def stop_reason(
     figures = settled.reading.figures
     error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
     met = level.film.balance.worst <= plan.tolerance
-    resolved = estimates["film_min"].value > 0
+    resolved = min(settled.reading.film_min, estimates["film_min"].value) > 0
     if met and resolved and error <= plan.accuracy:
         return ACCURATE
     domain = plan.aim.worst({name: of.domain for name, of in estimates.items()}, figures)

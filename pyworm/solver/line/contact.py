@@ -49,10 +49,10 @@ ORDERS = {
 
 # A window's error falls with the square of its reach. In 400 random scenes it was 1.1 to 1.7 times what
 # doubling that changes, and 0.1 to 0.4 of it was left (90 % of them; 1 / (1 - 2^-2) = 1.33 and 0.25).
-CONVERGENCE = Convergence(ORDERS, dict.fromkeys(ORDERS, 1.7), dict.fromkeys(ORDERS, 0.4))
+CONVERGENCE = Convergence(ORDERS, {}, dict.fromkeys(ORDERS, 1.7), dict.fromkeys(ORDERS, 0.4))
 
 # That of a film that warms falls with the reach itself, or up to its power 1.4: 1 / (1 - 2^-1) = 2 and 0.5.
-HEATED_CONVERGENCE = Convergence(ORDERS, dict.fromkeys(ORDERS, 2.0), dict.fromkeys(ORDERS, 0.5))
+HEATED_CONVERGENCE = Convergence(ORDERS, {}, dict.fromkeys(ORDERS, 2.0), dict.fromkeys(ORDERS, 0.5))
 
 
 class LineContactSolver(ContactSolver):
