@@ -31,6 +31,9 @@ FORMULA_MARKERS = "^v<>D"
 
 PARAMETER_STYLES = (("0.35", "--"), ("tab:purple", "--"), ("tab:cyan", "--"))
 
+HOLLOW = {"markersize": 4.5, "fillstyle": "none", "linewidth": 0.8, "zorder": 5}
+"""Style of figures extrapolated from two grids."""
+
 FLOOR = 1e-6
 """Least error shown."""
 
@@ -43,8 +46,9 @@ FOOTER_LETTERS_PER_INCH = 13.5
 def draw_precision(study: Study, heading: str) -> Figure:
     """Errors against seconds, a panel for each figure.
 
-    Solid lines are errors against the reference; the dotted line of each model is its discretisation
-    error, which finer grids remove, and the plateau at its right is the error of the model.
+    Solid lines are errors against the reference, hollow circles those of figures extrapolated from two grids; the
+    dotted line of each model is its discretisation error, which finer grids remove, and the plateau at its right
+    is the error of the model.
     """
     shown = list(study.references)
     rows, columns = (len(shown) + 1) // 2, min(len(shown), 2)
@@ -119,6 +123,13 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
     """One model: its error, the discretisation error, and the plateau."""
     colour = COLOURS[curve.name]
     panel.plot(*zip(*drawn, strict=True), "o-", color=colour, markersize=4.5, zorder=5)
+    limits = [
+        (point.seconds, max(error, FLOOR))
+        for point in curve.points
+        if point.settled and (error := study.limit_error(point, name)) is not None
+    ]
+    if limits:
+        panel.plot(*zip(*limits, strict=True), "o-.", color=colour, **HOLLOW)
     label = curve.name
     if name in curve.limits:
         grid = [
@@ -178,6 +189,10 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
             label="a model on finer grids",
         )
     )
+    if any(point.limits for curve in study.curves for point in curve.points):
+        handles.append(
+            Line2D([], [], color="0.3", marker="o", linestyle="-.", label="extrapolated", **HOLLOW)
+        )
     handles.append(
         Line2D([], [], color="0.3", linestyle=":", label="of it, what finer grids take away")
     )

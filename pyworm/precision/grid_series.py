@@ -7,6 +7,7 @@ from time import process_time
 
 from pyworm.planning.plan import Plan
 from pyworm.precision.models import Fidelity
+from pyworm.solver.grid_limit import second_order_limit
 from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import ALGEBRA_FRACTION, lead, settle
@@ -44,6 +45,9 @@ class Point:
         Whether the equations are met.
     setting : str
         Value of the numerical parameter, where it is not the grid.
+    limits : dict
+        Figures extrapolated from this grid and the one before, as those of a solve are
+        (`pyworm.solver.grid_limit`).
     """
 
     shape: tuple[int, ...]
@@ -52,6 +56,7 @@ class Point:
     figures: dict[str, float] = field(default_factory=dict)
     settled: bool = True
     setting: str = ""
+    limits: dict[str, float] = field(default_factory=dict)
 
     @property
     def nodes(self) -> int:
@@ -112,6 +117,7 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     watch = _Stopwatch()
     solver = SOLVERS[type(fidelity.scene)](fidelity.scene, plan)
     level, _ = solver.begin(plan.wider_grids if wide else plan.grids)
+    before: dict[str, float] = {}
     for number in count():
         error = _wanted(number)
         tolerance = plan.tolerance / plan.accuracy * error
@@ -124,7 +130,13 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
             convolution_seconds(level.film),
             figures,
             level.film.balance.worst <= tolerance and figures["film_min"] > 0,
+            limits={
+                name: second_order_limit(before[name], figures[name])
+                for name in solver.convergence.left
+                if name in before
+            },
         )
+        before = figures
         watch.go()
         level, _ = solver.refined(level)
 

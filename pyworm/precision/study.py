@@ -79,10 +79,17 @@ class Study:
 
     def error(self, point: Point, figure: str) -> float | None:
         """Relative error of a figure; None where the point has none."""
-        if figure not in point.figures:
+        return self._error(point.figures, figure)
+
+    def limit_error(self, point: Point, figure: str) -> float | None:
+        """Relative error of a figure extrapolated from the point and the one before; None where it is not."""
+        return self._error(point.limits, figure)
+
+    def _error(self, figures: dict[str, float], figure: str) -> float | None:
+        if figure not in figures:
             return None
         reference = self.references[figure]
-        return abs(point.figures[figure] - reference.value) / reference.size
+        return abs(figures[figure] - reference.value) / reference.size
 
     def model_error(self, curve: Curve, figure: str) -> float | None:
         """The error of a model on an infinitely fine grid, the plateau of its curve."""

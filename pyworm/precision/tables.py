@@ -69,6 +69,7 @@ def rows(study: Study) -> Iterator[dict[str, Any]]:
             for figure in study.references:
                 row[UNITS[figure]] = point.figures.get(figure)
                 row[f"{figure}_error"] = study.error(point, figure)
+                row[f"{figure}_extrapolated_error"] = study.limit_error(point, figure)
                 row[f"{figure}_grid_error"] = study.grid_error(curve, point, figure)
             yield row
 

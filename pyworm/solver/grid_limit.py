@@ -33,6 +33,11 @@ class GridLimit:
     error: float
 
 
+def second_order_limit(coarse: float, fine: float) -> float:
+    """Limit of a figure from two grids of halving spacing, whose errors are as 4 to 1."""
+    return fine + (fine - coarse) / 3
+
+
 def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[str, GridLimit]:
     """Each figure in the limit of grids of halving spacing, by Richardson's extrapolation.
 
@@ -64,7 +69,7 @@ def _limit(name: str, left: float, readings: Sequence[Reading], plain: GridLimit
     """The limit of one figure; `plain` where its changes do not fall regularly."""
     values = [reading.figures[name] for reading in readings[-3:]]
     change = values[-1] - values[-2]
-    limit = values[-1] + change / 3
+    limit = second_order_limit(*values[-2:])
     if len(values) == 2:
         moved = changes(*readings[-2:])
         own, films = abs(moved[name]), max(abs(moved[film]) for film in FILMS)
@@ -72,6 +77,6 @@ def _limit(name: str, left: float, readings: Sequence[Reading], plain: GridLimit
     before = values[1] - values[0]
     if not REGULAR[0] * abs(change) <= before * np.sign(change) <= REGULAR[1] * abs(change):
         return plain
-    earlier = values[1] + before / 3
+    earlier = second_order_limit(*values[:2])
     error = max(abs(limit - earlier), LEAST_LEFT * abs(change))
     return GridLimit(limit, error / abs(limit) if limit else plain.error)

@@ -186,8 +186,12 @@ def test_grids_of_a_line_come_near_at_second_order_and_cost_more(of_a_line):
     assert 1.7 <= complete.limits["film_central"].order <= 2.3
     seconds = [point.seconds for point in complete.points]
     assert seconds == sorted(seconds)
-    errors = [of_a_line.error(point, "film_central") for point in complete.points[:4]]
-    assert all(2 <= first / second <= 6 for first, second in pairwise(errors))
+    # what is left at the end of the window, 1e-4, hides the grid's error from the fourth grid on
+    errors = [of_a_line.grid_error(complete, point, "film_central") for point in complete.points[:4]]
+    assert all(3 <= first / second <= 5 for first, second in pairwise(errors))
+    left = [of_a_line.limit_error(point, "film_central") for point in complete.points[1:4]]
+    assert all(error < 2e-4 for error in left)
+    assert of_a_line.limit_error(complete.points[0], "film_central") is None
 
 
 def test_formulas_stand_beside_the_models(of_a_line):
@@ -218,8 +222,8 @@ def test_more_accuracy_is_more_work():
 
     grids = [finest(accuracy) for accuracy in (0.1, 0.03, 0.01, 0.003, 0.001)]
     assert all(one < other for one, other in pairwise(grids))
-    # at second order four times the accuracy takes four times the nodes, in the plane
-    assert finest(0.0005) / finest(0.002) == pytest.approx(4.0, rel=0.02)
+    # of second order four times the accuracy takes four times the nodes, in the plane; extrapolated figures take less
+    assert 2.0 < finest(0.0005) / finest(0.002) < 4.0
 
 
 def test_no_work_is_expected_beyond_the_largest_grid():
