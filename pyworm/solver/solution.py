@@ -349,7 +349,11 @@ def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
     key = f"{name}_{unit}" if unit else name
     return {
         key: estimate.value,
-        **({} if estimate.on_grid is None else {f"{name}_on_grid{key.removeprefix(name)}": estimate.on_grid}),
+        **(
+            {}
+            if estimate.on_grid is None
+            else {f"{name}_on_grid{key.removeprefix(name)}": estimate.on_grid}
+        ),
         f"{name}_error": estimate.error,
         **{
             f"{name}_error_{part}": getattr(estimate, part)

@@ -187,7 +187,9 @@ def test_grids_of_a_line_come_near_at_second_order_and_cost_more(of_a_line):
     seconds = [point.seconds for point in complete.points]
     assert seconds == sorted(seconds)
     # what is left at the end of the window, 1e-4, hides the grid's error from the fourth grid on
-    errors = [of_a_line.grid_error(complete, point, "film_central") for point in complete.points[:4]]
+    errors = [
+        of_a_line.grid_error(complete, point, "film_central") for point in complete.points[:4]
+    ]
     assert all(3 <= first / second <= 5 for first, second in pairwise(errors))
     left = [of_a_line.limit_error(point, "film_central") for point in complete.points[1:4]]
     assert all(error < 2e-4 for error in left)

@@ -97,7 +97,7 @@ def test_film_at_two_gigapascal():
 @pytest.mark.parametrize(("m", "lubricant"), [(5, 5), (20, 10), (100, 10), (200, 10), (500, 25)])
 def test_central_film_converges_by_second_order(m, lubricant):
     solutions = on_grids(line(m, lubricant), 7)
-    values = [solution.figures.film_central.value for solution in solutions]
+    values = [solution.figures.film_central.on_grid for solution in solutions]
     assert np.log2((values[-2] - values[-3]) / (values[-1] - values[-2])) == pytest.approx(
         2.0, abs=0.1
     )
@@ -143,11 +143,12 @@ def rigid(stiffening):
 
 @pytest.mark.parametrize("stiffening", [0.0, 0.5, 0.95, 0.99])
 def test_rigid_films_are_exact_to_second_order(stiffening):
-    films = [solution.figures.film_min.value for solution in on_grids(rigid(stiffening), 5)]
-    errors = [abs(film / RIGID_FILM - 1) for film in films]
-    # each halving of the spacing takes off three quarters; where the rupture line falls between nodes wobbles
-    assert np.log2(errors[0] / errors[-1]) / (len(errors) - 1) > 1.6
-    assert errors[-1] < 1e-4
+    films = [solution.figures.film_min for solution in on_grids(rigid(stiffening), 5)]
+    errors = [abs(film.on_grid / RIGID_FILM - 1) for film in films]
+    # each halving of the spacing takes off three quarters, until the place of the rupture between nodes
+    # matters, which moves the film by 5e-5
+    assert np.log2(errors[0] / errors[2]) / 2 > 1.6
+    assert max(errors[3:]) < 6e-5
 
 
 def test_rigid_isoviscous_film():
