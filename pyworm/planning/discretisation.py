@@ -9,9 +9,10 @@ from pyworm.planning.expected_work import (
     Work,
     expected_work,
     first_change,
+    first_refinement,
     stiffness,
 )
-from pyworm.planning.grid import Box, Grid, nest
+from pyworm.planning.grid import Grid, nest
 from pyworm.planning.line_grid import LineGrid, first_grids
 from pyworm.planning.model import Model
 from pyworm.planning.window import FAR, grown, near_reach, windows
@@ -67,19 +68,15 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     near = near_reach(size)
     inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
     wider = grown(scene, inner, wider)
-    grids = _grids(scene, size, inner, outer)[nested]
-    wider_grids = _grids(scene, size, wider, *far)[nested]
-    half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    spacing = _first_spacing(scene, size)
     change = AUXILIARY_CHANGE
     if drawn is scene:
-        change = first_change(
-            grids[-1].spacing,
-            half_widths,
-            scene.radii,
-            size.film,
-            size.groups.moes_l,
-            _slenderness(size),
-        )
+        change = _first_change(scene, size, spacing)
+        finer = first_refinement(change, accuracy)
+        spacing = spacing[0] * finer, spacing[1] * finer
+        change = _first_change(scene, size, spacing)
+    grids = nest(inner, outer, *spacing)[nested]
+    wider_grids = nest(wider, *far, *spacing)[nested]
     work = expected_work(
         "point",
         _nodes(grids, wider_grids),
@@ -161,8 +158,20 @@ PLANS = {Scene: _plan_point, LineScene: _plan_line}
 """Planner of each kind of contact, by its scene."""
 
 
-def _grids(scene: Scene, size: Scales, inner: Box, outer: Box) -> tuple[Grid, ...]:
-    """Grids from the outer window down to the first one of the figures, in the inner."""
+def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> float:
+    """Expected relative change of the films from a grid of this spacing to the next."""
+    return first_change(
+        spacing,
+        (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
+        scene.radii,
+        size.film,
+        size.groups.moes_l,
+        _slenderness(size),
+    )
+
+
+def _first_spacing(scene: Scene, size: Scales) -> tuple[float, float]:
+    """Spacing of the first grid of the figures along each direction, unless accuracy asks for less [m]."""
     lengths = [
         sqrt(semi_axis**2 + 2 * radius * size.film)
         for semi_axis, radius in zip(
@@ -171,4 +180,4 @@ def _grids(scene: Scene, size: Scales, inner: Box, outer: Box) -> tuple[Grid, ..
     ]
     short = min(lengths)
     dx, dy = (min(length, LARGEST_STRETCH * short) / COARSE_CELLS for length in lengths)
-    return nest(inner, outer, dx, dy)
+    return dx, dy

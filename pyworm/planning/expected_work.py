@@ -20,9 +20,9 @@ CHANGE, SHARPNESS_POWER, LUBRICANT_POWER, LOBES_POWER = 1.0, 2.7, 0.6, 0.16
 
 Here s is the spacing, d = b (h R/b^2)^(2/3) the length over which the gap beside a contact of half-width b
 rises by a film h, whichever direction gives more, and k the length of a contact along the entrainment over
-its width, or 1 if that is less: slender contacts entrained along have thin side lobes. Powers are a
-fit to 56 contacts, M 4 to 1000 and L 1 to 20, with a scheme of 2.7 times the error, the factor is the median of 45
-random scenes, M 4 to 700; they scatter by 1.7."""
+its width, or 1 if that is less: slender contacts entrained along have thin side lobes. Powers are a fit to
+56 contacts, M 4 to 1000 and L 1 to 20, with a scheme of 2.7 times the error, the factor is the median of
+45 random scenes, M 4 to 700; they scatter by 1.7."""
 
 LEAST_CHANGE, AUXILIARY_CHANGE = 2e-3, 0.1
 """The least expected change, and that of a film carried by heat alone, which no formula predicts."""
@@ -33,10 +33,16 @@ HALVINGS = (1.0, 1.5, 2.5, 3.5, 4.5, 6.5)
 
 There is at least one halving; beyond the last each reduces the error to a quarter.
 
-The error bar on the second grid is half the change, on each further an eighth to a quarter of the one before
-(`solver.grid_limit`); a part is reserved for window and algebra. Medians of the 45 scenes at accuracies of 0.05 to
-5 %."""
+The error bar on the second grid is half the change, on each further an eighth to a quarter of the one
+before (`solver.grid_limit`); a part is reserved for window and algebra. Medians of the 45 scenes at
+accuracies of 0.05 to 5 %."""
 
+
+SUFFICIENT = (1.5, 6.0, 50.0)
+"""Expected change over the accuracy up to which one, two and three halvings most probably suffice."""
+
+MOST_BEYOND = 2.5
+"""Factor beyond these ratios up to which a finer first grid is cheaper than one more halving."""
 
 WORTHLESS = 0.1
 """Relative error of the films beyond which figures are worthless, whatever accuracy was asked for."""
@@ -172,6 +178,19 @@ def first_change(
     lobes = max(slenderness, 1.0) ** LOBES_POWER
     change = CHANGE * sharpness**SHARPNESS_POWER * lubricant**LUBRICANT_POWER * lobes
     return max(LEAST_CHANGE, change)
+
+
+def first_refinement(change: float, accuracy: float) -> float:
+    """Factor of the first grid's spacing, 1 at most, by which the last one most probably just suffices.
+
+    Where the films' expected change is a little too large for a number of halvings, a somewhat finer first
+    grid saves the last of them, which has four times the nodes.
+    """
+    ratio = change / accuracy
+    for enough in SUFFICIENT:
+        if ratio <= enough * MOST_BEYOND:
+            return float(min(1.0, (enough / ratio) ** (1 / SHARPNESS_POWER)))
+    return 1.0
 
 
 def stiffness(heated: bool, moes_l: float) -> float:

@@ -46,9 +46,9 @@ FOOTER_LETTERS_PER_INCH = 13.5
 def draw_precision(study: Study, heading: str) -> Figure:
     """Errors against seconds, a panel for each figure.
 
-    Solid lines are errors against the reference, hollow circles those of figures extrapolated from two grids; the
-    dotted line of each model is its discretisation error, which finer grids remove, and the plateau at its right
-    is the error of the model.
+    Solid lines are errors against the reference, hollow circles those of figures extrapolated from two grids;
+    the dotted line of each model is its discretisation error, which finer grids remove, and the plateau at
+    its right is the error of the model.
     """
     shown = list(study.references)
     rows, columns = (len(shown) + 1) // 2, min(len(shown), 2)

@@ -1,6 +1,6 @@
 """Figures in the limit of infinitely fine grids, and their discretisation errors."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,8 @@ from pyworm.solver.error_estimate import Convergence, Reading, changes, grid_err
 
 REGULAR = (3.0, 8.0)
 """Falls of a figure's change from grid to grid at which its convergence is believed to be of second order, a
-fall by 4: of 118 central films 116 fell by 3 to 5; minimum films fall by up to 8 while their place settles."""
+fall by 4: of 118 central films 116 fell by 3 to 5; minimum films fall by up to 8 while their place
+settles."""
 
 LEAST_LEFT = 0.05
 """Least error of an extrapolated figure over its last change: two extrapolated values may be equal by

@@ -47,9 +47,9 @@ ORDERS = {
     **dict.fromkeys(HEAT_FIGURES, 1.25),
 }
 
-# Error of figures extrapolated from two grids, over the larger of their own change and the films'. Central films are
-# of second order from the first grids on, but for light loads and thick oils (M 1.4, L 19), whose spike lies at the
-# centre: 0.54. Behind a spike films and temperatures are not regular.
+# Error of figures extrapolated from two grids, over the larger of their own change and the films'. Central
+# films are of second order from the first grids on, but for light loads and thick oils (M 1.4, L 19), whose
+# spike lies at the centre: 0.54. Behind a spike films and temperatures are not regular.
 LEFT = dict.fromkeys(("film_central", "friction_coefficient", "power_loss"), 0.6)
 
 # A window's error falls with the square of its reach. In 400 random scenes it was 1.1 to 1.7 times what

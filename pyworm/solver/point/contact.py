@@ -37,19 +37,20 @@ ALL = (*FIGURES, *SHEAR_FIGURES, *HEAT_FIGURES)
 
 ORDERS = dict.fromkeys(ALL, 2.0)
 
-# Errors of figures extrapolated from two grids, over the larger of their own change and the films': on 71 pairs of
-# grids of 53 random scenes at most 0.29 for the minimum film, 0.05 for the central one with two exceptions of 0.2,
-# 0.27 for friction, 0.37 for the loss and 0.38 for temperatures, 95 of 100 below 0.25. A minimum film may move to and
-# fro, as those of contacts entrained obliquely do. Spikes of the pressure and the shear rate promise no limit.
+# Errors of figures extrapolated from two grids, over the larger of their own change and the films': on 71
+# pairs of grids of 53 random scenes at most 0.29 for the minimum film, 0.05 for the central one with two
+# exceptions of 0.2, 0.27 for friction, 0.37 for the loss and 0.38 for temperatures, 95 of 100 below 0.25. A
+# minimum film may move to and fro, as those of contacts entrained obliquely do. Spikes of the pressure and
+# the shear rate promise no limit.
 LEFT = {
-    "film_min": 0.5,
+    "film_min": 1 / 3,
     **dict.fromkeys(("film_central", "friction_coefficient", "power_loss", *HEAT_FIGURES), 0.25),
 }
 
 # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
-# measured against a reach 15 times larger, under light loads (M 0.5 to 2) up to 2.1; 2^-1.5 is left when the reach is doubled. Oil warms long before
-# the contact: of the temperatures' error 0.45 to 0.6 were left then (against a reach 8 times larger), most
-# where they rise by little.
+# measured against a reach 15 times larger, under light loads (M 0.5 to 2) up to 2.1; 2^-1.5 is left when the
+# reach is doubled. Oil warms long before the contact: of the temperatures' error 0.45 to 0.6 were left then
+# (against a reach 8 times larger), most where they rise by little.
 CONVERGENCE = Convergence(
     ORDERS,
     LEFT,

@@ -224,7 +224,7 @@ def test_more_accuracy_is_more_work():
 
     grids = [finest(accuracy) for accuracy in (0.1, 0.03, 0.01, 0.003, 0.001)]
     assert all(one < other for one, other in pairwise(grids))
-    # of second order four times the accuracy takes four times the nodes, in the plane; extrapolated figures take less
+    # at second order four times the accuracy takes four times the nodes, of extrapolated figures fewer
     assert 2.0 < finest(0.0005) / finest(0.002) < 4.0
 
 
