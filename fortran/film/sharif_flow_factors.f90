@@ -24,16 +24,18 @@ contains
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip
     real(wp), contiguous, intent(out) :: cosine(:), sine(:), factor_s(:), factor_r(:), lag_s(:), lag_r(:)
-    real(wp) :: stress(2), drop(2)
+    real(wp), dimension(strip%points) :: stress_s, stress_r, drop_s, drop_r
     integer :: i
 
     do i = 1, strip%points
       call unit_vector(strip%us(i), strip%vs(i), strip%px(i), strip%py(i), cosine(i), sine(i))
-      stress = [cosine(i)*strip%tau_x(i) + sine(i)*strip%tau_y(i), cosine(i)*strip%tau_y(i) - sine(i)*strip%tau_x(i)]
-      drop = [cosine(i)*strip%px(i) + sine(i)*strip%py(i), cosine(i)*strip%py(i) - sine(i)*strip%px(i)]*strip%film(i)
-      call flow_factor(law, levels, strip, i, stress(1), drop(1), stress(2), drop(2), factor_s(i), lag_s(i))
-      call flow_factor(law, levels, strip, i, stress(2), drop(2), stress(1), drop(1), factor_r(i), lag_r(i))
+      stress_s(i) = cosine(i)*strip%tau_x(i) + sine(i)*strip%tau_y(i)
+      stress_r(i) = cosine(i)*strip%tau_y(i) - sine(i)*strip%tau_x(i)
+      drop_s(i) = (cosine(i)*strip%px(i) + sine(i)*strip%py(i))*strip%film(i)
+      drop_r(i) = (cosine(i)*strip%py(i) - sine(i)*strip%px(i))*strip%film(i)
     end do
+    call flow_factor(law, levels, strip, strip%points, stress_s, drop_s, stress_r, drop_r, factor_s, lag_s)
+    call flow_factor(law, levels, strip, strip%points, stress_r, drop_r, stress_s, drop_s, factor_r, lag_r)
   end subroutine flow_factors
 
   !> Direction of the first of two vectors that is not zero, or x.
@@ -52,32 +54,47 @@ contains
     end if
   end subroutine unit_vector
 
-  !> Flow factor and lag of point i along the direction of `stress` and of the `drop` h dp [Pa] of stress
+  !> Flow factors and lags of `m` points along the direction of `stress` and of the `drop` h dp [Pa] of stress
   !> across the film; `stress_across` and `drop_across` are those in the other direction.
-  pure subroutine flow_factor(law, levels, strip, i, stress, drop, stress_across, drop_across, factor, lag)
+  pure subroutine flow_factor(law, levels, strip, m, stress, drop, stress_across, drop_across, factor, lag)
     type(flow_law), intent(in) :: law
     type(levels_across), intent(in) :: levels
     type(shear_strip), intent(in) :: strip
-    integer, intent(in) :: i
-    real(wp), intent(in) :: stress, drop, stress_across, drop_across
-    real(wp), intent(out) :: factor, lag
+    integer, intent(in) :: m
+    real(wp), intent(in) :: stress(m), drop(m), stress_across(m), drop_across(m)
+    real(wp), intent(out) :: factor(m), lag(m)
     !> Least drop, over the stress halfway, that a difference resolves; below it the factor at that drop is
     !> taken.
     real(wp), parameter :: least_drop = 1e-4_wp
-    real(wp) :: across(levels%count), with(levels%count), without(levels%count), weight(levels%count), resolved
-    real(wp), dimension(levels%count) :: per_reference, per_limit, g, g_without, slope
+    real(wp), dimension(m) :: resolved, per_reference, per_limit, with, square, square_without, g, g_without, slope
+    real(wp) :: across, weight
+    integer :: i, k
 
-    per_reference = 1/strip%reference(i)**2
-    per_limit = 1/strip%limit(i)**2
-    resolved = sign(max(abs(drop), least_drop*hypot(stress, stress_across), sqrt(tiny(drop))), drop)
-    across = (stress_across + levels%z*drop_across)**2
-    with = stress + levels%z*resolved
-    without = stress
-    call thinning(law, levels%count, with**2 + across, per_reference, per_limit, g, slope)
-    call thinning(law, levels%count, without**2 + across, per_reference, per_limit, g_without, slope)
-    weight = levels%weight*levels%z*strip%film(i)*strip%fluidity(i, :)
-    lag = sum(weight*g_without*without)
-    factor = sum(weight*(g*with - g_without*without))*strip%film(i)**2/resolved
+    do i = 1, m
+      per_reference(i) = 1/strip%reference(i)**2
+      per_limit(i) = 1/strip%limit(i)**2
+      resolved(i) = sign(max(abs(drop(i)), least_drop*sqrt(stress(i)**2 + stress_across(i)**2), sqrt(tiny(drop))), drop(i))
+    end do
+    factor = 0
+    lag = 0
+    do k = 1, levels%count
+      do i = 1, m
+        with(i) = stress(i) + levels%z(k)*resolved(i)
+        across = (stress_across(i) + levels%z(k)*drop_across(i))**2
+        square(i) = with(i)**2 + across
+        square_without(i) = stress(i)**2 + across
+      end do
+      call thinning(law, m, square, per_reference, per_limit, g, slope)
+      call thinning(law, m, square_without, per_reference, per_limit, g_without, slope)
+      do i = 1, m
+        weight = levels%weight(k)*levels%z(k)*strip%film(i)*strip%fluidity(i, k)
+        lag(i) = lag(i) + weight*g_without(i)*stress(i)
+        factor(i) = factor(i) + weight*(g(i)*with(i) - g_without(i)*stress(i))
+      end do
+    end do
+    do i = 1, m
+      factor(i) = factor(i)*strip%film(i)**2/resolved(i)
+    end do
   end subroutine flow_factor
 
 end module sharif_flow_factors
