@@ -132,19 +132,26 @@ class Level(ABC):
         """Relative error of figures by the models of the bodies' conduction."""
 
     def read(self) -> Reading:
-        """Read the film's figures in its present state."""
+        """Read the film's figures in its present state, without their `peaks`, which few readings need."""
         film, pressure = self.film.thickness(), self.film.pressure
         film_min, at = figures.film_minimum(self.grid, film, pressure > 0, self.covered)
         pressure_max = figures.maximum(pressure, self.covered)
-        temperatures, peaks = self._temperatures()
         return Reading(
             film_min,
             figures.value_at_origin(self.grid, film),
             pressure_max,
             at,
-            {"pressure_max": figures.peak(pressure, self.covered, pressure_max)} | peaks,
-            self._shear_figures() | temperatures,
+            {},
+            self._shear_figures() | self._temperatures(),
         )
+
+    def peaks(self, reading: Reading) -> dict[str, Peak]:
+        """Resolution, on the grid, of the largest values that were read in the film's present state."""
+        fields = {"pressure_max": (self.film.pressure, self.covered)} | self._temperature_fields()
+        return {
+            name: figures.peak(field, counted, reading.figures[name])
+            for name, (field, counted) in fields.items()
+        }
 
     def contact(self) -> Array:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
@@ -192,17 +199,22 @@ class Level(ABC):
             "shear_rate_max": float(shear.rate[within].max()),
         }
 
-    def _temperatures(self) -> tuple[dict[str, float], dict[str, Peak]]:
-        """Largest temperatures above the inlet's [K], and their resolution on the grid."""
+    def _temperature_fields(self) -> dict[str, tuple[Array, Array | bool]]:
+        """Temperatures above the inlet's [K] whose largest values are figures, and where they count."""
         if not self.film.heated:
-            return {}, {}
-        rise, contact = self.film.rise(), self.contact()
-        of = dict(zip(HEAT_FIGURES, (rise[..., 0], rise[..., -1], rise.max(axis=-1)), strict=True))
-        counted = dict(zip(HEAT_FIGURES, (True, True, contact), strict=True))
-        largest = {name: figures.maximum(field, counted[name]) for name, field in of.items()}
-        largest["temperature_max_film"] = figures.maximum_across(
-            rise, kernel.level_positions(self.film.levels), contact, of["temperature_max_film"]
+            return {}
+        rise = self.film.rise()
+        fields = rise[..., 0], rise[..., -1], rise.max(axis=-1)
+        return dict(
+            zip(HEAT_FIGURES, zip(fields, (True, True, self.contact()), strict=True), strict=True)
         )
-        return largest, {
-            name: figures.peak(field, counted[name], largest[name]) for name, field in of.items()
-        }
+
+    def _temperatures(self) -> dict[str, float]:
+        """Largest temperatures above the inlet's [K]."""
+        if not self.film.heated:
+            return {}
+        *surfaces, (highest, contact) = self._temperature_fields().values()
+        largest = [figures.maximum(field, counted) for field, counted in surfaces]
+        positions = kernel.level_positions(self.film.levels)
+        across = figures.maximum_across(self.film.rise(), positions, contact, highest)
+        return dict(zip(HEAT_FIGURES, (*largest, across), strict=True))

@@ -1,6 +1,6 @@
 """Newton steps on one grid until its equations are met and its figures are settled."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -135,7 +135,7 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
         changes.append(change(last, reading))
         if len(changes) > 1:
             algebra = algebra_errors(*changes[-2:])
-    return Settled(tuple(steps), reading, algebra)
+    return Settled(tuple(steps), replace(reading, peaks=level.peaks(reading)), algebra)
 
 
 def _most_steps(level: Level, tolerance: float) -> int:
