@@ -46,7 +46,7 @@ module sheared_reynolds
     real(wp), allocatable :: sliding_x(:, :), sliding_y(:, :)
     !> Temperature at the levels less that of the inlet [K], third index.
     real(wp), allocatable :: rise(:, :, :)
-    !> Fluidity 1/eta at the levels [1/(Pa s)] and its derivative by pressure.
+    !> Fluidity 1/eta at the levels [1/(Pa s)] and its logarithmic derivative by pressure [1/Pa].
     real(wp), allocatable :: fluidity(:, :, :), fluidity_p(:, :, :)
     !> Stress at which the law departs from Newton's and limiting stress [Pa], and their derivatives by pressure.
     real(wp), allocatable :: onset(:, :), onset_p(:, :), limit(:, :), limit_p(:, :)
@@ -145,7 +145,7 @@ contains
       do k = 1, nodes%levels%count
         mean = mean + nodes%levels%weight(k)*rise(:, k)
         nodes%fluidity(first:last, j, k) = fluidity(:, k)
-        nodes%fluidity_p(first:last, j, k) = fluidity(:, k)*by_pressure(:, k)
+        nodes%fluidity_p(first:last, j, k) = by_pressure(:, k)
       end do
       call hot_density(oil, p, mean, fields%rho(first:last, j), fields%rho_p(first:last, j))
       call stress_scales(nodes%law, p, mean, nodes%onset(first:last, j), nodes%onset_p(first:last, j), &
@@ -210,12 +210,12 @@ contains
     real(wp), intent(in) :: per_length, normal(strip), aside(strip)
     type(shear_strip), intent(inout) :: work
     type(face_flow), intent(inout) :: faces
-    real(wp), dimension(strip) :: h1, h2, mass1, mass2, weight, rho, by_weight, by_fluidity1, by_fluidity2, by_p1, by_p2, &
-      by_h
+    real(wp), dimension(strip) :: h1, h2, mass1, mass2, weight, rho, by_weight, by_fluidity1, by_fluidity2
     !> Geometric means of the nodes' fluidities at the levels, and their weight from those of the nodes.
     real(wp) :: geometric(strip, nodes%levels%count), by_geometric(strip)
     real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
-    integer :: m, k, failures
+    real(wp) :: per_cube, by_p1, by_p2, by_h
+    integer :: m, k, c, i, failures
 
     m = last - first + 1
     work%points = m
@@ -279,29 +279,31 @@ contains
         by_weight(:m) = by_weight(:m) + f_x(:m, k)*(arithmetic_share*(f1(:, k) - f2(:, k))*by_geometric(:m)**2 &
           + (1 - 2*weight(:m))*geometric(:m, k))
         by_fluidity1(:m) = by_fluidity1(:m) + f_x(:m, k)*nodes%fluidity_p(first:last, j, k) &
-          *(arithmetic_share*weight(:m) + geometric(:m, k)/f1(:, k))
+          *(arithmetic_share*weight(:m)*f1(:, k) + geometric(:m, k))
         by_fluidity2(:m) = by_fluidity2(:m) + f_x(:m, k)*nodes%fluidity_p(first + di:last + di, j + dj, k) &
-          *(arithmetic_share*(1 - weight(:m)) + geometric(:m, k)/f2(:, k))
+          *(arithmetic_share*(1 - weight(:m))*f2(:, k) + geometric(:m, k))
       end do
-      by_weight(:m) = rho(:m)*by_weight(:m)
 
       ! density, weights and fluidities depend on the pressure of each node, the stresses of the flow law on both
-      by_p1(:m) = s_x(:m)*rho1_p*h1(:m)**3/(2*h**3) + by_weight(:m)*rho1_p/rho1 + rho(:m)*(by_fluidity1(:m) &
-        + (onset_x(:m)*nodes%onset_p(first:last, j) + limit_x(:m)*nodes%limit_p(first:last, j))/2)
-      by_p2(:m) = s_x(:m)*rho2_p*h2(:m)**3/(2*h**3) - by_weight(:m)*rho2_p/rho2 + rho(:m)*(by_fluidity2(:m) &
-        + (onset_x(:m)*nodes%onset_p(first + di:last + di, j + dj) &
-        + limit_x(:m)*nodes%limit_p(first + di:last + di, j + dj))/2)
-      by_h(:m) = rho(:m)*(h_x(:m) - 3*s_x(:m)/h)/2
-
-      faces%flow(first:last, j) = rho(:m)*s_x(:m)
-      faces%mobility(first:last, j) = rho(:m)*m_xx(:m)
-      faces%before(first:last, j) = by_p1(:m) - rho(:m)*m_xx(:m)*per_length
-      faces%after(first:last, j) = by_p2(:m) + rho(:m)*m_xx(:m)*per_length
-      faces%aside(first:last, j) = rho(:m)*m_xy(:m)
-      faces%film_before(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho1*h1(:m)**2/(2*h**3) + by_weight(:m)/h1(:m)), &
-        0.0_wp, fields%h(first:last, j) > floor)
-      faces%film_after(first:last, j) = merge(by_h(:m) + 3*(s_x(:m)*rho2*h2(:m)**2/(2*h**3) - by_weight(:m)/h2(:m)), &
-        0.0_wp, fields%h(first + di:last + di, j + dj) > floor)
+      do c = 1, m
+        i = first + c - 1
+        per_cube = 1/(2*h(c)**3)
+        by_weight(c) = rho(c)*by_weight(c)
+        by_p1 = rho1_p(c)*(s_x(c)*h1(c)**3*per_cube + by_weight(c)/rho1(c)) + rho(c)*(by_fluidity1(c) &
+          + (onset_x(c)*nodes%onset_p(i, j) + limit_x(c)*nodes%limit_p(i, j))/2)
+        by_p2 = rho2_p(c)*(s_x(c)*h2(c)**3*per_cube - by_weight(c)/rho2(c)) + rho(c)*(by_fluidity2(c) &
+          + (onset_x(c)*nodes%onset_p(i + di, j + dj) + limit_x(c)*nodes%limit_p(i + di, j + dj))/2)
+        by_h = rho(c)*(h_x(c) - 3*s_x(c)/h(c))/2
+        faces%flow(i, j) = rho(c)*s_x(c)
+        faces%mobility(i, j) = rho(c)*m_xx(c)
+        faces%before(i, j) = by_p1 - rho(c)*m_xx(c)*per_length
+        faces%after(i, j) = by_p2 + rho(c)*m_xx(c)*per_length
+        faces%aside(i, j) = rho(c)*m_xy(c)
+        faces%film_before(i, j) = (by_h + 3*(s_x(c)*rho1(c)*h1(c)**2*per_cube + by_weight(c)/h1(c))) &
+          *merge(1.0_wp, 0.0_wp, fields%h(i, j) > floor)
+        faces%film_after(i, j) = (by_h + 3*(s_x(c)*rho2(c)*h2(c)**2*per_cube - by_weight(c)/h2(c))) &
+          *merge(1.0_wp, 0.0_wp, fields%h(i + di, j + dj) > floor)
+      end do
     end associate
   end subroutine flow_through
 
