@@ -16,7 +16,7 @@ missing() {
     command -v gfortran >/dev/null || echo gfortran
     echo '#include <stdio.h>' | cc -E - >/dev/null 2>&1 || echo gcc libc6-dev
     if command -v pkg-config >/dev/null; then
-        pkg-config --exists 'fftw3 >= 3.3' || echo libfftw3-dev
+        pkg-config --exists 'fftw3 >= 3.3' 'fftw3f >= 3.3' || echo libfftw3-dev
         pkg-config --exists openblas || echo libopenblas-dev
     else
         echo pkg-config libfftw3-dev libopenblas-dev

@@ -9,7 +9,7 @@ module half_plane
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
   use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_1d, fftw_plan_dft_c2r_1d, fftw_plan_r2r_1d, &
     fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_REDFT00
-  use half_space, only: padded_size
+  use padded_transform, only: padded_size
   use kinds, only: wp
   use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)
@@ -50,7 +50,7 @@ contains
     if (n < 5 .or. .not. (dx > 0 .and. reduced_modulus > 0)) return
     self%n = n
     self%dx = dx
-    self%padded = padded_size(n)
+    self%padded = padded_size(2*(n - 1))
     half = self%padded/2
     stat = status_no_memory
     self%memory = fftw_alloc_complex(int(half + 1, c_size_t))

@@ -14,16 +14,14 @@ module half_space
     fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, FFTW_BACKWARD, FFTW_REDFT00
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use kinds, only: wp
+  use padded_transform, only: padded_size, block_columns
   use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)
   private
 
-  public :: elastic_half_space, new_half_space, padded_size
+  public :: elastic_half_space, new_half_space
 
   real(wp), parameter :: pi = acos(-1.0_wp)
-  !> Columns transformed together: enough to fill cache lines, few enough to stay in the first cache.
-  integer, parameter :: block_columns = 8
-
   type :: elastic_half_space
     !> Points and spacing [m] of the grid.
     integer :: nx = 0, ny = 0
@@ -63,8 +61,8 @@ contains
     self%ny = ny
     self%dx = dx
     self%dy = dy
-    self%mx = padded_size(nx)
-    self%my = padded_size(ny)
+    self%mx = padded_size(2*(nx - 1))
+    self%my = padded_size(2*(ny - 1))
 
     stat = status_no_memory
     self%spectra_memory = fftw_alloc_complex(int(self%mx/2 + 1, c_size_t)*ny)
@@ -80,24 +78,6 @@ contains
     call plan_transforms(self, stat)
     if (stat == status_ok) call transform_kernel(self, reduced_modulus, stat)
   end subroutine new_half_space
-
-  !> Smallest even, 7-smooth size that holds the even kernel of n points, at least 2 (n - 1).
-  pure integer function padded_size(n)
-    integer, intent(in) :: n
-    integer :: rest, factor
-
-    padded_size = 2*(n - 1)
-    do
-      rest = padded_size
-      do factor = 2, 7
-        do while (mod(rest, factor) == 0)
-          rest = rest/factor
-        end do
-      end do
-      if (rest == 1) return
-      padded_size = padded_size + 2
-    end do
-  end function padded_size
 
   subroutine plan_transforms(self, stat)
     type(elastic_half_space), intent(inout) :: self

@@ -7,7 +7,7 @@ module periodic_stiffness
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
   use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, &
     fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_destroy_plan, FFTW_ESTIMATE
-  use half_space, only: padded_size
+  use padded_transform, only: padded_size
   use kinds, only: wp
   use status, only: status_ok, status_no_plan, status_no_memory
   implicit none(type, external)
@@ -44,8 +44,8 @@ contains
 
     self%nx = nx
     self%ny = ny
-    self%mx = padded_size((nx + 1)/2 + 1)
-    self%my = padded_size((ny + 1)/2 + 1)
+    self%mx = padded_size(2*((nx + 1)/2))
+    self%my = padded_size(2*((ny + 1)/2))
     stat = status_no_memory
     self%memory = fftw_alloc_complex(int(self%mx/2 + 1, c_size_t)*self%my)
     if (.not. c_associated(self%memory)) return

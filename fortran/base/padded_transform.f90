@@ -1,0 +1,195 @@
+!> Fourier transforms of a padded field in single precision, for convolutions whose rounding, 1e-7 of the largest value,
+!> does not matter: products in GMRES, and temperatures of surfaces. They take half to three quarters of the time of double
+!> precision (docs/evidence/speed.md).
+!>
+!> The two-dimensional transform is done by hand, rows first and then blocks of columns that stay in cache through forward
+!> transform, the caller's product with the transform of the kernel, and backward transform. Rows of padding are never
+!> transformed.
+module padded_transform
+  use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, c_float_complex
+  use fftw, only: fftwf_alloc_complex, fftwf_free, fftwf_plan_many_dft, fftwf_plan_many_dft_r2c, fftwf_plan_many_dft_c2r, &
+    fftwf_execute_dft, fftwf_execute_dft_r2c, fftwf_execute_dft_c2r, fftwf_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, &
+    FFTW_BACKWARD
+  use kinds, only: pp, wp
+  use omp_lib, only: omp_get_max_threads
+  use status, only: status_ok, status_no_plan, status_no_memory
+  implicit none(type, external)
+  private
+
+  public :: field_transform, new_field_transform, padded_size, block_columns
+  public :: transform_row, transform_rows, transform_rows_back, transform_block, transform_columns, transform_columns_back
+
+  !> Columns transformed together: enough to fill cache lines, few enough to stay in the first cache.
+  integer, parameter :: block_columns = 8
+
+  type :: field_transform
+    !> Points of the grid, and of the padded one.
+    integer :: nx = 0, ny = 0, mx = 0, my = 0
+    !> Half spectra of the rows, of which the first mx/2+1 numbers are used, and the same memory as reals, for each of ny rows.
+    complex(c_float_complex), pointer, contiguous :: spectra(:, :) => null()
+    real(pp), pointer, contiguous :: rows(:, :) => null()
+    !> One block of columns for each thread, (my, block_columns, threads).
+    complex(c_float_complex), pointer, contiguous :: columns(:, :, :) => null()
+    type(c_ptr) :: rows_forward = c_null_ptr, rows_backward = c_null_ptr
+    type(c_ptr) :: columns_forward = c_null_ptr, columns_backward = c_null_ptr
+    type(c_ptr) :: spectra_memory = c_null_ptr, columns_memory = c_null_ptr
+  contains
+    final :: release
+  end type field_transform
+
+contains
+
+  !> Smallest padded size of at least `least` points that FFTW is fast on: a power of two, or 3 or 5 times one. Other sizes
+  !> take so much longer for each point that the next such one is faster (docs/evidence/speed.md).
+  pure integer function padded_size(least)
+    integer, intent(in) :: least
+    integer :: odd, size_of_odd
+
+    padded_size = huge(padded_size)
+    do odd = 1, 5, 2
+      size_of_odd = 2*odd
+      do while (size_of_odd < least)
+        size_of_odd = 2*size_of_odd
+      end do
+      padded_size = min(padded_size, size_of_odd)
+    end do
+  end function padded_size
+
+  !> Transforms of fields of nx by ny points padded to mx by my, both even.
+  subroutine new_field_transform(self, nx, ny, mx, my, stat)
+    type(field_transform), intent(inout) :: self
+    integer, intent(in) :: nx, ny, mx, my
+    integer, intent(out) :: stat
+    integer :: held, threads
+
+    self%nx = nx
+    self%ny = ny
+    self%mx = mx
+    self%my = my
+    ! every row is aligned as FFTW's vector instructions want it
+    held = 2*(mx/4 + 1)
+    threads = omp_get_max_threads()
+    stat = status_no_memory
+    self%spectra_memory = fftwf_alloc_complex(int(held, c_size_t)*ny)
+    self%columns_memory = fftwf_alloc_complex(int(my, c_size_t)*block_columns*threads)
+    if (.not. (c_associated(self%spectra_memory) .and. c_associated(self%columns_memory))) return
+    call c_f_pointer(self%spectra_memory, self%spectra, [held, ny])
+    call c_f_pointer(self%spectra_memory, self%rows, [2*held, ny])
+    call c_f_pointer(self%columns_memory, self%columns, [my, block_columns, threads])
+    call plan_transforms(self, held, stat)
+  end subroutine new_field_transform
+
+  subroutine plan_transforms(self, held, stat)
+    type(field_transform), intent(inout) :: self
+    integer, intent(in) :: held
+    integer, intent(out) :: stat
+    integer(c_int) :: length_x(1), length_y(1)
+
+    length_x = self%mx
+    length_y = self%my
+    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
+    !$omp critical (fftw_planner)
+    self%rows_forward = fftwf_plan_many_dft_r2c(1, length_x, 1, self%rows, [2*held], 1, 2*held, self%spectra, [held], 1, held, &
+      FFTW_ESTIMATE)
+    self%rows_backward = fftwf_plan_many_dft_c2r(1, length_x, 1, self%spectra, [held], 1, held, self%rows, [2*held], 1, 2*held, &
+      FFTW_ESTIMATE)
+    self%columns_forward = fftwf_plan_many_dft(1, length_y, block_columns, self%columns, length_y, 1, self%my, self%columns, &
+      length_y, 1, self%my, FFTW_FORWARD, FFTW_ESTIMATE)
+    self%columns_backward = fftwf_plan_many_dft(1, length_y, block_columns, self%columns, length_y, 1, self%my, self%columns, &
+      length_y, 1, self%my, FFTW_BACKWARD, FFTW_ESTIMATE)
+    !$omp end critical (fftw_planner)
+    stat = merge(status_ok, status_no_plan, &
+      c_associated(self%rows_forward) .and. c_associated(self%rows_backward) .and. &
+      c_associated(self%columns_forward) .and. c_associated(self%columns_backward))
+  end subroutine plan_transforms
+
+  !> Transforms the rows of a field, (nx, ny).
+  subroutine transform_rows(self, field)
+    type(field_transform), intent(inout) :: self
+    real(wp), intent(in) :: field(self%nx, self%ny)
+    integer :: j
+
+    !$omp parallel do schedule(static)
+    do j = 1, self%ny
+      self%rows(1:self%nx, j) = real(field(:, j), pp)
+      self%rows(self%nx + 1:self%mx, j) = 0
+      call transform_row(self, j)
+    end do
+  end subroutine transform_rows
+
+  !> Transforms what was put into a row.
+  subroutine transform_row(self, j)
+    type(field_transform), intent(inout) :: self
+    integer, intent(in) :: j
+
+    call fftwf_execute_dft_r2c(self%rows_forward, self%rows(:, j), self%spectra(:, j))
+  end subroutine transform_row
+
+  !> Transforms the rows back into a field, `unit` times what was transformed.
+  subroutine transform_rows_back(self, unit, field)
+    type(field_transform), intent(inout) :: self
+    real(wp), intent(in) :: unit
+    real(wp), intent(out) :: field(self%nx, self%ny)
+    integer :: j
+
+    !$omp parallel do schedule(static)
+    do j = 1, self%ny
+      call fftwf_execute_dft_c2r(self%rows_backward, self%spectra(:, j), self%rows(:, j))
+      field(:, j) = unit*self%rows(1:self%nx, j)
+    end do
+  end subroutine transform_rows_back
+
+  !> Transforms along y `count` columns of the half spectra, from column `first` on.
+  subroutine transform_columns(self, first, count, columns)
+    type(field_transform), intent(in) :: self
+    integer, intent(in) :: first, count
+    complex(c_float_complex), contiguous, intent(inout) :: columns(:, :)
+    integer :: j, k
+
+    do j = 1, self%ny
+      do k = 1, count
+        columns(j, k) = self%spectra(first + k - 1, j)
+      end do
+    end do
+    columns(:, count + 1:) = 0
+    columns(self%ny + 1:, :count) = 0
+    call transform_block(self, columns)
+  end subroutine transform_columns
+
+  !> Transforms what was put into a block of columns.
+  subroutine transform_block(self, columns)
+    type(field_transform), intent(in) :: self
+    complex(c_float_complex), contiguous, intent(inout) :: columns(:, :)
+
+    call fftwf_execute_dft(self%columns_forward, columns, columns)
+  end subroutine transform_block
+
+  !> Transforms the columns back into the half spectra.
+  subroutine transform_columns_back(self, first, count, columns)
+    type(field_transform), intent(inout) :: self
+    integer, intent(in) :: first, count
+    complex(c_float_complex), contiguous, intent(inout) :: columns(:, :)
+    integer :: j, k
+
+    call fftwf_execute_dft(self%columns_backward, columns, columns)
+    do j = 1, self%ny
+      do k = 1, count
+        self%spectra(first + k - 1, j) = columns(j, k)
+      end do
+    end do
+  end subroutine transform_columns_back
+
+  subroutine release(self)
+    type(field_transform), intent(inout) :: self
+
+    !$omp critical (fftw_planner)
+    if (c_associated(self%rows_forward)) call fftwf_destroy_plan(self%rows_forward)
+    if (c_associated(self%rows_backward)) call fftwf_destroy_plan(self%rows_backward)
+    if (c_associated(self%columns_forward)) call fftwf_destroy_plan(self%columns_forward)
+    if (c_associated(self%columns_backward)) call fftwf_destroy_plan(self%columns_backward)
+    !$omp end critical (fftw_planner)
+    if (c_associated(self%spectra_memory)) call fftwf_free(self%spectra_memory)
+    if (c_associated(self%columns_memory)) call fftwf_free(self%columns_memory)
+  end subroutine release
+
+end module padded_transform
