@@ -150,7 +150,7 @@ def planned(
     judgements = _judged(scene, accuracy, quantities, prediction, asked, required)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
-    model = model_for(simple, accuracy, on)
+    model = model_for(simple, accuracy, on, prediction)
     numerics = PLANS[type(simple)](simple, accuracy, model)
     # without sliding friction has no size, and without its flow law it means nothing
     law = model.levels > 0 or asked is None or simple.oil.flow == scene.oil.flow

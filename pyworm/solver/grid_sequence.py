@@ -251,8 +251,14 @@ class GridSequence:
             self._window_errors,
             self._settled,
             self._plan,
-            {} if self._transient is None else self._transient.errors,
+            self._model_errors(),
         )
+
+    def _model_errors(self) -> dict[str, float]:
+        """Relative error of each figure by the levels across the film and by the integration in time."""
+        past = {} if self._transient is None else self._transient.errors
+        figures = self._settled.reading.figures
+        return {name: self._plan.model.level_error + past.get(name, 0.0) for name in figures}
 
     def _tell(self, what: str, fraction: float) -> None:
         self._progress(f"{self._scene.name}: {what}", fraction)
