@@ -12,7 +12,7 @@
 !> between is linear in time. Diffusion along the line is an implicit step of exact variance.
 module surface_path
   use heated_surface, only: heated_body
-  use kinds, only: wp
+  use kinds, only: pp, wp
   use sweep_order, only: sweep_frame, new_sweep_frame, to_sweep, from_sweep
   use status, only: status_ok, status_bad_argument, status_not_finite, status_no_memory
   implicit none(type, external)
@@ -31,9 +31,9 @@ module surface_path
   !> the move of the foot, in nodes, at which they end.
   integer, parameter :: foot_iterations = 8
   real(wp), parameter :: foot_settled = 1e-7_wp
-  !> Exponentials of a group, a vector register. Each group is advanced over all lines independently, so that
-  !> threads with different groups need not wait for each other.
-  integer, parameter :: lanes = 4
+  !> Exponentials of a group, a vector register in single precision, whose rounding is far below the error of the sum. Each
+  !> group is advanced over all lines independently, so that threads with different groups need not wait for each other.
+  integer, parameter :: lanes = 8
 
   type, extends(heated_body) :: fast_body
     !> Order of the lines.
@@ -44,19 +44,21 @@ module surface_path
     real(wp) :: effusion = 0
     !> Persistence [s], one over the rate of decay, and weights [1/sqrt(s)] of the exponentials, slowest
     !> first, (lanes, groups); the first stands for all slower ones.
-    real(wp), allocatable :: persistence(:, :), weight(:, :)
-    !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights, zero
-    !> if the foot is outside, (4, nodes, lines), and the time from the foot [s] and its root, (nodes, lines).
+    real(pp), allocatable :: persistence(:, :), weight(:, :)
+    !> First of the four nodes around a path's foot on the line before, (nodes, lines), their weights over the pivot of the
+    !> implicit step along the line, zero if the foot is outside, (4, nodes, lines), and the time from the foot [s] and its
+    !> root, (nodes, lines).
     integer, allocatable :: foot(:, :)
-    real(wp), allocatable :: stencil(:, :, :), duration(:, :), root(:, :)
-    !> Decay of the exponentials in that time, (lanes, nodes, lines, groups).
-    real(wp), allocatable :: decay(:, :, :, :)
-    !> Factors of the implicit step along a line: coupling to the next node, and reciprocal pivot,
-    !> (nodes, lines).
-    real(wp), allocatable :: passed(:, :), pivot(:, :)
+    real(pp), allocatable :: stencil(:, :, :)
+    real(wp), allocatable :: duration(:, :), root(:, :)
+    !> Loss of the exponentials in that time, one less their decay, (lanes, nodes, lines, groups).
+    real(pp), allocatable :: loss(:, :, :, :)
+    !> Coupling to the next node in the implicit step along a line, (nodes, lines).
+    real(pp), allocatable :: passed(:, :)
     !> Flux at the nodes and at the feet of their paths, and rise, (nodes, lines); contribution of earlier steps to
     !> int q dt/sqrt(t) [W sqrt(s)/m2], (nodes, lines, groups).
-    real(wp), allocatable :: flux(:, :), before(:, :), risen(:, :), history(:, :, :)
+    real(wp), allocatable :: flux(:, :), before(:, :), risen(:, :)
+    real(pp), allocatable :: history(:, :, :)
   contains
     procedure :: rise
   end type fast_body
@@ -93,7 +95,7 @@ contains
     self%lines = self%way%lines
     self%effusion = 1/sqrt(pi*conductivity*heat_capacity)
     allocate (self%foot(self%nodes, self%lines), self%stencil(4, self%nodes, self%lines), &
-      self%duration(self%nodes, self%lines), self%passed(self%nodes, self%lines), self%pivot(self%nodes, self%lines), &
+      self%duration(self%nodes, self%lines), self%passed(self%nodes, self%lines), &
       self%flux(self%nodes, self%lines), self%before(self%nodes, self%lines), self%risen(self%nodes, self%lines), &
       ahead(self%nodes, self%lines), aside(self%nodes, self%lines), stat=err)
     stat = status_no_memory
@@ -159,7 +161,9 @@ contains
           self%duration(node, line) = apart*(slowness(1) + 4*slowness(2) + slowness(3))/6
           self%stencil(:, node, line) = 0
           self%foot(node, line) = 1
-          if (at >= 1 .and. at <= self%nodes) call around(at, self%nodes, self%foot(node, line), self%stencil(:, node, line))
+          if (at < 1 .or. at > self%nodes) cycle
+          call around(at, self%nodes, self%foot(node, line), stencil)
+          self%stencil(:, node, line) = real(stencil, pp)
         end do
       end associate
     end do
@@ -191,7 +195,7 @@ contains
   subroutine choose_rates(self, stat)
     type(fast_body), intent(inout) :: self
     integer, intent(out) :: stat
-    real(wp), allocatable :: rate(:, :)
+    real(wp), allocatable :: rate(:, :), weight(:, :)
     real(wp) :: stay, slow, step, decay
     integer :: mode, group, node, line, err
 
@@ -199,16 +203,17 @@ contains
     step = log(real(ratio, wp))
     slow = slowest/stay
     self%groups = ceiling((1 + log(fastest/minval(self%duration(:, 2:))/slow)/step)/lanes)
-    allocate (rate(lanes, self%groups), self%weight(lanes, self%groups), &
-      self%decay(lanes, self%nodes, self%lines, self%groups), self%history(self%nodes, self%lines, self%groups), stat=err)
+    allocate (rate(lanes, self%groups), weight(lanes, self%groups), &
+      self%loss(lanes, self%nodes, self%lines, self%groups), self%history(self%nodes, self%lines, self%groups), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (err /= 0) return
     rate = reshape([(slow*real(ratio, wp)**(mode - 2), mode=1, lanes*self%groups)], shape(rate))
-    self%weight = step*sqrt(rate/pi)
+    weight = step*sqrt(rate/pi)
     ! slower ones, in geometric sums: their weight, and the rate that keeps their first moment
-    self%weight(1, 1) = step*sqrt(slow/pi)/(sqrt(real(ratio, wp)) - 1)
-    rate(1, 1) = step*sqrt(slow/pi)*slow/(sqrt(real(ratio, wp))**3 - 1)/self%weight(1, 1)
-    self%persistence = 1/rate
+    weight(1, 1) = step*sqrt(slow/pi)/(sqrt(real(ratio, wp)) - 1)
+    rate(1, 1) = step*sqrt(slow/pi)*slow/(sqrt(real(ratio, wp))**3 - 1)/weight(1, 1)
+    self%weight = real(weight, pp)
+    self%persistence = real(1/rate, pp)
     !$omp parallel do private(node, group, mode, decay) schedule(static)
     do line = 1, self%lines
       do node = 1, self%nodes
@@ -216,9 +221,9 @@ contains
         do group = 1, self%groups
           do mode = 1, lanes
             if (mode == 1 .and. group == 1) then
-              self%decay(mode, node, line, group) = exp(-rate(1, 1)*self%duration(node, line))
+              self%loss(mode, node, line, group) = real(1 - exp(-rate(1, 1)*self%duration(node, line)), pp)
             else
-              self%decay(mode, node, line, group) = decay
+              self%loss(mode, node, line, group) = real(1 - decay, pp)
               decay = decay**ratio
             end if
           end do
@@ -232,21 +237,18 @@ contains
   subroutine factor_spread(self, rate)
     type(fast_body), intent(inout) :: self
     real(wp), intent(in) :: rate(:, :)
-    real(wp) :: number
+    real(wp) :: number, pivot, passed
     integer :: line, node
 
     do line = 1, self%lines
+      passed = 0
       do node = 1, self%nodes
         ! the temperature is even about the first and last node
         number = rate(node, line)*self%duration(node, line)*merge(2, 1, node == 1 .or. node == self%nodes)
-        if (node == 1) then
-          self%pivot(node, line) = 1/(1 + number)
-        else if (node < self%nodes) then
-          self%pivot(node, line) = 1/(1 + number*(2 - self%passed(node - 1, line)))
-        else
-          self%pivot(node, line) = 1/(1 + number*(1 - self%passed(node - 1, line)))
-        end if
-        self%passed(node, line) = number*self%pivot(node, line)
+        pivot = 1/(1 + number*(merge(1, 2, node == 1 .or. node == self%nodes) - passed))
+        passed = number*pivot
+        self%passed(node, line) = real(passed, pp)
+        self%stencil(:, node, line) = real(self%stencil(:, node, line)*pivot, pp)
       end do
     end do
   end subroutine factor_spread
@@ -286,11 +288,11 @@ contains
     real(wp) :: spread
     integer :: node
 
-    associate (before => self%before(:, line), passed => self%passed(:, line), pivot => self%pivot(:, line))
+    associate (before => self%before(:, line), passed => self%passed(:, line))
       spread = 0
       do node = 1, self%nodes
         associate (foot => self%foot(node, line))
-          spread = pivot(node)*dot_product(self%stencil(:, node, line), self%flux(foot:foot + 3, line - 1)) &
+          spread = dot_product(self%stencil(:, node, line), self%flux(foot:foot + 3, line - 1)) &
             + passed(node)*spread
         end associate
         before(node) = spread
@@ -308,9 +310,9 @@ contains
     class(fast_body), intent(inout) :: self
     integer, intent(in) :: group
     !> Integrals of the exponentials with the flux up to a line, and those convected along the paths to the next line.
-    real(wp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
-    real(wp), dimension(lanes) :: spread, decay, whole, early, product
-    real(wp) :: stencil(4), here, there, pace
+    real(pp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
+    real(pp), dimension(lanes) :: spread, loss, whole, early, product
+    real(pp) :: stencil(4), here, there, pace
     integer :: line, node, foot
 
     past = 0
@@ -319,8 +321,8 @@ contains
       spread = 0
       do node = 1, self%nodes
         foot = self%foot(node, line)
-        stencil = self%stencil(:, node, line)*self%pivot(node, line)
-        spread = self%decay(:, node, line, group)*(stencil(1)*past(:, foot) + stencil(2)*past(:, foot + 1) &
+        stencil = self%stencil(:, node, line)
+        spread = (1 - self%loss(:, node, line, group))*(stencil(1)*past(:, foot) + stencil(2)*past(:, foot + 1) &
           + stencil(3)*past(:, foot + 2) + stencil(4)*past(:, foot + 3)) + self%passed(node, line)*spread
         brought(:, node) = spread
       end do
@@ -331,22 +333,22 @@ contains
         product = self%weight(:, group)*spread
         self%history(node, line, group) = sum_of_lanes(product)
         ! integrals of exp(-rate age) over the step, and with the fraction of the flux at its beginning
-        here = self%flux(node, line)
-        there = self%before(node, line)
-        pace = 1/self%duration(node, line)
-        decay = self%decay(:, node, line, group)
-        whole = (1 - decay)*self%persistence(:, group)
-        early = (whole*pace - decay)*self%persistence(:, group)
+        here = real(self%flux(node, line), pp)
+        there = real(self%before(node, line), pp)
+        pace = real(1/self%duration(node, line), pp)
+        loss = self%loss(:, node, line, group)
+        whole = loss*self%persistence(:, group)
+        early = (whole*pace - (1 - loss))*self%persistence(:, group)
         past(:, node) = spread + here*(whole - early) + there*early
       end do
     end do
   end subroutine remember
 
   !> Sum over a group, by halves.
-  pure real(wp) function sum_of_lanes(a)
-    real(wp), intent(in) :: a(lanes)
+  pure real(pp) function sum_of_lanes(a)
+    real(pp), intent(in) :: a(lanes)
 
-    sum_of_lanes = (a(1) + a(3)) + (a(2) + a(4))
+    sum_of_lanes = ((a(1) + a(5)) + (a(3) + a(7))) + ((a(2) + a(6)) + (a(4) + a(8)))
   end function sum_of_lanes
 
 end module surface_path
