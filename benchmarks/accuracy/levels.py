@@ -15,6 +15,7 @@ from pathlib import Path
 import pyworm
 from pyworm.kernel.core import KernelError
 from pyworm.planning.model import Model
+from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
 from pyworm.solver.solution import Solution
 
@@ -28,13 +29,19 @@ FIGURES = (
     "temperature_max_body_2",
     "temperature_max_film",
 )
+CASES = ("zi_paraboloid", "zi_drive", "spur_pair", "ball_pag_460", "errichello_optimised_addenda")
+VERGE = ((1, 41.33, 2.2, 2.4), (1.5, 139.5, 2.5, 2.9), (2, 330.6, 2.9, 1.5), (1, 41.33, 3.5, 1.2))
+"""Largest pressure [GPa], load [N], mean speed [m/s] and slide-roll ratio of steel about the verge of the
+films that are calm enough for five levels (`planning.model.CALM_GRAETZ`), the last beyond it."""
 UNFINISHED = 1e-5
 """Residual, and error of the films by unfinished algebra, at which a solve ends."""
 
 
-def scenes() -> Iterator[tuple[str, Scene]]:
-    """The worm at mid-mesh, and steel on steel: sliding, on a disc at rest, against it, fast."""
+def scenes() -> Iterator[tuple[str, Scene | LineScene]]:
+    """The worm at mid-mesh, other cases, and steel on steel: sliding, on a disc at rest, against it, fast."""
     yield "worm, phase 0.5", pyworm.load(Path("cases/zi_sharif_2001.toml")).scene(phase=0.5)
+    for case in CASES:
+        yield case, pyworm.load(Path(f"cases/{case}.toml")).scene()
     steel = pyworm.load(Path("cases/traction_steel.toml"))
     for pressure, load in ((1, 41.33), (1.5, 139.5)):
         for ratio in (0.5, 2):
@@ -43,11 +50,15 @@ def scenes() -> Iterator[tuple[str, Scene]]:
                 replace(steel.scene(slide_roll_ratio=ratio), load=load),
             )
     yield "steel, 1 GPa, 5", steel.scene(slide_roll_ratio=5)
-    fast = RigidMotion(10.0, 0.0), RigidMotion(0.0, 0.0)
-    yield "steel, 1 GPa, 2, 5 m/s", replace(steel.scene(slide_roll_ratio=2), motions=fast)
+    for pressure, load, speed, ratio in ((1, 41.33, 5.0, 2.0), *VERGE):
+        motions = tuple(RigidMotion(speed * (1 + of * ratio / 2), 0.0) for of in (1, -1))
+        yield (
+            f"steel, {pressure} GPa, {ratio:g}, {speed:g} m/s",
+            replace(steel.scene(slide_roll_ratio=2), load=load, motions=motions),
+        )
 
 
-def solve(scene: Scene, levels: int) -> Solution:
+def solve(scene: Scene | LineScene, levels: int) -> Solution:
     """The scene on the grid of 3 %, with so many levels."""
     plan = pyworm.plan(scene, 0.03, "all")
     return pyworm.solve(

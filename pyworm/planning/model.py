@@ -35,9 +35,9 @@ LEVEL_ERRORS = ((5, 1e-2), (7, 4e-4), (9, 3e-5), (11, 0.0))
 in seven contacts against 13 levels (`benchmarks/accuracy/levels.py`)."""
 
 CALM_ERRORS, CALM_GRAETZ = ((2.5, 1e-3), (3.0, 2e-3), (4.0, 5e-3)), 0.04
-"""Largest slide-roll ratio and the largest error by five levels in a heated film, and its largest Graetz number
-(the same benchmark): heat is conducted across it much sooner than it is carried through the contact, so that no
-layer within the film is much hotter or colder than its neighbours."""
+"""Largest slide-roll ratio and the largest error by five levels in a heated film, and its largest Graetz
+number (the same benchmark): heat is conducted across it much sooner than it is carried through the contact,
+so that no layer within the film is much hotter or colder than its neighbours."""
 
 LEVEL_FRACTION = 0.1
 """Error by the levels allowed, as a fraction of the accuracy asked for."""
@@ -67,7 +67,9 @@ def _levels(accuracy: float, errors: tuple[tuple[int, float], ...]) -> tuple[int
 def _error_by_five(prediction: Prediction) -> float:
     """Largest relative error by five levels across a heated film."""
     oil = prediction.oil
-    carried = oil.density.rho0 * oil.heat.specific_heat * prediction.speed * prediction.film_central**2
+    carried = (
+        oil.density.rho0 * oil.heat.specific_heat * prediction.speed * prediction.film_central**2
+    )
     conducted = oil.heat.conductivity * prediction.half_width
     if carried > CALM_GRAETZ * conducted:
         return LEVEL_ERRORS[0][1]
