@@ -1,6 +1,7 @@
-!> Fourier transforms of a padded field in single precision, for convolutions whose rounding, 1e-7 of the largest value,
-!> does not matter: products in GMRES, and temperatures of surfaces. They take half to three quarters of the time of double
-!> precision (docs/evidence/speed.md).
+!> Fourier transforms of a padded field in single precision, for temperatures of surfaces, whose rounding, 4e-7 of the
+!> largest, does not matter. They take half to three quarters of the time of double precision. The film needs that: slipping
+!> films and thick ones under light loads are lost with single precision even in the products of GMRES
+!> (docs/evidence/speed.md).
 !>
 !> The two-dimensional transform is done by hand, rows first and then blocks of columns that stay in cache through forward
 !> transform, the caller's product with the transform of the kernel, and backward transform. Rows of padding are never

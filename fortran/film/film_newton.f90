@@ -65,7 +65,6 @@ module film_newton
     type(film_work) :: work
   contains
     procedure(of_pressure), deferred :: deflection
-    procedure :: deflection_change
     procedure(of_film), deferred :: set_flow
     procedure(linearisation), deferred :: linearise
     procedure(derivative), deferred :: imbalance_change
@@ -424,7 +423,7 @@ contains
     dp(1:size(self%gap, 1), 1:size(self%gap, 2)) => x(:n)
     dr(1:size(self%gap, 1), 1:size(self%gap, 2)) => y(:n)
     call self%work%convolution%start()
-    call self%deflection_change(dp, self%dh)
+    call self%deflection(dp, self%dh)
     call self%work%convolution%finish()
     call self%work%flow%start()
     !$omp parallel do schedule(static)
@@ -439,16 +438,6 @@ contains
     call self%work%flow%finish()
     y(n + 1) = total(dp)*self%spacing(1)*self%spacing(2)*self%load_weight
   end subroutine multiply
-
-  !> Computes the change w [m] of the deflection by that of the pressure, p [Pa], to the accuracy of GMRES; a contact may do so
-  !> in less time than the deflection takes.
-  subroutine deflection_change(self, p, w)
-    class(film_contact), intent(inout) :: self
-    real(wp), contiguous, target, intent(in) :: p(:, :)
-    real(wp), contiguous, target, intent(out) :: w(:, :)
-
-    call self%deflection(p, w)
-  end subroutine deflection_change
 
   !> Solves the bordered system approximately: `relax` for the pressure, with h0 such that the load is met.
   subroutine precondition(self, x, y)

@@ -6,7 +6,6 @@ module point_film
   use multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
   use reynolds, only: film_grid, set_film_fields, flow_imbalance, flow_imbalance_change
   use sheared_reynolds, only: set_sheared_fields, sheared_imbalance, sheared_imbalance_change
-  use single_half_space, only: rounded_half_space, new_rounded_half_space
   use status, only: status_ok
   use viscosity_density, only: oil_law
   implicit none(type, external)
@@ -20,12 +19,9 @@ module point_film
   type, extends(film_contact) :: point_contact
     type(film_grid) :: grid
     type(elastic_half_space) :: space
-    !> The same in single precision.
-    type(rounded_half_space) :: rounded
     type(film_multigrid) :: cycles
   contains
     procedure :: deflection
-    procedure :: deflection_change
     procedure :: set_flow
     procedure :: linearise
     procedure :: imbalance_change
@@ -50,7 +46,6 @@ contains
     ny = size(gap, 2)
     stat = film_status(gap, abs(u) + abs(v), load, floor, oil)
     if (stat == status_ok) call new_half_space(self%space, nx, ny, dx, dy, reduced_modulus, stat)
-    if (stat == status_ok) call new_rounded_half_space(self%rounded, self%space, stat)
     if (stat == status_ok) call new_film_contact(self, gap, covered, dx, dy, oil, load, floor, most_krylov, stat)
     if (stat /= status_ok) return
 
@@ -100,15 +95,6 @@ contains
 
     call self%space%deflection(p, w)
   end subroutine deflection
-
-  !> Computes the change w [m] of the deflection by that of the pressure, p [Pa], in single precision.
-  subroutine deflection_change(self, p, w)
-    class(point_contact), intent(inout) :: self
-    real(wp), contiguous, target, intent(in) :: p(:, :)
-    real(wp), contiguous, target, intent(out) :: w(:, :)
-
-    call self%rounded%deflection(p, w)
-  end subroutine deflection_change
 
   !> Evaluates oil, flow and imbalance at the pressure and film of the fields.
   subroutine set_flow(self)

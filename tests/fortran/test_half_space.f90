@@ -2,7 +2,6 @@ program test_half_space
   use half_space, only: elastic_half_space, new_half_space
   use kinds, only: wp
   use padded_transform, only: padded_size
-  use single_half_space, only: rounded_half_space, new_rounded_half_space
   use status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -24,8 +23,7 @@ contains
   subroutine against_direct_sum(nx, ny)
     integer, intent(in) :: nx, ny
     type(elastic_half_space) :: space
-    type(rounded_half_space) :: rounded
-    real(wp) :: p(nx, ny), w(nx, ny), w_rounded(nx, ny), direct, dx, dy
+    real(wp) :: p(nx, ny), w(nx, ny), direct, dx, dy
     integer :: i, j, k, l
 
     dx = 1.3_wp
@@ -48,10 +46,6 @@ contains
     end do
     ! w = 2/(pi E') int p/r
     call close_to(w(k, l), direct/pi, 1e-9_wp*w(k, l), "convolution against direct summation")
-    call new_rounded_half_space(rounded, space, stat)
-    call check(stat == status_ok, "a half-space is made in single precision")
-    call rounded%deflection(p, w_rounded)
-    call close_to(maxval(abs(w_rounded - w)), 0.0_wp, 1e-6_wp*maxval(w), "in single precision it is the same but for rounding")
   end subroutine against_direct_sum
 
   !> Integral of 1/r over a rectangle centred at (x, y): the inner one in closed form, the outer one by
