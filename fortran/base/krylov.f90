@@ -1,4 +1,4 @@
-!> GMRES with left preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.4).
+!> Restarted GMRES with left preconditioning (Saad and Schultz 1986; Saad, Iterative Methods, algorithm 9.4).
 !>
 !> The iteration minimises the preconditioned residual, an estimate of the error. The residual itself is a poor
 !> one: its roughest parts, at the rupture line and the pressure spike, are the largest and matter least.
@@ -34,10 +34,11 @@ module krylov
 
 contains
 
-  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or `most` iterations
+  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or some `most` iterations
   !> are done.
   !>
-  !> `basis` is workspace, (size(b), most); `reduction` is the residual reached over the first.
+  !> `basis` is workspace, (size(b), iterations after which the method is restarted); `reduction` is the residual reached
+  !> over the first.
   subroutine gmres(system, b, tolerance, most, basis, x, iterations, reduction)
     class(linear_system), intent(inout) :: system
     real(wp), contiguous, intent(in) :: b(:)
@@ -47,25 +48,54 @@ contains
     real(wp), contiguous, intent(out) :: x(:)
     integer, intent(out) :: iterations
     real(wp), intent(out) :: reduction
-    real(wp) :: hessenberg(most + 1, most), cosine(most), sine(most), projection(most + 1)
-    real(wp), allocatable :: w(:)
-    real(wp) :: start, norm, lift
-    integer :: i, j
+    real(wp), allocatable :: w(:), correction(:)
+    real(wp) :: first, rest, norm
+    integer :: done
 
     x = 0
     iterations = 0
+    reduction = 0
     allocate (w, mold=b)
     call system%precondition(b, w)
-    start = sqrt(dot(w, w))
-    reduction = 0
-    if (.not. start > 0) return
+    first = sqrt(dot(w, w))
+    if (.not. first > 0) return
+    call cycle_of_iterations(system, tolerance, first, basis, w, x, iterations, norm)
+    reduction = norm/first
+    do while (reduction > tolerance .and. iterations < most .and. iterations >= size(basis, 2))
+      if (.not. allocated(correction)) allocate (correction, mold=b)
+      call system%multiply(x, correction)
+      correction = b - correction
+      call system%precondition(correction, w)
+      rest = sqrt(dot(w, w))
+      call cycle_of_iterations(system, tolerance*first/rest, rest, basis, w, correction, done, norm)
+      if (interrupted() .or. .not. norm < reduction*first) return
+      x = x + correction
+      iterations = iterations + done
+      reduction = norm/first
+    end do
+  end subroutine gmres
+
+  !> Makes iterations from x = 0 at the preconditioned residual w of norm `start`, both of which are overwritten, until
+  !> its norm is `tolerance` times the first or the basis is full. `norm` is that reached.
+  subroutine cycle_of_iterations(system, tolerance, start, basis, w, x, iterations, norm)
+    class(linear_system), intent(inout) :: system
+    real(wp), intent(in) :: tolerance, start
+    real(pp), contiguous, intent(inout) :: basis(:, :)
+    real(wp), contiguous, intent(inout) :: w(:)
+    real(wp), contiguous, intent(inout) :: x(:)
+    integer, intent(out) :: iterations
+    real(wp), intent(out) :: norm
+    real(wp), dimension(size(basis, 2)) :: cosine, sine
+    real(wp) :: hessenberg(size(basis, 2) + 1, size(basis, 2)), projection(size(basis, 2) + 1), lift, length
+    integer :: i, j
+
+    iterations = 0
+    norm = start
     lift = start
     projection = 0
     projection(1) = start
     hessenberg = 0
-    reduction = 1
-
-    do j = 1, most
+    do j = 1, size(basis, 2)
       call normalise(lift, w, basis(:, j))
       ! x is scratch until the end
       call system%multiply(w, x)
@@ -76,15 +106,15 @@ contains
       do i = 1, j - 1
         call rotate(hessenberg(i, j), hessenberg(i + 1, j), cosine(i), sine(i))
       end do
-      norm = hypot(hessenberg(j, j), hessenberg(j + 1, j))
-      if (.not. norm > 0) exit
-      cosine(j) = hessenberg(j, j)/norm
-      sine(j) = hessenberg(j + 1, j)/norm
+      length = hypot(hessenberg(j, j), hessenberg(j + 1, j))
+      if (.not. length > 0) exit
+      cosine(j) = hessenberg(j, j)/length
+      sine(j) = hessenberg(j + 1, j)/length
       call rotate(hessenberg(j, j), hessenberg(j + 1, j), cosine(j), sine(j))
       call rotate(projection(j), projection(j + 1), cosine(j), sine(j))
       iterations = j
-      reduction = abs(projection(j + 1))/start
-      if (reduction <= tolerance .or. .not. lift > 0) exit
+      norm = abs(projection(j + 1))
+      if (norm <= tolerance*start .or. .not. lift > 0) exit
       if (interrupted()) exit
     end do
 
@@ -93,7 +123,7 @@ contains
         - dot_product(hessenberg(i, i + 1:iterations), projection(i + 1:iterations)))/hessenberg(i, i)
     end do
     call combine(basis(:, :iterations), projection(:iterations), x)
-  end subroutine gmres
+  end subroutine cycle_of_iterations
 
   !> Givens rotation of the pair (a, b).
   pure subroutine rotate(a, b, cosine, sine)

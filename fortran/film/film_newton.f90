@@ -25,6 +25,8 @@ module film_newton
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, set_transient_term, film_residual, film_step
   public :: set_system, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
 
+  !> Cycles of GMRES in a Newton step: most need a third of one, sheared films with thick inlets up to three.
+  integer, parameter :: most_cycles = 4
   !> Least damping factor of a Newton step.
   real(wp), parameter :: shortest_step = 1.0_wp/64
   !> Largest growth of the residual by a step: a moving rupture line raises it for a step or two.
@@ -148,15 +150,15 @@ contains
     if (all(speed <= huge(1.0_wp))) film_status = status_ok
   end function film_status
 
-  !> Makes the base of a contact, with at most `most_krylov` Krylov iterations in a Newton step. The caller removes
+  !> Makes the base of a contact, whose GMRES is restarted after `cycle_length` iterations. The caller removes
   !> the outline from `covered`.
-  subroutine new_film_contact(self, gap, covered, dx, dy, oil, load, floor, most_krylov, stat)
+  subroutine new_film_contact(self, gap, covered, dx, dy, oil, load, floor, cycle_length, stat)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: gap(:, :)
     logical, intent(in) :: covered(:, :)
     real(wp), intent(in) :: dx, dy, load, floor
     type(oil_law), intent(in) :: oil
-    integer, intent(in) :: most_krylov
+    integer, intent(in) :: cycle_length
     integer, intent(out) :: stat
     integer :: nx, ny, err
 
@@ -171,7 +173,7 @@ contains
     call new_film_fields(nx, ny, self%fields, stat)
     if (stat /= status_ok) return
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
-      self%right(nx*ny + 1), self%change(nx*ny + 1), self%basis(nx*ny + 1, most_krylov), stat=err)
+      self%right(nx*ny + 1), self%change(nx*ny + 1), self%basis(nx*ny + 1, cycle_length), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_film_contact
 
@@ -318,7 +320,7 @@ contains
       self%right(k + 1:k + nx) = merge(-self%imbalance(:, j), 0.0_wp, self%free(:, j))
     end do
     self%right(n + 1) = load_error*self%load*self%load_weight
-    call gmres(self, self%right, forcing, size(self%basis, 2), self%basis, self%change, krylov, reduction)
+    call gmres(self, self%right, forcing, most_cycles*size(self%basis, 2), self%basis, self%change, krylov, reduction)
     if (interrupted()) then
       stat = status_interrupted
       return

@@ -15,8 +15,8 @@ module line_film
 
   public :: line_contact, new_line_contact
 
-  !> Largest number of Krylov iterations in one Newton step.
-  integer, parameter :: most_krylov = 60
+  !> Krylov iterations after which GMRES is restarted.
+  integer, parameter :: cycle_length = 60
 
   type, extends(film_contact) :: line_contact
     type(line_grid) :: grid
@@ -51,7 +51,7 @@ contains
     stat = film_status(reshape(gap, [n, 1]), reshape(abs(u), [n, 1]), load, floor, oil)
     if (stat == status_ok) call new_half_plane(self%plane, n, dx, reduced_modulus, stat)
     if (stat == status_ok) call new_film_contact(self, reshape(gap, [n, 1]), reshape(covered, [n, 1]), dx, 1.0_wp, oil, &
-      load, floor, most_krylov, stat)
+      load, floor, cycle_length, stat)
     if (stat /= status_ok) return
 
     self%covered([1, n], 1) = .false.

@@ -13,8 +13,8 @@ module point_film
 
   public :: point_contact, new_point_contact, entrain
 
-  !> Largest number of Krylov iterations in one Newton step.
-  integer, parameter :: most_krylov = 16
+  !> Krylov iterations after which GMRES is restarted.
+  integer, parameter :: cycle_length = 16
 
   type, extends(film_contact) :: point_contact
     type(film_grid) :: grid
@@ -46,7 +46,7 @@ contains
     ny = size(gap, 2)
     stat = film_status(gap, abs(u) + abs(v), load, floor, oil)
     if (stat == status_ok) call new_half_space(self%space, nx, ny, dx, dy, reduced_modulus, stat)
-    if (stat == status_ok) call new_film_contact(self, gap, covered, dx, dy, oil, load, floor, most_krylov, stat)
+    if (stat == status_ok) call new_film_contact(self, gap, covered, dx, dy, oil, load, floor, cycle_length, stat)
     if (stat /= status_ok) return
 
     self%covered([1, nx], :) = .false.
