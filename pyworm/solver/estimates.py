@@ -28,7 +28,7 @@ def estimates(
     window_errors: Mapping[str, float],
     settled: Settled,
     plan: Plan,
-    transient_errors: Mapping[str, float],
+    model_errors: Mapping[str, float],
 ) -> dict[str, Estimate]:
     """Estimate figures with error bars, which are infinite where the equations are not met.
 
@@ -46,8 +46,8 @@ def estimates(
         Figures and algebraic errors on the last grid.
     plan : Plan
         Accuracy and tolerance asked for.
-    transient_errors : mapping
-        Relative error of each figure by the integration in time; empty for a steady contact.
+    model_errors : mapping
+        Relative error of each figure by the levels across the film and by the integration in time.
     """
     limits = grid_limits(readings or [settled.reading], solver.convergence)
     grid = {name: of.error for name, of in limits.items()}
@@ -62,7 +62,7 @@ def estimates(
             grid[name],
             window_errors.get(name, np.inf),
             settled.algebra[name],
-            modelled.get(name, 0.0) + transient_errors.get(name, 0.0),
+            modelled.get(name, 0.0) + model_errors.get(name, 0.0),
             reasons.get(name),
             on_grid=solver.origins.get(name, 0.0) + value,
         )
