@@ -31,6 +31,9 @@ SOFTENING, LEAST_SOFTENING, LEAST_SOFTENING_OF_HEATED = 2.0, 1.05, 1.005
 A heated film bears smaller stresses than the cold one from which it began. Where walls slip, the slip grows
 e-fold with a thousandth of the stress (`flow_laws`)."""
 
+FIRMED_AGAIN = (2.0, 8.0)
+"""Factors of the stresses from which a heated film that does not settle is softened once more, in order."""
+
 CONTINUATION_STEPS = 12
 """Largest number of Newton steps from one film of the continuation to the next."""
 
@@ -224,6 +227,26 @@ class ContactSolver(ABC):
         if level.lost():
             self._flow_by_law(level, stresses, found)
         return steps, stresses
+
+    def softened_again(self, level: Level) -> list[NewtonStep]:
+        """Newton steps of a heated film that did not settle, through films of larger stresses.
+
+        Where both walls slip, film and temperature may move to and fro without end; the same grid's film of
+        larger stresses leads to the one that rests. No steps where the film is not heated or has no flow law.
+        """
+        if not level.film.heated or self._scene.oil.flow is None:
+            return []
+        steps: list[NewtonStep] = []
+        for stresses in FIRMED_AGAIN:
+            self._flow_by_law(level, stresses, level.state())
+            steps += lead(level, HEATED_TOLERANCE, HEATED_TOLERANCE)
+            if level.film.balance.within(HEATED_TOLERANCE, HEATED_TOLERANCE):
+                softened, stresses = self._softened(level, stresses, LEAST_SOFTENING_OF_HEATED)
+                steps += softened
+                if stresses == 1:
+                    return steps
+        self._flow_by_law(level, 1.0, level.state())
+        return steps
 
     def _flow_by_law(self, level: Level, stresses: float, guess: InitialGuess) -> None:
         """Solve a film under the flow law with its stresses multiplied by a factor, from an initial guess."""

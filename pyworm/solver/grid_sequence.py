@@ -240,8 +240,16 @@ class GridSequence:
             raise NoMemoryError(short)
 
     def _settled_on(self, level: Level) -> Settled:
+        """Settle the film of a level, if need be through films of larger stresses."""
         plan = self._plan
-        return settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        if level.film.balance.worst <= plan.tolerance:
+            return settled
+        steps = self._solver.softened_again(level)
+        if steps:
+            self._steps += [*settled.steps, *steps]
+            settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        return settled
 
     def _estimates(self) -> dict[str, Estimate]:
         return estimates(
