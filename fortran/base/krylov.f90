@@ -34,8 +34,8 @@ module krylov
 
 contains
 
-  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0 or some `most` iterations
-  !> are done.
+  !> Solves A x = b until the preconditioned residual is `tolerance` times that of x = 0, or cycles of iterations
+  !> have come to `most`.
   !>
   !> `basis` is workspace, (size(b), iterations after which the method is restarted); `reduction` is the residual reached
   !> over the first.
@@ -50,7 +50,7 @@ contains
     real(wp), intent(out) :: reduction
     real(wp), allocatable :: w(:), correction(:)
     real(wp) :: first, rest, norm
-    integer :: done
+    integer :: done, err
 
     x = 0
     iterations = 0
@@ -62,7 +62,10 @@ contains
     call cycle_of_iterations(system, tolerance, first, basis, w, x, iterations, norm)
     reduction = norm/first
     do while (reduction > tolerance .and. iterations < most .and. iterations >= size(basis, 2))
-      if (.not. allocated(correction)) allocate (correction, mold=b)
+      ! without memory for it the first cycle's solution stands
+      err = 0
+      if (.not. allocated(correction)) allocate (correction, mold=b, stat=err)
+      if (err /= 0) return
       call system%multiply(x, correction)
       correction = b - correction
       call system%precondition(correction, w)

@@ -146,19 +146,19 @@ contains
     n = level%length
     associate (free => level%free, dq => level%f)
       ! through the faces within the line: outflow by a node's pressure, inflow by the next one's
-      call couple_within(level, j, leave, enter, shear)
+      call couple(level, j, .false., leave, enter, shear)
       do i = 2, n - 1
         centre(i) = implicit_rate*dq(i, j) + leave(i) + enter(i - 1)
         right(i) = -free(i, j)*enter(i)*free(i + 1, j)
         left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
       end do
       ! through the faces towards the next line, and from the one before
-      call couple_across(level, j, leave, enter, shear)
+      call couple(level, j, .true., leave, enter, shear)
       do i = 2, n - 1
         centre(i) = centre(i) + leave(i)
         after(i) = -free(i, j)*enter(i)*free(i, j + 1)
       end do
-      call couple_across(level, j - 1, leave, enter, shear)
+      call couple(level, j - 1, .true., leave, enter, shear)
       do i = 2, n - 1
         centre(i) = merge(centre(i) + enter(i), 1.0_pp, free(i, j) > 0)
         before(i) = -free(i, j)*leave(i)*free(i, j - 1)
@@ -166,54 +166,44 @@ contains
     end associate
   end subroutine model_line
 
-  !> Computes the couplings through the faces after the nodes of line j but the last: outflow by the pressure of the node
-  !> before, `leave`, and inflow by that of the node after, `enter`.
-  subroutine couple_within(level, j, leave, enter, shear)
+  !> Computes the couplings through the faces between the nodes of line j and those of the next line, `across`, or of the same
+  !> one: outflow by the pressure of the node before, `leave`, and inflow by that of the node after, `enter`. Nodes without
+  !> such a face, and the ends of lines towards the next, are left as they are.
+  subroutine couple(level, j, across, leave, enter, shear)
     type(grid_level), intent(in) :: level
     integer, intent(in) :: j
-    real(pp), intent(out) :: leave(level%length), enter(level%length)
+    logical, intent(in) :: across
+    real(pp), intent(inout) :: leave(level%length), enter(level%length)
     type(sheared_film), intent(in), optional :: shear
-    integer :: n
+    real(pp) :: spacing
+    integer :: first, last, start(2), step(2)
 
-    n = level%length - 1
-    if (present(shear)) then
-      if (level%transposed) then
-        call couple_row(shear%along_y, level%stride, [j, 1], [0, 1], [0, 1], level%d_along, level%compliance, &
-          leave(:n), enter(:n))
+    first = merge(2, 1, across)
+    last = level%length - 1
+    spacing = merge(level%d_across, level%d_along, across)
+    associate (root => level%root, p => level%p, dm => level%x, dq => level%f, i => first + merge(0, 1, across), &
+        n => last + merge(0, 1, across), k => j + merge(1, 0, across))
+      if (present(shear)) then
+        start = merge([j, first], [first, j], level%transposed)
+        step = merge([0, 1], [1, 0], level%transposed)
+        if (across .neqv. level%transposed) then
+          call couple_row(shear%along_y, level%stride, start, step, [0, 1], spacing, level%compliance, leave(first:last), &
+            enter(first:last))
+        else
+          call couple_row(shear%along_x, level%stride, start, step, [1, 0], spacing, level%compliance, leave(first:last), &
+            enter(first:last))
+        end if
       else
-        call couple_row(shear%along_x, level%stride, [1, j], [1, 0], [1, 0], level%d_along, level%compliance, &
-          leave(:n), enter(:n))
+        call diffuse(root(first:last, j), root(i:n, k), p(first:last, j), p(i:n, k), dm(first:last, j), dm(i:n, k), 1/spacing, &
+          leave(first:last), enter(first:last))
       end if
-    else
-      call diffuse(level%root(:n, j), level%root(2:, j), level%p(:n, j), level%p(2:, j), level%x(:n, j), level%x(2:, j), &
-        1/level%d_along, leave(:n), enter(:n))
-    end if
-    call carry(level%f(:n, j), level%f(2:, j), level%along(:n, j), 1/level%d_along, leave(:n), enter(:n))
-  end subroutine couple_within
-
-  !> Computes the couplings through the faces between line j and the next, of all nodes but the first and the last.
-  subroutine couple_across(level, j, leave, enter, shear)
-    type(grid_level), intent(in) :: level
-    integer, intent(in) :: j
-    real(pp), intent(out) :: leave(level%length), enter(level%length)
-    type(sheared_film), intent(in), optional :: shear
-    integer :: n
-
-    n = level%length - 1
-    if (present(shear)) then
-      if (level%transposed) then
-        call couple_row(shear%along_x, level%stride, [j, 2], [0, 1], [1, 0], level%d_across, level%compliance, &
-          leave(2:n), enter(2:n))
+      if (across) then
+        call carry(dq(first:last, j), dq(i:n, k), level%across(first:last, j), 1/spacing, leave(first:last), enter(first:last))
       else
-        call couple_row(shear%along_y, level%stride, [2, j], [1, 0], [0, 1], level%d_across, level%compliance, &
-          leave(2:n), enter(2:n))
+        call carry(dq(first:last, j), dq(i:n, k), level%along(first:last, j), 1/spacing, leave(first:last), enter(first:last))
       end if
-    else
-      call diffuse(level%root(2:n, j), level%root(2:n, j + 1), level%p(2:n, j), level%p(2:n, j + 1), level%x(2:n, j), &
-        level%x(2:n, j + 1), 1/level%d_across, leave(2:n), enter(2:n))
-    end if
-    call carry(level%f(2:n, j), level%f(2:n, j + 1), level%across(2:n, j), 1/level%d_across, leave(2:n), enter(2:n))
-  end subroutine couple_across
+    end associate
+  end subroutine couple
 
   !> Computes the couplings by diffusion through the face between nodes 1 and 2, from the root of their mobility, its change
   !> `dm` by pressure, and the pressures.
@@ -247,7 +237,7 @@ contains
       + (max(level%across(i, j), 0.0_pp) - min(level%across(i, j - 1), 0.0_pp))/level%d_across
   end function leaving_rate
 
-  !> Copies a film's field to the order of the finest level.
+  !> Copies a film's field to the order of a level.
   subroutine orient(transposed, field, oriented)
     logical, intent(in) :: transposed
     real(wp), intent(in) :: field(:, :)

@@ -1,5 +1,6 @@
 !> Couplings of neighbouring pressures through a sheared film, for the preconditioner: the exact derivatives of the flow
-!> through faces, but those by the pressure gradient along a face, on a grid or on a coarser one.
+!> through faces, but those by the pressure gradient along a face, on a grid or on a coarser one. Diffusion is added where
+!> a coupling would be negative, as where the walls' slip carries the oil: sweeps grow without bound otherwise.
 module sheared_couplings
   use kinds, only: pp, wp
   use sheared_reynolds, only: face_flow
@@ -21,7 +22,7 @@ contains
     integer, intent(in) :: stride, start(2), step(2), along(2)
     real(pp), intent(in) :: spacing, compliance
     real(pp), intent(out) :: leave(:), enter(:)
-    real(wp) :: mobility, before, after, least
+    real(wp) :: mobility, before, after, diffusion
     integer :: k, s, i, j
 
     do k = 1, size(leave)
@@ -37,9 +38,9 @@ contains
       end do
       ! the part by the gradient falls with the spacing, the rest does not
       mobility = mobility*(1.0_wp/stride - 1)*stride/spacing
-      least = max(0.0_wp, before - mobility, -after - mobility)
-      leave(k) = real((mobility - before + least)/(stride*spacing), pp)
-      enter(k) = real((mobility + after + least)/(stride*spacing), pp)
+      diffusion = max(0.0_wp, before - mobility, -after - mobility)
+      leave(k) = real((mobility - before + diffusion)/(stride*spacing), pp)
+      enter(k) = real((mobility + after + diffusion)/(stride*spacing), pp)
     end do
   end subroutine couple_row
 

@@ -234,16 +234,16 @@ class ContactSolver(ABC):
         Where both walls slip, film and temperature may move to and fro without end; the same grid's film of
         larger stresses leads to the one that rests. No steps where the film is not heated or has no flow law.
         """
-        if not level.film.heated or self._scene.oil.flow is None:
+        if not level.film.heated or self._scene.oil.flow in (None, NEWTONIAN):
             return []
         steps: list[NewtonStep] = []
-        for stresses in FIRMED_AGAIN:
-            self._flow_by_law(level, stresses, level.state())
+        for firmed in FIRMED_AGAIN:
+            self._flow_by_law(level, firmed, level.state())
             steps += lead(level, HEATED_TOLERANCE, HEATED_TOLERANCE)
             if level.film.balance.within(HEATED_TOLERANCE, HEATED_TOLERANCE):
-                softened, stresses = self._softened(level, stresses, LEAST_SOFTENING_OF_HEATED)
+                softened, stresses = self._softened(level, firmed, LEAST_SOFTENING_OF_HEATED)
                 steps += softened
-                if stresses == 1:
+                if stresses <= 1:
                     return steps
         self._flow_by_law(level, 1.0, level.state())
         return steps
