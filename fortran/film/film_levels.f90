@@ -92,8 +92,8 @@ contains
     end associate
   end subroutine set_level
 
-  !> Sets the root of the mobility and its slope, and the pressure, of a film that is isothermal and Newtonian. The root is
-  !> a mean about the nodes of the next finer grid, if there is one.
+  !> Sets the root of the mobility and its slope, and the pressure, of a film that is isothermal and Newtonian. The mobility
+  !> is a mean about the nodes of the next finer grid, if there is one.
   subroutine set_mobility(level, fields, finer)
     type(grid_level), intent(inout) :: level
     type(film_fields), intent(in) :: fields
@@ -105,12 +105,14 @@ contains
         + level%compliance*fields%mobility_h(::stride, ::stride), level%x)
     end associate
     if (present(finer)) then
-      level%root = finer%root(::2, ::2)
-      call restrict(finer%root, level%root)
+      level%root = finer%root(::2, ::2)**2
+      call restrict(finer%root**2, level%root)
+      level%root = sqrt(level%root)
     else
-      ! ratios of roots must be finite
-      call orient(level%transposed, max(sqrt(fields%mobility), real(tiny(1.0_pp), wp)), level%root)
+      call orient(level%transposed, sqrt(fields%mobility), level%root)
     end if
+    ! ratios of roots must be finite
+    level%root = max(level%root, tiny(level%root))
   end subroutine set_mobility
 
   !> Restricts by full weighting at inner points; the outline is unchanged.
