@@ -5,7 +5,6 @@ estimate the errors; stop, or halve the spacing.
 """
 
 from dataclasses import asdict
-from time import perf_counter, process_time
 
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import NO_MEMORY, KernelError
@@ -26,9 +25,9 @@ from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
-from pyworm.solver.solution import Cost, Estimate, Figures, Solution
+from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import TELLING, film_is_sound, is_converged, stop_reason
-from pyworm.solver.timing import convolution_seconds
+from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient import transient
 
 SOLVERS: dict[type, type[ContactSolver]] = {
@@ -49,43 +48,6 @@ MOST_RETRIES = 2
 """Number of grids of the figures that may be too coarse to show the window error of a thin film."""
 
 
-def solve_on_grids(
-    scene: Scene | LineScene, plan: Plan, progress: Progress, warm_start: Level | None
-) -> tuple[Solution, Level]:
-    """Solve a scene with the effects of its plan and no others.
-
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    plan : Plan
-        Its plan.
-    progress : callable
-        Called with a message and the fraction of the work that is done.
-    warm_start : Level or None
-        The contact on the first grid of the figures, solved with fewer effects.
-
-    Returns
-    -------
-    Solution, Level
-        The solution, and the film on the first grid of the figures.
-
-    Raises
-    ------
-    KernelError
-        As of `pyworm.solve`.
-    """
-    sequence = GridSequence(scene, plan, progress)
-    sequence.check_memory(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes))
-    started, started_work = perf_counter(), process_time()
-    first = sequence.begin(warm_start)
-    reason = sequence.settle()
-    while reason is None:
-        reason = sequence.refine() or sequence.settle()
-    cost = perf_counter() - started, process_time() - started_work
-    return sequence.solution(reason, *cost), first
-
-
 class GridSequence:
     """State of the grid sequence of a contact: its films on grids of halving spacing.
 
@@ -97,18 +59,32 @@ class GridSequence:
         Its plan.
     progress : callable
         Called with a message and the fraction of the work that is done.
+    stopwatch : Stopwatch
+        Time since the solve began.
+
+    Notes
+    -----
+    Its methods raise `KernelError` as `pyworm.solve` does.
     """
 
-    def __init__(self, scene: Scene | LineScene, plan: Plan, progress: Progress):
+    def __init__(
+        self, scene: Scene | LineScene, plan: Plan, progress: Progress, stopwatch: Stopwatch
+    ):
         self._scene, self._plan, self._progress = scene, plan, progress
+        self._stopwatch = stopwatch
         self._readings: list[Reading] = []
         self._window_errors: dict[str, float] = {}
         self._steps: list[NewtonStep] = []
         self._unsettled = self._refinements = 0
 
     def begin(self, warm_start: Level | None) -> Level:
-        """Start on the first grid of the figures, for a transient contact after the integration in time."""
+        """Settle the film on the first grid of the figures and return it there.
+
+        A transient contact is integrated in time before. `warm_start` is the film on the same grid, solved
+        with fewer effects.
+        """
         scene, plan = self._scene, self._plan
+        self.check_memory(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes))
         solver_type = SOLVERS[type(scene)]
         self._tell("first grids" if scene.past is None else "its past", 0.0)
         self._transient = None if scene.past is None else transient(scene, plan, solver_type)
@@ -121,10 +97,24 @@ class GridSequence:
             self._level, self._steps = self._solver.warm_started(warm_start)
         else:
             self._level, self._steps = self._solver.begin(plan.grids)
+        self._settle()
         return self._level
 
-    def settle(self) -> str | None:
-        """Settle the film on its grid and estimate the errors; returns the stop reason, or None."""
+    def figures(self) -> dict[str, float] | None:
+        """The figures so far; None where there is no film yet."""
+        if not film_is_sound(self._level, self._settled, self._plan):
+            return None
+        return {name: of.value for name, of in self._estimates().items()}
+
+    def finish(self) -> Solution:
+        """Refine the grid as far as the accuracy asks."""
+        reason = self._stop_reason()
+        while reason is None:
+            reason = self._refine() or self._stop_reason()
+        return self._solution(reason)
+
+    def _settle(self) -> None:
+        """Settle the film on its grid and read its figures."""
         plan = self._plan
         self._settled = self._settled_on(self._level)
         self._steps += self._settled.steps
@@ -132,6 +122,10 @@ class GridSequence:
         if balance.worst <= max(plan.tolerance, TELLING):
             self._readings.append(self._settled.reading)
         self._unsettled += balance.worst > plan.tolerance
+
+    def _stop_reason(self) -> str | None:
+        """Estimate the errors; returns the reason to stop, or None."""
+        plan = self._plan
         reason = (self._transient and self._transient.flaw) or refusal(
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
@@ -142,8 +136,8 @@ class GridSequence:
             self._level, self._settled, self._estimates(), self._unsettled, plan
         )
 
-    def refine(self) -> str | None:
-        """Halve the spacing; returns the reason if that is not possible, or None."""
+    def _refine(self) -> str | None:
+        """Halve the spacing and settle the film; returns the reason if that is not possible, or None."""
         self._refinements += 1
         size = " x ".join(str(count) for count in self._level.grid.finer().shape)
         self._tell(size, 1 - 0.7 ** (self._refinements + 1))
@@ -152,12 +146,13 @@ class GridSequence:
         except KernelError as error:
             return _lack_of_memory(error)
         self._steps += steps
+        self._settle()
         return None
 
-    def solution(self, reason: str, seconds: float, work: float) -> Solution:
-        """The solution on the last grid, solved in `seconds` of elapsed and `work` of processor time [s]."""
+    def _solution(self, reason: str) -> Solution:
+        """The solution on the last grid."""
         scene, plan, level = self._scene, self._plan, self._level
-        unit = convolution_seconds(level.film)
+        cost = self._stopwatch.cost(level.film)
         outcome = self._solver.outcome(level)
         reason = outcome.flaw or reason
         converged = is_converged(reason)
@@ -180,7 +175,7 @@ class GridSequence:
             regime=plan.regime,
             fields=outcome.fields,
             history=convergence_history(self._steps, level.grid),
-            cost=Cost(seconds, work / unit, unit),
+            cost=cost,
             inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
             composite_roughness=scene.composite_roughness,
             profile=outcome.profile,

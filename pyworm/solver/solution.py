@@ -150,15 +150,6 @@ class Cost:
     convolutions: float
     unit_seconds: float = 0.0
 
-    def after(self, other: "Cost") -> "Cost":
-        """The sum of this cost and that of a preceding solve, in convolutions of this one."""
-        ratio = other.unit_seconds / self.unit_seconds if other.unit_seconds else 0.0
-        return Cost(
-            self.seconds + other.seconds,
-            self.convolutions + ratio * other.convolutions,
-            self.unit_seconds,
-        )
-
 
 @dataclass(frozen=True)
 class Solution:

@@ -1,13 +1,15 @@
 """Solve a scene by its plan, on finer grids until the figures are as accurate as asked."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from pyworm.io.progress import Progress
 from pyworm.planning.plan import Plan, reviewed
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.grid_sequence import solve_on_grids
-from pyworm.solver.solution import Cost, Solution
+from pyworm.solver.grid_sequence import GridSequence
+from pyworm.solver.solution import Solution
+from pyworm.solver.timing import Stopwatch
 
 
 def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None) -> Solution:
@@ -26,8 +28,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     -------
     Solution
         Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
-        asked for. Effects that the plan left out and the solved figures require are added, unless the
-        effects were given.
+        asked for. Effects that the plan left out and the solved figures require, those of the first grid or
+        of the last, are added, unless the effects were given.
 
     Raises
     ------
@@ -36,16 +38,26 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
     report = _rising(progress)
-    warm_start, spent = None, Cost(0.0, 0.0)
+    stopwatch, warm_start = Stopwatch(), None
     while True:
-        solution, warm_start = solve_on_grids(plan.simplified(scene), plan, report, warm_start)
-        spent = solution.cost.after(spent)
-        updated = reviewed(scene, plan, solution.figures.values()) if solution.converged else plan
-        if plan.asked is not None or updated.on <= plan.on:
-            return replace(solution, effects=updated.effects, cost=spent)
+        sequence = GridSequence(plan.simplified(scene), plan, report, stopwatch)
+        warm_start = sequence.begin(warm_start)
+        # the first grid tells what the closed forms missed, before finer ones cost their time
+        updated = _updated(scene, plan, sequence.figures())
+        if updated.on <= plan.on:
+            solution = sequence.finish()
+            figures = solution.figures.values() if solution.converged else None
+            updated = _updated(scene, plan, figures)
+            if updated.on <= plan.on:
+                return replace(solution, effects=updated.effects)
         missed = ", ".join(sorted(updated.on - plan.on))
         report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated
+
+
+def _updated(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float] | None) -> Plan:
+    """The plan judged again by solved figures, where there are some."""
+    return plan if figures is None else reviewed(scene, plan, figures)
 
 
 def _rising(progress: Progress | None) -> Progress:

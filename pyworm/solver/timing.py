@@ -1,4 +1,4 @@
-"""Processor time of one FFT convolution, the unit of cost."""
+"""Cost of a solve, and the processor time of one FFT convolution, its unit."""
 
 from collections.abc import Callable
 from statistics import median
@@ -6,9 +6,23 @@ from time import perf_counter, process_time
 
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
+from pyworm.solver.solution import Cost
 
 TIMED_CONVOLUTIONS = 10
 """Convolutions timed for the unit of cost, which is their median."""
+
+
+class Stopwatch:
+    """Elapsed and processor time since it was made."""
+
+    def __init__(self):
+        self._seconds, self._work = perf_counter(), process_time()
+
+    def cost(self, film: PointFilm | LineFilm) -> Cost:
+        """Cost so far, in convolutions on a film's grid."""
+        seconds, work = perf_counter() - self._seconds, process_time() - self._work
+        unit = convolution_seconds(film)
+        return Cost(seconds, work / unit, unit)
 
 
 def convolution_seconds(film: PointFilm | LineFilm) -> float:

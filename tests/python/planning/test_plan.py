@@ -176,6 +176,24 @@ def test_a_solution_adds_what_its_plan_missed():
         assert one.value == pytest.approx(other.value, rel=0.05), name
 
 
+def test_an_effect_that_was_missed_costs_no_second_climb_of_the_grids():
+    """The first grid tells that shear thinning is needed; finer ones are solved with it only."""
+    trial = TRIALS["slender, across"]
+    scene = trial.scene()
+    plan = pyworm.plan(scene, 0.01, "auto", trial.quantities)
+    told = []
+    solution = pyworm.solve(scene, plan, lambda message, fraction: told.append(message))
+    called = [number for number, message in enumerate(told) if "calls for" in message]
+    assert [told[number] for number in called] == [
+        f"{scene.name}: calls for limiting-stress, shear-thinning too"
+    ]
+    windows = [number for number, message in enumerate(told) if "wider window" in message]
+    assert called[0] < windows[0]
+    assert len(windows) == 1
+    on = {one.name for one in solution.effects if one.on}
+    assert on == plan.on | {"limiting-stress", "shear-thinning"}
+
+
 def test_heat_that_was_missed_gets_the_window_it_needs():
     """The inlet of a line reaches farther where it warms; a window found without heat is not taken over."""
     trial = TRIALS["long roller"]
