@@ -7,7 +7,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import FILMS
-from pyworm.solver.error_estimate import Reading, change, hot_spike
+from pyworm.solver.error_estimate import SPIKE, Reading, change, hot_spike
 
 
 def refusal(
@@ -38,6 +38,28 @@ def refusal(
     if least <= max(plan.accuracy, WORTHLESS):
         return None
     return f"the largest grid allowed would leave an error of at least {least:.0%}"
+
+
+def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:
+    """Whether the film's largest temperature is still the tip of a spike on the largest grid allowed.
+
+    A spike that a grid resolves is no more than twice as wide, in nodes, on the next one.
+
+    Parameters
+    ----------
+    reading : Reading
+        Figures on a grid.
+    grid : Grid or LineGrid
+        That grid.
+    largest : int
+        Nodes of the largest grid allowed.
+    """
+    if hot_spike(reading) is None:
+        return False
+    nodes = reading.peaks["temperature_max_film"].nodes
+    while (grid := grid.finer()).nodes <= largest:
+        nodes *= 2
+    return nodes < SPIKE
 
 
 def least_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:

@@ -7,6 +7,7 @@ import numpy as np
 from pyworm.planning.plan import Plan
 from pyworm.solver.level import Level
 from pyworm.solver.newton import HOPELESS, Settled
+from pyworm.solver.prospect import spike_stays
 from pyworm.solver.solution import Estimate
 
 ACCURATE = "the figures are as accurate as asked for"
@@ -64,11 +65,12 @@ def stop_reason(
     last = level.grid.finer().nodes > plan.largest_grid
     if not met and (last or unsettled >= MOST_UNSETTLED):
         return _not_met(level, plan)
-    if not last:
-        return None
-    if met and resolved and _accurate_but_for_spike(plan, estimates, figures):
+    beyond = spike_stays(settled.reading, level.grid, plan.largest_grid)
+    if met and resolved and beyond and _accurate_but_for_spike(plan, estimates, figures):
         tip = estimates["temperature_max_film"].reason
         return f"{ACCURATE} but for the film's largest temperature, the {tip}"
+    if not last:
+        return None
     if not resolved:
         return "the largest grid allowed does not resolve the film"
     if np.isinf(error):

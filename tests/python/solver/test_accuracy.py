@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyworm.planning.grid import Grid
 from pyworm.planning.target import FIGURES
 from pyworm.solver.error_estimate import (
     SAFETY,
@@ -17,6 +18,7 @@ from pyworm.solver.error_estimate import (
     peak_errors,
     unresolved,
 )
+from pyworm.solver.prospect import spike_stays
 
 SECOND = dict.fromkeys(FIGURES, 2.0)
 
@@ -132,6 +134,22 @@ def test_a_film_hottest_at_the_tip_of_a_spike_says_how_narrow_it_is():
     assert hot_spike(hot(5.68)) == "tip of a temperature spike, 5.7 nodes wide"
     assert hot_spike(hot(8.0)) is None
     assert hot_spike(reading(1.0)) is None  # of a film that does not warm
+
+
+def test_no_grid_is_refined_for_a_spike_that_the_largest_one_does_not_resolve():
+    """Eight nodes are wanted; twice as many lie across a spike on each finer grid at most."""
+    grid = Grid(0.0, 0.0, 1.0, 1.0, 17, 17)
+    assert grid.finer().finer().shape == (65, 65)
+
+    def stays(nodes, largest):
+        hot = replace(reading(1.0), peaks={"temperature_max_film": Peak(60.0, nodes)})
+        return spike_stays(hot, grid, largest)
+
+    assert stays(1.9, 65**2)
+    assert not stays(2.1, 65**2)
+    assert stays(2.1, 65**2 - 1)
+    assert not stays(8.1, 17**2)
+    assert not spike_stays(reading(1.0), grid, 17**2)
 
 
 def test_the_window_error_is_a_multiple_of_the_change_in_a_wider_one():
