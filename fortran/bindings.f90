@@ -166,14 +166,14 @@ contains
 
   !> Sets the flow law of a contact's oil; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
-      reference_decay, limit, limit_growth, exponent, levels, stat)
+      reference_decay, limit, limit_growth, exponent, slip_step, levels, stat)
     use film_newton, only: shear_contact
     use flow_laws, only: flow_law
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: sliding_x(nx, ny), sliding_y(nx, ny)
     integer(c_int), intent(in) :: law
-    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent
+    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent, slip_step
     integer(c_int), intent(in) :: levels
     integer(c_int), intent(out) :: stat
     type(thermal_contact), pointer :: contact
@@ -181,7 +181,7 @@ contains
 
     contact => contact_of(handle)
     call shear_contact(contact%film, flow_law(law, reference, reference_growth, reference_decay, limit, &
-      limit_growth, exponent), levels, sliding_x, sliding_y, stat)
+      limit_growth, exponent, slip_step), levels, sliding_x, sliding_y, stat)
   end subroutine film_shear
 
   !> Evaluates residual and load error at pressure p [Pa] and rigid film h0 [m].

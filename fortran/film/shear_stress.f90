@@ -54,7 +54,7 @@ contains
       call newton_step(strip, 1, strip%points)
       left = count(.not. strip%excess(:strip%points) <= 0)
       if (left*few <= strip%points .or. step == steps_together) exit
-      call bounded_move(has_limit(law), strip)
+      call bounded_move(law, strip)
     end do
     do i = 1, strip%points
       if (strip%excess(i) <= 0) cycle
@@ -213,11 +213,11 @@ contains
   !> A step far beyond the present stresses is shortened, since rates grow exponentially, and walls approach the
   !> limiting stress, if there is one, by fractions of their distance to it (Sharif et al., text to
   !> fig. 4).
-  pure subroutine bounded_move(limited, strip)
-    logical, intent(in) :: limited
+  pure subroutine bounded_move(law, strip)
+    type(flow_law), intent(in) :: law
     type(shear_strip), intent(inout) :: strip
-    !> Fraction of the distance to slip, and least move in fractions of the stress there.
-    real(wp), parameter :: approach = 0.8_wp, least = 1e-3_wp
+    !> Fraction of the distance to slip. The least move is that in which the slip grows e-fold.
+    real(wp), parameter :: approach = 0.8_wp
     real(wp) :: half_x, half_y, extreme, room, length, bound
     integer :: i
 
@@ -226,8 +226,8 @@ contains
       half_y = strip%film(i)*strip%py(i)/2
       extreme = sqrt(max((strip%tau_x(i) + half_x)**2 + (strip%tau_y(i) + half_y)**2, &
         (strip%tau_x(i) - half_x)**2 + (strip%tau_y(i) - half_y)**2))
-      bound = merge(slip_stress(strip%limit(i)), huge(bound), limited)
-      room = min(extreme + 2*strip%reference(i), max(approach*(bound - extreme), least*bound))
+      bound = merge(slip_stress(strip%limit(i)), huge(bound), has_limit(law))
+      room = min(extreme + 2*strip%reference(i), max(approach*(bound - extreme), law%slip_step*bound))
       length = sqrt(strip%step_x(i)**2 + strip%step_y(i)**2)
       strip%tau_x(i) = strip%tau_x(i) + room/max(length, room)*strip%step_x(i)
       strip%tau_y(i) = strip%tau_y(i) + room/max(length, room)*strip%step_y(i)

@@ -25,9 +25,6 @@ module flow_laws
 
   !> Fraction of the limit at which a wall slips (Sharif et al., text to fig. 4).
   real(wp), parameter :: slip_fraction = 0.995_wp
-  !> Stress, in fractions of that at slip, in which the rate grows e-fold beyond it. With a tenth of this, films that slip
-  !> everywhere had no solution: the slipping wall depends on a gradient that Newton steps cannot resolve.
-  real(wp), parameter :: slip_step = 1e-3_wp
   !> Least limiting stress [Pa], since one proportional to pressure vanishes at ambient pressure.
   real(wp), parameter :: least_limit = 1e5_wp
   !> Largest exponents: beyond them thinning stays constant, so that a stray stress does not overflow.
@@ -49,6 +46,9 @@ module flow_laws
     real(wp) :: limit = 0, limit_growth = 0
     !> lambda of the limited law, or n of Carreau [-].
     real(wp) :: exponent = 1
+    !> Stress, in fractions of that at slip, in which the rate grows e-fold beyond it. With a tenth of this, films that slip
+    !> everywhere had no solution: the slipping wall depends on a gradient that Newton steps cannot resolve.
+    real(wp) :: slip_step = 1e-3_wp
   end type flow_law
 
 contains
@@ -312,7 +312,7 @@ contains
 
     c = slip_fraction/sqrt(per_limit)
     call thinning_below_slip(law, 1, [c**2], [per_reference], [per_limit], g_c, slope_c)
-    step = slip_step*c
+    step = law%slip_step*c
     stress = min(sqrt(square), c + largest_slip*step)
     stiffness = g_c(1) + 2*c**2*slope_c(1)
     growth = exp((stress - c)/step)
@@ -350,7 +350,7 @@ contains
       if (any(square > slip_stress(limit)**2)) then
         do i = 1, count
           if (square(i) > slip_stress(limit(i))**2) then
-            by_reference(i) = slip_by_reference(law%exponent, square(i), reference(i), limit(i))
+            by_reference(i) = slip_by_reference(law, square(i), reference(i), limit(i))
           end if
         end do
       end if
@@ -360,19 +360,20 @@ contains
   end subroutine thinning_by_stresses
 
   !> Derivative [1/Pa] by the reference stress of the limited law's continuation.
-  elemental real(wp) function slip_by_reference(power, square, reference, limit)
-    real(wp), intent(in) :: power, square, reference, limit
+  elemental real(wp) function slip_by_reference(law, square, reference, limit)
+    type(flow_law), intent(in) :: law
+    real(wp), intent(in) :: square, reference, limit
     real(wp) :: c, step, stress, x, ratio, excess, excess_slope, growth
 
     slip_by_reference = 0
     c = slip_stress(limit)
     x = c/reference
     if (x >= largest_eyring) return
-    step = slip_step*c
+    step = law%slip_step*c
     stress = min(sqrt(square), c + largest_slip*step)
-    ratio = slip_fraction**(2*power)
+    ratio = slip_fraction**(2*law%exponent)
     excess = 1/(1 - ratio)
-    excess_slope = 2*power*ratio*excess**2/c
+    excess_slope = 2*law%exponent*ratio*excess**2/c
     growth = step*(exp((stress - c)/step) - 1)
     slip_by_reference = ((sinh(x) - x*cosh(x))*(excess + excess_slope*growth) - x*sinh(x)*excess*growth/reference)/stress
   end function slip_by_reference

@@ -119,6 +119,9 @@ class HeatFields:
     carried: np.ndarray
 
 
+SLIP_STEP = 1e-3
+"""Stress in which the slip of a wall grows e-fold, over that at slip [-] (`fortran/oil/flow_laws.f90`)."""
+
 LEAST_RISE = 10.0
 """Least reference of relative changes of temperature [K]."""
 
@@ -250,7 +253,7 @@ class Film:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2 along the last axis."""
         return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
-    def shear(self, law: FlowLaw, levels: int, sliding) -> None:
+    def shear(self, law: FlowLaw, levels: int, sliding, slip_step: float = SLIP_STEP) -> None:
         """Set the flow law of the oil; the film must be restarted, or heated, before its next step.
 
         Parameters
@@ -261,6 +264,8 @@ class Film:
             Levels across the film, walls included.
         sliding : tuple of array_like
             Velocity of body 1 relative to body 2 at the nodes along each direction of the grid [m/s].
+        slip_step : float, optional
+            Stress in which the slip of a wall beyond the limiting stress grows e-fold, over that stress [-].
 
         Raises
         ------
@@ -274,6 +279,7 @@ class Film:
                 -self._on_nodes(sliding_x),
                 -self._on_nodes(sliding_y),
                 *flow_numbers(law),
+                slip_step,
                 levels,
             )
         )

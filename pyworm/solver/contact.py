@@ -10,6 +10,7 @@ from math import log2, sqrt
 from typing import Any, ClassVar
 
 from pyworm.kernel import DryContact
+from pyworm.kernel.film import SLIP_STEP
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
@@ -25,11 +26,21 @@ COARSE_TOLERANCE = 1e-4
 FIRMEST = 16.0
 """First factor of the stress continuation: stresses of the flow law over those of the oil."""
 
-SOFTENING, LEAST_SOFTENING, LEAST_SOFTENING_OF_HEATED = 2.0, 1.05, 1.005
+SOFTENING, LEAST_SOFTENING, LEAST_SOFTENING_OF_HEATED = 2.0, 1.05, 1.0005
 """First and least ratio of successive stresses in the continuation; its root is taken if a film is lost.
 
-A heated film bears smaller stresses than the cold one from which it began. Where walls slip, the slip grows
-e-fold with a thousandth of the stress (`flow_laws`)."""
+A heated film bears smaller stresses than the cold one from which it began."""
+
+SOFTENING_GROWTH = 1.2
+"""Power to which the ratio is raised after a film that was found."""
+
+SLIP_WIDENING = 0.2
+"""Growth of the slip step with the factor of the stresses.
+
+Where both walls slip, the pressure gradient follows the limiting stress, and a change of that by a slip step
+changes the flow e-fold. With the step of the law itself, a thousandth, gradients would have to follow in
+hundreds of films. Under larger stresses the step is wider, and narrows to that of the law as they fall, like
+the barrier of an interior-point method (Nocedal and Wright 2006, chapter 19)."""
 
 FIRMED_AGAIN = (2.0, 8.0)
 """Factors of the stresses from which a heated film that does not settle is softened once more, in order."""
@@ -149,6 +160,11 @@ class ContactSolver(ABC):
             finer = self._continued(level, guess)
             if finer.film.balance.residual <= SENSELESS:
                 return finer, []
+        if self._slips_hot(level) and not level.lost():
+            finer = self._continued(level, level.state().finer())
+            steps = self._through_larger_stresses(finer)
+            if not finer.lost():
+                return finer, steps
         return self._begun_again(level)
 
     def _add_shear_and_heat(self, level: Level) -> list[NewtonStep]:
@@ -223,7 +239,11 @@ class ContactSolver(ABC):
             if level.lost():
                 ratio = sqrt(ratio)
             else:
-                found, stresses, ratio = level.state(), softer, min(ratio**1.5, SOFTENING)
+                found, stresses, ratio = (
+                    level.state(),
+                    softer,
+                    min(ratio**SOFTENING_GROWTH, SOFTENING),
+                )
         if level.lost():
             self._flow_by_law(level, stresses, found)
         return steps, stresses
@@ -234,17 +254,25 @@ class ContactSolver(ABC):
         Where both walls slip, film and temperature may move to and fro without end; the same grid's film of
         larger stresses leads to the one that rests. No steps where the film is not heated or has no flow law.
         """
-        if not level.film.heated or self._scene.oil.flow in (None, NEWTONIAN):
-            return []
+        return self._through_larger_stresses(level) if self._slips_hot(level) else []
+
+    def _slips_hot(self, level: Level) -> bool:
+        """Whether a film is heated and has stresses of a flow law, by which heat and film may part."""
+        return level.film.heated and self._scene.oil.flow not in (None, NEWTONIAN)
+
+    def _through_larger_stresses(self, level: Level) -> list[NewtonStep]:
+        """Newton steps of a heated film from its state, through films of larger stresses to its own."""
         steps: list[NewtonStep] = []
+        guess = level.state()
         for firmed in FIRMED_AGAIN:
-            self._flow_by_law(level, firmed, level.state())
+            self._flow_by_law(level, firmed, guess)
             steps += lead(level, HEATED_TOLERANCE, HEATED_TOLERANCE)
             if level.film.balance.within(HEATED_TOLERANCE, HEATED_TOLERANCE):
                 softened, stresses = self._softened(level, firmed, LEAST_SOFTENING_OF_HEATED)
                 steps += softened
                 if stresses <= 1:
                     return steps
+                break  # the films of still larger stresses lead here, too
         self._flow_by_law(level, 1.0, level.state())
         return steps
 
@@ -258,8 +286,12 @@ class ContactSolver(ABC):
 
     def _shear(self, level: Level, stresses: float = 1.0) -> None:
         """Set the flow law, its stresses multiplied by a factor; the film must be restarted."""
-        law = (self._scene.oil.flow or NEWTONIAN).firmer(stresses)
-        level.film.shear(law, self._model.levels, self._scene.sliding_at(*level.grid.mesh()))
+        level.film.shear(
+            (self._scene.oil.flow or NEWTONIAN).firmer(stresses),
+            self._model.levels,
+            self._scene.sliding_at(*level.grid.mesh()),
+            SLIP_STEP + SLIP_WIDENING * (stresses - 1),
+        )
 
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""

@@ -8,7 +8,8 @@ program test_flow_laws
   real(wp), parameter :: tau0 = 5e6_wp, limit = 1e8_wp
   type(flow_law), parameter :: newton = flow_law(law_newton), eyring = flow_law(law_eyring), &
     bair_winer = flow_law(law_bair_winer), limited = flow_law(law_eyring_limited), &
-    sharply_limited = flow_law(law_eyring_limited, exponent=2.5_wp), carreau = flow_law(law_carreau, exponent=0.45_wp)
+    sharply_limited = flow_law(law_eyring_limited, exponent=2.5_wp), carreau = flow_law(law_carreau, exponent=0.45_wp), &
+    slips_gently = flow_law(law_eyring_limited, exponent=2.5_wp, slip_step=0.1_wp)
   type(flow_law) :: law
   real(wp) :: reference, reference_slope, bound, bound_slope, x
 
@@ -29,12 +30,14 @@ program test_flow_laws
   call derivatives(limited, "limited Eyring")
   call derivatives(sharply_limited, "sharply limited Eyring")
   call derivatives(carreau, "Carreau")
+  call derivatives(slips_gently, "a wide slip step")
   call solid(eyring, "Eyring")
   call solid(bair_winer, "Bair and Winer")
   call solid(limited, "limited Eyring")
   call solid(carreau, "Carreau")
   call slip(bair_winer, "Bair and Winer")
   call slip(limited, "limited Eyring")
+  call widened()
 
   call check(.not. has_limit(eyring) .and. has_limit(limited), "laws with a limit")
   law = flow_law(law_eyring_limited, tau0, 1e-9_wp, 0.01_wp, limit, 0.05_wp)
@@ -118,5 +121,18 @@ contains
     call close_to(slope(1), slope(2), 1e-4_wp*slope(1), name//": slip joins its slope")
     call check(g(law, 1.005_wp*limit) > 500*g(law, c), name//": slip about the limit")
   end subroutine slip
+
+  !> Rates beyond slip by a slip step of a tenth are those of a thousandth at a hundredth of the distance, but for the
+  !> factor by which the step multiplies them.
+  subroutine widened()
+    type(flow_law), parameter :: wide = flow_law(law_eyring_limited, slip_step=0.1_wp)
+    real(wp) :: c, at_slip, far, near
+
+    c = slip_stress(limit)
+    at_slip = c*g(limited, c)
+    far = 1.3_wp*c*g(wide, 1.3_wp*c) - at_slip
+    near = 1.003_wp*c*g(limited, 1.003_wp*c) - at_slip
+    call close_to(far, 100*near, 1e-9_wp*far, "slip in a wide step")
+  end subroutine widened
 
 end program test_flow_laws

@@ -201,6 +201,23 @@ def test_a_fast_film_is_found_by_continuation_in_speed():
     assert abs(hot.heat_balance) < 0.01
 
 
+@pytest.mark.parametrize("rise", [0.01, 0.02])
+def test_a_film_that_slips_at_both_walls_is_reached_through_wide_slip_steps(rise):
+    """Limits of 1 and 2 % of the pressure: half the film times the gradient is the limit somewhere.
+
+    With the law's own slip step in all films the continuation ended far above the oil's own stresses.
+    """
+    law = FlowLaw("eyring-limited", stress=2e6, limit=2e6, limit_pressure=rise)
+    oil = replace(OIL, viscosity=Roelands.from_alpha(0.02, 35e-9), flow=law)
+    slipping = replace(SCENE, velocities=(1.01, 0.99), load=5e5, oil=oil)
+    fields = solved(slipping, accuracy=0.05).fields
+    pressure, film = fields.pressure.values, fields.film.values
+    gradient = np.diff(pressure) / np.diff(fields.x.values)
+    limits = law.limit + law.limit_pressure * (pressure[1:] + pressure[:-1]) / 2
+    needed = np.abs(gradient) * (film[1:] + film[:-1]) / 4 / limits
+    assert needed.max() == pytest.approx(1.0, abs=0.02)
+
+
 def test_flash_temperature_of_fast_bodies(heated):
     """Surfaces that take half the heat of friction each, without conduction along them."""
     fields = heated.fields
