@@ -179,10 +179,15 @@ class Prediction:
             return cold
         return scipy.optimize.brentq(excess, 0.0, cold, xtol=1e-6 * cold)
 
+    @cached_property
+    def own_hot_stress(self) -> float:
+        """Shear stress [Pa] of the oil with its own flow law, warmed by surfaces and film."""
+        return self.hot_stress()
+
     @property
     def heat(self) -> float:
         """Heat of shearing for each area [W/m2], solved or estimated."""
-        return self.hot_stress() * self.sliding if self.work is None else self.work
+        return self.own_hot_stress * self.sliding if self.work is None else self.work
 
     @property
     def rolling_rise(self) -> float:

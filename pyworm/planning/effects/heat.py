@@ -31,7 +31,7 @@ def _temperature(prediction: Prediction, rise: float) -> float:
 
 def _friction(prediction: Prediction, surfaces: bool, film: bool) -> float:
     """Relative change of the friction if surfaces or film stay cold."""
-    hot = prediction.hot_stress()
+    hot = prediction.own_hot_stress
     return abs(prediction.hot_stress(surfaces, film) / hot - 1) if hot > 0 else 0.0
 
 

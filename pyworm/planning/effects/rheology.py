@@ -109,7 +109,7 @@ def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
     lobe = LOBE_PRESSURE * prediction.pressure_mean
     outflow = change(prediction.oil.eta(lobe) * prediction.sliding / prediction.film_min, lobe)
     film = max(change(_inlet_stress(prediction), _inlet_pressure(prediction)), outflow)
-    stress = prediction.hot_stress()
+    stress = prediction.own_hot_stress
     friction = abs(prediction.hot_stress(flow=other) / stress - 1) if stress > 0 else 0.0
     return Influence(film, max(friction, film), HOT_FRICTION * friction * prediction.warmth)
 
