@@ -1,12 +1,12 @@
 !> Reynolds' equation d(rho h um)/dx - d(rho h^3 / (12 eta) dp/dx)/dx + d(rho h)/dt = 0 of a line contact.
 !>
-!> The scheme is that of `reynolds` in one dimension: node-centred finite volumes, diffusive fluxes with the nearly
-!> logarithmic mean of the mobility at a face's two nodes, wedge fluxes with rho h of third order. The Jacobian is
-!> assembled as two bands, one for the change of pressure and one for that of the film. The Poiseuille flow may be
-!> that of a sheared film (`line_shear`).
+!> Node-centred finite volumes as of `reynolds`, in one dimension and of second order: diffusive fluxes with the mean
+!> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. Hot rollers whose walls slip are lost
+!> with the scheme of third order, and lines are cheap. The Jacobian is assembled as two bands, one for the change of
+!> pressure and one for that of the film. The Poiseuille flow may be that of a sheared film (`line_shear`).
 module line_reynolds
   use kinds, only: wp
-  use reynolds, only: arithmetic_share, film_fields, face_mean
+  use reynolds, only: film_fields
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
@@ -49,21 +49,17 @@ contains
     type(line_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
     type(line_flow), intent(inout) :: faces
-    real(wp), dimension(grid%n) :: root
-    real(wp) :: mobility, gradient, by_before, by_after
+    real(wp) :: mobility, gradient
     integer :: i
 
-    root = sqrt(fields%mobility(:, 1))
     do i = 1, grid%n - 1
-      mobility = face_mean(root(i), root(i + 1))/grid%dx
+      mobility = (fields%mobility(i, 1) + fields%mobility(i + 1, 1))/(2*grid%dx)
       gradient = (fields%p(i + 1, 1) - fields%p(i, 1))/(2*grid%dx)
-      by_before = gradient*(arithmetic_share + (1 - arithmetic_share)*root(i + 1)/root(i))
-      by_after = gradient*(arithmetic_share + (1 - arithmetic_share)*root(i)/root(i + 1))
       faces%flow(i) = mobility*(fields%p(i + 1, 1) - fields%p(i, 1))
-      faces%before(i) = fields%mobility_p(i, 1)*by_before - mobility
-      faces%after(i) = fields%mobility_p(i + 1, 1)*by_after + mobility
-      faces%film_before(i) = fields%mobility_h(i, 1)*by_before
-      faces%film_after(i) = fields%mobility_h(i + 1, 1)*by_after
+      faces%before(i) = fields%mobility_p(i, 1)*gradient - mobility
+      faces%after(i) = fields%mobility_p(i + 1, 1)*gradient + mobility
+      faces%film_before(i) = fields%mobility_h(i, 1)*gradient
+      faces%film_after(i) = fields%mobility_h(i + 1, 1)*gradient
     end do
   end subroutine newtonian_flow
 
@@ -143,7 +139,7 @@ contains
     end do
   end function band_product
 
-  !> Wedge flow through the face after node i as weights of rho h at the nodes i - 1 to i + 2: biased upwind to third
+  !> Wedge flow through the face after node i as weights of rho h at the nodes i - 1 to i + 2: upwind to second
   !> order, next to an end the mean of the face's two nodes.
   pure function wedge_weights(grid, i) result(weights)
     type(line_grid), intent(in) :: grid
@@ -153,9 +149,9 @@ contains
     if (i == 1 .or. i == grid%n - 1) then
       weights = grid%u(i)*[0.0_wp, 0.5_wp, 0.5_wp, 0.0_wp]
     else if (grid%u(i) > 0) then
-      weights = grid%u(i)*[-1.0_wp, 5.0_wp, 2.0_wp, 0.0_wp]/6
+      weights = grid%u(i)*[-0.5_wp, 1.5_wp, 0.0_wp, 0.0_wp]
     else
-      weights = grid%u(i)*[0.0_wp, 2.0_wp, 5.0_wp, -1.0_wp]/6
+      weights = grid%u(i)*[0.0_wp, 0.0_wp, 1.5_wp, -0.5_wp]
     end if
   end function wedge_weights
 

@@ -1,7 +1,7 @@
 !> Flow of a line contact's film with a flow law and a viscosity that varies across the film.
 !>
 !> The flow through a face is that of `sheared_reynolds`, on a grid of one row without gradient or sliding along
-!> it, with the same means at the faces and exact derivatives. For an isothermal Newtonian oil it is that of
+!> it, with the arithmetic mean of the mobility and exact derivatives. For an isothermal Newtonian oil it is that of
 !> `line_reynolds` to rounding.
 module line_shear
   use kinds, only: wp
@@ -30,6 +30,7 @@ contains
     integer :: first
 
     film%strips%unsolved = 0
+    film%nodes%arithmetic = 1
     !$omp parallel do schedule(static)
     do first = 1, grid%n, strip
       call set_oil(oil, first, min(first + strip - 1, grid%n), 1, film%nodes, fields)

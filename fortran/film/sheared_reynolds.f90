@@ -42,6 +42,8 @@ module sheared_reynolds
   type :: sheared_oil
     type(flow_law) :: law
     type(levels_across) :: levels
+    !> Share of the arithmetic mean of the nodes' mobilities in that of a face, the rest being the geometric mean.
+    real(wp) :: arithmetic = arithmetic_share
     !> Velocity of body 2 relative to body 1 at the nodes [m/s].
     real(wp), allocatable :: sliding_x(:, :), sliding_y(:, :)
     !> Temperature at the levels less that of the inlet [K], third index.
@@ -226,7 +228,7 @@ contains
       work%px(:m) = aside(:m)
       work%py(:m) = normal(:m)
     end if
-    associate (rho1 => fields%rho(first:last, j), rho2 => fields%rho(first + di:last + di, j + dj), &
+    associate (share => nodes%arithmetic, rho1 => fields%rho(first:last, j), rho2 => fields%rho(first + di:last + di, j + dj), &
         rho1_p => fields%rho_p(first:last, j), rho2_p => fields%rho_p(first + di:last + di, j + dj), &
         f1 => nodes%fluidity(first:last, j, :), f2 => nodes%fluidity(first + di:last + di, j + dj, :), h => work%film(:m), &
         f_x => work%level_x, f_y => work%level_y)
@@ -239,8 +241,8 @@ contains
       rho(:m) = (mass1(:m) + mass2(:m))/(2*h**3)
       by_geometric(:m) = sqrt(weight(:m)*(1 - weight(:m)))
       do k = 1, nodes%levels%count
-        geometric(:m, k) = 2*(1 - arithmetic_share)*sqrt(f1(:, k)*f2(:, k))
-        work%fluidity(:m, k) = arithmetic_share*(weight(:m)*f1(:, k) + (1 - weight(:m))*f2(:, k)) &
+        geometric(:m, k) = 2*(1 - share)*sqrt(f1(:, k)*f2(:, k))
+        work%fluidity(:m, k) = share*(weight(:m)*f1(:, k) + (1 - weight(:m))*f2(:, k)) &
           + by_geometric(:m)*geometric(:m, k)
       end do
       work%us(:m) = (nodes%sliding_x(first:last, j) + nodes%sliding_x(first + di:last + di, j + dj))/2
@@ -276,12 +278,12 @@ contains
       by_fluidity2 = 0
       do k = 1, nodes%levels%count
         geometric(:m, k) = by_geometric(:m)*geometric(:m, k)/2
-        by_weight(:m) = by_weight(:m) + f_x(:m, k)*(arithmetic_share*(f1(:, k) - f2(:, k))*by_geometric(:m)**2 &
+        by_weight(:m) = by_weight(:m) + f_x(:m, k)*(share*(f1(:, k) - f2(:, k))*by_geometric(:m)**2 &
           + (1 - 2*weight(:m))*geometric(:m, k))
         by_fluidity1(:m) = by_fluidity1(:m) + f_x(:m, k)*nodes%fluidity_p(first:last, j, k) &
-          *(arithmetic_share*weight(:m)*f1(:, k) + geometric(:m, k))
+          *(share*weight(:m)*f1(:, k) + geometric(:m, k))
         by_fluidity2(:m) = by_fluidity2(:m) + f_x(:m, k)*nodes%fluidity_p(first + di:last + di, j + dj, k) &
-          *(arithmetic_share*(1 - weight(:m))*f2(:, k) + geometric(:m, k))
+          *(share*(1 - weight(:m))*f2(:, k) + geometric(:m, k))
       end do
 
       ! density, weights and fluidities depend on the pressure of each node, the stresses of the flow law on both
