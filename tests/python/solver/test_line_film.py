@@ -145,10 +145,9 @@ def rigid(stiffening):
 def test_rigid_films_are_exact_to_second_order(stiffening):
     films = [solution.figures.film_min for solution in on_grids(rigid(stiffening), 5)]
     errors = [abs(film.on_grid / RIGID_FILM - 1) for film in films]
-    # each halving of the spacing takes off three quarters, until the place of the rupture between nodes
-    # matters, which moves the film by 5e-5
-    assert np.log2(errors[0] / errors[2]) / 2 > 1.6
-    assert max(errors[3:]) < 6e-5
+    # each halving of the spacing takes off three quarters; where the rupture line falls between nodes wobbles
+    assert np.log2(errors[0] / errors[-1]) / (len(errors) - 1) > 1.6
+    assert errors[-1] < 1e-4
 
 
 def test_rigid_isoviscous_film():
