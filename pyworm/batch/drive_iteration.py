@@ -36,8 +36,8 @@ STRIDE = 4
 """Every which phase is solved while temperatures are sought."""
 
 GLANCE = 0.1
-"""Accuracy at which lifts are sought, at every phase: it leaves 1 % in a lift, and so 0.1 % in a load. Where the
-number of teeth in contact changes, a lift interpolated between phases is off by 8 %."""
+"""Accuracy at which lifts are sought, at every phase: it leaves 1 % in a lift, and so 0.1 % in a load. A lift
+interpolated between phases is off by 8 % where the number of teeth in contact changes."""
 
 LOAD_SHARE = 0.25
 """Change of the loads that asks for another pass, as a share of the accuracy."""

@@ -264,10 +264,10 @@ def test_the_inlet_temperature_is_in_the_summary(heated):
 
 
 def test_a_hot_roller_whose_walls_slip_settles_on_every_grid():
-    """With a wedge of third order each grid from 500 nodes on took hundreds of steps, and then none was found."""
+    """With a wedge of third order each grid from 500 nodes on took hundreds of steps until it was lost."""
     case = pyworm.load(Path(__file__).parents[3] / "cases" / "roller_ref.toml")
     scene = case.scene(section="left", phase=0.5, station=0.5)
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.01))
     assert solution.converged, solution.stop_reason
-    steps = solution.history.groupby("points_x").count().residual
-    assert int(steps.sel(points_x=slice(200, None)).max()) < 30
+    points, steps = np.unique(solution.history.points_x, return_counts=True)
+    assert max(steps[points > 200]) < 30
