@@ -92,9 +92,8 @@ class PointContactSolver(ContactSolver):
         guess = guess_around(narrow, level)
         level.film.start(guess.pressure, guess.rigid_film)
         self._shear_and_warm(level, guess)
-        # what the windows differ by is of the order of the tolerance, and heat converges slowly: to a third
-        # of it the differences are within a twentieth of themselves, to all of it within a third
-        steps += lead(level, self._plan.tolerance / 3)
+        # what the windows differ by is of the order of the tolerance, and heat converges slowly
+        steps += lead(level, self._plan.tolerance / 10)
         if not level.lost():
             return level, steps
         level, further = super().in_wider_window(grids, narrow)
