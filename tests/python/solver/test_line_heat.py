@@ -205,7 +205,7 @@ def test_a_fast_film_is_found_by_continuation_in_speed():
 def test_a_film_that_slips_at_both_walls_is_reached_through_wide_slip_steps(rise):
     """Limits of 1 and 2 % of the pressure: half the film times the gradient is the limit somewhere.
 
-    With the law's own slip step in all films the continuation of the first ended above the oil's own stresses.
+    With the law's own slip step in all films the continuation of the first ended far above its own stresses.
     """
     law = FlowLaw("eyring-limited", stress=2e6, limit=2e6, limit_pressure=rise)
     oil = replace(OIL, viscosity=Roelands.from_alpha(0.02, 35e-9), flow=law)
