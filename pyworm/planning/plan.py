@@ -10,7 +10,7 @@ from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.planning.effects.judgement import Judgement, judge, simplified
-from pyworm.planning.effects.selection import beside_auto, chosen
+from pyworm.planning.effects.selection import ONLY_NAMED, SIMULATED, beside_auto, chosen
 from pyworm.planning.expected_work import Work
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -74,6 +74,13 @@ class Plan:
     def on(self) -> frozenset[str]:
         """Names of the effects that are simulated."""
         return frozenset(judgement.name for judgement in self.effects if judgement.on)
+
+    @property
+    def may_grow(self) -> bool:
+        """Whether it leaves out effects that the solution may call for."""
+        simulated = SIMULATED.keys() - ONLY_NAMED
+        left_out = {one.name for one in self.effects if not one.on and one.influence}
+        return self.asked is None and not left_out.isdisjoint(simulated)
 
     def simplified(self, scene: Scene | LineScene) -> Scene | LineScene:
         """The scene without the effects that are left out.

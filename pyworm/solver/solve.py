@@ -43,7 +43,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         sequence = GridSequence(plan.simplified(scene), plan, report, stopwatch)
         warm_start = sequence.begin(warm_start)
         # the first grid tells what the closed forms missed, before finer ones cost their time
-        updated = _updated(scene, plan, sequence.figures())
+        updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)
         if updated.on <= plan.on:
             solution = sequence.finish()
             figures = solution.figures.values() if solution.converged else None

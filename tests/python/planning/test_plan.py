@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from plan_scenes import STEEL, TRIALS, mineral, point
+from plan_scenes import ROUGH, STEEL, TRIALS, mineral, point
 from plans import trial
 
 import pyworm
@@ -192,6 +192,16 @@ def test_an_effect_that_was_missed_costs_no_second_climb_of_the_grids():
     assert len(windows) == 1
     on = {one.name for one in solution.effects if one.on}
     assert on == plan.on | {"limiting-stress", "shear-thinning"}
+
+
+def test_only_a_plan_that_leaves_out_what_is_simulated_may_grow():
+    trial = TRIALS["slender, across"]
+    scene = replace(trial.scene(), bodies=(ROUGH, ROUGH))
+    assert pyworm.plan(scene, 0.01, "auto", trial.quantities).may_grow
+    whole = pyworm.plan(scene, 1e-4, "auto", ("film", "friction", "temperature"))
+    assert "roughness" not in whole.on
+    assert not whole.may_grow
+    assert not pyworm.plan(scene, 0.01, "isothermal").may_grow
 
 
 def test_heat_that_was_missed_gets_the_window_it_needs():
