@@ -17,7 +17,8 @@ module bindings
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
   public :: film_free, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, film_transient, &
-    film_shear, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
+    film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
+    film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: prolong_cubic, level_positions
   public :: compiled_with
 
@@ -183,6 +184,51 @@ contains
     call shear_contact(contact%film, flow_law(law, reference, reference_growth, reference_decay, limit, &
       limit_growth, exponent, slip_step), levels, sliding_x, sliding_y, stat)
   end subroutine film_shear
+
+  !> Makes the surfaces of a contact with a flow law rough; see `rough_surfaces` for the curves, (curve, row).
+  subroutine film_roughen(handle, scale, first, spacing, value, slope, curves, rows, boundary_friction, stat)
+    use film_newton, only: roughen_contact
+    use rough_surfaces, only: gap_curves
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: curves, rows
+    real(c_double), intent(in) :: scale, first, spacing, value(curves, rows), slope(curves, rows), boundary_friction
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call roughen_contact(contact%film, gap_curves(scale, first, spacing, value, slope), boundary_friction, stat)
+  end subroutine film_roughen
+
+  !> Sets where the oil has ruptured between rough surfaces, for the next evaluation.
+  subroutine film_set_ruptured(handle, ruptured, nx, ny)
+    use film_newton, only: set_ruptured
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny, ruptured(nx, ny)
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call set_ruptured(contact%film, ruptured /= 0)
+  end subroutine film_set_ruptured
+
+  !> Pressure that asperities bear of the total, that of their curve at the present gap [Pa], which differs until the film is
+  !> solved, and real area of contact over the nominal, as last evaluated.
+  subroutine film_asperities(handle, nx, ny, pressure, curve, area)
+    use rough_surfaces, only: asperity_pressure
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: pressure(nx, ny), curve(nx, ny), area(nx, ny)
+    type(thermal_contact), pointer :: contact
+    integer :: j
+
+    contact => contact_of(handle)
+    associate (fields => contact%film%fields)
+      do j = 1, ny
+        pressure(:, j) = asperity_pressure(fields%rough, fields%p, j)
+      end do
+      curve = pressure + fields%rough%excess
+      area = fields%rough%area
+    end associate
+  end subroutine film_asperities
 
   !> Evaluates residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine film_evaluate(handle, p, nx, ny, h0, residual, load_error)

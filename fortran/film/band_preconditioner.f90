@@ -35,17 +35,21 @@ contains
 
   !> Factors the model of the Jacobian's bands (see `line_reynolds`) and the kernel by distance in nodes.
   !>
-  !> The change of pressure is zero where it is not free.
-  subroutine set_band_model(self, by_pressure, by_film, influence, free, stat)
+  !> The change of pressure is zero where it is not free. Between rough surfaces pressure is the total, that of the oil rises
+  !> with the film by the asperities' `stiffness` [Pa/m], and where it is not free the oil's pressure is unchanged.
+  subroutine set_band_model(self, by_pressure, by_film, influence, free, stat, stiffness)
     type(band_model), intent(inout) :: self
     real(wp), intent(in) :: by_pressure(:, -2:), by_film(:, -2:), influence(0:)
     logical, intent(in) :: free(:)
     integer, intent(out) :: stat
-    real(wp) :: kernel(-reach:reach), row(-half:half)
+    real(wp), intent(in), optional :: stiffness(:)
+    real(wp) :: kernel(-reach:reach), row(-half:half), yield(-1:size(free) + 2)
     integer :: i, j, k, n, last, info
 
     n = size(free)
     last = min(reach, ubound(influence, 1))
+    yield = 0
+    if (present(stiffness)) yield(1:n) = stiffness
     kernel = 0
     do k = -last, last
       kernel(k) = influence(abs(k)) - influence(last)
@@ -57,10 +61,11 @@ contains
       if (free(i)) then
         row(-2:2) = by_pressure(i, :)
         do k = -2, 2
-          row(k - reach:k + reach) = row(k - reach:k + reach) + by_film(i, k)*kernel
+          row(k - reach:k + reach) = row(k - reach:k + reach) + (by_film(i, k) + by_pressure(i, k)*yield(i + k))*kernel
         end do
       else
-        row(0) = 1
+        row(-reach:reach) = yield(i)*kernel
+        row(0) = row(0) + 1
       end if
       ! pivoting compares rows, and the mobility of some is that of others times 1e8
       self%row_scale(i) = 1/max(maxval(abs(row)), tiny(1.0_wp))

@@ -7,6 +7,7 @@ module film_levels
   use kinds, only: pp, wp
   use line_relaxation, only: line_systems, new_line_systems
   use reynolds, only: arithmetic_share, film_fields, film_grid
+  use rough_surfaces, only: rough_film
   use sheared_couplings, only: couple_row
   use sheared_reynolds, only: sheared_film
   use status, only: status_ok, status_no_memory
@@ -79,15 +80,22 @@ contains
     end do
   end subroutine coarsen_entrainment
 
-  !> Sets the change of rho h by pressure, and where pressure is free to change.
+  !> Sets the change of rho h by (total) pressure, and where pressure is free to change.
   subroutine set_level(level, fields, free)
     type(grid_level), intent(inout) :: level
     type(film_fields), intent(in) :: fields
     logical, intent(in) :: free(:, :)
 
     associate (stride => level%stride)
-      call orient(level%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
-        + level%compliance*fields%rho(::stride, ::stride), level%f)
+      if (allocated(fields%rough)) then
+        associate (stiffness => fields%rough%stiffness(::stride, ::stride), widening => fields%rough%widening(::stride, ::stride))
+          call orient(level%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
+            *(1 + level%compliance*stiffness) + level%compliance*fields%rho(::stride, ::stride)*widening, level%f)
+        end associate
+      else
+        call orient(level%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
+          + level%compliance*fields%rho(::stride, ::stride), level%f)
+      end if
       call orient(level%transposed, merge(1.0_wp, 0.0_wp, free(::stride, ::stride)), level%free)
     end associate
   end subroutine set_level
@@ -136,11 +144,12 @@ contains
   !> Computes the model's row of each node of line j: coefficients of the node, of its neighbours within the line, and of
   !> those in the line before and after. `implicit_rate` is that of `film_grid`. The flow of a film that is not
   !> isothermal and Newtonian is that of `shear`.
-  subroutine model_line(level, j, implicit_rate, shear, centre, left, right, before, after)
+  subroutine model_line(level, j, implicit_rate, shear, rough, centre, left, right, before, after)
     type(grid_level), intent(in) :: level
     integer, intent(in) :: j
     real(pp), intent(in) :: implicit_rate
     type(sheared_film), intent(in), optional :: shear
+    type(rough_film), intent(in), optional :: rough
     real(pp), dimension(level%length), intent(out) :: centre, left, right, before, after
     real(pp), dimension(level%length) :: leave, enter
     integer :: i, n
@@ -148,19 +157,19 @@ contains
     n = level%length
     associate (free => level%free, dq => level%f)
       ! through the faces within the line: outflow by a node's pressure, inflow by the next one's
-      call couple(level, j, .false., leave, enter, shear)
+      call couple(level, j, .false., leave, enter, shear, rough)
       do i = 2, n - 1
         centre(i) = implicit_rate*dq(i, j) + leave(i) + enter(i - 1)
         right(i) = -free(i, j)*enter(i)*free(i + 1, j)
         left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
       end do
       ! through the faces towards the next line, and from the one before
-      call couple(level, j, .true., leave, enter, shear)
+      call couple(level, j, .true., leave, enter, shear, rough)
       do i = 2, n - 1
         centre(i) = centre(i) + leave(i)
         after(i) = -free(i, j)*enter(i)*free(i, j + 1)
       end do
-      call couple(level, j - 1, .true., leave, enter, shear)
+      call couple(level, j - 1, .true., leave, enter, shear, rough)
       do i = 2, n - 1
         centre(i) = merge(centre(i) + enter(i), 1.0_pp, free(i, j) > 0)
         before(i) = -free(i, j)*leave(i)*free(i, j - 1)
@@ -171,12 +180,13 @@ contains
   !> Computes the couplings through the faces between the nodes of line j and those of the next line, `across`, or of the same
   !> one: outflow by the pressure of the node before, `leave`, and inflow by that of the node after, `enter`. Nodes without
   !> such a face, and the ends of lines towards the next, are left as they are.
-  subroutine couple(level, j, across, leave, enter, shear)
+  subroutine couple(level, j, across, leave, enter, shear, rough)
     type(grid_level), intent(in) :: level
     integer, intent(in) :: j
     logical, intent(in) :: across
     real(pp), intent(inout) :: leave(level%length), enter(level%length)
     type(sheared_film), intent(in), optional :: shear
+    type(rough_film), intent(in), optional :: rough
     real(pp) :: spacing
     integer :: first, last, start(2), step(2)
 
@@ -190,10 +200,10 @@ contains
         step = merge([0, 1], [1, 0], level%transposed)
         if (across .neqv. level%transposed) then
           call couple_row(shear%along_y, level%stride, start, step, [0, 1], spacing, level%compliance, leave(first:last), &
-            enter(first:last))
+            enter(first:last), rough)
         else
           call couple_row(shear%along_x, level%stride, start, step, [1, 0], spacing, level%compliance, leave(first:last), &
-            enter(first:last))
+            enter(first:last), rough)
         end if
       else
         call diffuse(root(first:last, j), root(i:n, k), p(first:last, j), p(i:n, k), dm(first:last, j), dm(i:n, k), 1/spacing, &

@@ -5,6 +5,11 @@
 !> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
 !> system. Pressure on the outline is fixed. Python owns the loop; each call makes one step.
 !>
+!> Between rough surfaces the unknown is the total pressure P; the oil's is what the asperities leave, p = P - p_a(h),
+!> with h the gap between the mean planes, and rupture obeys p >= 0, r >= 0, p r = 0. Asperities add no convolution: where the oil
+!> has ruptured the row is P = p_a(h). Their pressure is part of each Newton step, since alternating with the film
+!> diverges where asperities are stiffer than the bodies.
+!>
 !> A kind of contact adds its deflection K p, its flow and the approximate solve that precedes the exact Jacobian in
 !> GMRES. Fields have shape (nx, ny); a line contact's have ny = 1.
 module film_newton
@@ -13,6 +18,7 @@ module film_newton
   use kinds, only: pp, wp
   use krylov, only: linear_system, gmres
   use reynolds, only: film_fields, new_film_fields
+  use rough_surfaces, only: gap_curves, new_rough_film, share_pressure
   use sheared_reynolds, only: sheared_film, new_sheared_film
   use status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
     status_no_memory
@@ -22,7 +28,8 @@ module film_newton
   implicit none(type, external)
   private
 
-  public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, set_transient_term, film_residual, film_step
+  public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
+  public :: film_residual, film_step, set_ruptured
   public :: set_system, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
 
   !> Cycles of GMRES in a Newton step: most need a third of one, sheared films with thick inlets up to three.
@@ -102,7 +109,8 @@ module film_newton
       integer, intent(out) :: stat
     end subroutine linearisation
 
-    !> Computes the change of the imbalance by a small change of pressure and film.
+    !> Computes the change of the imbalance by a small change of the oil's pressure and of the film, of rough surfaces the gap
+    !> between their mean planes.
     subroutine derivative(self, dp, dh, change)
       import :: film_contact, wp
       implicit none(type, external)
@@ -230,6 +238,19 @@ contains
     call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
   end subroutine shear_contact
 
+  !> Makes the surfaces of a contact with a flow law rough.
+  subroutine roughen_contact(self, curves, boundary_friction, stat)
+    class(film_contact), intent(inout) :: self
+    type(gap_curves), intent(in) :: curves
+    real(wp), intent(in) :: boundary_friction
+    integer, intent(out) :: stat
+
+    stat = status_bad_argument
+    if (.not. allocated(self%shear)) return
+    if (.not. allocated(self%fields%rough)) allocate (self%fields%rough)
+    call new_rough_film(curves, boundary_friction, size(self%gap, 1), size(self%gap, 2), self%fields%rough, stat)
+  end subroutine roughen_contact
+
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
   !>
   !> `residual` is the summed residual of complementarity over the summed wedge flow; `load_error` is the missing
@@ -242,7 +263,17 @@ contains
 
     call set_film(self, p, h0)
     call film_balance(self, residual, load_error)
+    if (allocated(self%fields%rough)) self%free = self%covered .and. .not. self%fields%rough%ruptured
   end subroutine film_residual
+
+  !> Sets where the oil has ruptured between rough surfaces, before `film_residual`: a rupture line that starts at the wrong
+  !> place moves by a node a step, and the oil's small part of a pressure that asperities bear does not show it.
+  subroutine set_ruptured(self, ruptured)
+    class(film_contact), intent(inout) :: self
+    logical, intent(in) :: ruptured(:, :)
+
+    if (allocated(self%fields%rough)) self%fields%rough%ruptured = self%covered .and. ruptured
+  end subroutine set_ruptured
 
   !> Sets the film at pressure p [Pa] and rigid film h0 [m]; `film_balance` evaluates its flow.
   subroutine set_film(self, p, h0)
@@ -259,6 +290,8 @@ contains
       self%fields%p(:, j) = p(:, j)
       self%fields%h(:, j) = self%fields%h(:, j) + self%gap(:, j) + h0
     end do
+    if (allocated(self%fields%rough)) call share_pressure(self%fields%rough, self%covered, self%fields%p, &
+      self%fields%h)
   end subroutine set_film
 
   !> Evaluates flow and imbalance at the present pressure and film; arguments as of `film_residual`.
@@ -280,6 +313,11 @@ contains
       if (allocated(self%shear)) residual = residual + sum(self%shear%strips%unsolved)
       load_error = 1 - total(p)*self%spacing(1)*self%spacing(2)/self%load
     end associate
+    if (allocated(self%fields%rough)) then
+      load_error = 1 - total(self%fields%rough%total)*self%spacing(1)*self%spacing(2)/self%load
+      self%dh = abs(self%fields%rough%excess)
+      residual = residual + total(self%dh)*self%spacing(1)*self%spacing(2)/self%load
+    end if
     call self%work%flow%finish()
   end subroutine film_balance
 
@@ -319,6 +357,10 @@ contains
       k = nx*(j - 1)
       self%right(k + 1:k + nx) = merge(-self%imbalance(:, j), 0.0_wp, self%free(:, j))
     end do
+    if (allocated(self%fields%rough)) then
+      call take_excess(self, self%right(:n))
+      self%fields%rough%ruptured = self%covered .and. .not. self%free
+    end if
     self%right(n + 1) = load_error*self%load*self%load_weight
     call gmres(self, self%right, forcing, most_cycles*size(self%basis, 2), self%basis, self%change, krylov, reduction)
     if (interrupted()) then
@@ -336,6 +378,49 @@ contains
     end do
     self%right(n + 1) = h0
   end subroutine film_direction
+
+  !> Adds to the right-hand side what the asperities' pressure exceeds the total by: the oil there has ambient pressure, from
+  !> which the change of its pressure counts.
+  subroutine take_excess(self, right)
+    class(film_contact), target, intent(inout) :: self
+    real(wp), contiguous, target, intent(inout) :: right(:)
+    real(wp), contiguous, pointer :: r(:, :), change(:, :)
+
+    r(1:size(self%gap, 1), 1:size(self%gap, 2)) => right
+    change(1:size(self%gap, 1), 1:size(self%gap, 2)) => self%change(:size(right))
+    self%dh = 0
+    call change_balance(self, self%fields%rough%excess, self%dh, change)
+    r = r + change
+  end subroutine take_excess
+
+  !> Computes the change of the imbalance, where pressure is free, by a small change of total pressure and of the gap between mean
+  !> planes. Elsewhere it is the change of the pressure of the oil [Pa], of smooth surfaces zero.
+  subroutine change_balance(self, dp, dh, change)
+    class(film_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    real(wp), contiguous, intent(out) :: change(:, :)
+    integer :: j
+
+    if (allocated(self%fields%rough)) then
+      associate (rough => self%fields%rough)
+        !$omp parallel do schedule(static)
+        do j = 1, size(dp, 2)
+          rough%change(:, j) = merge(dp(:, j) + rough%stiffness(:, j)*dh(:, j), 0.0_wp, self%free(:, j))
+        end do
+        call self%imbalance_change(rough%change, dh, change)
+        !$omp parallel do schedule(static)
+        do j = 1, size(dp, 2)
+          where (.not. self%free(:, j)) change(:, j) = dp(:, j) + rough%stiffness(:, j)*dh(:, j)
+        end do
+      end associate
+    else
+      call self%imbalance_change(dp, dh, change)
+      !$omp parallel do schedule(static)
+      do j = 1, size(dp, 2)
+        where (.not. self%free(:, j)) change(:, j) = 0
+      end do
+    end if
+  end subroutine change_balance
 
   !> Sets pressure, rigid film and film to those after the damped Newton step.
   subroutine move_film(self, damping, p, h0)
@@ -406,7 +491,7 @@ contains
     self%softness = 0
     self%dh = 1
     start(1:size(self%dh, 1), 1:size(self%dh, 2)) => self%change(:size(self%dh))
-    call self%imbalance_change(self%softness, self%dh, start)
+    call change_balance(self, self%softness, self%dh, start)
     call self%work%cycle%start()
     call self%relax(start, self%softness)
     call self%work%cycle%finish()
@@ -432,11 +517,7 @@ contains
     do j = 1, size(dp, 2)
       self%dh(:, j) = self%dh(:, j) + x(n + 1)
     end do
-    call self%imbalance_change(dp, self%dh, dr)
-    !$omp parallel do schedule(static)
-    do j = 1, size(dp, 2)
-      where (.not. self%free(:, j)) dr(:, j) = 0
-    end do
+    call change_balance(self, dp, self%dh, dr)
     call self%work%flow%finish()
     y(n + 1) = total(dp)*self%spacing(1)*self%spacing(2)*self%load_weight
   end subroutine multiply

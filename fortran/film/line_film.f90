@@ -92,7 +92,12 @@ contains
     integer, intent(out) :: stat
 
     call line_bands(self%grid, self%fields, self%flow, self%by_pressure, self%by_film)
-    call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat)
+    if (allocated(self%fields%rough)) then
+      call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat, &
+        self%fields%rough%stiffness(:, 1))
+    else
+      call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat)
+    end if
   end subroutine linearise
 
   !> Computes the change of the imbalance by a small change of pressure and film.
@@ -110,7 +115,8 @@ contains
     real(wp), contiguous, target, intent(in) :: r(:, :)
     real(wp), contiguous, target, intent(out) :: dp(:, :)
 
-    dp(:, 1) = merge(r(:, 1), 0.0_wp, self%free(:, 1))
+    dp(:, 1) = r(:, 1)
+    if (.not. allocated(self%fields%rough)) dp(:, 1) = merge(r(:, 1), 0.0_wp, self%free(:, 1))
     call self%model%solve(dp(:, 1))
   end subroutine relax
 

@@ -87,7 +87,8 @@ contains
     end do
   end subroutine line_imbalance
 
-  !> Derivatives of the imbalance at node i by the pressure and by the film at node i + k, k from -2 to 2.
+  !> Derivatives of the imbalance at node i by the oil's pressure and by the film, of rough surfaces the gap between mean planes,
+  !> at node i + k, k from -2 to 2.
   !>
   !> Entries that would belong to a node beyond an end are zero, and so are the rows of both ends.
   pure subroutine line_bands(grid, fields, faces, by_pressure, by_film)
@@ -95,9 +96,11 @@ contains
     type(film_fields), intent(in) :: fields
     type(line_flow), intent(in) :: faces
     real(wp), intent(out) :: by_pressure(:, -2:), by_film(:, -2:)
-    real(wp) :: weight(-1:2), p(-1:2), h(-1:2)
+    real(wp) :: weight(-1:2), p(-1:2), h(-1:2), widening(grid%n)
     integer :: i, k, node
 
+    widening = 1
+    if (allocated(fields%rough)) widening = fields%rough%widening(:, 1)
     by_pressure = 0
     by_film = 0
     do i = 1, grid%n - 1
@@ -107,7 +110,7 @@ contains
       do k = max(-1, 1 - i), min(2, grid%n - i)
         node = i + k
         p(k) = weight(k)*fields%rho_p(node, 1)*fields%h(node, 1)
-        h(k) = weight(k)*fields%rho(node, 1)
+        h(k) = weight(k)*fields%rho(node, 1)*widening(node)
       end do
       p(0:1) = p(0:1) - [faces%before(i), faces%after(i)]
       h(0:1) = h(0:1) - [faces%film_before(i), faces%film_after(i)]
@@ -117,7 +120,7 @@ contains
       by_film(i + 1, -2:1) = by_film(i + 1, -2:1) - h/grid%dx
     end do
     by_pressure(:, 0) = by_pressure(:, 0) + grid%implicit_rate*fields%rho_p(:, 1)*fields%h(:, 1)
-    by_film(:, 0) = by_film(:, 0) + grid%implicit_rate*fields%rho(:, 1)
+    by_film(:, 0) = by_film(:, 0) + grid%implicit_rate*fields%rho(:, 1)*widening
     do i = 1, grid%n, grid%n - 1
       by_pressure(i, :) = 0
       by_film(i, :) = 0

@@ -15,6 +15,7 @@ module multigrid
     leaving_rate, orient
   use line_relaxation, only: factor_line, relax_line, relax_first
   use reynolds, only: film_fields, film_grid
+  use rough_surfaces, only: rough_film
   use sheared_reynolds, only: sheared_film
   use status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)
@@ -122,17 +123,18 @@ contains
           call set_mobility(self%level(l), fields, self%level(l - 1))
         end if
       end if
-      call set_lines(self, l, shear)
+      call set_lines(self, l, shear, fields%rough)
       self%level(l)%x = 0
     end do
     call factor_coarsest(self, stat)
   end subroutine set_film_multigrid
 
   !> Factors the lines of a level, on the coarsest the band. Rows where pressure is not free are those of the identity.
-  subroutine set_lines(self, l, shear)
+  subroutine set_lines(self, l, shear, rough)
     type(film_multigrid), intent(inout) :: self
     integer, intent(in) :: l
     type(sheared_film), intent(in), optional :: shear
+    type(rough_film), intent(in), optional :: rough
     real(pp), dimension(self%level(l)%length) :: centre, left, right, before, after
     integer :: j, n
 
@@ -141,7 +143,7 @@ contains
     associate (level => self%level(l))
       !$omp parallel do private(centre, left, right, before, after) schedule(static)
       do j = 2, level%count - 1
-        call model_line(level, j, self%implicit_rate, shear, centre, left, right, before, after)
+        call model_line(level, j, self%implicit_rate, shear, rough, centre, left, right, before, after)
         if (l == 1) call set_sharpening(level, j, centre, self%sharpening(:, j))
         if (l == size(self%level)) then
           call set_band(self%band, n, j, centre, left, right, before, after)

@@ -138,6 +138,10 @@ contains
     real(wp), contiguous, target, intent(out) :: dp(:, :)
 
     call film_cycle(self%cycles, r, dp)
+    ! where the oil has ruptured the asperities bear: their pressure and the deflection under a node
+    if (allocated(self%fields%rough)) then
+      where (.not. self%free) dp = r/(1 + self%cycles%level(1)%compliance*self%fields%rough%stiffness)
+    end if
   end subroutine relax
 
   !> Sums |um . grad g| and the transient term of the gap g over the inner nodes [m/s].

@@ -5,6 +5,7 @@
 !> Density is taken relative to that at ambient pressure, so that the residual is a volume flow per area [m/s].
 module reynolds
   use kinds, only: wp
+  use rough_surfaces, only: rough_film
   use viscosity_density, only: oil_law, viscosities, densities
   use status, only: status_ok, status_no_memory
   implicit none(type, external)
@@ -36,8 +37,10 @@ module reynolds
 
   !> Nodal fields at one pressure and film, with the derivatives that Newton's method needs.
   type :: film_fields
-    !> Pressure [Pa] and film [m].
+    !> Pressure of the oil [Pa] and film [m], of rough surfaces the mean thickness of the gap.
     real(wp), allocatable :: p(:, :), h(:, :)
+    !> What rough surfaces add.
+    type(rough_film), allocatable :: rough
     !> Relative density and its derivative by pressure.
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.

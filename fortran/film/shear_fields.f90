@@ -53,6 +53,7 @@ contains
       end if
       shear%us(:m) = nodes%sliding_x(first:last, j)
       shear%vs(:m) = nodes%sliding_y(first:last, j)
+      if (allocated(contact%fields%rough)) shear%wetted(:m) = 1 - contact%fields%rough%area(first:last, j)
       rise(:m, :) = nodes%rise(first:last, j, :)
       call shear_columns(contact%oil, nodes, p(first:last, j), rise, shear, mean, softening)
     end associate

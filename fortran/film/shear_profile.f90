@@ -109,7 +109,7 @@ contains
     end do
   end subroutine film_shear_rate
 
-  !> Heat of shear f g tau^2 [W/m3] at the levels, and its derivatives by their fluidity f at given sliding:
+  !> Heat of shear f g tau^2 [W/m3] at the levels, a mean over the area, and its derivatives by their fluidity f at given sliding:
   !> at level k by that at level l, own(k) where k = l, less response_x(k) stress_x(l) + response_y(k)
   !> stress_y(l).
   !>
@@ -128,9 +128,9 @@ contains
         x = strip%tau_x(i) + levels%z(k)*strip%film(i)*strip%px(i)
         y = strip%tau_y(i) + levels%z(k)*strip%film(i)*strip%py(i)
         square = x*x + y*y
-        own(i, k) = strip%g(i, k)*square
+        own(i, k) = strip%wetted(i)*strip%g(i, k)*square
         heat(i, k) = strip%fluidity(i, k)*own(i, k)
-        response = 2*strip%fluidity(i, k)*(strip%g(i, k) + strip%g_slope(i, k)*square)
+        response = 2*strip%wetted(i)*strip%fluidity(i, k)*(strip%g(i, k) + strip%g_slope(i, k)*square)
         response_x(i, k) = response*x
         response_y(i, k) = response*y
         weight = levels%weight(k)*strip%film(i)*strip%g(i, k)

@@ -3,6 +3,7 @@
 !> a coupling would be negative, as where the walls' slip carries the oil: sweeps grow without bound otherwise.
 module sheared_couplings
   use kinds, only: pp, wp
+  use rough_surfaces, only: rough_film
   use sheared_reynolds, only: face_flow
   implicit none(type, external)
   private
@@ -16,31 +17,47 @@ contains
   !>
   !> The row starts at node `start` of the coarse grid and goes on by `step`; the faces lie in the direction `along`. Each is
   !> the mean of the faces of the film's grid that it spans; `spacing` [m] is that of the coarse grid. The film
-  !> follows the pressure by `compliance` [m/Pa].
-  pure subroutine couple_row(faces, stride, start, step, along, spacing, compliance, leave, enter)
+  !> follows the pressure by `compliance` [m/Pa]; between rough surfaces the pressure is the total, and the oil's rises more, as
+  !> the asperities yield.
+  pure subroutine couple_row(faces, stride, start, step, along, spacing, compliance, leave, enter, rough)
     type(face_flow), intent(in) :: faces
     integer, intent(in) :: stride, start(2), step(2), along(2)
     real(pp), intent(in) :: spacing, compliance
     real(pp), intent(out) :: leave(:), enter(:)
-    real(wp) :: mobility, before, after, diffusion
+    type(rough_film), intent(in), optional :: rough
+    real(wp) :: mobility, before, after, film_before, film_after, diffusion
     integer :: k, s, i, j
 
     do k = 1, size(leave)
       mobility = 0
       before = 0
       after = 0
+      film_before = 0
+      film_after = 0
       do s = 0, stride - 1
         i = 1 + stride*(start(1) - 1 + (k - 1)*step(1)) + s*along(1)
         j = 1 + stride*(start(2) - 1 + (k - 1)*step(2)) + s*along(2)
         mobility = mobility + faces%mobility(i, j)
-        before = before + faces%before(i, j) + compliance*faces%film_before(i, j)
-        after = after + faces%after(i, j) + compliance*faces%film_after(i, j)
+        before = before + faces%before(i, j)
+        after = after + faces%after(i, j)
+        film_before = film_before + faces%film_before(i, j)
+        film_after = film_after + faces%film_after(i, j)
       end do
       ! the part by the gradient falls with the spacing, the rest does not
       mobility = mobility*(1.0_wp/stride - 1)*stride/spacing
-      diffusion = max(0.0_wp, before - mobility, -after - mobility)
-      leave(k) = real((mobility - before + diffusion)/(stride*spacing), pp)
-      enter(k) = real((mobility + after + diffusion)/(stride*spacing), pp)
+      before = mobility - before
+      after = mobility + after
+      if (present(rough)) then
+        after = after*(1 + compliance*rough%stiffness(i + along(1), j + along(2)))
+        i = i - (stride - 1)*along(1)
+        j = j - (stride - 1)*along(2)
+        before = before*(1 + compliance*rough%stiffness(i, j))
+      end if
+      before = before - compliance*film_before
+      after = after + compliance*film_after
+      diffusion = max(0.0_wp, -before, -after)
+      leave(k) = real((before + diffusion)/(stride*spacing), pp)
+      enter(k) = real((after + diffusion)/(stride*spacing), pp)
     end do
   end subroutine couple_row
 

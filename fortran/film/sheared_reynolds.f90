@@ -6,6 +6,9 @@
 !> nodes, with its exact derivatives by the pressure gradient (a full tensor), pressure and film. Fluidities of a
 !> face's two nodes are averaged with weights rho h**3, so that for an isothermal Newtonian oil the scheme is that
 !> of `reynolds` to rounding.
+!>
+!> Between rough surfaces the oil shears over the mean thickness of the gap; the pressure flow factors multiply S, and the
+!> shear flow factors carry oil with the rougher wall (Patir and Cheng 1979, their tensors by the lay; see `rough_surfaces`).
 module sheared_reynolds
   use gauss_lobatto, only: levels_across, new_levels
   use flow_laws, only: flow_law, hardens, stress_scales
@@ -13,6 +16,7 @@ module sheared_reynolds
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use viscosity_density, only: oil_law, hot_fluidity, hot_density
   use reynolds, only: arithmetic_share, film_grid, film_fields, add_wedge
+  use rough_surfaces, only: rough_film
   use shear_flow, only: flow_change, flow_change_by_stresses
   use shear_stress, only: solve_shear
   use strip_of_points, only: shear_strip, new_shear_strip
@@ -34,7 +38,7 @@ module sheared_reynolds
     !> Change of the flow by that of the pressure gradient through the face, without sign [m3 s/kg].
     real(wp), allocatable :: mobility(:, :)
     !> Derivatives by the pressure of the node before and after, by the pressure gradient along the face, and by
-    !> the film before and after.
+    !> the film before and after, of rough surfaces by the gap between mean planes.
     real(wp), allocatable :: before(:, :), after(:, :), aside(:, :), film_before(:, :), film_after(:, :)
   end type face_flow
 
@@ -213,13 +217,16 @@ contains
     type(shear_strip), intent(inout) :: work
     type(face_flow), intent(inout) :: faces
     real(wp), dimension(strip) :: h1, h2, mass1, mass2, weight, rho, by_weight, by_fluidity1, by_fluidity2
+    !> Changes by the gap at either node: of the film, of the logarithm of its mass, and of the flow aside that is turned.
+    real(wp), dimension(strip) :: widening1, widening2, growth1, growth2, turn1, turn2, turned
     !> Geometric means of the nodes' fluidities at the levels, and their weight from those of the nodes.
     real(wp) :: geometric(strip, nodes%levels%count), by_geometric(strip)
     real(wp), dimension(strip) :: s_x, s_y, m_xx, m_xy, m_yy, h_x, h_y, onset_x, onset_y, limit_x, limit_y
-    real(wp) :: per_cube, by_p1, by_p2, by_h
-    integer :: m, k, c, i, failures
+    real(wp) :: by_mass1, by_mass2, by_p1, by_p2, by_h
+    integer :: m, k, c, i, failures, normal_xx
 
     m = last - first + 1
+    normal_xx = merge(1, 2, di == 1)
     work%points = m
     if (di == 1) then
       work%px(:m) = normal(:m)
@@ -236,6 +243,14 @@ contains
       h2(:m) = max(fields%h(first + di:last + di, j + dj), floor)
       mass1(:m) = rho1*h1(:m)**3
       mass2(:m) = rho2*h2(:m)**3
+      widening1(:m) = merge(1.0_wp, 0.0_wp, fields%h(first:last, j) > floor)
+      widening2(:m) = merge(1.0_wp, 0.0_wp, fields%h(first + di:last + di, j + dj) > floor)
+      growth1(:m) = 3*widening1(:m)/h1(:m)
+      growth2(:m) = 3*widening2(:m)/h2(:m)
+      if (allocated(fields%rough)) then
+        call widen(fields%rough, first, last, j, normal_xx, mass1, widening1, growth1)
+        call widen(fields%rough, first + di, last + di, j + dj, normal_xx, mass2, widening2, growth2)
+      end if
       weight(:m) = mass1(:m)/(mass1(:m) + mass2(:m))
       h = (h1(:m) + h2(:m))/2
       rho(:m) = (mass1(:m) + mass2(:m))/(2*h**3)
@@ -264,13 +279,32 @@ contains
         limit_x = 0
         limit_y = 0
       end if
+      ! from here on x is through the face, y along it
       if (di == 0) then
-        s_x = s_y
-        m_xx = m_yy
-        h_x = h_y
-        f_x(:, :) = f_y
-        onset_x = onset_y
-        limit_x = limit_y
+        call swap(m, s_x, s_y)
+        call swap(m, m_xx, m_yy)
+        call swap(m, h_x, h_y)
+        call swap(m, onset_x, onset_y)
+        call swap(m, limit_x, limit_y)
+        do k = 1, nodes%levels%count
+          call swap(m, f_x(:, k), f_y(:, k))
+        end do
+      end if
+      turn1 = 0
+      turn2 = 0
+      if (allocated(fields%rough)) then
+        call turn_flow(fields%rough, normal_xx, first, last, j, di, dj, turned, turn1, turn2)
+        turn1(:m) = turn1(:m)*s_y(:m)
+        turn2(:m) = turn2(:m)*s_y(:m)
+        s_x(:m) = s_x(:m) + turned(:m)*s_y(:m)
+        m_xx(:m) = m_xx(:m) + turned(:m)*m_xy(:m)
+        m_xy(:m) = m_xy(:m) + turned(:m)*m_yy(:m)
+        h_x(:m) = h_x(:m) + turned(:m)*h_y(:m)
+        onset_x(:m) = onset_x(:m) + turned(:m)*onset_y(:m)
+        limit_x(:m) = limit_x(:m) + turned(:m)*limit_y(:m)
+        do k = 1, nodes%levels%count
+          f_x(:m, k) = f_x(:m, k) + turned(:m)*f_y(:m, k)
+        end do
       end if
 
       by_weight = 0
@@ -289,11 +323,11 @@ contains
       ! density, weights and fluidities depend on the pressure of each node, the stresses of the flow law on both
       do c = 1, m
         i = first + c - 1
-        per_cube = 1/(2*h(c)**3)
-        by_weight(c) = rho(c)*by_weight(c)
-        by_p1 = rho1_p(c)*(s_x(c)*h1(c)**3*per_cube + by_weight(c)/rho1(c)) + rho(c)*(by_fluidity1(c) &
+        by_mass1 = s_x(c)*mass1(c)/(2*h(c)**3) + rho(c)*by_weight(c)
+        by_mass2 = s_x(c)*mass2(c)/(2*h(c)**3) - rho(c)*by_weight(c)
+        by_p1 = rho1_p(c)/rho1(c)*by_mass1 + rho(c)*(by_fluidity1(c) &
           + (onset_x(c)*nodes%onset_p(i, j) + limit_x(c)*nodes%limit_p(i, j))/2)
-        by_p2 = rho2_p(c)*(s_x(c)*h2(c)**3*per_cube - by_weight(c)/rho2(c)) + rho(c)*(by_fluidity2(c) &
+        by_p2 = rho2_p(c)/rho2(c)*by_mass2 + rho(c)*(by_fluidity2(c) &
           + (onset_x(c)*nodes%onset_p(i + di, j + dj) + limit_x(c)*nodes%limit_p(i + di, j + dj))/2)
         by_h = rho(c)*(h_x(c) - 3*s_x(c)/h(c))/2
         faces%flow(i, j) = rho(c)*s_x(c)
@@ -301,13 +335,90 @@ contains
         faces%before(i, j) = by_p1 - rho(c)*m_xx(c)*per_length
         faces%after(i, j) = by_p2 + rho(c)*m_xx(c)*per_length
         faces%aside(i, j) = rho(c)*m_xy(c)
-        faces%film_before(i, j) = (by_h + 3*(s_x(c)*rho1(c)*h1(c)**2*per_cube + by_weight(c)/h1(c))) &
-          *merge(1.0_wp, 0.0_wp, fields%h(i, j) > floor)
-        faces%film_after(i, j) = (by_h + 3*(s_x(c)*rho2(c)*h2(c)**2*per_cube - by_weight(c)/h2(c))) &
-          *merge(1.0_wp, 0.0_wp, fields%h(i + di, j + dj) > floor)
+        faces%film_before(i, j) = by_h*widening1(c) + by_mass1*growth1(c) + rho(c)*turn1(c)
+        faces%film_after(i, j) = by_h*widening2(c) + by_mass2*growth2(c) + rho(c)*turn2(c)
       end do
+      if (allocated(fields%rough)) then
+        call add_dragged(fields, first, last, j, di, dj, 0, work%us, work%vs, faces%flow, faces%before, faces%film_before)
+        call add_dragged(fields, first, last, j, di, dj, 1, work%us, work%vs, faces%flow, faces%after, faces%film_after)
+      end if
     end associate
   end subroutine flow_through
+
+  !> Swaps the first m numbers of a and b.
+  pure subroutine swap(m, a, b)
+    integer, intent(in) :: m
+    real(wp), intent(inout) :: a(:), b(:)
+    real(wp) :: kept(m)
+
+    kept = a(:m)
+    a(:m) = b(:m)
+    b(:m) = kept
+  end subroutine swap
+
+  !> Multiplies the mass of nodes first..last of row j, rho h^3, by the pressure flow factor through a face (component
+  !> `normal` of the tensor), and sets their changes by the gap between mean planes: of the film, and of the mass's logarithm.
+  pure subroutine widen(rough, first, last, j, normal, mass, widening, growth)
+    type(rough_film), intent(in) :: rough
+    integer, intent(in) :: first, last, j, normal
+    real(wp), intent(inout) :: mass(:), widening(:), growth(:)
+    integer :: c, i
+
+    do c = 1, last - first + 1
+      i = first + c - 1
+      widening(c) = widening(c)*rough%widening(i, j)
+      growth(c) = growth(c)*rough%widening(i, j) + rough%flow_h(i, j, normal)/rough%flow(i, j, normal)
+      mass(c) = mass(c)*rough%flow(i, j, normal)
+    end do
+  end subroutine widen
+
+  !> Computes the share of the flow along the faces that the lay of oblique roughness turns through them, and its changes by
+  !> the gap at either node; arguments as of `flow_through`.
+  pure subroutine turn_flow(rough, normal, first, last, j, di, dj, turned, turn1, turn2)
+    type(rough_film), intent(in) :: rough
+    integer, intent(in) :: normal, first, last, j, di, dj
+    real(wp), intent(inout) :: turned(:), turn1(:), turn2(:)
+    real(wp) :: share1, share2
+    integer :: c, i
+
+    associate (through => rough%flow(:, :, normal), aside => rough%flow(:, :, 3), through_h => rough%flow_h(:, :, normal), &
+        aside_h => rough%flow_h(:, :, 3))
+      do c = 1, last - first + 1
+        i = first + c - 1
+        share1 = aside(i, j)/through(i, j)
+        share2 = aside(i + di, j + dj)/through(i + di, j + dj)
+        turned(c) = (share1 + share2)/2
+        turn1(c) = (aside_h(i, j) - share1*through_h(i, j))/(2*through(i, j))
+        turn2(c) = (aside_h(i + di, j + dj) - share2*through_h(i + di, j + dj))/(2*through(i + di, j + dj))
+      end do
+    end associate
+  end subroutine turn_flow
+
+  !> Adds to the flow through faces half of what roughness drags along with the walls by the average at one of their
+  !> two nodes, `side` 0 or 1, with its derivatives; (us, vs) is the velocity of body 2 relative to body 1 at the faces.
+  pure subroutine add_dragged(fields, first, last, j, di, dj, side, us, vs, flow, by_pressure, by_gap)
+    type(film_fields), intent(in) :: fields
+    integer, intent(in) :: first, last, j, di, dj, side
+    real(wp), intent(in) :: us(:), vs(:)
+    real(wp), intent(inout) :: flow(:, :), by_pressure(:, :), by_gap(:, :)
+    real(wp) :: normal, aside, dragged
+    integer :: c, i, k, l, xx
+
+    xx = merge(1, 2, di == 1)
+    associate (shear => fields%rough%shear, shear_h => fields%rough%shear_h, rho => fields%rho, rho_p => fields%rho_p)
+      do c = 1, last - first + 1
+        i = first + c - 1
+        k = i + side*di
+        l = j + side*dj
+        normal = merge(us(c), vs(c), di == 1)/4
+        aside = merge(vs(c), us(c), di == 1)/4
+        dragged = shear(k, l, xx)*normal + shear(k, l, 3)*aside
+        flow(i, j) = flow(i, j) + rho(k, l)*dragged
+        by_pressure(i, j) = by_pressure(i, j) + rho_p(k, l)*dragged
+        by_gap(i, j) = by_gap(i, j) + rho(k, l)*(shear_h(k, l, xx)*normal + shear_h(k, l, 3)*aside)
+      end do
+    end associate
+  end subroutine add_dragged
 
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine sheared_imbalance(grid, film, fields, imbalance)
@@ -326,7 +437,8 @@ contains
     call take_inflow(grid, film%along_x%flow, film%along_y%flow, imbalance)
   end subroutine sheared_imbalance
 
-  !> Change of the imbalance for a small change of pressure and film: the exact Jacobian times (dp, dh).
+  !> Change of the imbalance for a small change of the oil's pressure and the film, of rough surfaces the gap between mean
+  !> planes: the exact Jacobian times (dp, dh).
   subroutine sheared_imbalance_change(grid, film, fields, dp, dh, change)
     type(film_grid), intent(in) :: grid
     type(sheared_film), intent(inout) :: film
@@ -337,7 +449,9 @@ contains
 
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      film%mass(:, j) = fields%rho_p(:, j)*fields%h(:, j)*dp(:, j) + fields%rho(:, j)*dh(:, j)
+      film%mass(:, j) = fields%rho(:, j)*dh(:, j)
+      if (allocated(fields%rough)) film%mass(:, j) = film%mass(:, j)*fields%rough%widening(:, j)
+      film%mass(:, j) = film%mass(:, j) + fields%rho_p(:, j)*fields%h(:, j)*dp(:, j)
       change(:, j) = grid%implicit_rate*film%mass(:, j)
     end do
     call add_wedge(grid, film%mass, change)

@@ -19,6 +19,8 @@ module strip_of_points
     !> Input: film [m], pressure gradient [Pa/m], velocity of body 2 over body 1 [m/s], reference and
     !> limiting stress [Pa] of the flow law, and fluidity 1/eta [1/(Pa s)] at the levels.
     real(wp), allocatable :: film(:), px(:), py(:), us(:), vs(:), reference(:), limit(:), fluidity(:, :)
+    !> Share of the area that oil covers, the rest asperities in contact.
+    real(wp), allocatable :: wetted(:)
     !> Stress halfway [Pa]: the initial guess, or zero for none, then the solution.
     real(wp), allocatable :: tau_x(:), tau_y(:)
     !> Where the film slips: 0, slip_at_body_1, slip_at_body_2, or their sum.
@@ -45,7 +47,7 @@ contains
     integer, intent(out) :: stat
     integer :: err
 
-    allocate (strip%film(points), strip%px(points), strip%py(points), strip%us(points), strip%vs(points), &
+    allocate (strip%film(points), strip%px(points), strip%py(points), strip%us(points), strip%vs(points), strip%wetted(points), &
       strip%reference(points), strip%limit(points), strip%fluidity(points, levels), strip%tau_x(points), &
       strip%tau_y(points), strip%slip(points), strip%g(points, levels), strip%g_slope(points, levels), &
       strip%inverse_xx(points), strip%inverse_xy(points), strip%inverse_yy(points), strip%arm_xx(points), &
@@ -60,6 +62,7 @@ contains
     strip%tau_x = 0
     strip%tau_y = 0
     strip%reference = 1
+    strip%wetted = 1
     strip%limit = 1
   end subroutine new_shear_strip
 

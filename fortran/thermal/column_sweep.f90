@@ -39,8 +39,8 @@ module column_sweep
     type(sweep_frame) :: way
     !> Velocity of body 1's surface and of body 2 relative to it [m/s].
     real(wp), allocatable :: u1(:, :), v1(:, :), us(:, :), vs(:, :)
-    !> Pressure [Pa] and film [m].
-    real(wp), allocatable :: p(:, :), h(:, :)
+    !> Pressure [Pa] and film [m]; of rough surfaces the share of the area that oil covers.
+    real(wp), allocatable :: p(:, :), h(:, :), wetted(:, :)
     !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
     real(wp), allocatable :: stress_x(:, :), stress_y(:, :)
     !> Temperature, (0:length + 1, lines, levels), with padding at the ends of a line; that of the present line and of the
@@ -87,6 +87,8 @@ contains
     end associate
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
+    if (allocated(film%fields%rough)) allocate (self%wetted(way%length, way%lines), stat=err)
+    if (err /= 0) stat = status_no_memory
     call to_sweep(way, u1, self%u1)
     call to_sweep(way, v1, self%v1)
     call to_sweep(way, film%shear%nodes%sliding_x, self%us)
@@ -124,6 +126,7 @@ contains
 
     call to_sweep(self%way, film%fields%p, self%p)
     call to_sweep(self%way, film%fields%h, self%h)
+    if (allocated(film%fields%rough)) call to_sweep(self%way, 1 - film%fields%rough%area, self%wetted)
     do k = 1, film%shear%nodes%levels%count
       call to_sweep(self%way, film%shear%nodes%rise(:, :, k), self%rise(1:self%way%length, :, k))
     end do
@@ -209,6 +212,7 @@ contains
       shear%film(:m) = max(self%h(first:last, line), film%floor)
       shear%us(:m) = self%us(first:last, line)
       shear%vs(:m) = self%vs(first:last, line)
+      if (allocated(self%wetted)) shear%wetted(:m) = self%wetted(first:last, line)
       shear%tau_x(:m) = self%stress_x(first:last, line)
       shear%tau_y(:m) = self%stress_y(first:last, line)
       if (self%way%along_x) then

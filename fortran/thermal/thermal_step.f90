@@ -12,6 +12,7 @@ module thermal_step
   use heated_surface, only: heated_body
   use interruption, only: interrupted
   use kinds, only: wp
+  use rough_surfaces, only: asperity_pressure
   use status, only: status_ok, status_interrupted, status_not_finite, status_no_memory
   use tally, only: work_tally
   use thermal_properties, only: oil_heat_law
@@ -225,6 +226,7 @@ contains
     call heat%work%start()
     least = heat%judged_pressure*maxval(film%fields%p)
     call heat%sweep_columns(film, least, change)
+    if (allocated(film%fields%rough)) call rub(film, heat)
     ! heat of a stress that did not converge must not count as settled
     if (heat%unsolved() > 0) change = hottest
     ! the walls of a diverged film may overflow in single precision
@@ -237,6 +239,23 @@ contains
     end if
     call heat%work%finish()
   end subroutine heat_sweep
+
+  !> Adds the heat of the asperities' friction to the flux into the walls, half to each.
+  subroutine rub(film, heat)
+    class(film_contact), intent(in) :: film
+    class(film_heat), intent(inout) :: heat
+    real(wp) :: rubbed(size(film%gap, 1))
+    integer :: j
+
+    associate (nodes => film%shear%nodes, rough => film%fields%rough, flux => heat%walls%flux)
+      do j = first_row(film), last_row(film)
+        rubbed = rough%boundary_friction*asperity_pressure(rough, film%fields%p, j) &
+          *hypot(nodes%sliding_x(:, j), nodes%sliding_y(:, j))
+        flux(:, j, 1) = flux(:, j, 1) + rubbed/2
+        flux(:, j, 2) = flux(:, j, 2) + rubbed/2
+      end do
+    end associate
+  end subroutine rub
 
   !> Checks that the film is above absolute zero and below the largest rise; if not it is cooled down.
   subroutine judge_temperature(film, heat, stat)

@@ -1,20 +1,25 @@
 """`[bodies]`: the solids of a contact."""
 
+from math import pi, sqrt
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from pyworm.case.table import Table
 from pyworm.io import units
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
+RQ_OVER_RA = sqrt(pi / 2)
+"""Root mean square over arithmetic mean of heights spread normally."""
+
 
 class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
     Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
-    mean square height Rq, not Ra, which is about 0.8 Rq.
+    mean square height Rq, or by `roughness_ra` the arithmetic mean Ra, 0.8 Rq of heights spread normally.
+    The lay is the angle of its ridges from the surface's own motion.
     """
 
     youngs_modulus: units.Modulus
@@ -24,10 +29,24 @@ class BodyTable(Table):
     specific_heat: units.SpecificHeat | None = None
     bulk_temperature: units.Temperature | None = None
     roughness: units.Roughness | None = None
+    roughness_ra: units.Roughness | None = None
+    roughness_slope: Annotated[float, Field(strict=True, gt=0, le=1)] | None = None
+    roughness_aspect: Annotated[float, Field(strict=True, ge=1 / 9, le=9)] | None = None
+    lay: units.AngleOrZero | None = None
+    hardness: units.Hardness | None = None
+
+    @model_validator(mode="after")
+    def _one_roughness(self):
+        if self.roughness is not None and self.roughness_ra is not None:
+            raise ValueError("give either roughness (Rq) or roughness_ra (Ra), one of the two")
+        return self
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""
-        constants = dict(self)
+        constants = {name: value for name, value in self if value is not None}
+        mean = constants.pop("roughness_ra", None)
+        if mean is not None:
+            constants["roughness"] = RQ_OVER_RA * mean
         if oil.heat is not None and self.bulk_temperature is None:
             constants["bulk_temperature"] = oil.heat.inlet_temperature
         return Body(**constants)

@@ -12,7 +12,7 @@ from pyworm.io import units
 from pyworm.materials.base_stock import HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import names
-from pyworm.materials.oil import Oil
+from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
 
@@ -201,6 +201,7 @@ class OilTable(Table):
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
     supply: units.Film | None = None
+    boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
 
     @model_validator(mode="before")
     @classmethod
@@ -230,4 +231,5 @@ class OilTable(Table):
             flow=None if self.shear is None else FlowLaw(**dict(self.shear)),
             heat=None if self.heat is None else self.heat.heat(viscosity),
             supply=self.supply,
+            boundary_friction=self.boundary_friction,
         )

@@ -115,6 +115,15 @@ Modulus = quantity(
 )
 """From rubber to diamond; as a rule from polymers to carbides."""
 
+Hardness = quantity(
+    "an indentation hardness",
+    "Pa",
+    "1.1 GPa",
+    possible=("1 MPa", "200 GPa"),
+    usual=("0.1 GPa", "20 GPa"),
+)
+"""95 HB are 0.93 GPa: bronze about 1, hardened steel about 7."""
+
 Pressure = quantity(
     "a pressure", "Pa", "196 MPa", possible=("1 Pa", "1000 GPa"), usual=("1 kPa", "10 GPa")
 )

@@ -9,6 +9,7 @@ from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.numbers import flow_numbers
 from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.rough_surfaces import GapCurves
 
 
 @dataclass(frozen=True)
@@ -122,6 +123,26 @@ class HeatFields:
 SLIP_STEP = 1e-3
 """Stress in which the slip of a wall grows e-fold, over that at slip [-] (`fortran/oil/flow_laws.f90`)."""
 
+
+@dataclass(frozen=True)
+class Asperities:
+    """What asperities of rough surfaces bear at the nodes.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        Pressure that they bear, a part of the total [Pa].
+    curve : numpy.ndarray
+        Pressure of their curve at the present gap [Pa], another one until the film is solved.
+    area : numpy.ndarray
+        Real area of contact over the nominal one [-].
+    """
+
+    pressure: np.ndarray
+    curve: np.ndarray
+    area: np.ndarray
+
+
 LEAST_RISE = 10.0
 """Least reference of relative changes of temperature [K]."""
 
@@ -149,6 +170,7 @@ class Film:
         self._nodes = (*shape, 1)[:2]
         self.levels = 0
         self.heated = False
+        self.rough = False
         self._warming = 0.0
         weakref.finalize(self, core.bindings.film_free, self._handle)
 
@@ -161,9 +183,27 @@ class Film:
         """A field of the kernel in the shape of the grid; no copy."""
         return field[:, 0] if len(self._shape) == 1 else field
 
-    def start(self, pressure, rigid_film: float) -> Balance:
-        """Start from a pressure [Pa] and a rigid film h0 [m]; pressure on the outline stays fixed."""
-        self.pressure = fortran_array(pressure).copy(order="F")
+    def start(self, pressure, rigid_film: float, oil=None) -> Balance:
+        """Start from a pressure [Pa] and a rigid film h0 [m]; pressure on the outline stays fixed.
+
+        Between rough surfaces `oil` is the part that the oil bears, zero where it has ruptured. Errors of a
+        pressure that was interpolated may exceed it: then the total is the oil's with that of the
+        asperities at the film.
+        """
+        if not self.rough or oil is None:
+            return self._evaluate(fortran_array(pressure).copy(order="F"), rigid_film)
+        ruptured = np.asfortranarray(np.asarray(oil) <= 0, dtype=np.int32)
+        core.bindings.film_set_ruptured(self._handle, ruptured.reshape(self._nodes, order="F"))
+        self._evaluate(fortran_array(pressure).copy(order="F"), rigid_film)
+        inner = tuple(slice(1, -1) for _ in self._shape)
+        total = self.pressure.copy(order="F")
+        total[inner] = np.where(
+            total[inner] > 0, oil[inner] + self.asperities().curve[inner], total[inner]
+        )
+        return self._evaluate(total, rigid_film)
+
+    def _evaluate(self, pressure: np.ndarray, rigid_film: float) -> Balance:
+        self.pressure = pressure
         self.rigid_film = rigid_film
         residual, load_error = core.bindings.film_evaluate(
             self._handle, self._on_nodes(self.pressure), rigid_film
@@ -173,7 +213,11 @@ class Film:
 
     def restart(self) -> Balance:
         """Restart from the present pressure and rigid film after a change of the equations."""
-        return self.start(self.pressure, self.rigid_film)
+        return self._evaluate(self.pressure, self.rigid_film)
+
+    def oil_pressure(self) -> np.ndarray:
+        """Pressure that the oil bears [Pa]."""
+        return self.pressure - self.asperities().pressure if self.rough else self.pressure
 
     def set_transient_term(self, implicit: float, explicit) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.
@@ -284,6 +328,40 @@ class Film:
             )
         )
         self.levels = levels
+
+    def roughen(self, curves: GapCurves, boundary_friction: float) -> None:
+        """Make the surfaces of a sheared film rough; it must be restarted, or heated, before its next step.
+
+        Parameters
+        ----------
+        curves : GapCurves
+            Averages over the gap between the surfaces' mean planes.
+        boundary_friction : float
+            Friction coefficient of asperities in contact [-].
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a curve is not finite.
+        """
+        values, slopes = (fortran_array(of) for of in (curves.values, curves.slopes))
+        check_status(
+            core.bindings.film_roughen(
+                self._handle,
+                curves.scale,
+                curves.first,
+                curves.spacing,
+                values,
+                slopes,
+                boundary_friction,
+            )
+        )
+        self.rough = True
+
+    def asperities(self) -> Asperities:
+        """What asperities of rough surfaces bear, as last evaluated."""
+        fields = core.bindings.film_asperities(self._handle, *self._nodes)
+        return Asperities(*(self._on_grid(field) for field in fields))
 
     def _warm_from(self, rise) -> None:
         """Set the initial rise over the inlet temperature at the levels [K], by default zero."""

@@ -5,6 +5,10 @@ from dataclasses import dataclass
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive
 
+RUN_IN_SLOPE = 0.008
+"""Root mean square slope of a run-in surface, where none is given: with it the asperities' share of the
+load is that of the field's measured and computed partial films (`docs/theory/roughness.md`)."""
+
 
 @dataclass(frozen=True)
 class Body:
@@ -24,6 +28,14 @@ class Body:
     roughness : float or None
         Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
         arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally.
+    roughness_slope : float
+        Root mean square slope of the surface [-].
+    roughness_aspect : float
+        Correlation length of the roughness along its lay over that across it [-]; 1 where it has no lay.
+    lay : float
+        Angle of the lay from the surface's own motion through the contact [rad].
+    hardness : float or None
+        Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield.
 
     Raises
     ------
@@ -38,6 +50,10 @@ class Body:
     specific_heat: float | None = None
     bulk_temperature: float | None = None
     roughness: float | None = None
+    roughness_slope: float = RUN_IN_SLOPE
+    roughness_aspect: float = 1.0
+    lay: float = 0.0
+    hardness: float | None = None
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of a solid."""
@@ -46,17 +62,20 @@ class Body:
             raise ValueError(
                 f"poisson_ratio = {self.poisson_ratio:g}: must lie above -1 and be at most 0.5, such as 0.3"
             )
-        for name, unit in _THERMAL.items():
+        for name, unit in _POSITIVE.items():
             if getattr(self, name) is not None:
                 positive(name, getattr(self, name), unit)
 
 
-_THERMAL = {
+_POSITIVE = {
     "density": "kg/m3",
     "conductivity": "W/(m K)",
     "specific_heat": "J/(kg K)",
     "bulk_temperature": "K",
     "roughness": "m",
+    "roughness_slope": "",
+    "roughness_aspect": "",
+    "hardness": "Pa",
 }
 
 

@@ -14,6 +14,10 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
 
+BOUNDARY_FRICTION = 0.1
+"""Friction coefficient of asperities in contact where none is given: that to which the worm standard's base
+friction rises towards standstill, 0.094 to 0.1 (DIN 3996, bronze wheels; `formulas.worm_standard`)."""
+
 
 def require_kinds(name: str, law: Any, *kinds: type) -> None:
     """Refuse a law that is not exactly one of these classes.
@@ -50,6 +54,8 @@ class Oil:
         How it takes heat; None where that is not known, and cannot be simulated.
     supply : float or None
         Thickness of the oil that arrives at a contact [m]; None where there is always enough.
+    boundary_friction : float
+        Friction coefficient of the bodies' asperities in contact under this oil [-].
     """
 
     viscosity: Barus | Roelands
@@ -57,6 +63,7 @@ class Oil:
     flow: FlowLaw | None = None
     heat: OilHeat | None = None
     supply: float | None = None
+    boundary_friction: float = BOUNDARY_FRICTION
 
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""
@@ -66,6 +73,7 @@ class Oil:
         require_kinds("heat", self.heat, OilHeat, type(None))
         if self.supply is not None:
             positive("supply", self.supply, "m")
+        positive("boundary_friction", self.boundary_friction, "")
         if self.heat is not None and isinstance(self.viscosity, Roelands):
             if self.heat.inlet_temperature <= ROELANDS_POLE_TEMPERATURE:
                 raise ValueError(

@@ -15,16 +15,19 @@ class Model:
     Attributes
     ----------
     levels : int
-        Levels across the film, walls included; 0 for an isothermal Newtonian film.
+        Levels across the film, walls included; 0 for an isothermal Newtonian film between smooth surfaces.
     heated : bool
         Whether heat is simulated, in the film and the bodies.
     level_error : float
         Largest relative error of films, friction and largest temperatures by the number of levels [-].
+    rough : bool
+        Whether the surfaces' roughness is simulated.
     """
 
     levels: int = 0
     heated: bool = False
     level_error: float = 0.0
+    rough: bool = False
 
 
 PARABOLA = 3
@@ -47,16 +50,18 @@ def model_for(
     simple: Scene | LineScene, accuracy: float, on: frozenset[str], prediction: Prediction
 ) -> Model:
     """The model of a scene that has only the effects that are on."""
+    rough = "roughness" in on
     if simple.oil.heat is not None:
         if "viscosity-across" not in on:
-            return Model(PARABOLA, heated=True)
+            return Model(PARABOLA, heated=True, rough=rough)
         five = (5, _error_by_five(prediction))
         levels, error = _levels(accuracy, (five, *LEVEL_ERRORS[1:]))
-        return Model(levels, heated=True, level_error=error)
+        return Model(levels, heated=True, level_error=error, rough=rough)
     if simple.oil.flow in (None, NEWTONIAN):
-        return Model()
+        # three levels hold the parabola of a Newtonian oil's velocity exactly
+        return Model(PARABOLA, rough=True) if rough else Model()
     levels, error = _levels(accuracy, LEVEL_ERRORS)
-    return Model(levels, level_error=error)
+    return Model(levels, level_error=error, rough=rough)
 
 
 def _levels(accuracy: float, errors: tuple[tuple[int, float], ...]) -> tuple[int, float]:

@@ -160,7 +160,8 @@ def planned(
     model = model_for(simple, accuracy, on, prediction)
     numerics = PLANS[type(simple)](simple, accuracy, model)
     # without sliding friction has no size, and without its flow law it means nothing
-    law = model.levels > 0 or asked is None or simple.oil.flow == scene.oil.flow
+    sheared = model.heated or simple.oil.flow not in (None, NEWTONIAN)
+    law = sheared or asked is None or simple.oil.flow == scene.oil.flow
     aim = _aim(quantities, model, rubs=law and prediction.sliding > 0, beta=prediction.inlet_beta)
     regime = (line_regime if isinstance(scene, LineScene) else point_regime)(prediction.groups)
     return Plan(accuracy, quantities, asked, judgements, regime, aim, model, **vars(numerics))

@@ -9,6 +9,8 @@ FIGURES = (*FILMS, "pressure_max")
 
 SHEAR_FIGURES = ("friction_coefficient", "power_loss", "shear_rate_max")
 
+ROUGH_FIGURES = ("asperity_load_fraction", "friction_boundary")
+
 HEAT_FIGURES = ("temperature_max_body_1", "temperature_max_body_2", "temperature_max_film")
 
 

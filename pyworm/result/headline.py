@@ -34,5 +34,5 @@ def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:
         Sentence on their friction by a standard, shown where roughness carries load.
     """
     at_worst = of_all(solutions)
-    lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.rough else ""]
+    lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.as_if_smooth else ""]
     return [line for line in lines if line]

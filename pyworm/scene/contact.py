@@ -10,6 +10,7 @@ import numpy as np
 
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds
+from pyworm.materials.rough_surfaces import RoughPair, rough_pair
 from pyworm.scene.past import Past
 
 Array = np.ndarray
@@ -44,6 +45,8 @@ class Contact(ABC):
         The contact at earlier times, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies are rigid under the film.
+    smooth : bool
+        Whether roughness is left out of the film.
 
     Raises
     ------
@@ -62,6 +65,7 @@ class Contact(ABC):
     station: float | None = None
     past: Past[Any] | None = None
     rigid: bool = False
+    smooth: bool = False
 
     def __post_init__(self) -> None:
         """Refuse an oil or a body whose formulas the kernel would ignore."""
@@ -95,6 +99,18 @@ class Contact(ABC):
     def composite_roughness(self) -> float | None:
         """Composite root mean square height of both surfaces [m]; None if it is not known."""
         return composite_roughness(*self.bodies)
+
+    @property
+    def rough_pair(self) -> RoughPair | None:
+        """Both surfaces with their roughness; None where it is not known, or left out."""
+        if self.smooth or self.composite_roughness is None:
+            return None
+        return rough_pair(self.bodies, self.motion_angles, self.oil.boundary_friction)
+
+    @property
+    @abstractmethod
+    def motion_angles(self) -> tuple[float, float]:
+        """Directions of both surfaces' velocities at the contact point, from the x axis [rad]."""
 
 
 def require_radii(radii: tuple[float, ...], of_gap: tuple[float, ...]) -> None:

@@ -75,6 +75,11 @@ class LineScene(Contact):
         """Velocity of body 1 relative to body 2 [m/s]."""
         return self.velocities[0] - self.velocities[1]
 
+    @property
+    def motion_angles(self) -> tuple[float, float]:
+        """Directions of both surfaces' velocities from the x axis; against it is all one to a lay."""
+        return 0.0, 0.0
+
     def velocities_at(self, x: Array) -> tuple[tuple[Array], tuple[Array]]:
         """Velocity [m/s] of body 1's and of body 2's surface, the same at each x."""
         return tuple((np.full(np.shape(x), velocity),) for velocity in self.velocities)

@@ -6,6 +6,7 @@ Velocities are those of the surfaces relative to the (moving) contact point, pro
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import atan2
 
 import numpy as np
 
@@ -102,6 +103,12 @@ class Scene(Contact):
         """Velocity components [m/s] of body 1's and of body 2's surface at (x, y)."""
         body_1, body_2 = self.motions
         return body_1(x, y), body_2(x, y)
+
+    @property
+    def motion_angles(self) -> tuple[float, float]:
+        """Directions of both surfaces' velocities at the contact point, from the x axis [rad]."""
+        first, second = self.velocities_at(np.zeros(()), np.zeros(()))
+        return atan2(first[1], first[0]), atan2(second[1], second[0])
 
     entrainment = Contact.entrainment_at
     sliding = Contact.sliding_at

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from pyworm.kernel import DryContact
 from pyworm.kernel.film import SLIP_STEP
-from pyworm.materials.flow_laws import NEWTONIAN
+from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array, Contact
@@ -50,6 +50,10 @@ CONTINUATION_STEPS = 12
 
 HEATED_TOLERANCE = 1e-2
 """Residual of a heated film, and change of its temperature, at which the stress continuation advances."""
+
+SMOOTHEST, ROUGHENING = 1 / 64, 2.0
+"""Least first roughness over its own, and ratio of successive ones, in the continuation from smooth
+surfaces."""
 
 SENSELESS = 1.0
 """Residual beyond which a film is no initial guess for a finer grid: its pressure gradients need more stress
@@ -92,6 +96,8 @@ class ContactSolver(ABC):
         self._plan = plan
         self._model = plan.model
         self._transient_term = transient_term
+        self._rough = scene.rough_pair if plan.model.rough else None
+        self._curves = self._rough and self._rough.curves()
         self.origins = (
             dict.fromkeys(HEAT_FIGURES, scene.oil.heat.inlet_temperature)
             if self._model.heated
@@ -173,6 +179,8 @@ class ContactSolver(ABC):
         stresses = 1.0
         if self._model.levels:
             steps += lead(level, COARSE_TOLERANCE)
+            if self._rough is not None:
+                steps += self._roughened(level)
             # that film's pressure could make heat without bound by a law that limits the stress
             sheared, stresses = self._sheared(level)
             steps += sheared
@@ -198,9 +206,34 @@ class ContactSolver(ABC):
         steps = lead(level, self.shear_tolerance)
         if level.film.balance.worst <= self.shear_tolerance:
             return steps, 1.0
-        level.film.start(newtonian.pressure, newtonian.rigid_film)
+        level.film.start(newtonian.pressure, newtonian.rigid_film, newtonian.oil)
         softened, stresses = self._softened(level, FIRMEST * SOFTENING, LEAST_SOFTENING)
         return [*steps, *softened], stresses
+
+    def _roughened(self, level: Level) -> list[NewtonStep]:
+        """Newton steps from the film of smooth surfaces to that of rough ones, isothermal and Newtonian.
+
+        Roughness rises from the height of the smooth film to its own (roughness continuation), and with it
+        the film.
+        """
+        steps: list[NewtonStep] = []
+        film = self._film_at_largest_pressure(level)
+        share, lift = min(max(film / self._rough.height, SMOOTHEST), 1.0), 0.0
+        while True:
+            before = level.state()
+            self._set_law(level, NEWTONIAN, share)
+            level.film.start(before.pressure, before.rigid_film + lift, before.oil)
+            steps += lead(level, COARSE_TOLERANCE)
+            if share >= 1:
+                return steps
+            rougher = min(share * ROUGHENING, 1.0)
+            lift = (rougher / share - 1) * self._film_at_largest_pressure(level)
+            share = rougher
+
+    @staticmethod
+    def _film_at_largest_pressure(level: Level) -> float:
+        """Film where the pressure is largest [m]."""
+        return float(level.film.thickness().flat[level.film.pressure.argmax()])
 
     def _heated(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
         """Newton steps from a sheared film to a heated one, and the factor of its stresses.
@@ -217,7 +250,7 @@ class ContactSolver(ABC):
                 return steps, stresses
             stresses *= SOFTENING
             self._shear(level, stresses)
-            level.film.start(cold.pressure, cold.rigid_film)
+            level.film.start(cold.pressure, cold.rigid_film, cold.oil)
             steps += lead(level, self.shear_tolerance)
 
     def _softened(
@@ -282,16 +315,22 @@ class ContactSolver(ABC):
         self._shear(level, stresses)
         if heated:
             self._warm(level, guess.rise)
-        level.film.start(guess.pressure, guess.rigid_film)
+        level.film.start(guess.pressure, guess.rigid_film, guess.oil)
 
     def _shear(self, level: Level, stresses: float = 1.0) -> None:
         """Set the flow law, its stresses multiplied by a factor; the film must be restarted."""
+        law = (self._scene.oil.flow or NEWTONIAN).firmer(stresses)
+        self._set_law(level, law, slip_step=SLIP_STEP + SLIP_WIDENING * (stresses - 1))
+
+    def _set_law(
+        self, level: Level, law: FlowLaw, roughness: float = 1.0, slip_step: float = SLIP_STEP
+    ) -> None:
+        """Set a flow law, between surfaces of a fraction of their roughness; the film must be restarted."""
         level.film.shear(
-            (self._scene.oil.flow or NEWTONIAN).firmer(stresses),
-            self._model.levels,
-            self._scene.sliding_at(*level.grid.mesh()),
-            SLIP_STEP + SLIP_WIDENING * (stresses - 1),
+            law, self._model.levels, self._scene.sliding_at(*level.grid.mesh()), slip_step
         )
+        if self._curves is not None:
+            level.film.roughen(self._curves.scaled(roughness), self._scene.oil.boundary_friction)
 
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""
@@ -300,7 +339,7 @@ class ContactSolver(ABC):
         if self._model.heated:
             self._warm(level, guess.rise)
         if self._model.levels:
-            level.film.restart()
+            level.film.start(level.film.pressure, level.film.rigid_film, guess.oil)
 
     def _to_own_entrainment(self, level: Level) -> list[NewtonStep]:
         """Newton steps of the continuation that removes an auxiliary entrainment, where there is one."""

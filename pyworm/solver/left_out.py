@@ -20,6 +20,9 @@ WHOLE = 1.0
 LAMBDAS = ("lambda_central", "lambda_min")
 """Central and least film over composite roughness."""
 
+SHARE = "asperity_load_fraction"
+"""Share of the load that asperities carry."""
+
 AS_IF_SMOOTH = "as if smooth"
 """Qualifier of friction, loss and efficiency where roughness carries load."""
 
@@ -39,6 +42,10 @@ class LeftOut:
         Central and least film over composite roughness [-]; None where film or roughness is not known.
     contacts : int
         Number of contacts of which this is the worst.
+    rough : bool
+        Whether roughness is simulated.
+    asperity_load_fraction : float or None
+        Share of the load that asperities carry; None where it is not simulated, or not known yet.
     """
 
     influence: dict[str, float] = field(default_factory=dict)
@@ -46,11 +53,13 @@ class LeftOut:
     lambda_central: float | None = None
     lambda_min: float | None = None
     contacts: int = 1
+    rough: bool = False
+    asperity_load_fraction: float | None = None
 
     @property
-    def rough(self) -> bool:
-        """Whether roughness carries load, so that friction, loss and efficiency are `AS_IF_SMOOTH`."""
-        return self.lubrication in ("mixed", "boundary")
+    def as_if_smooth(self) -> bool:
+        """Whether roughness carries load and is not simulated: friction and loss are `AS_IF_SMOOTH`."""
+        return self.lubrication in ("mixed", "boundary") and not self.rough
 
     @property
     def words(self) -> str:
@@ -68,17 +77,21 @@ class LeftOut:
     @property
     def sentence(self) -> str:
         """The regime of lubrication in one sentence; empty of separated surfaces or where it is not known."""
-        if not self.rough:
+        if self.lubrication not in ("mixed", "boundary"):
             return ""
         which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
+        share = self.asperity_load_fraction
+        end = ", which is not simulated"
+        if self.rough:
+            end = "" if share is None else f"; asperities carry {share * 100:.2g} % of the load"
         return (
             f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
-            f"least film {self.lambda_min:.2g} times the composite roughness), which is not simulated."
+            f"least film {self.lambda_min:.2g} times the composite roughness){end}."
         )
 
     def headed(self, name: str) -> str:
         """The name of a friction, loss or efficiency, with what it leaves out."""
-        return f"{name}, {AS_IF_SMOOTH}" if self.rough else name
+        return f"{name}, {AS_IF_SMOOTH}" if self.as_if_smooth else name
 
     def titled(self, title: str) -> str:
         """The title of a table with error bars, and below it the effects left out."""
@@ -87,8 +100,8 @@ class LeftOut:
     @classmethod
     def read(cls, summary: Mapping[str, Any]) -> Self:
         """Read from the object that `summary` made."""
-        given = {name: summary[name] for name in LAMBDAS if name in summary}
-        return cls(dict(summary["left_out"]), summary["lubrication"], **given)
+        given = {name: summary[name] for name in (*LAMBDAS, SHARE) if name in summary}
+        return cls(dict(summary["left_out"]), summary["lubrication"], rough=SHARE in given, **given)
 
     def summary(self) -> dict[str, Any]:
         """Influences and lubrication as an object for JSON; without a roughness no lambda."""
@@ -113,13 +126,17 @@ def beyond(effects: Iterable[Judgement], accuracy: float) -> dict[str, float]:
 
 
 def judged(
-    effects: Iterable[Judgement], accuracy: float, films: Sequence[float], roughness: float | None
+    effects: Sequence[Judgement],
+    accuracy: float,
+    films: Sequence[float],
+    roughness: float | None,
+    asperity_load_fraction: float | None = None,
 ) -> LeftOut:
     """Judge the effects left out of a contact and its lubrication.
 
     Parameters
     ----------
-    effects : iterable of Judgement
+    effects : sequence of Judgement
         Its effects.
     accuracy : float
         Accuracy asked for [-].
@@ -127,10 +144,19 @@ def judged(
         Central and least film [m]; empty where they may not be trusted.
     roughness : float or None
         Composite roughness [m].
+    asperity_load_fraction : float, optional
+        Share of the load that asperities carry, where that is solved [-].
     """
     known = films if roughness else ()
     central, least = (film / roughness for film in known) if known else (None, None)
-    return LeftOut(beyond(effects, accuracy), lubrication(central, least), central, least)
+    return LeftOut(
+        beyond(effects, accuracy),
+        lubrication(central, least),
+        central,
+        least,
+        rough=any(effect.on for effect in effects if effect.name == "roughness"),
+        asperity_load_fraction=asperity_load_fraction,
+    )
 
 
 def expected(scene: Contact, plan: Plan) -> LeftOut:

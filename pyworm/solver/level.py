@@ -1,7 +1,8 @@
 """Base of the levels of point and line contacts: a film on one grid."""
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, ClassVar, Protocol
 
@@ -31,6 +32,9 @@ farther out is sheared too, but its friction falls with the gap alone, so that t
 the bodies. Where surfaces move in opposite directions its temperature is that of a recirculation that depends
 on the window."""
 
+STILL = 1e-30
+"""Sliding speed [m/s] that has no direction."""
+
 LOST = 1e-2
 """Residual or load error beyond which a film is no initial guess for a finer grid: Newton's iteration
 diverged on it, as happens on a grid far too coarse for the film, and diverges from there on finer grids
@@ -56,11 +60,14 @@ class InitialGuess:
         Rigid film [m].
     rise : numpy.ndarray or None
         Temperature above the inlet's at the levels of a heated film [K], along the last axis.
+    oil : numpy.ndarray or None
+        Part of the pressure that the oil bears [Pa].
     """
 
     pressure: Array
     rigid_film: float
     rise: Array | None = None
+    oil: Array | None = None
 
     def finer(self, window=np.s_[...]) -> "InitialGuess":
         """Interpolate to nodes of half the spacing within a window."""
@@ -68,6 +75,7 @@ class InitialGuess:
             np.maximum(kernel.prolong(self.pressure[window]), 0.0),
             self.rigid_film,
             None if self.rise is None else kernel.prolong_levels(self.rise[window]),
+            None if self.oil is None else np.maximum(kernel.prolong(self.oil[window]), 0.0),
         )
 
     def onward(self, before: "InitialGuess", fraction: float) -> "InitialGuess":
@@ -79,6 +87,7 @@ class InitialGuess:
             np.maximum(moved, 0.0),
             self.rigid_film + fraction * (self.rigid_film - before.rigid_film),
             None if self.rise is None else self.rise + fraction * (self.rise - before.rise),
+            self.oil,
         )
 
     def beyond(self, coarser: "InitialGuess") -> "InitialGuess":
@@ -93,6 +102,7 @@ class InitialGuess:
             np.maximum(pressure, 0.0),
             self.rigid_film + (self.rigid_film - coarser.rigid_film) / 4,
             rise,
+            self.oil,
         )
 
 
@@ -134,7 +144,7 @@ class Level(ABC):
     def read(self) -> Reading:
         """Read the film's figures in its present state, without their `peaks`, which few readings need."""
         film, pressure = self.film.thickness(), self.film.pressure
-        film_min, at = figures.film_minimum(self.grid, film, pressure > 0, self.covered)
+        film_min, at = figures.film_minimum(self.grid, film, self.borne(), self.covered)
         pressure_max = figures.maximum(pressure, self.covered)
         return Reading(
             film_min,
@@ -142,7 +152,7 @@ class Level(ABC):
             pressure_max,
             at,
             {},
-            self._shear_figures() | self._temperatures(),
+            self._rough_figures(self._shear_figures()) | self._temperatures(),
         )
 
     def peaks(self, reading: Reading) -> dict[str, Peak]:
@@ -153,6 +163,15 @@ class Level(ABC):
             for name, (field, counted) in fields.items()
         }
 
+    def borne(self) -> Array:
+        """Nodes with pressure, of rough surfaces more than the trace that asperities bear far outside."""
+        pressure = self.film.pressure
+        return pressure > (TRACE * pressure.max() if self.film.rough else 0.0)
+
+    def flowing(self) -> Array:
+        """Nodes where the oil has not ruptured."""
+        return self.film.oil_pressure() > 0
+
     def contact(self) -> Array:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
         return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
@@ -160,7 +179,8 @@ class Level(ABC):
     def state(self) -> InitialGuess:
         """Pressure, rigid film and temperature at present."""
         film = self.film
-        return InitialGuess(film.pressure, film.rigid_film, film.rise() if film.heated else None)
+        rise = film.rise() if film.heated else None
+        return InitialGuess(film.pressure, film.rigid_film, rise, film.oil_pressure())
 
     def lost(self) -> bool:
         """Whether its film is no initial guess for a finer grid (`LOST`)."""
@@ -168,15 +188,22 @@ class Level(ABC):
         return not max(balance.residual, abs(balance.load_error)) <= LOST
 
     def _shear(self) -> Shear | None:
-        """Shear of the film; None where the oil's flow law is not known."""
+        """Shear of the oil, its stress a mean over the area; None where its flow law is not known."""
+        oil = self.scene.oil
+        if oil.flow is None and oil.heat is None:
+            return None
         if self.film.levels:
-            return self.film.present_shear()
-        if self.scene.oil.flow != NEWTONIAN:
+            shear = self.film.present_shear()
+            if not self.film.rough:
+                return shear
+            wetted = 1 - self.film.asperities().area
+            return replace(shear, stress=tuple(wetted * component for component in shear.stress))
+        if oil.flow != NEWTONIAN:
             return None
         pressure = self.film.pressure
         slopes = np.gradient(pressure, *self.grid.spacing)
         return newtonian_shear(
-            self.scene.oil.viscosity(pressure),
+            oil.viscosity(pressure),
             self.film.thickness(),
             self.scene.sliding_at(*self.grid.mesh()),
             (slopes,) if pressure.ndim == 1 else slopes,
@@ -187,17 +214,55 @@ class Level(ABC):
         if shear is None:
             return {}
         within = self.contact()
-        force = [float(stress[within].sum()) * self.grid.cell for stress in shear.stress]
-        # along the sliding at the contact point; without any friction has no direction, and no size
+        return {
+            "friction_coefficient": self._friction(shear.stress, within),
+            "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
+            "shear_rate_max": float(shear.rate[within].max()),
+        }
+
+    def _friction(self, stress: Sequence[Array], within: Array) -> float:
+        """Friction coefficient of stresses [Pa] on body 1, along the sliding at the contact point."""
+        force = [float(component[within].sum()) * self.grid.cell for component in stress]
+        # without any sliding friction has no direction, and no size
         origin = [np.array(0.0) for _ in force]
         sliding = [float(component) for component in self.scene.sliding_at(*origin)]
         speed = hypot(*sliding)
         friction = -float(np.dot(force, sliding)) / speed if speed > 0 else 0.0
-        return {
-            "friction_coefficient": friction / self.scene.load,
-            "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
-            "shear_rate_max": float(shear.rate[within].max()),
-        }
+        return friction / self.scene.load
+
+    def _rough_figures(self, shear: dict[str, float]) -> dict[str, float]:
+        """Figures of asperities, and those of the film's `shear` with what asperities add."""
+        if not self.film.rough:
+            return shear
+        bearing = self.film.asperities().pressure
+        share = {"asperity_load_fraction": float(bearing.sum()) * self.grid.cell / self.scene.load}
+        if not shear:
+            return share
+        within = self.contact()
+        stress = self.scene.oil.boundary_friction * bearing
+        sliding = self.scene.sliding_at(*self.grid.mesh())
+        speed = np.sqrt(sum(component**2 for component in sliding))
+        boundary = self._friction(
+            [-stress * of / np.maximum(speed, STILL) for of in sliding], within
+        )
+        return (
+            shear
+            | share
+            | {
+                "friction_boundary": boundary,
+                "friction_coefficient": shear["friction_coefficient"] + boundary,
+                "power_loss": shear["power_loss"]
+                + float(self.rubbing()[within].sum()) * self.grid.cell,
+            }
+        )
+
+    def rubbing(self) -> Array:
+        """Heat of the asperities' friction [W/m2]; zero between smooth surfaces."""
+        if not self.film.rough:
+            return np.zeros(self.gap.shape)
+        sliding = self.scene.sliding_at(*self.grid.mesh())
+        speed = np.sqrt(sum(component**2 for component in sliding))
+        return self.scene.oil.boundary_friction * self.film.asperities().pressure * speed
 
     def _temperature_fields(self) -> dict[str, tuple[Array, Array | bool]]:
         """Temperatures above the inlet's [K] whose largest values are figures, and where they count."""

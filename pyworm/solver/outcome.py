@@ -69,6 +69,7 @@ def fields(
         **_along("entrainment", scene.entrainment_at(*places)),
         **_along("sliding", scene.sliding_at(*places)),
         **(_shear_fields(level) if model.levels else {}),
+        **(_rough_fields(level) if model.rough else {}),
         **(_heat_fields(level, scene.oil.heat.inlet_temperature) if model.heated else {}),
     }
     axes = _axes(level)
@@ -97,6 +98,11 @@ def _shear_fields(level: Level) -> dict[str, Array]:
         "flow_factor_sliding": shear.along,
         **across,
     }
+
+
+def _rough_fields(level: Level) -> dict[str, Array]:
+    asperities = level.film.asperities()
+    return {"asperity_pressure": asperities.pressure, "real_area": asperities.area}
 
 
 def _heat_fields(level: Level, inlet_temperature: float) -> dict[str, Array]:
@@ -134,7 +140,7 @@ def profile(scene: Contact, level: Level) -> "xr.Dataset":
 def heat_balance(level: Level) -> float:
     """Heat into both bodies and the oil, less the work of friction, over that work."""
     heat = level.film.heat_fields()
-    friction = level.film.present_shear().friction.sum()
+    friction = level.film.present_shear().friction.sum() + level.rubbing().sum()
     if not friction > 0:  # of a film that was cooled down, where heat found none
         return nan
     return float((heat.flux.sum() + heat.carried.sum() - friction) / friction)

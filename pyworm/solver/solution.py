@@ -7,6 +7,7 @@ from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
 from pyworm.solver.left_out import LeftOut, judged
 
@@ -101,6 +102,9 @@ class Figures:
     temperature_max_body_1, temperature_max_body_2, temperature_max_film : Estimate or None
         Largest temperature of each surface and inside the film [K], the error relative to the rise over the
         inlet temperature; None where heat was not simulated.
+    asperity_load_fraction, friction_boundary : Estimate or None
+        Share of the load that asperities carry, and the part of the friction coefficient by their friction
+        [-]; None where roughness was not simulated.
     heat_balance : float or None
         Relative imbalance: heat into the bodies and the oil, less the work of friction, over that work.
     """
@@ -125,6 +129,8 @@ class Figures:
     temperature_max_body_1: Estimate | None = None
     temperature_max_body_2: Estimate | None = None
     temperature_max_film: Estimate | None = None
+    asperity_load_fraction: Estimate | None = None
+    friction_boundary: Estimate | None = None
     heat_balance: float | None = None
 
     def values(self) -> dict[str, float]:
@@ -178,7 +184,8 @@ class Solution:
         entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
         shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
         flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
-        temperature_middle. Those of a line contact are over x, and have no dry_pressure and nothing along y.
+        temperature_middle; where roughness was simulated asperity_pressure, real_area. Those of a line
+        contact are over x, and have no dry_pressure and nothing along y.
     history : xarray.Dataset
         Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov; of a point
         contact also the work of each step: convolutions, cycles and processor times by part.
@@ -227,7 +234,14 @@ class Solution:
         """Effects left out of the figures; the lubrication of a film that did not converge is unknown."""
         figures = self.figures
         films = (figures.film_central.value, figures.film_min.value) if self.converged else ()
-        return judged(self.effects, self.accuracy, films, self.composite_roughness)
+        share = figures.asperity_load_fraction
+        return judged(
+            self.effects,
+            self.accuracy,
+            films,
+            self.composite_roughness,
+            share.value if share is not None and self.converged else None,
+        )
 
     def summary(self) -> dict:
         """The scalars of this solution as one object, units in the keys, effects left out first.
@@ -253,6 +267,7 @@ class Solution:
             **self._surface_summary(),
             **self._point_summary(),
             **self._shear_summary(),
+            **self._rough_summary(),
             **self._heat_summary(),
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
@@ -304,6 +319,19 @@ class Solution:
             **_flat("power_loss", POWER_UNITS[self.kind], figures.power_loss),
             **_flat("shear_rate_max", "1_s", figures.shear_rate_max),
         }
+
+    def _rough_summary(self) -> dict[str, float]:
+        """The scalars of the asperities; the friction of the oil is the rest."""
+        figures = self.figures
+        known = {name: of for name in ROUGH_FIGURES if (of := getattr(figures, name)) is not None}
+        summary = {
+            key: value for name, of in known.items() for key, value in _flat(name, "", of).items()
+        }
+        if figures.friction_boundary is not None and figures.friction_coefficient is not None:
+            summary["friction_fluid"] = (
+                figures.friction_coefficient.value - figures.friction_boundary.value
+            )
+        return summary
 
     def _heat_summary(self) -> dict[str, dict[str, float] | float]:
         """The scalars of heat; errors of temperatures in kelvin."""

@@ -101,8 +101,8 @@ contains
     call set_level(level, fields, free)
     call set_mobility(level, fields)
     do j = 2, level%count - 1
-      call model_line(level, j, 500.0_pp, null(), plain(:, 1), plain(:, 2), plain(:, 3), plain(:, 4), plain(:, 5))
-      call model_line(level, j, 500.0_pp, film, sheared(:, 1), sheared(:, 2), sheared(:, 3), sheared(:, 4), &
+      call model_line(level, j, 500.0_pp, null(), null(), plain(:, 1), plain(:, 2), plain(:, 3), plain(:, 4), plain(:, 5))
+      call model_line(level, j, 500.0_pp, film, null(), sheared(:, 1), sheared(:, 2), sheared(:, 3), sheared(:, 4), &
         sheared(:, 5))
       call check(all(abs(sheared(2:level%length - 1, :) - plain(2:level%length - 1, :)) &
         < 1e-5_pp*maxval(abs(plain(2:level%length - 1, :)))), "and its preconditioner")

@@ -14,8 +14,9 @@ from pyworm.planning.effects.rheology import (
     PRESSURE_VISCOSITY,
     SHEAR_THINNING,
 )
+from pyworm.planning.effects.roughness import ROUGHNESS
 from pyworm.planning.effects.squeeze import SQUEEZE
-from pyworm.planning.effects.unsimulated import ROUGHNESS, STARVATION
+from pyworm.planning.effects.starvation import STARVATION
 
 EFFECTS: tuple[Effect, ...] = (
     SECOND_DIMENSION,

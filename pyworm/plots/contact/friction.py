@@ -24,7 +24,7 @@ def draw_friction(case_name: str, solution: Solution) -> Figure:
     stresses = [fields[f"shear_stress_{axis}"] for axis in "xy"]
     stress = np.hypot(*(part.transpose("y", "x").values for part in stresses)) * MEGA
     power = fields["friction_power"].transpose("y", "x").values * MEGA
-    smooth = f" {AS_IF_SMOOTH}" if solution.left_out.rough else ""
+    smooth = f" {AS_IF_SMOOTH}" if solution.left_out.as_if_smooth else ""
     titles = [
         f"shear stress in the middle (arrows: on body 1): at most {stress.max():.3g} MPa, "
         f"friction coefficient {figures.friction_coefficient.value:.3g}{smooth}",

@@ -14,10 +14,16 @@ from pyworm.solver.solution import Solution
 
 
 def draw_pressure(case_name: str, solution: Solution) -> Figure:
-    """Dry and film pressure on one scale, each with the outline of the dry contact."""
+    """Dry and film pressure, and the asperities', on one scale, each with the outline of the dry contact."""
     window = contact_window(solution.fields)
     fields = in_window(solution.fields, window)
     maps = {"dry contact": fields["dry_pressure"], "oil film": fields["pressure"]}
+    if "asperity_pressure" in fields:
+        maps = {
+            "dry contact": fields["dry_pressure"],
+            "oil and asperities": fields["pressure"],
+            "asperities": fields["asperity_pressure"],
+        }
     maps = {title: field.transpose("y", "x").values * MEGA for title, field in maps.items()}
     titles = [f"{title}: at most {values.max():.4g} MPa" for title, values in maps.items()]
     figure, axes = panels(window, titles, heading(case_name, solution))

@@ -130,7 +130,7 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
 
 def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
     """The standard's friction, to be drawn beside that of teeth as if smooth; None where there is none."""
-    standard = standard_of_result(result) if sheared and of_all(sheared).rough else None
+    standard = standard_of_result(result) if sheared and of_all(sheared).as_if_smooth else None
     return standard if isinstance(standard, StandardLoss) else None
 
 
@@ -150,7 +150,7 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
         axes.legend(frameon=False, loc="upper center")
         scaled = np.append(friction, standard.friction)
     scale_from_zero(axes, scaled, 1.3)
-    rough = of_all(sheared).rough
+    rough = of_all(sheared).as_if_smooth
     axes.set_ylabel(
         f"friction coefficient\n{AS_IF_SMOOTH}" if rough else "friction\ncoefficient",
         color="tab:purple",

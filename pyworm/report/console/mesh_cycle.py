@@ -75,9 +75,11 @@ def loss_table(
     """
     loss, left_out = cycle.loss, cycle.left_out
     table = Table("Figure", title=left_out.titled("Loss of all teeth"), title_justify="left")
-    table.add_column(AS_IF_SMOOTH.capitalize() if left_out.rough else "Value", justify="right")
+    table.add_column(
+        AS_IF_SMOOTH.capitalize() if left_out.as_if_smooth else "Value", justify="right"
+    )
     beside: dict[str, str] = {}
-    if left_out.rough and isinstance(standard, StandardLoss):
+    if left_out.as_if_smooth and isinstance(standard, StandardLoss):
         table.add_column("Rough, by\nthe standard", justify="right")
         beside = {
             "Loss": f"{standard.power:.4g} W",

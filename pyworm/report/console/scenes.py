@@ -56,6 +56,14 @@ _FIGURES = (
     ("Specific film lambda", "specific_film", 1.0, "", "specific_film_error", "specific_film"),
     ("  central", "lambda_central", 1.0, "", "film_central_error", None),
     (
+        "Load on asperities",
+        "asperity_load_fraction",
+        100.0,
+        "%",
+        "asperity_load_fraction_error",
+        None,
+    ),
+    (
         "Friction coefficient",
         "friction_coefficient",
         1.0,
@@ -63,6 +71,7 @@ _FIGURES = (
         "friction_coefficient_error",
         "friction_coefficient",
     ),
+    ("  by asperities", "friction_boundary", 1.0, "", "friction_boundary_error", None),
     ("Power loss", "power_loss_W", 1.0, "W", "power_loss_error", "power_loss"),
     (
         "Power loss per length",

@@ -67,7 +67,7 @@ def rows_table(result: SweepResult) -> Table:
         heading = key.rpartition(".")[2].replace("_", " ")
         table.add_column(f"{heading}\n{unit}".rstrip(), justify="right", overflow="fold")
     for heading, name, *_ in shown:
-        if name == "friction_coefficient" and left_out.rough:
+        if name == "friction_coefficient" and left_out.as_if_smooth:
             heading = f"{heading}\nas if\nsmooth"
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("Con-\nverged")

@@ -129,7 +129,7 @@ def _loss_rows(
             f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning",
         ),
     ]
-    if not left_out.rough or isinstance(standard, NoStandard):
+    if not left_out.as_if_smooth or isinstance(standard, NoStandard):
         return rows
     beside = f"{standard.friction:.3g}", f"{standard.power:.4g} W", f"{standard.efficiency:.1%}"
     return [

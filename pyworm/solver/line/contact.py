@@ -8,7 +8,7 @@ import numpy as np
 
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
-from pyworm.planning.target import HEAT_FIGURES
+from pyworm.planning.target import HEAT_FIGURES, ROUGH_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import line_scales
@@ -44,6 +44,7 @@ ORDERS = {
     "friction_coefficient": 2.0,
     "power_loss": 2.0,
     "shear_rate_max": 1.25,
+    **dict.fromkeys(ROUGH_FIGURES, 2.0),
     **dict.fromkeys(HEAT_FIGURES, 1.25),
 }
 
@@ -168,7 +169,7 @@ class LineContactSolver(ContactSolver):
     def _mass_error(self, level: LineLevel) -> float:
         """Net outflow of the pressurised film over the flow past its end, where pressure and slope vanish."""
         film, density, imbalance = level.film.fields()
-        inside = np.flatnonzero(level.film.pressure > 0)
+        inside = np.flatnonzero(level.flowing())
         end = inside[-1 if self._scene.entrainment > 0 else 0]
         through = abs(self._scene.entrainment) * density[end] * film[end]
         return float(abs(imbalance[inside].sum()) * level.grid.dx / through)

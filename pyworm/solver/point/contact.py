@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.kernel import DryContact
 from pyworm.planning.grid import Grid
 from pyworm.planning.plan import Plan
-from pyworm.planning.target import FIGURES, HEAT_FIGURES, SHEAR_FIGURES
+from pyworm.planning.target import FIGURES, HEAT_FIGURES, ROUGH_FIGURES, SHEAR_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.scene.entrainment_continuation import FRACTIONS_LEFT, with_auxiliary_entrainment
 from pyworm.scene.point import Scene
@@ -33,7 +33,7 @@ from pyworm.solver.solution import DryFigures
 AUXILIARY_TOLERANCE = 1e-2
 """Residual at which the continuation of auxiliary entrainment takes its next step."""
 
-ALL = (*FIGURES, *SHEAR_FIGURES, *HEAT_FIGURES)
+ALL = (*FIGURES, *SHEAR_FIGURES, *ROUGH_FIGURES, *HEAT_FIGURES)
 
 ORDERS = dict.fromkeys(ALL, 2.0)
 
@@ -173,7 +173,7 @@ class PointContactSolver(ContactSolver):
             level.grid,
             (density * film * u, density * film * v),
             imbalance,
-            level.film.pressure > 0,
+            level.flowing(),
         )
 
     def _dry_figures(self, level: PointLevel, dry: DryContact) -> dict[str, Any]:

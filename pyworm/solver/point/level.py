@@ -115,7 +115,11 @@ def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
     if within.rise is not None:
         rise = np.zeros((*wide.grid.shape, within.rise.shape[-1]), order="F")
         rise[covered] = within.rise[shared]
-    return InitialGuess(pressure, within.rigid_film, rise)
+    oil = None
+    if within.oil is not None:
+        oil = here.oil.copy()
+        oil[covered] = within.oil[shared]
+    return InitialGuess(pressure, within.rigid_film, rise, oil)
 
 
 def next_level(

@@ -282,12 +282,13 @@ def test_effects_that_are_not_simulated_are_judged_all_the_same():
     rough = TRIALS["very rough"].scene()
     roughness = judged(pyworm.plan(rough, 0.05))["roughness"]
     assert not roughness.on
-    assert roughness.reason == "not simulated"
+    assert roughness.reason == "only if named: auto,roughness"
+    assert judged(pyworm.plan(rough, 0.05, "auto,roughness"))["roughness"].on
     assert roughness.influence["film"] > 0.05
     starved = judged(pyworm.plan(TRIALS["starved bearing"].scene(), 0.05))["starvation"]
     assert 0 < starved.influence["film"] < 1
-    with pytest.raises(ValueError, match="roughness is none of"):
-        pyworm.plan(rough, effects="roughness")
+    with pytest.raises(ValueError, match="starvation is none of"):
+        pyworm.plan(rough, effects="starvation")
 
 
 @pytest.mark.parametrize("accuracy", [0.01, 0.05])
@@ -390,7 +391,7 @@ def test_squeeze_is_simulated_where_it_is_named():
             told = judged(pyworm.plan(still, 0.05, effects))["squeeze"]
             assert not told.on and told.reason == why
     for effects, why in (
-        ("auto,film-heating", "film-heating after auto, which takes only squeeze"),
+        ("auto,film-heating", "film-heating after auto, which takes only roughness, squeeze"),
         ("auto,", "nothing after auto"),
         ("squeeze,auto", "auto comes first, as in auto,squeeze"),
     ):

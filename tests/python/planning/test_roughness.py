@@ -79,7 +79,7 @@ def test_every_drive_s_scenes_carry_its_roughness_and_plans_judge_it(name, tmp_p
     ratio = predicted(scene).film_min / hypot(*ROUGH[name])
     assert seen.indicator == pytest.approx(ratio, rel=1e-12)
     assert seen.influence["film"] == pytest.approx(0.9 * exp(-0.56 * ratio), rel=1e-12)
-    assert not seen.on and seen.reason == "not simulated"
+    assert not seen.on and seen.reason == "only if named: auto,roughness"
 
 
 def test_a_worm_drive_s_roughness_is_judged_too(tmp_path):

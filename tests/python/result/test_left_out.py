@@ -98,7 +98,7 @@ def test_the_worst_of_several_contacts_counts():
     assert of_them.influence == {"squeeze": 0.9, "roughness": 0.5}
     assert (of_them.lubrication, of_them.lambda_central, of_them.contacts) == ("mixed", 1.5, 3)
     assert worst([full, LeftOut()]).lubrication == "unknown"
-    assert not worst([full, LeftOut()]).rough
+    assert not worst([full, LeftOut()]).as_if_smooth
 
 
 def test_a_film_that_did_not_converge_has_no_lubrication():

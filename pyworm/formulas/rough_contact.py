@@ -1,0 +1,82 @@
+"""Pressure and real area of contact of nominally flat rough surfaces, by the gap between their mean planes.
+
+Three curves of one pair of surfaces: asperities of one radius and heights spread normally (J. A. Greenwood
+and J. H. Tripp, Proc. IMechE 185 (1970) 625-633), elastic surfaces that are rough on all scales (B. N. J.
+Persson, PRL 99 (2007) 125502; the constants are those of C. Akarapu, T. Sharp and M. O. Robbins, PRL 106
+(2011) 204301, within a tenth), and plastic ones, which bear their hardness over the area in which they
+would overlap (E. J. Abbott and F. A. Firestone, Mechanical Engineering 55 (1933) 569).
+"""
+
+from math import pi, sqrt
+
+import numpy as np
+import scipy
+
+Array = np.ndarray
+
+GREENWOOD_TRIPP = 16 * sqrt(2) * pi / 15
+"""Factor of their pressure, equation 11."""
+
+SELF_AFFINE_PRESSURE, SELF_AFFINE_LENGTH, SELF_AFFINE_AREA = 0.34, 0.47, 2.0
+"""Pressure at mean planes that touch over E* h'rms, the gap over Rq in which pressure falls e-fold, and the
+real area of contact times E* h'rms over the pressure, of numerical contacts with a Hurst exponent of
+0.8."""
+
+
+HIGHEST = 35.0
+"""Gap over the roughness that no height reaches: the normal distribution beyond it is less than 1e-260."""
+
+
+def overlap_moment(order: float, gap) -> Array:
+    """Moment F_n(H) = int_H^inf (t - H)^n exp(-t^2/2) dt / sqrt(2 pi) of the heights above a gap.
+
+    Parameters
+    ----------
+    order : float
+        n, above -1; 5/2 gives the pressure and 2 the real area of Greenwood and Tripp's contact.
+    gap : array_like
+        Gap between mean planes over the composite roughness [-].
+    """
+    gap = np.asarray(gap, dtype=float)
+    near = np.minimum(gap, HIGHEST)
+    # D_-n-1(H) exp(-H^2/4) is the integral times sqrt(2 pi)/Gamma(n + 1) (Abramowitz and Stegun, 19.5.3)
+    cylinder = scipy.special.pbdv(-order - 1, near)[0]
+    moment = scipy.special.gamma(order + 1) / sqrt(2 * pi) * np.exp(-(near**2) / 4) * cylinder
+    return np.where(gap < HIGHEST, moment, 0.0)
+
+
+def greenwood_tripp(gap, density: float, sharpness: float, modulus: float) -> tuple[Array, Array]:
+    """Pressure [Pa] and real area over the nominal one of two rough surfaces with spherical asperities.
+
+    Parameters
+    ----------
+    gap : array_like
+        Gap between mean planes over the composite roughness [-].
+    density : float
+        Asperities for each area times their radius times the composite roughness, usually 0.03 to 0.05 [-].
+    sharpness : float
+        Composite roughness over the radius of the asperities [-].
+    modulus : float
+        E* = E'/2 [Pa].
+    """
+    pressure = GREENWOOD_TRIPP * density**2 * sqrt(sharpness) * modulus * overlap_moment(2.5, gap)
+    return pressure, (pi * density) ** 2 * overlap_moment(2.0, gap)
+
+
+def self_affine(gap, slope: float, modulus: float) -> tuple[Array, Array]:
+    """Pressure [Pa] and real area over the nominal one of elastic surfaces that are rough on all scales.
+
+    Parameters
+    ----------
+    gap : array_like
+        Gap between mean planes over the composite roughness [-].
+    slope : float
+        Composite root mean square slope h'rms [-].
+    modulus : float
+        E* = E'/2 [Pa].
+    """
+    scale = modulus * slope
+    pressure = (
+        SELF_AFFINE_PRESSURE * scale * np.exp(-np.asarray(gap, dtype=float) / SELF_AFFINE_LENGTH)
+    )
+    return pressure, np.minimum(SELF_AFFINE_AREA * pressure / scale, 1.0)

@@ -1,0 +1,213 @@
+"""Two rough surfaces in contact: averages over their roughness, by the gap between their mean planes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import cos, hypot, pi, sin, sqrt
+
+import numpy as np
+import scipy
+
+from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
+from pyworm.formulas.rough_contact import greenwood_tripp, self_affine
+from pyworm.materials.body import Body, reduced_modulus
+
+Array = np.ndarray
+
+NARROWEST = 0.05
+"""Mean thickness of the gap between surfaces pressed together, over their roughness: oil is left in the
+valleys, and its equations stay regular."""
+
+ROWS, DEEPEST, WIDEST = 500, -6.0, 1e4
+"""Rows of the tables, and their least and largest gap over the composite roughness; heights beyond are not
+found."""
+
+LEAST_LOGARITHM = -600.0
+"""Logarithm of the least pressure of asperities [Pa], which is none."""
+
+
+LEAST_AREA = 1e-30
+"""Real area of contact over the nominal one that is none."""
+
+
+@dataclass(frozen=True)
+class RoughSurface:
+    """Roughness of one surface.
+
+    Attributes
+    ----------
+    height : float
+        Root mean square height Rq [m].
+    slope : float
+        Root mean square slope [-].
+    aspect : float
+        Correlation length along the lay over that across it [-].
+    lay : float
+        Angle of the lay from the x axis [rad].
+    hardness : float or None
+        Indentation hardness [Pa]; None of a surface that does not yield.
+    """
+
+    height: float
+    slope: float
+    aspect: float = 1.0
+    lay: float = 0.0
+    hardness: float | None = None
+
+
+@dataclass(frozen=True)
+class GapCurves:
+    """Averages of a pair of rough surfaces over the gap between their mean planes, as the kernel takes them.
+
+    Attributes
+    ----------
+    scale : float
+        Scale of the gap [m].
+    first, spacing : float
+        asinh(gap/scale) of the first row, and between rows.
+    values, slopes : numpy.ndarray
+        Curves (`fortran/film/rough_surfaces.f90`) and their derivatives by the rows' coordinate, (9, rows).
+    """
+
+    scale: float
+    first: float
+    spacing: float
+    values: Array
+    slopes: Array
+
+    def scaled(self, factor: float) -> "GapCurves":
+        """Those of surfaces with all lengths times a factor, which bear as much at a gap as much wider."""
+        lengths = np.array([1.0, factor, 1.0, 1.0, 1.0, 1.0, factor, factor, factor])[:, None]
+        return replace(
+            self,
+            scale=factor * self.scale,
+            values=lengths * self.values,
+            slopes=lengths * self.slopes,
+        )
+
+
+@dataclass(frozen=True)
+class RoughPair:
+    """Two rough surfaces in contact.
+
+    Attributes
+    ----------
+    surfaces : tuple of RoughSurface
+        Surfaces of body 1 and body 2.
+    modulus : float
+        E* = E'/2 [Pa].
+    boundary_friction : float
+        Friction coefficient of asperities in contact [-].
+    asperities : tuple of float or None
+        Density and sharpness of spherical asperities (`formulas.rough_contact.greenwood_tripp`); None of
+        surfaces that are rough on all scales.
+    """
+
+    surfaces: tuple[RoughSurface, RoughSurface]
+    modulus: float
+    boundary_friction: float
+    asperities: tuple[float, float] | None = None
+
+    @property
+    def height(self) -> float:
+        """Composite root mean square height [m]."""
+        return hypot(*(surface.height for surface in self.surfaces))
+
+    def contact(self, gap) -> tuple[Array, Array]:
+        """Pressure of the asperities [Pa] and real area over the nominal one, by the gap over the roughness.
+
+        Elastic pressure and that of the softer body's hardness over the area of overlap join as the root of
+        the sum of their inverse squares.
+        """
+        gap = np.asarray(gap, dtype=float)
+        if self.asperities is not None:
+            return greenwood_tripp(gap, *self.asperities, self.modulus)
+        pressure, area = self_affine(
+            gap, hypot(*(own.slope for own in self.surfaces)), self.modulus
+        )
+        yielding = [own.hardness for own in self.surfaces if own.hardness is not None]
+        if not yielding:
+            return pressure, area
+        overlap = scipy.special.ndtr(-gap)
+        share = 1 / np.hypot(1.0, pressure / (min(yielding) * np.maximum(overlap, 1e-300)))
+        return pressure * share, np.maximum(area * share, overlap * np.sqrt(1 - share**2))
+
+    def gap_under(self, pressure: float) -> float:
+        """Gap between mean planes [m] at which the asperities bear a pressure [Pa], at least the deepest."""
+
+        def excess(gap: float) -> float:
+            return float(self.contact(gap)[0]) - pressure
+
+        if excess(DEEPEST) <= 0:
+            return DEEPEST * self.height
+        return self.height * scipy.optimize.brentq(excess, DEEPEST, -DEEPEST)
+
+    def mean_thickness(self, gap) -> Array:
+        """Mean thickness of the gap where surfaces overlap nowhere, over the composite roughness [-]."""
+        gap = np.asarray(gap, dtype=float)
+        open_gap = gap * scipy.special.ndtr(gap) + np.exp(-(gap**2) / 2) / sqrt(2 * pi)
+        return (np.maximum(open_gap, 0.0) ** 4 + NARROWEST**4) ** 0.25
+
+    def flow_factors(self, gap) -> tuple[Array, Array]:
+        """Pressure flow factors of the gap's cube [-] and shear flow factors [-]: tensors xx, yy, xy.
+
+        Those of two surfaces add with their shares of the variance, as exact theory of second order has it.
+        """
+        pressure = np.zeros((3, *np.shape(gap)))
+        shear = np.zeros_like(pressure)
+        for surface, side in zip(self.surfaces, (1, -1), strict=True):
+            share = (surface.height / self.height) ** 2
+            for aspect, turn in ((surface.aspect, 0.0), (1 / surface.aspect, np.pi / 2)):
+                along = cos(surface.lay + turn), sin(surface.lay + turn)
+                tensor = np.array([along[0] ** 2, along[1] ** 2, along[0] * along[1]])[:, None]
+                pressure += share * tensor * pressure_flow_factor(gap, aspect)
+                shear += side * share * tensor * shear_flow_factor(gap, aspect)
+        return pressure, shear
+
+    def curves(self) -> GapCurves:
+        """All averages as tables for the kernel."""
+        first, last = np.arcsinh(DEEPEST), np.arcsinh(WIDEST)
+        row = np.linspace(first, last, ROWS)
+        gap = np.sinh(row)
+        thickness = self.mean_thickness(gap)
+        pressure, area = self.contact(gap)
+        flow, shear = self.flow_factors(gap)
+        cube = np.maximum(gap, 0.0) ** 3
+        isotropic = np.array([1.0, 1.0, 0.0])[:, None]
+        values = np.vstack(
+            [
+                np.log(np.maximum(pressure, np.exp(LEAST_LOGARITHM))),
+                (thickness - gap) * self.height,
+                np.where(area > LEAST_AREA, area, 0.0),
+                (flow * cube + NARROWEST**3 * isotropic) / thickness**3,
+                shear * self.height,
+            ]
+        )
+        slopes = scipy.interpolate.PchipInterpolator(row, values, axis=1).derivative()(row)
+        return GapCurves(self.height, float(first), float(row[1] - row[0]), values, slopes)
+
+
+def rough_pair(
+    bodies: tuple[Body, Body], directions: Sequence[float], boundary_friction: float
+) -> RoughPair:
+    """The surfaces of two bodies whose roughness is known.
+
+    Parameters
+    ----------
+    bodies : tuple of Body
+        Body 1 and body 2.
+    directions : sequence of float
+        Direction of each surface's motion, from which its lay counts, from the x axis [rad].
+    boundary_friction : float
+        Friction coefficient of asperities in contact [-].
+    """
+    surfaces = tuple(
+        RoughSurface(
+            body.roughness,
+            body.roughness_slope,
+            body.roughness_aspect,
+            direction + body.lay,
+            body.hardness,
+        )
+        for body, direction in zip(bodies, directions, strict=True)
+    )
+    return RoughPair(surfaces, reduced_modulus(*bodies) / 2, boundary_friction)
