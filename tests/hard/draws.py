@@ -98,6 +98,18 @@ HOT_LIMITS = LIMITS | {
 }
 
 
+ROUGH_RANGES = HOT_RANGES | {
+    "lambda": Range(0.05, 5.0),
+    "slope": Range(0.005, 0.05),
+    "boundary_friction": Range(0.05, 0.15),
+}
+"""What is drawn of a rough scene: lambda by the film expected between smooth surfaces, composite slope."""
+
+ROUGH_LIMITS = {"height": Range(10e-9, 10e-6), "rise": Range(0.0, 0.1)}
+"""What it must keep to: the composite roughness, and that over the depth of the dry indentation, beyond
+which the contact is no longer Hertz's."""
+
+
 @dataclass(frozen=True)
 class Drawn:
     """A drawn scene.
@@ -130,14 +142,47 @@ def isothermal(number: int, seed: int = SEED) -> Drawn:
 
 def thermal(number: int, seed: int = SEED) -> Drawn:
     """A sliding point contact with heat, Eyring's and a limiting stress."""
-    random = np.random.default_rng([seed, 1, number])
-    contact = _contact(random, HOT_RANGES, HOT_LIMITS)
+    return _hot(
+        np.random.default_rng([seed, 1, number]),
+        HOT_RANGES,
+        f"Thermal scene {number} of seed {seed}",
+    )
+
+
+def rough(number: int, seed: int = SEED) -> Drawn:
+    """A thermal scene between rough surfaces with lays of their own, as ground and hobbed ones have."""
+    random = np.random.default_rng([seed, 2, number])
+    title = f"Rough scene {number} of seed {seed}"
+    while True:
+        drawn = _hot(random, ROUGH_RANGES, title)
+        traits = drawn.traits
+        height = traits["film"] / traits["lambda"]
+        if (
+            height in ROUGH_LIMITS["height"]
+            and height / traits["indentation"] in ROUGH_LIMITS["rise"]
+        ):
+            break
+    share = random.uniform(0.1, 0.9)
+    for body, part in zip(drawn.tables["bodies"].values(), (share, 1 - share), strict=True):
+        body |= {
+            "roughness": f"{height * part**0.5:.6g} m",
+            "roughness_slope": traits["slope"] * part**0.5,
+            "roughness_aspect": Range(1 / 6, 6.0).draw(random),
+            "lay": f"{random.uniform(0, 180):.6g} deg",
+        }
+    drawn.tables["oil"]["boundary_friction"] = traits["boundary_friction"]
+    return drawn
+
+
+def _hot(random: np.random.Generator, ranges: dict[str, Range], title: str) -> Drawn:
+    """A sliding point contact with heat, Eyring's and a limiting stress."""
+    contact = _contact(random, ranges, HOT_LIMITS)
     angle, ratio = contact["angle"], contact["slide_roll_ratio"]
     direction = cos(angle), sin(angle)
     velocities = [
         [contact["speed"] * (1 + side * ratio / 2) * part for part in direction] for side in (1, -1)
     ]
-    tables = _tables(f"Thermal scene {number} of seed {seed}", contact, velocities, [0.0, 0.0])
+    tables = _tables(title, contact, velocities, [0.0, 0.0])
     for body in tables["bodies"].values():
         body |= {
             "density": "7850 kg/m^3",
@@ -157,10 +202,16 @@ def thermal(number: int, seed: int = SEED) -> Drawn:
         "specific_heat": "2000 J/(kg K)",
         "expansivity": "7e-4 1/K",
     }
-    return Drawn(tables, _traits(contact) | {"slide_roll_ratio": ratio})
+    of_roughness = {name: contact[name] for name in ranges if name not in HOT_RANGES}
+    traits = {"slide_roll_ratio": ratio, "indentation": contact["indentation"]} | of_roughness
+    return Drawn(tables, _traits(contact) | traits)
 
 
-DRAWS: dict[str, Callable[[int], Drawn]] = {"isothermal": isothermal, "thermal": thermal}
+DRAWS: dict[str, Callable[[int], Drawn]] = {
+    "isothermal": isothermal,
+    "thermal": thermal,
+    "rough": rough,
+}
 """Kind of random scene -> what draws it by its number."""
 
 
@@ -203,6 +254,7 @@ def _derived(drawn: dict[str, float]) -> dict[str, float]:
         "film": float(nijenbanning_venner_moes(groups).central),
         "alpha_pressure": drawn["alpha"] * drawn["hertz_pressure"],
         "strain": drawn["hertz_pressure"] / modulus,
+        "indentation": max(contact.semi_axis_x**2 / radii[0], contact.semi_axis_y**2 / radii[1]),
         "softness": 0.0 if drawn["moes_l"] >= SOFT else groups.moes_m / MOST_SOFT,
     }
 

@@ -18,8 +18,8 @@ from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.solver.solution import Solution
 
-ACCURACY = {"isothermal": 0.05, "all": 0.05}
-"""Accuracy at which scenes are solved, by their effects."""
+ACCURACY = 0.05
+"""Accuracy at which scenes are solved."""
 
 
 class Trial(Task):
@@ -65,6 +65,10 @@ def flaws(solution: Solution) -> list[str]:
         found.append("pressure is negative somewhere")
     if not solution.stop_reason:
         found.append("it stopped without a reason")
+    if "asperity_pressure" in solution.fields:
+        asperities = solution.fields["asperity_pressure"].values
+        if (asperities < 0).any() or (asperities > solution.fields["pressure"].values).any():
+            found.append("asperities bear less than nothing, or more than all")
     if solution.converged:
         figures = solution.figures
         if not figures.film_min.value > 0 or not solution.fields["film"].values.min() > 0:
@@ -79,7 +83,7 @@ def trial(
     tables: dict[str, Any], name: str, directory: Path, effects: str, kind: type[Trial] = Trial
 ) -> Trial:
     """The trial of a case file's content."""
-    return kind(case_of(tables, name, directory), Place(), ACCURACY[effects], effects)
+    return kind(case_of(tables, name, directory), Place(), ACCURACY, effects)
 
 
 @dataclass(frozen=True)

@@ -29,10 +29,12 @@ from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.stop_reason import ACCURATE
 
 
-@pytest.mark.parametrize("name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22"])
+@pytest.mark.parametrize(
+    "name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22", "rough:1"]
+)
 def test_random_scenes_converge(tmp_path, name):
     kind, _, number = name.partition(":")
-    effects = {"isothermal": "isothermal", "thermal": "all"}[kind]
+    effects = {"isothermal": "isothermal", "thermal": "all", "rough": "all,roughness"}[kind]
     one = trial(DRAWS[kind](int(number)).tables, name, tmp_path, effects)
     store = Store(tmp_path / "scenes", fields=False)
     first = verdict(one, store)
@@ -44,7 +46,8 @@ def test_random_scenes_converge(tmp_path, name):
 def test_draws_depend_on_their_number_alone_and_keep_to_their_ranges(kind):
     assert DRAWS[kind](5) == DRAWS[kind](5)
     traits = [DRAWS[kind](number).traits for number in range(60)]
-    ranges = {"isothermal": RANGES | LIMITS, "thermal": HOT_RANGES | HOT_LIMITS}[kind]
+    hot = HOT_RANGES | HOT_LIMITS
+    ranges = {"isothermal": RANGES | LIMITS, "thermal": hot, "rough": hot}[kind]
     for name in ("hertz_pressure", "moes_l", "ellipticity", "moes_m", "film"):
         values = np.array([of[name] for of in traits])
         low, high = ranges[name].low, ranges[name].high
