@@ -10,7 +10,13 @@ from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.planning.effects.judgement import Judgement, judge, simplified
-from pyworm.planning.effects.selection import ONLY_NAMED, SIMULATED, beside_auto, chosen
+from pyworm.planning.effects.selection import (
+    ONLY_NAMED,
+    SIMULATED,
+    beside_auto,
+    chosen,
+    require,
+)
 from pyworm.planning.expected_work import Work
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -134,6 +140,8 @@ def plan(
             )
     wanted = known if quantities is None else tuple(quantities)
     named = beside_auto(effects)
+    for name in named or ():
+        require(scene, name, effects)
     asked = effects if named is None else None
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):

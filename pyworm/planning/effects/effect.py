@@ -66,7 +66,10 @@ class Effect:
     part_of : str or None
         An effect earlier in the catalogue that includes this one.
     only_named : bool
-        Whether it is simulated only where it is asked for by its name: its cost is out of proportion.
+        Whether it is simulated only where it is asked for by its name: its cost is out of proportion, or what
+        is known of a contact rarely suffices.
+    passing : bool
+        Whether contacts of one drive may have it at some phases of the mesh only.
     """
 
     name: str
@@ -80,3 +83,4 @@ class Effect:
     eased_by: tuple[str, ...] = ()
     part_of: str | None = None
     only_named: bool = False
+    passing: bool = False

@@ -85,8 +85,7 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
     Raises
     ------
     ValueError
-        For a word that means nothing, and for an effect that is not simulated or, but for `ONLY_NAMED`, the
-        contact has none of.
+        For a word that means nothing, and for an effect that is not simulated or that the contact has not.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     most = whole - ONLY_NAMED
@@ -100,9 +99,23 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
             on |= groups[name]
         elif name in whole:
             on |= {name, *SIMULATED[name].together}
-        elif name not in ONLY_NAMED:  # a drive lacks these where its cycle begins
-            raise ValueError(f"effects = {text}: {name}: {SIMULATED[name].lacking(scene)}")
+        else:
+            require(scene, name, text)
     return frozenset(on & whole)
+
+
+def require(scene: Contact, name: str, text: str) -> None:
+    """Refuse an effect, named in a choice, that a contact has none of.
+
+    Raises
+    ------
+    ValueError
+        It has none, and not only because of the phase of a mesh.
+    """
+    effect = SIMULATED[name]
+    reason = effect.lacking(scene)
+    if reason is not None and not effect.passing:
+        raise ValueError(f"effects = {text}: {name}: {reason}")
 
 
 def _with_dependents(name: str) -> set[str]:

@@ -55,4 +55,5 @@ SQUEEZE = Effect(
     without=lambda scene: replace(scene, past=None),
     lacking=_lasting,
     only_named=True,
+    passing=True,
 )

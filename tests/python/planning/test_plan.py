@@ -287,6 +287,12 @@ def test_effects_that_are_not_simulated_are_judged_all_the_same():
     assert roughness.influence["film"] > 0.05
     starved = judged(pyworm.plan(TRIALS["starved bearing"].scene(), 0.05))["starvation"]
     assert 0 < starved.influence["film"] < 1
+    smooth = replace(rough, bodies=tuple(replace(body, roughness=None) for body in rough.bodies))
+    for effects in ("auto,roughness", "all,roughness"):
+        with pytest.raises(
+            ValueError, match=f"effects = {effects}: roughness: roughness not given"
+        ):
+            pyworm.plan(smooth, 0.05, effects)
     with pytest.raises(ValueError, match="starvation is none of"):
         pyworm.plan(rough, effects="starvation")
 
