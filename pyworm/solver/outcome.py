@@ -84,7 +84,11 @@ def fields(
 
 def _single(values: Array) -> Array:
     """Numbers in single precision; marks, which are integers, unchanged."""
-    return values if values.dtype.kind == "i" else values.astype(np.float32)
+    if values.dtype.kind == "i":
+        return values
+    # fields of a film that was lost may exceed all numbers of that size
+    largest = np.finfo(np.float32).max
+    return np.clip(values, -largest, largest).astype(np.float32)
 
 
 def _shear_fields(level: Level) -> dict[str, Array]:
