@@ -21,10 +21,11 @@ STEP = "*film_newton_MOD_film_step*"
 RHEOLOGY_AND_HEAT = {
     *(
         path.stem
-        for folder in ("heat", "coupled")
+        for folder in ("heat", "thermal")
         for path in Path("fortran", folder).glob("*.f90")
     ),
-    *("flow_laws", "oil_heat", "film_levels", "shear_flow", "sheared_reynolds", "nodal_shear"),
+    *("flow_laws", "thermal_properties", "shear_stress", "shear_flow", "shear_profile"),
+    *("sheared_reynolds", "sheared_couplings", "shear_fields", "rough_surfaces"),
 }
 PROGRAM = """
 import pyworm

@@ -57,7 +57,9 @@ contains
     integer :: err
 
     stat = status_bad_argument
-    if (.not. (curves%scale > 0 .and. curves%spacing > 0 .and. boundary_friction >= 0 .and. size(curves%value, 2) > 1)) return
+    if (.not. (curves%scale > 0 .and. curves%spacing > 0 .and. boundary_friction >= 0)) return
+    if (size(curves%value, 1) /= curve_count .or. size(curves%value, 2) < 2) return
+    if (any(shape(curves%slope) /= shape(curves%value))) return
     stat = status_not_finite
     if (.not. (all(abs(curves%value) <= huge(1.0_wp)) .and. all(abs(curves%slope) <= huge(1.0_wp)))) return
     self%curves = curves

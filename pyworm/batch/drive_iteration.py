@@ -2,7 +2,7 @@
 
 The loads of a drive's teeth follow from its torque, from friction and from how far films lift the teeth off
 each other, the temperatures of its oil and bodies from the loss between the teeth; all of these follow from
-films under these loads and temperatures. Where roughness carries load, which is not simulated, a standard's
+films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
 temperatures are found with every `STRIDE`-th phase, lifts at an accuracy of `GLANCE`.

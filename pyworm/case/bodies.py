@@ -36,9 +36,20 @@ class BodyTable(Table):
     hardness: units.Hardness | None = None
 
     @model_validator(mode="after")
-    def _one_roughness(self):
+    def _roughness_complete(self):
         if self.roughness is not None and self.roughness_ra is not None:
             raise ValueError("give either roughness (Rq) or roughness_ra (Ra), one of the two")
+        for name in ("roughness_slope", "roughness_aspect"):
+            if (
+                getattr(self, name) is not None
+                and self.roughness is None
+                and self.roughness_ra is None
+            ):
+                raise ValueError(f"{name} needs roughness (Rq) or roughness_ra (Ra) beside it")
+        if self.lay is not None and self.roughness_aspect is None:
+            raise ValueError(
+                "lay needs roughness_aspect beside it, such as 3: without it there is no lay"
+            )
         return self
 
     def body(self, oil: Oil) -> Body:

@@ -34,7 +34,7 @@ SHEAR_FACTORS = (
     (1.290, 0.62, 1.09, 0.08),
     (1.011, 0.54, 1.07, 0.08),
 )
-"""A1, a1, a2 and a3 of A1 H^a1 exp(-a2 H + a3 H^2) (1979, table 2)."""
+"""A1, a1, a2 and a3 of A1 H^a1 exp(-a2 H + a3 H^2) (1979, table 2, not seen in print)."""
 
 FITTED, ASYMPTOTIC = 4.0, 5.0
 """Gaps over roughness up to which the fits, and from which the asymptotes hold; between them both are

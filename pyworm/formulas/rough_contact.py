@@ -1,10 +1,10 @@
 """Pressure and real area of contact of nominally flat rough surfaces, by the gap between their mean planes.
 
 Three curves of one pair of surfaces: asperities of one radius and heights spread normally (J. A. Greenwood
-and J. H. Tripp, Proc. IMechE 185 (1970) 625-633), elastic surfaces that are rough on all scales (B. N. J.
-Persson, PRL 99 (2007) 125502; the constants are those of C. Akarapu, T. Sharp and M. O. Robbins, PRL 106
-(2011) 204301, within a tenth), and plastic ones, which bear their hardness over the area in which they
-would overlap (E. J. Abbott and F. A. Firestone, Mechanical Engineering 55 (1933) 569).
+and J. H. Tripp, Proc. IMechE 185 (1970) 625-633), elastic surfaces that are rough on all scales, whose
+pressure falls exponentially with the gap (B. N. J. Persson, arXiv:0706.2762), and plastic ones, which bear
+their hardness over the area in which they would overlap (E. J. Abbott and F. A. Firestone, Mechanical
+Engineering 55 (1933) 569).
 """
 
 from math import pi, sqrt
@@ -19,8 +19,9 @@ GREENWOOD_TRIPP = 16 * sqrt(2) * pi / 15
 
 SELF_AFFINE_PRESSURE, SELF_AFFINE_LENGTH, SELF_AFFINE_AREA = 0.34, 0.47, 2.0
 """Pressure at mean planes that touch over E* h'rms, the gap over Rq in which pressure falls e-fold, and the
-real area of contact times E* h'rms over the pressure, of numerical contacts with a Hurst exponent of
-0.8."""
+real area of contact times E* h'rms over the pressure: read from one numerical contact with a Hurst exponent
+of 0.8, not computed in this project. C. Akarapu, T. Sharp and M. O. Robbins, PRL 106 (2011) 204301, have a
+length of 0.48 (from memory)."""
 
 
 HIGHEST = 35.0

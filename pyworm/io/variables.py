@@ -19,7 +19,7 @@ VARIABLES = {
     "shear_stress_x": ("Pa", "shear stress in the middle of the film along x"),
     "shear_stress_y": ("Pa", "shear stress in the middle of the film along y"),
     "shear_rate": ("1/s", "largest shear rate across the film"),
-    "friction_power": ("W/m2", "heat of shearing in the film"),
+    "friction_power": ("W/m2", "heat of shearing in the film, and of asperities that rub"),
     "slip": ("1", "limiting stress reached at: 0 no surface, 1 body 1, 2 body 2, 3 both"),
     "flow_factor_sliding": (
         "m3/(Pa s)",

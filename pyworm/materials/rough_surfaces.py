@@ -8,7 +8,7 @@ import numpy as np
 import scipy
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
-from pyworm.formulas.rough_contact import greenwood_tripp, self_affine
+from pyworm.formulas.rough_contact import self_affine
 from pyworm.materials.body import Body, reduced_modulus
 
 Array = np.ndarray
@@ -97,15 +97,11 @@ class RoughPair:
         E* = E'/2 [Pa].
     boundary_friction : float
         Friction coefficient of asperities in contact [-].
-    asperities : tuple of float or None
-        Density and sharpness of spherical asperities (`formulas.rough_contact.greenwood_tripp`); None of
-        surfaces that are rough on all scales.
     """
 
     surfaces: tuple[RoughSurface, RoughSurface]
     modulus: float
     boundary_friction: float
-    asperities: tuple[float, float] | None = None
 
     @property
     def height(self) -> float:
@@ -119,8 +115,6 @@ class RoughPair:
         the sum of their inverse squares.
         """
         gap = np.asarray(gap, dtype=float)
-        if self.asperities is not None:
-            return greenwood_tripp(gap, *self.asperities, self.modulus)
         pressure, area = self_affine(
             gap, hypot(*(own.slope for own in self.surfaces)), self.modulus
         )
@@ -130,16 +124,6 @@ class RoughPair:
         overlap = scipy.special.ndtr(-gap)
         share = 1 / np.hypot(1.0, pressure / (min(yielding) * np.maximum(overlap, 1e-300)))
         return pressure * share, np.maximum(area * share, overlap * np.sqrt(1 - share**2))
-
-    def gap_under(self, pressure: float) -> float:
-        """Gap between mean planes [m] at which the asperities bear a pressure [Pa], at least the deepest."""
-
-        def excess(gap: float) -> float:
-            return float(self.contact(gap)[0]) - pressure
-
-        if excess(DEEPEST) <= 0:
-            return DEEPEST * self.height
-        return self.height * scipy.optimize.brentq(excess, DEEPEST, -DEEPEST)
 
     def mean_thickness(self, gap) -> Array:
         """Mean thickness of the gap where surfaces overlap nowhere, over the composite roughness [-]."""

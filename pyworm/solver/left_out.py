@@ -20,6 +20,12 @@ WHOLE = 1.0
 LAMBDAS = ("lambda_central", "lambda_min")
 """Central and least film over composite roughness."""
 
+UNSURE = ", by averaged roughness, whose own uncertainty no error bar holds"
+"""Qualifier of that share: contact, slopes and boundary friction scatter from surface to surface."""
+
+CARRYING = ("mixed", "boundary")
+"""Regimes in which roughness carries load."""
+
 SHARE = "asperity_load_fraction"
 """Share of the load that asperities carry."""
 
@@ -59,7 +65,7 @@ class LeftOut:
     @property
     def as_if_smooth(self) -> bool:
         """Whether roughness carries load and is not simulated: friction and loss are `AS_IF_SMOOTH`."""
-        return self.lubrication in ("mixed", "boundary") and not self.rough
+        return self.lubrication in CARRYING and not self.rough
 
     @property
     def words(self) -> str:
@@ -77,13 +83,17 @@ class LeftOut:
     @property
     def sentence(self) -> str:
         """The regime of lubrication in one sentence; empty of separated surfaces or where it is not known."""
-        if self.lubrication not in ("mixed", "boundary"):
+        if self.lubrication not in CARRYING:
             return ""
         which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
         share = self.asperity_load_fraction
         end = ", which is not simulated"
         if self.rough:
-            end = "" if share is None else f"; asperities carry {share * 100:.2g} % of the load"
+            end = (
+                ""
+                if share is None
+                else f"; asperities carry {share * 100:.2g} % of the load{UNSURE}"
+            )
         return (
             f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
             f"least film {self.lambda_min:.2g} times the composite roughness){end}."

@@ -234,35 +234,27 @@ class Level(ABC):
         """Figures of asperities, and those of the film's `shear` with what asperities add."""
         if not self.film.rough:
             return shear
-        bearing = self.film.asperities().pressure
-        share = {"asperity_load_fraction": float(bearing.sum()) * self.grid.cell / self.scene.load}
+        borne = float(self.film.asperities().pressure.sum()) * self.grid.cell
+        share = {"asperity_load_fraction": borne / self.scene.load}
         if not shear:
             return share
         within = self.contact()
-        stress = self.scene.oil.boundary_friction * bearing
-        sliding = self.scene.sliding_at(*self.grid.mesh())
-        speed = np.sqrt(sum(component**2 for component in sliding))
-        boundary = self._friction(
-            [-stress * of / np.maximum(speed, STILL) for of in sliding], within
-        )
-        return (
-            shear
-            | share
-            | {
-                "friction_boundary": boundary,
-                "friction_coefficient": shear["friction_coefficient"] + boundary,
-                "power_loss": shear["power_loss"]
-                + float(self.rubbing()[within].sum()) * self.grid.cell,
-            }
-        )
+        stress, heat = self.rubbing()
+        boundary = self._friction(stress, within)
+        whole = {
+            "friction_boundary": boundary,
+            "friction_coefficient": shear["friction_coefficient"] + boundary,
+            "power_loss": shear["power_loss"] + float(heat[within].sum()) * self.grid.cell,
+        }
+        return shear | share | whole
 
-    def rubbing(self) -> Array:
-        """Heat of the asperities' friction [W/m2]; zero between smooth surfaces."""
-        if not self.film.rough:
-            return np.zeros(self.gap.shape)
+    def rubbing(self) -> tuple[tuple[Array, ...], Array]:
+        """Stress [Pa] of the asperities' friction on body 1, and its heat [W/m2]; both zero if smooth."""
         sliding = self.scene.sliding_at(*self.grid.mesh())
         speed = np.sqrt(sum(component**2 for component in sliding))
-        return self.scene.oil.boundary_friction * self.film.asperities().pressure * speed
+        bearing = self.film.asperities().pressure if self.film.rough else np.zeros(speed.shape)
+        stress = self.scene.oil.boundary_friction * bearing
+        return tuple(-stress * of / np.maximum(speed, STILL) for of in sliding), stress * speed
 
     def _temperature_fields(self) -> dict[str, tuple[Array, Array | bool]]:
         """Temperatures above the inlet's [K] whose largest values are figures, and where they count."""

@@ -96,7 +96,7 @@ def _shear_fields(level: Level) -> dict[str, Array]:
     across = {"flow_factor_across": shear.across} if level.gap.ndim == 2 else {}
     return {
         **_along("shear_stress", shear.stress),
-        "friction_power": shear.friction,
+        "friction_power": shear.friction + level.rubbing()[1],
         "shear_rate": shear.rate,
         "slip": shear.slip.astype(np.int8),
         "flow_factor_sliding": shear.along,
@@ -144,7 +144,7 @@ def profile(scene: Contact, level: Level) -> "xr.Dataset":
 def heat_balance(level: Level) -> float:
     """Heat into both bodies and the oil, less the work of friction, over that work."""
     heat = level.film.heat_fields()
-    friction = level.film.present_shear().friction.sum() + level.rubbing().sum()
+    friction = level.film.present_shear().friction.sum() + level.rubbing()[1].sum()
     if not friction > 0:  # of a film that was cooled down, where heat found none
         return nan
     return float((heat.flux.sum() + heat.carried.sum() - friction) / friction)

@@ -153,6 +153,23 @@ def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
     assert sentence in refuse(changed(LINE, (old, new)))
 
 
+@pytest.mark.parametrize(
+    ("keys", "sentence"),
+    [
+        ('roughness = "1 um"\nroughness_ra = "1 um"', "either roughness (Rq) or roughness_ra (Ra)"),
+        (
+            "roughness_slope = 0.01",
+            "roughness_slope needs roughness (Rq) or roughness_ra (Ra) beside",
+        ),
+        ('roughness = "1 um"\nlay = "90 deg"', "lay needs roughness_aspect beside it, such as 3"),
+        ('roughness = "1 um"\nroughness_aspect = 20', "roughness_aspect = 20"),
+        ('hardness = "1 kPa"', "hardness between 1 MPa and 200 GPa"),
+    ],
+)
+def test_wrong_roughness(refuse, keys, sentence):
+    assert sentence in refuse(changed(LINE, ("[bodies.body_1]", f"[bodies.body_1]\n{keys}")))
+
+
 MEAN = 'mean_velocity = ["2 m/s", "0 m/s"]'
 RATIOS = next(line for line in TRACTION.splitlines() if line.startswith("slide_roll_ratios"))
 FORMS = "motion: give either velocity_1 and velocity_2, or mean_velocity and slide_roll_ratios"

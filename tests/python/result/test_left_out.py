@@ -138,6 +138,20 @@ def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
     assert opening(smooth, "unsaid") == []
 
 
+def test_simulated_roughness_is_told_with_its_share_and_what_no_bar_holds():
+    mixed = LeftOut({}, "mixed", 2.0, 1.5, rough=True, asperity_load_fraction=0.031)
+    assert not mixed.as_if_smooth
+    assert mixed.headed("Friction") == "Friction"
+    assert mixed.sentence.endswith(
+        "; asperities carry 3.1 % of the load, by averaged roughness, whose own uncertainty no error bar "
+        "holds."
+    )
+    told = mixed.summary() | {"asperity_load_fraction": 0.031}
+    assert LeftOut.read(told) == mixed
+    planned = LeftOut({}, "mixed", 2.0, 1.5, rough=True)
+    assert planned.sentence.endswith("times the composite roughness).")
+
+
 def test_tables_begin_with_what_was_left_out_and_head_friction_as_if_smooth(case):
     solution = rough_worm()
     scene, summary = case.scene(phase=0.5), solution.summary()
