@@ -1,7 +1,7 @@
 """What an effect costs that is switched off: instructions of the kernel's steps, counted by valgrind.
 
 One contact, solved as a Newtonian film of one temperature and with everything on. Of each solve's Newton
-steps the instructions are counted, and those among them in modules of rheology and heat. The kernel is built
+steps the instructions are counted, and those among them in modules of rheology, heat and roughness. The kernel is built
 once more for it, without the vector instructions that valgrind does not know. Run from the repository's root,
 with valgrind installed:
 
@@ -17,8 +17,8 @@ import tempfile
 from pathlib import Path
 
 BUILD = Path("build/counted")
-STEP = "*film_newton_MOD_film_step*"
-RHEOLOGY_AND_HEAT = {
+STEPS = ("*film_newton_MOD_film_step*", "*thermal_step_MOD_heated_step*")
+RHEOLOGY_HEAT_ROUGHNESS = {
     *(
         path.stem
         for folder in ("heat", "thermal")
@@ -47,7 +47,8 @@ def build() -> Path:
 def count(package: Path, effects: str, out: Path) -> dict[str, int]:
     """Instructions of a solve's steps by module; those of libraries and of no module under ""."""
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
-    valgrind = ["valgrind", "--tool=callgrind", "--collect-atstart=no", f"--toggle-collect={STEP}"]
+    valgrind = ["valgrind", "--tool=callgrind", "--collect-atstart=no"]
+    valgrind += [f"--toggle-collect={step}" for step in STEPS]
     program = [sys.executable, "-S", "-c", f"import sys; sys.path += {sys.path[1:]!r}\n"]
     program[-1] += PROGRAM.format(effects=effects)
     subprocess.run(
@@ -80,8 +81,10 @@ def main() -> None:
         for effects in ("isothermal", "all"):
             counts = count(package, effects, package / "callgrind.out")
             total = sum(counts.values())
-            theirs = sum(n for module, n in counts.items() if module in RHEOLOGY_AND_HEAT)
-            print(f"{effects:10} {total:15,} instructions, {theirs:15,} in rheology and heat")
+            theirs = sum(n for module, n in counts.items() if module in RHEOLOGY_HEAT_ROUGHNESS)
+            print(
+                f"{effects:10} {total:15,} instructions, {theirs:15,} in rheology, heat and roughness"
+            )
 
 
 if __name__ == "__main__":
