@@ -1,9 +1,9 @@
 """What an effect costs that is switched off: instructions of the kernel's steps, counted by valgrind.
 
 One contact, solved as a Newtonian film of one temperature and with everything on. Of each solve's Newton
-steps the instructions are counted, and those among them in modules of rheology, heat and roughness. The kernel is built
-once more for it, without the vector instructions that valgrind does not know. Run from the repository's root,
-with valgrind installed:
+steps the instructions are counted, and those among them in modules of rheology, heat and roughness. The
+kernel is built once more for it, without the vector instructions that valgrind does not know. Run from the
+repository's root, with valgrind installed:
 
     python benchmarks/cost/off_costs_nothing.py
 """
