@@ -10,13 +10,18 @@ from pydantic import BaseModel, create_model
 from pyworm.case.case_file import CaseTable
 from pyworm.case.contact import GapCase, LineCase, PointCase
 from pyworm.case.ratings import RatedCase
+from pyworm.case.worm import DrawnWormCase
 from pyworm.drives.kinds import KINDS, module_of
 
 CASES: dict[str, dict[str, type[CaseTable]]] = {
-    "drive": {kind: module_of(kind, "pyworm.case").CASE for kind in KINDS},
+    "drive": {"worm": DrawnWormCase}
+    | {kind: module_of(kind, "pyworm.case").CASE for kind in KINDS},
     "contact": {"point-contact": PointCase, "line-contact": LineCase, "gap": GapCase},
 }
-"""Table of the subject of a case -> its kind -> the model of its file."""
+"""Table of the subject of a case -> its kind -> the model of its file.
+
+A worm drive by its drawing is no drive of its own kind: it becomes the design table of one.
+"""
 
 RATED = tuple(kind for kind, case in CASES["drive"].items() if issubclass(case, RatedCase))
 """Kinds of drives whose case files may ask for ratings."""

@@ -12,7 +12,7 @@ from pyworm.case.ratings import RatedCase, WormRatingTable
 from pyworm.case.table import Count, Phase, PositiveNumber, Table
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.zi_worm import tooth
-from pyworm.drives.zi_worm.design import Assembly, Hob, Wheel, Worm
+from pyworm.drives.zi_worm.design import Assembly, Design, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
 from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
@@ -88,6 +88,15 @@ class ZiWormTable(Table):
     hob: HobTable
     assembly: AssemblyTable = AssemblyTable()
 
+    def design(self) -> Design:
+        """Worm, wheel and hob as the table has them."""
+        return Design(
+            worm=Worm(**_relieved(self.worm)),
+            wheel=Wheel(**_relieved(self.wheel)),
+            hob=Hob(**dict(self.hob)),
+            centre_distance=self.centre_distance,
+        )
+
 
 class OperationTable(Table):
     """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved.
@@ -160,10 +169,13 @@ class CoolingTable(Table):
     tooth_loss: units.Power | None = None
 
 
-class ZiWormCase(RatedCase):
-    """A case file about a ZI worm drive."""
+class WormDriveCase(RatedCase):
+    """What case files about a ZI worm drive share, be it given by its design table or its drawing.
 
-    drive: ZiWormTable
+    Their `[drive]` has `stiffness` and `assembly`, and makes a `design`.
+    """
+
+    drive: Table
     operation: OperationTable
     bodies: WormBodies
     worm_rating: WormRatingTable | None = None
@@ -208,30 +220,39 @@ class ZiWormCase(RatedCase):
     def make_drive(self) -> ZiWormDrive:
         """The drive of a case file about a ZI worm."""
         oil, operation = self.oil.oil(), self.operation
-        bodies = self.bodies.pair(oil)
-        ratio = self.drive.worm.threads / self.drive.wheel.teeth
+        design = self.drive.design()
+        bodies = design.seen(self.bodies.pair(oil))
+        ratio = design.worm.threads / design.wheel.teeth
         speed = operation.worm_speed or operation.wheel_speed / ratio
         if self.cooling is not None:
             loss = self.cooling.tooth_loss
             if loss is None:
                 loss = _first_loss(_transmission(self, speed, ratio), speed, ratio)
             cooling = Cooling(**self.cooling.model_dump(exclude={"tooth_loss"}))
-            wheel = self.drive.wheel
-            rim = wheel.face_width * (wheel.teeth * self.drive.worm.axial_pitch / pi)
+            wheel = design.wheel
+            rim = wheel.face_width * (wheel.teeth * design.worm.axial_pitch / pi)
             warm = drive_temperatures(cooling, rim, speed, loss)
             oil, bodies = warm.oil(oil), warm.bodies(bodies)
         return ZiWormDrive(
-            worm=Worm(**_relieved(self.drive.worm)),
-            wheel=Wheel(**_relieved(self.drive.wheel)),
-            hob=Hob(**dict(self.drive.hob)),
-            centre_distance=self.drive.centre_distance,
+            worm=design.worm,
+            wheel=design.wheel,
+            hob=design.hob,
+            centre_distance=design.centre_distance,
             speed=speed,
             load=operation.load or _transmission(self, speed, ratio),
             bodies=bodies,
             oil=oil,
             assembly=Assembly(**dict(self.drive.assembly)),
             driver=operation.driver,
+            hand=design.hand,
+            taken=design.taken,
         )
+
+
+class ZiWormCase(WormDriveCase):
+    """A case file about a ZI worm drive by its design table."""
+
+    drive: ZiWormTable
 
 
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
@@ -241,7 +262,7 @@ def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
     return entries | {"tip_relief": relief}
 
 
-def _transmission(tables: ZiWormCase, worm_speed: float, ratio: float) -> Transmission:
+def _transmission(tables: WormDriveCase, worm_speed: float, ratio: float) -> Transmission:
     """What the teeth of a ZI worm drive share; with a power, the torque of the shaft that drives."""
     operation = tables.operation
     if operation.power is not None:

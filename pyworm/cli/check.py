@@ -24,6 +24,7 @@ def _check(options: argparse.Namespace) -> int:
 
     from pyworm.io.console import Console
     from pyworm.io.format import duration
+    from pyworm.report.console.drive import drive_table
     from pyworm.report.console.scenes import effects_table, plan_table
     from pyworm.scene.summary import scene_summary
     from pyworm.solver import left_out
@@ -44,12 +45,19 @@ def _check(options: argparse.Namespace) -> int:
             for task, lacking, of in zip(tasks, without, expected, strict=True)
         ]
         content = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
+        if case.drive is not None:
+            content |= {"drive": case.drive.described(), "assumptions": case.drive.assumptions}
         print_json(content | {"warnings": case.warnings})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n")
         if sentence := left_out.worst(without).sentence:
             console.print(f"{sentence} (Films by closed forms.)\n")
+        if case.drive is not None and (table := drive_table(case.drive)) is not None:
+            console.print(table)
+            for sentence in case.drive.assumptions:
+                console.print(f"- {sentence}")
+            console.print()
         for task, of in zip(tasks, expected, strict=True):
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))

@@ -69,6 +69,10 @@ class Drive(ABC):
             "How misalignment changes the contacts of this drive is not known in closed form."
         )
 
+    def described(self) -> dict[str, float | str]:
+        """Computed geometry and kinematics, in order; keys end in the SI unit, angles in `_deg`."""
+        return {}
+
     def duty(self) -> Duty | None:
         """Input of its rating by standards, of the type `rated_as`; None where no standard covers it.
 

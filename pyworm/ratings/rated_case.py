@@ -126,7 +126,7 @@ def load_asked(path: str | Path) -> Asked:
 def asked_of(case: Case) -> Asked:
     """Requests for ratings of a solvable case; CaseError if nothing can be rated."""
     if not isinstance(case.tables, RatedCase):
-        kinds = " and ".join(f'"{kind}"' for kind in RATED)
+        kinds = ", ".join(f'"{kind}"' for kind in RATED)
         raise CaseError(f"only drives of kind {kinds} and bearings are rated")
     return Asked(case.name, case.directory, case.tables, case.drive, case.warnings)
 

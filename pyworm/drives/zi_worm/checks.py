@@ -53,7 +53,7 @@ def _check_sizes(gears: "ZiWormGears") -> None:
         f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
         for part in ("worm", "wheel", "hob", "assembly")
         for field in fields(getattr(gears, part))
-        if field.name != "tip_relief"
+        if field.name != "tip_relief" and getattr(getattr(gears, part), field.name) is not None
     }
     signed = {"hob.swivel", "hob.axial_shift"}
     signed |= {key for key in entries if key.startswith("assembly.")}

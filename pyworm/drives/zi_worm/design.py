@@ -1,8 +1,13 @@
 """Design data of a ZI worm drive: worm, wheel, hob and their assembly."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import pi
+from typing import Literal
 
 from pyworm.drives.zi_worm.tooth import NO_RELIEF, ParabolicRelief
+from pyworm.materials.body import Body
+
+Hand = Literal["right", "left"]
 
 
 @dataclass(frozen=True)
@@ -21,6 +26,8 @@ class Worm:
         Lead angle on the base cylinder [rad].
     tip_relief : ParabolicRelief
         What is taken off the flank towards its tip.
+    reference_radius, thickness : float or None
+        Radius of the reference cylinder and axial thickness of the thread there [m], where they are known.
     """
 
     threads: int
@@ -31,6 +38,8 @@ class Worm:
     lead: float
     base_lead_angle: float
     tip_relief: ParabolicRelief = NO_RELIEF
+    reference_radius: float | None = None
+    thickness: float | None = None
 
 
 @dataclass(frozen=True)
@@ -45,6 +54,10 @@ class Wheel:
         Width along the axis, radius of the tip cylinder, tip radius in the mid-plane [m].
     tip_relief : ParabolicRelief
         What is taken off the flank towards tip and throat.
+    groove_radius : float or None
+        Radius of the throat's profile [m]; None where it is concentric with the hob.
+    backlash : float or None
+        Circumferential backlash on the reference circle [m], where it is known.
     """
 
     teeth: int
@@ -52,6 +65,8 @@ class Wheel:
     tip_radius: float
     throat_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
+    groove_radius: float | None = None
+    backlash: float | None = None
 
 
 @dataclass(frozen=True)
@@ -107,3 +122,34 @@ class Assembly:
 
 
 AS_DESIGNED = Assembly()
+
+
+@dataclass(frozen=True)
+class Design:
+    """Worm, wheel and hob of a drive, and how far they are the user's own.
+
+    Attributes
+    ----------
+    worm, wheel, hob : Worm, Wheel, Hob
+        The design tables.
+    centre_distance : float
+        Distance of worm and wheel axes [m].
+    hand : str
+        Hand of the threads. All is computed for right-hand ones: a left-hand drive is its mirror image.
+    taken : tuple of str
+        Usual values that were taken where none was given, a sentence each that begins with the key.
+    """
+
+    worm: Worm
+    wheel: Wheel
+    hob: Hob
+    centre_distance: float
+    hand: Hand = "right"
+    taken: tuple[str, ...] = ()
+
+    def seen(self, bodies: tuple[Body, Body]) -> tuple[Body, Body]:
+        """Worm and wheel with the lay of their roughness as in the mirror image, where that is computed."""
+        if self.hand == "right":
+            return bodies
+        worm, wheel = (replace(body, lay=-body.lay % pi) for body in bodies)
+        return worm, wheel

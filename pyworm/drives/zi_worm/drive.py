@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from math import degrees, floor, pi
+from math import floor, pi
 
 import numpy as np
 
@@ -14,27 +14,28 @@ from pyworm.drives.mesh_past import Passing
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.zi_worm.checks import check_values
 from pyworm.drives.zi_worm.dataset import loaded_cycle_data, mesh_cycle_data, tooth_data
+from pyworm.drives.zi_worm.described import described_drive
+from pyworm.drives.zi_worm.design import Hand
 from pyworm.drives.zi_worm.duty import worm_duty
 from pyworm.drives.zi_worm.gap import ToothMotion
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Array
-from pyworm.drives.zi_worm.interference import deepest
 from pyworm.drives.zi_worm.load_sharing import Arms, Shaft, SharedLoad, Transmission, share
 from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.mesh_loss import worm_mesh_loss
 from pyworm.drives.zi_worm.mesh_springs import mesh_springs
-from pyworm.drives.zi_worm.meshing import turned
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
-from pyworm.drives.zi_worm.tooth_outline import ToothOutline, flank_outline
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.point import Scene
 
-OUTLINE_SIDE = 60
-"""Number of points on each side of the wheel tooth's outline."""
+MIRRORED = (
+    "The left-hand worm is computed as its mirror image, a right-hand one that turns the other way: all "
+    "figures are the same, and pictures show the mirror image, the leaving side where it is in both."
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,6 +54,10 @@ class ZiWormDrive(ZiWormGears, Drive):
         The oil.
     driver : str
         Driving member, "worm" or "wheel", on the same flanks.
+    hand : str
+        Hand of the threads; a left-hand drive is computed as its right-hand mirror image.
+    taken : tuple of str
+        Usual values that were taken where none was given, a sentence each that begins with the key.
     """
 
     body_names = "worm", "wheel"
@@ -63,6 +68,8 @@ class ZiWormDrive(ZiWormGears, Drive):
     bodies: tuple[Body, Body]
     oil: Oil
     driver: Shaft = "worm"
+    hand: Hand = "right"
+    taken: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         given = {} if isinstance(self.load, Transmission) else {"load": self.load}
@@ -71,7 +78,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """The load and its sharing, and rigid teeth and shafts."""
+        """The load and its sharing, rigid teeth and shafts, the hand, and usual values taken."""
         load = self.load
         if isinstance(load, Transmission):
             made = (
@@ -88,6 +95,8 @@ class ZiWormDrive(ZiWormGears, Drive):
             made,
             "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for the "
             "contact itself.",
+            *((MIRRORED,) if self.hand == "left" else ()),
+            *(f"Taken as usual: drive.{one}." for one in self.taken),
         )
 
     @property
@@ -214,27 +223,9 @@ class ZiWormDrive(ZiWormGears, Drive):
     def _axes(self, phase: float) -> Array:
         return self.contact(phase).axes
 
-    @cached_property
-    def _interference(self) -> str | None:
-        """The interference of worm and wheel, as a sentence; None where there is none."""
-        found = deepest(
-            lambda phase: self.gap(self.contact(phase)),
-            lambda phase: self.tooth_outline(self.contact(phase)),
-        )
-        if found is None:
-            return None
-        face, radius = self.flank_place(self.contact(found.phase), found.x, found.y)
-        return (
-            f"hob.swivel of {degrees(self.hob.swivel):.4g} deg does not fit: the worm would cut "
-            f"{found.depth * 1e6:.1f} um into the flank that the hob leaves, at phase {found.phase:g}, "
-            f"{abs(face) * 1e3:.1f} mm from the middle of the face on a radius of {radius * 1e3:.1f} mm, and "
-            "touch it there only; another swivel, a larger hob or a smaller wheel.face_width is "
-            "needed"
-        )
-
     def _scene(self, phase: float) -> Scene:
-        if self._interference is not None:
-            raise ValueError(self._interference)
+        if self.interference_words is not None:
+            raise ValueError(self.interference_words)
         load = self.normal_load(phase)
         if load == 0:
             raise ValueError("the tooth pair carries no load there, its neighbours carry all")
@@ -284,6 +275,10 @@ class ZiWormDrive(ZiWormGears, Drive):
         """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
         return worm_mesh_loss(self, contacts)
 
+    def described(self) -> dict[str, float | str]:
+        """The computed drawing, its kinematics and its pattern."""
+        return described_drive(self)
+
     def misalignment(self, contacts: Sequence[Scene]) -> Misalignment:
         """The same phases with each error of the assembly, one at a time."""
         return worm_misalignment(self, contacts)
@@ -297,25 +292,3 @@ class ZiWormDrive(ZiWormGears, Drive):
         contact = self.contact(scene.phase)
         place = partial(self.flank_place, contact)
         return tooth_data(self.tooth_outline(contact), scene.gap, place)
-
-    @cached_property
-    def rim(self) -> tuple[Array, Array]:
-        """Generators and rolls of the wheel flank's outline [rad]: tip, face end, root, face end."""
-        middle = self.contact(0.5)
-        theta, lag = middle.wheel_height.start
-        start = theta, lag + middle.wheel_angle
-        return flank_outline(self.wheel_flank, self.wheel_tooth, start, OUTLINE_SIDE)
-
-    def tooth_outline(self, contact: ToothContact) -> ToothOutline:
-        """Outline of the wheel tooth and path of contact seen along a contact's normal."""
-        angle = contact.wheel_angle
-        rim = self.wheel_flank.point(*self.rim, angle)
-        path = np.stack(
-            [turned(c.point, c.wheel_angle - angle) for c in self.mesh_cycle()], axis=-1
-        )
-
-        def seen(points: Array, axis: Array) -> Array:
-            return axis @ (points - contact.point[:, None])
-
-        x, y = contact.x_axis, contact.y_axis
-        return ToothOutline(seen(rim, x), seen(rim, y), seen(path, x), seen(path, y))

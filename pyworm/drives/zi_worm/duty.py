@@ -1,6 +1,5 @@
 """A ZI worm drive as input of ratings by standards of worm gears."""
 
-from math import pi
 from typing import TYPE_CHECKING
 
 from pyworm.drives.duty import WormDuty
@@ -15,9 +14,9 @@ if TYPE_CHECKING:
 def worm_duty(drive: "ZiWormDrive") -> WormDuty:
     """The worm gear of a drive; ValueError where the roughness of its flanks is not known.
 
-    The module is the axial pitch over pi. The worm's reference cylinder lies one module below its tip, as
-    usual (DIN 3975); the profile shift of the wheel gives the centre distance. The torque is the wheel's; for
-    a given tooth load it is that of the mean number of teeth in contact.
+    The module is the axial pitch over pi. Unless it is given the worm's reference cylinder lies one module
+    below its tip, as usual (DIN 3975); the profile shift of the wheel gives the centre distance. The torque
+    is the wheel's; for a given tooth load it is that of the mean number of teeth in contact.
     """
     roughness = tuple(body.roughness for body in drive.bodies)
     for name, height in zip(drive.body_names, roughness, strict=True):
@@ -25,8 +24,10 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
             raise ValueError(
                 f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
             )
-    module = drive.worm.axial_pitch / pi
-    factor = 2 * (drive.worm.tip_radius / module - 1)
+    module = drive.module
+    factor = 2 * drive.reference_radius / module
+    known = drive.worm.reference_radius is not None
+    reference = "as drawn" if known else "the reference cylinder one module below the worm's tip"
     shift = drive.centre_distance / module - (factor + drive.wheel.teeth) / 2
     gear = WormGear(
         centre_distance=drive.centre_distance,
@@ -51,8 +52,7 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
         roughness=roughness,
         driver=drive.driver,
         words=(
-            f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, the "
-            f"reference cylinder one module below the worm's tip; profile shift of the wheel {shift:.3f}; "
-            f"{torque}.",
+            f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, "
+            f"{reference}; profile shift of the wheel {shift:.3f}; {torque}.",
         ),
     )

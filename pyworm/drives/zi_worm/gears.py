@@ -5,18 +5,29 @@ Lengths in m, angles in rad.
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import pi
+from math import degrees, pi
+
+import numpy as np
 
 from pyworm.drives.zi_worm.checks import check_gears
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.helicoid import Array, Helicoid
+from pyworm.drives.zi_worm.interference import Interference, deepest
 from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_cycle
-from pyworm.drives.zi_worm.meshing import WheelFlank
+from pyworm.drives.zi_worm.meshing import WheelFlank, turned
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth, wheel_radius
+from pyworm.drives.zi_worm.tooth_form import tooth_form_warnings
+from pyworm.drives.zi_worm.tooth_outline import ToothOutline, flank_outline
 
 PITCH_WARNED = 5e-6
 """Difference of normal base pitches [m] that gives a warning; tables of four digits leave up to 3 um."""
+
+OUTLINE_SIDE = 60
+"""Number of points on each side of the wheel tooth's outline."""
+
+PATH = np.linspace(0.0, 1.0, 21)
+"""Phases of the path of contact that is drawn."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +68,11 @@ class ZiWormGears:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings about the drive, a sentence each: a hob of another base pitch than the worm's."""
+        """Warnings, a sentence each: another base pitch of the hob, pointed threads or teeth."""
+        return *self._pitch_warnings(), *tooth_form_warnings(self)
+
+    def _pitch_warnings(self) -> tuple[str, ...]:
+        """The warning about a hob of another base pitch than the worm's."""
         worm, hob = self.base_pitches
         apart = hob - worm
         if abs(apart) <= PITCH_WARNED:
@@ -68,6 +83,22 @@ class ZiWormGears:
             f"{worm * 1e3:.4f} mm: each tooth pair meets that far off its neighbours and carries most of the "
             "load at one end of its mesh; equal base pitches, lead x cos(base_lead_angle), share it evenly",
         )
+
+    @property
+    def module(self) -> float:
+        """Axial module [m]."""
+        return self.worm.axial_pitch / pi
+
+    @property
+    def reference_radius(self) -> float:
+        """Radius of the worm's reference cylinder [m]: as given, or one module below the tip as usual."""
+        given = self.worm.reference_radius
+        return self.worm.tip_radius - self.module if given is None else given
+
+    @property
+    def wheel_reference_radius(self) -> float:
+        """Radius of the wheel's reference circle [m]."""
+        return self.module * self.wheel.teeth / 2
 
     @property
     def ratio(self) -> float:
@@ -109,7 +140,8 @@ class ZiWormGears:
         """Boundaries of the wheel's tooth."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
-        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, wheel.tip_relief)
+        relief, groove = wheel.tip_relief, wheel.groove_radius
+        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, relief, groove)
 
     @cached_property
     def cycle(self) -> MeshCycle:
@@ -130,3 +162,52 @@ class ZiWormGears:
         """
         point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
         return point[1], wheel_radius(point)
+
+    @cached_property
+    def rim(self) -> tuple[Array, Array]:
+        """Generators and rolls of the wheel flank's outline [rad]: tip, face end, root, face end."""
+        return flank_outline(self.wheel_flank, self.wheel_tooth, self.within, OUTLINE_SIDE)
+
+    @property
+    def within(self) -> tuple[float, float]:
+        """Generator and roll of a point of the wheel's flank within its outline [rad]."""
+        middle = self.cycle.contact(0.5)
+        theta, lag = middle.wheel_height.start
+        return theta, lag + middle.wheel_angle
+
+    def tooth_outline(self, contact: ToothContact) -> ToothOutline:
+        """Outline of the wheel tooth and path of contact seen along a contact's normal."""
+        angle = contact.wheel_angle
+        rim = self.wheel_flank.point(*self.rim, angle)
+        path = np.stack(
+            [turned(c.point, c.wheel_angle - angle) for c in map(self.cycle.contact, PATH)], axis=-1
+        )
+
+        def seen(points: Array, axis: Array) -> Array:
+            return axis @ (points - contact.point[:, None])
+
+        x, y = contact.x_axis, contact.y_axis
+        return ToothOutline(seen(rim, x), seen(rim, y), seen(path, x), seen(path, y))
+
+    @cached_property
+    def interference(self) -> Interference | None:
+        """The deepest interference of worm and wheel beside their contact point; None where there is none."""
+        return deepest(
+            lambda phase: self.gap(self.cycle.contact(phase)),
+            lambda phase: self.tooth_outline(self.cycle.contact(phase)),
+        )
+
+    @property
+    def interference_words(self) -> str | None:
+        """The interference as a sentence; None where there is none."""
+        found = self.interference
+        if found is None:
+            return None
+        face, radius = self.flank_place(self.cycle.contact(found.phase), found.x, found.y)
+        return (
+            f"hob.swivel of {degrees(self.hob.swivel):.4g} deg does not fit: the worm would cut "
+            f"{found.depth * 1e6:.1f} um into the flank that the hob leaves, at phase {found.phase:g}, "
+            f"{abs(face) * 1e3:.1f} mm from the middle of the face on a radius of {radius * 1e3:.1f} mm, and "
+            "touch it there only; another swivel, a larger hob or a smaller wheel.face_width is "
+            "needed"
+        )

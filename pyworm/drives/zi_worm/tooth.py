@@ -74,11 +74,11 @@ class WormTooth:
 class WheelTooth:
     """The wheel tooth between face ends, tip, throat and root.
 
-    The throat is read as a torus about the wheel's axis, concentric with the hob in the mid-plane of the
-    wheel, whose inner radius is the throat radius; so the tip's profile is the hob's root cylinder
-    (hob centre distance - throat radius = hob root radius in the table of Sharif et al. 2001), cut off
-    by the tip cylinder.  The root is the torus that the hob's tip sweeps; the hob's swivel, a fraction
-    of a degree, is left out of both (its influence is its square).
+    The throat is a torus about the wheel's axis whose inner radius is the throat radius, cut off by the tip
+    cylinder. Unless its own radius is given it is read as concentric with the hob in the mid-plane of the
+    wheel, so that the tip's profile is the hob's root cylinder (hob centre distance - throat radius = hob
+    root radius in the table of Sharif et al. 2001).  The root is the torus that the hob's tip sweeps; the
+    hob's swivel, a fraction of a degree, is left out of both (its influence is its square).
 
     Attributes
     ----------
@@ -90,6 +90,8 @@ class WheelTooth:
         Radius of the hob's tip cylinder [m].
     tip_relief : ParabolicRelief
         What is taken off towards tip and throat.
+    groove_radius : float or None
+        Radius of the throat's profile [m]; None where it is concentric with the hob.
     """
 
     hob: Helicoid
@@ -98,6 +100,7 @@ class WheelTooth:
     throat_radius: float
     hob_tip_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
+    groove_radius: float | None = None
 
     def taken_off(self, point: Array) -> Array:
         """What is taken off the hobbed flank at its points (3, ...) [m]."""
@@ -110,23 +113,33 @@ class WheelTooth:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it."""
         radius = wheel_radius(point)
         below = self.hob.centre_distance - radius
+        to_groove = self._groove_centre - radius
         shifted = point[1] - self.hob.axial_shift
         return {
             "wheel face": self.face_width / 2 - np.abs(point[1]),
             "wheel tip": self.tip_radius - radius,
-            "wheel throat": np.sqrt(below**2 + point[1] ** 2) - self._throat,
+            "wheel throat": np.sqrt(to_groove**2 + point[1] ** 2) - self._groove,
             "wheel root": self.hob_tip_radius - np.sqrt(below**2 + shifted**2),
         }
 
     @property
-    def _throat(self) -> float:
+    def _groove(self) -> float:
         """Radius of the throat's profile [m]."""
+        if self.groove_radius is not None:
+            return self.groove_radius
         return self.hob.centre_distance - self.throat_radius
+
+    @property
+    def _groove_centre(self) -> float:
+        """Distance of the middle of the throat's profile from the wheel's axis [m]."""
+        if self.groove_radius is not None:
+            return self.throat_radius + self.groove_radius
+        return self.hob.centre_distance
 
     def tip(self, along: Array) -> Array:
         """Outer radius of the tooth [m] at distances along the wheel's axis [m]."""
-        profile = np.sqrt(np.maximum(self._throat**2 - along**2, 0.0))
-        return np.minimum(self.tip_radius, self.hob.centre_distance - profile)
+        profile = np.sqrt(np.maximum(self._groove**2 - along**2, 0.0))
+        return np.minimum(self.tip_radius, self._groove_centre - profile)
 
     def root(self, along: Array) -> Array:
         """Radius [m] where the flank meets the hobbed root at distances along the wheel's axis [m]."""

@@ -63,7 +63,21 @@ def flank_outline(
     count : int
         Points on each of the four sides.
     """
-    target = np.stack(tooth.rim(count))
+    return flank_places(flank, start, np.stack(tooth.rim(count)))
+
+
+def flank_places(
+    flank: WheelFlank, start: tuple[float, float], target: Array
+) -> tuple[Array, Array]:
+    """Generators and rolls [rad] of places on a wheel's flank, or of where it ends on the way to them.
+
+    Parameters
+    ----------
+    flank, start
+        As of `flank_outline`.
+    target : ndarray
+        Radii and places along the axis [m], (2, places).
+    """
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
     first, slope = _place(flank, q)
     sign = np.sign(np.linalg.det(np.moveaxis(slope, -1, 0)))

@@ -94,7 +94,7 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
     if case.drive is None:
         return (), ()
     if not isinstance(case.tables, RatedCase):
-        kinds = " and ".join(RATED)
+        kinds = ", ".join(RATED)
         return (), (f"Gears, scuffing and bearings: only drives of kind {kinds} are rated.",)
     try:
         asked = asked_of(case)

@@ -98,7 +98,7 @@ def refuse(tmp_path, monkeypatch, capsys):
             "operation.phases = []: has too few entries, at least 1 needed",
         ),
         ("[0.1, 0.3, 0.5, 0.7, 0.9]", "0.5", "operation.phases = 0.5: must be a list"),
-        ('"zi-worm"', '"zk-worm"', 'drive.kind = "zk-worm": must be "zi-worm"'),
+        ('"zi-worm"', '"zk-worm"', 'drive.kind = "zk-worm": must be "worm", "zi-worm"'),
         ('"roelands"', '"rolands"', 'law = "rolands": must be one of "barus", "roelands"'),
         ('"540 MPa"', '"540 MPx"', 'published.dry_pressure_max = "540 MPx": must be a number'),
         ('"1 %"', '"1 mm"', 'accuracy = "1 mm": must be a share, such as "1 %"'),

@@ -536,7 +536,7 @@ def test_wrong_ratings_are_refused_in_one_sentence(refuse, text, old, new, sente
 
 def test_rate_names_missing_data(refuse):
     sphere = (CASES / "point_m20_l10.toml").read_text()
-    assert 'drives of kind "zi-worm" and "gear-pair" and bearings are rated' in refuse(sphere)
+    assert 'drives of kind "worm", "zi-worm", "gear-pair" and bearings are rated' in refuse(sphere)
     assert "[drive], [bearings.NAME] or [worm_gear]" in refuse('title = "?"\nsource = "?"')
     plain = WORM[: WORM.index("[worm_rating]")]
     assert "give [worm_rating] or [bearings.NAME]" in refuse(plain)

@@ -1,0 +1,175 @@
+"""A case about a worm drive by the numbers of its drawing."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, model_validator
+
+from pyworm.case.table import Count, Number, PositiveNumber, Table
+from pyworm.case.zi_worm import AssemblyTable, WormDriveCase
+from pyworm.drives.zi_worm.design import Design, Hand
+from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.drawing_checks import (
+    DERIVED,
+    check_drawing,
+    check_given,
+    check_redundant,
+)
+from pyworm.drives.zi_worm.hob_setting import with_swivel
+from pyworm.io import units
+
+OTHER_PROFILES = ("ZA", "ZN", "ZK", "ZC")
+"""Profiles of cylindrical worms that are known and not computed."""
+
+GLOBOID = ("globoid", "double-enveloping", "Hindley")
+
+
+def _computed(profile: str) -> str:
+    if profile in OTHER_PROFILES:
+        raise ValueError(
+            'only "ZI" is computed, involute helicoids; of small lead angles the other cylindrical profiles '
+            "differ little from it"
+        )
+    if profile in GLOBOID:
+        raise ValueError(
+            'globoid worms are not computed; there are cylindrical worms of profile "ZI" and roller '
+            'enveloping ones, kind = "roller-worm"'
+        )
+    if profile != "ZI":
+        raise ValueError('must be "ZI"')
+    return profile
+
+
+class _Drawn(Table):
+    """A table of a drawing, which has diameters."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _diameters(cls, given: Any) -> Any:
+        for key in given if isinstance(given, dict) else ():
+            right = key.replace("radius", "diameter")
+            if key != right and key not in cls.model_fields and right in cls.model_fields:
+                raise ValueError(f"{key}: drawings have diameters, give {right}, twice as much")
+        return given
+
+
+class DrawnWormTable(_Drawn):
+    """`[drive.worm]` of a drawing; all may be left out, and what follows from other numbers is checked."""
+
+    tip_diameter: units.Length | None = None
+    root_diameter: units.Length | None = None
+    thickness: units.Length | None = None
+    tip_relief: units.Relief | None = None
+    tip_relief_length: units.LengthOrZero | None = None
+    reference_diameter: units.Length | None = None
+    axial_pitch: units.Length | None = None
+    lead: units.Length | None = None
+    lead_angle: units.Angle | None = None
+    base_diameter: units.Length | None = None
+
+
+class DrawnWheelTable(_Drawn):
+    """`[drive.wheel]` of a drawing, likewise."""
+
+    throat_diameter: units.Length | None = None
+    outside_diameter: units.Length | None = None
+    root_diameter: units.Length | None = None
+    groove_radius: units.Length | None = None
+    tip_relief: units.Relief | None = None
+    tip_relief_length: units.LengthOrZero | None = None
+    reference_diameter: units.Length | None = None
+
+
+class DrawnHobTable(_Drawn):
+    """`[drive.hob]` of a drawing, likewise."""
+
+    oversize: units.Offset | None = None
+    reference_diameter: units.Length | None = None
+    swivel: units.Tilt | None = None
+    axial_shift: units.Offset | None = None
+
+
+class DrawnWormDriveTable(Table):
+    """`[drive]`, kind = "worm": the numbers of a drawing."""
+
+    kind: Literal["worm"]
+    profile: Annotated[str, AfterValidator(_computed)]
+    centre_distance: units.Length
+    threads: Count
+    teeth: Count
+    module: units.Length
+    diameter_factor: PositiveNumber | None = None
+    pressure_angle: units.AngleOrZero | None = None
+    profile_shift: Number | None = None
+    face_width: units.FaceWidth | None = None
+    backlash: units.LengthOrZero | None = None
+    hand: Hand = "right"
+    stiffness: units.Stiffness | None = None
+    worm: DrawnWormTable = DrawnWormTable()
+    wheel: DrawnWheelTable = DrawnWheelTable()
+    hob: DrawnHobTable = DrawnHobTable()
+    assembly: AssemblyTable = AssemblyTable()
+
+    @model_validator(mode="after")
+    def _one_size_of_the_worm(self):
+        sizes = self.diameter_factor, self.worm.reference_diameter, self.profile_shift
+        if all(size is None for size in sizes):
+            raise ValueError(
+                "diameter_factor is missing (q, reference diameter of the worm over module); or give "
+                "worm.reference_diameter or profile_shift"
+            )
+        return self
+
+    def design(self) -> Design:
+        """Worm, wheel and hob that follow from the drawing.
+
+        Raises
+        ------
+        ValueError
+            No worm gear can be made so; the sentence begins with the key at fault.
+        """
+        given = self._numbers() | {"diameter_factor": self._diameter_factor()}
+        if given["hob_oversize"] is None and self.hob.reference_diameter is not None:
+            worm = given["diameter_factor"] * self.module
+            given["hob_oversize"] = self.hob.reference_diameter - worm
+        check_given(given)
+        own = {name: of for name, of in given.items() if name not in DERIVED}
+        drawing, taken = completed(own)
+        check_redundant(drawing, given)
+        check_drawing(drawing)
+        if drawing.hob_swivel is None:
+            drawing, swivel = with_swivel(drawing)
+            taken = *taken, swivel
+        return Design(
+            drawing.worm, drawing.wheel, drawing.hob, drawing.centre_distance, self.hand, taken
+        )
+
+    def _numbers(self) -> dict[str, Any]:
+        """Numbers of the drawing by their names in `Drawing`, and those that follow from others."""
+        numbers = {
+            key: getattr(self, key)
+            for key in (
+                *("centre_distance", "threads", "teeth", "module", "diameter_factor"),
+                *("pressure_angle", "profile_shift", "face_width", "backlash"),
+            )
+        }
+        for part in ("worm", "wheel", "hob"):
+            numbers |= {f"{part}_{key}": value for key, value in getattr(self, part)}
+        return numbers
+
+    def _diameter_factor(self) -> float:
+        """q as it is given, or as it follows from the reference diameter or the profile shift."""
+        if self.diameter_factor is not None:
+            return self.diameter_factor
+        if self.worm.reference_diameter is not None:
+            return self.worm.reference_diameter / self.module
+        return 2 * (self.centre_distance / self.module - self.profile_shift) - self.teeth
+
+
+class DrawnWormCase(WormDriveCase):
+    """A case file about a worm drive by its drawing."""
+
+    drive: DrawnWormDriveTable
+
+
+CASE = DrawnWormCase
+"""Tables and keys of a case file of this kind of drive."""

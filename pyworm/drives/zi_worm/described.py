@@ -1,0 +1,112 @@
+"""A ZI worm drive as its drawing would have it, with what follows for mesh, hob and contact pattern."""
+
+from math import atan2, cos, degrees
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.zi_worm.tooth_form import wheel_thickness, worm_thickness
+from pyworm.formulas.involute_helicoid import normal_pressure_angle
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.drive import ZiWormDrive
+
+Described = dict[str, float | str]
+
+
+def described_drive(drive: "ZiWormDrive") -> Described:
+    """Geometry of worm, wheel and hob, and the mesh, of a drive as assembled; keys end in their unit."""
+    return _gear(drive) | _worm(drive) | _wheel(drive) | _hob(drive) | _mesh(drive)
+
+
+def _gear(drive: "ZiWormDrive") -> Described:
+    shift = (
+        drive.centre_distance - drive.reference_radius - drive.wheel_reference_radius
+    ) / drive.module
+    return {
+        "profile": "ZI",
+        "hand": drive.hand,
+        "threads": drive.worm.threads,
+        "teeth": drive.wheel.teeth,
+        "gear_ratio": drive.wheel.teeth / drive.worm.threads,
+        "centre_distance_m": drive.centre_distance,
+        "module_m": drive.module,
+        "diameter_factor": 2 * drive.reference_radius / drive.module,
+        "profile_shift": shift,
+    }
+
+
+def _lead_angle(lead: float, radius: float) -> float:
+    return atan2(lead, 2 * np.pi * radius)
+
+
+def _worm(drive: "ZiWormDrive") -> Described:
+    worm, radius = drive.worm, drive.reference_radius
+    lead_angle = _lead_angle(worm.lead, radius)
+    return {
+        "normal_module_m": drive.module * cos(lead_angle),
+        "pressure_angle_deg": degrees(normal_pressure_angle(worm.lead, worm.base_radius, radius)),
+        "lead_m": worm.lead,
+        "lead_angle_deg": degrees(lead_angle),
+        "base_lead_angle_deg": degrees(_lead_angle(worm.lead, worm.base_radius)),
+        "base_radius_m": worm.base_radius,
+        "worm_reference_diameter_m": 2 * radius,
+        "worm_tip_diameter_m": 2 * worm.tip_radius,
+        "worm_root_diameter_m": 2 * worm.root_radius,
+        "worm_base_diameter_m": 2 * worm.base_radius,
+        "worm_flank_from_diameter_m": 2 * max(worm.root_radius, worm.base_radius),
+        "worm_thickness_m": worm_thickness(drive, radius),
+        "worm_tip_thickness_m": worm_thickness(drive, worm.tip_radius),
+    }
+
+
+def _wheel(drive: "ZiWormDrive") -> Described:
+    wheel, hob = drive.wheel, drive.hob
+    about: Described = {
+        "wheel_reference_diameter_m": 2 * drive.wheel_reference_radius,
+        "wheel_throat_diameter_m": 2 * wheel.throat_radius,
+        "wheel_outside_diameter_m": 2 * wheel.tip_radius,
+        "wheel_root_diameter_m": 2 * (hob.centre_distance - hob.tip_radius),
+        "wheel_groove_radius_m": hob.centre_distance - wheel.throat_radius
+        if wheel.groove_radius is None
+        else wheel.groove_radius,
+        "wheel_face_width_m": wheel.face_width,
+        "wheel_thickness_m": wheel_thickness(drive),
+    }
+    if wheel.backlash is not None:
+        about["backlash_m"] = wheel.backlash
+    return about
+
+
+def _hob(drive: "ZiWormDrive") -> Described:
+    hob = drive.hob
+    worm, cut = drive.base_pitches
+    return {
+        "hob_oversize_m": 2 * (hob.centre_distance - drive.centre_distance),
+        "hob_tip_diameter_m": 2 * hob.tip_radius,
+        "hob_base_diameter_m": 2 * hob.base_radius,
+        "hob_lead_m": hob.lead,
+        "hob_base_lead_angle_deg": degrees(hob.base_lead_angle),
+        "hob_centre_distance_m": hob.centre_distance,
+        "hob_swivel_deg": degrees(hob.swivel),
+        "hob_axial_shift_m": hob.axial_shift,
+        "normal_base_pitch_m": worm,
+        "hob_base_pitch_difference_m": cut - worm,
+    }
+
+
+def _mesh(drive: "ZiWormDrive") -> Described:
+    path = [drive.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
+    faces, radii = np.transpose([drive.flank_place(of, 0.0, 0.0) for of in path])
+    lead_angle = _lead_angle(drive.worm.lead, drive.reference_radius)
+    return {
+        "contact_ratio": drive.mean_teeth_in_contact,
+        "mesh_begins_at": drive.cycle.begin_boundary,
+        "mesh_ends_at": drive.cycle.end_boundary,
+        "pattern_along_face_m": float(faces[1]),
+        "pattern_radius_m": float(radii[1]),
+        "pattern_along_face_first_m": float(faces[0]),
+        "pattern_along_face_last_m": float(faces[2]),
+        "sliding_speed_m_per_s": drive.reference_radius * drive.speed / cos(lead_angle),
+        "wheel_torque_N_m": drive.wheel_torque,
+    }

@@ -1,0 +1,272 @@
+"""A ZI worm gear as its drawing has it, and the design table of worm, wheel and hob that follows.
+
+Names as in DIN 3975 and ISO 1122-2. What a drawing leaves out has a usual value, which is told. Sources of
+these: DIN 3975 for addenda, clearance, groove and face width (as handed on in textbooks, such as Niemann and
+Winter, Maschinenelemente III), Sharif et al. (2001) for the hob's oversize (1.64 mm on some 78 mm). Backlash
+and tip relief have none: values of the usual size.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import atan, cos, degrees, pi, sqrt
+
+from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
+from pyworm.drives.zi_worm.tooth import ParabolicRelief
+from pyworm.formulas import involute_helicoid as helicoid
+
+CLEARANCE = 0.2
+"""Usual clearance between tip and root over the axial module."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawing:
+    """The numbers of a drawing, complete.
+
+    Attributes
+    ----------
+    centre_distance : float
+        a [m].
+    threads, teeth : int
+        z1 of the worm, z2 of the wheel.
+    module : float
+        Axial module m_x [m].
+    diameter_factor : float
+        q, reference diameter of the worm over the module [-].
+    pressure_angle : float
+        alpha_n, normal, at the worm's reference cylinder [rad].
+    worm_tip_diameter, worm_root_diameter : float
+        d_a1, d_f1 [m].
+    worm_thickness : float
+        Axial thickness of the thread on the reference cylinder [m].
+    wheel_throat_diameter, wheel_outside_diameter, wheel_root_diameter : float
+        d_a2, d_e2, d_f2 [m].
+    wheel_groove_radius : float
+        Radius r_k of the throat's groove [m].
+    face_width : float
+        b_2H of the wheel [m].
+    backlash : float
+        Circumferential, on the wheel's reference circle [m].
+    worm_tip_relief, worm_tip_relief_length, wheel_tip_relief, wheel_tip_relief_length : float
+        What is taken off a flank at its tip, and where below it that begins [m].
+    hob_oversize : float
+        Reference diameter of the hob beyond the worm's [m].
+    hob_axial_shift : float
+        Shift of the hob along the wheel's axis [m].
+    hob_swivel : float or None
+        Turn of the hob's axis [rad]; None: so that hob and worm have the same normal in the pitch point.
+    """
+
+    centre_distance: float
+    threads: int
+    teeth: int
+    module: float
+    diameter_factor: float
+    pressure_angle: float
+    worm_tip_diameter: float
+    worm_root_diameter: float
+    worm_thickness: float
+    wheel_throat_diameter: float
+    wheel_outside_diameter: float
+    wheel_root_diameter: float
+    wheel_groove_radius: float
+    face_width: float
+    backlash: float
+    worm_tip_relief: float
+    worm_tip_relief_length: float
+    wheel_tip_relief: float
+    wheel_tip_relief_length: float
+    hob_oversize: float
+    hob_axial_shift: float
+    hob_swivel: float | None = None
+
+    @property
+    def reference_diameter(self) -> float:
+        """Reference diameter of the worm d_m1 [m]."""
+        return self.diameter_factor * self.module
+
+    @property
+    def wheel_reference_diameter(self) -> float:
+        """Reference diameter of the wheel d_2 [m]."""
+        return self.teeth * self.module
+
+    @property
+    def profile_shift(self) -> float:
+        """x_2 of the wheel [-]."""
+        return self.centre_distance / self.module - (self.diameter_factor + self.teeth) / 2
+
+    @property
+    def lead(self) -> float:
+        """Advance of the worm's threads in one turn [m]."""
+        return pi * self.module * self.threads
+
+    @property
+    def lead_angle(self) -> float:
+        """Lead angle gamma on the worm's reference cylinder [rad]."""
+        return atan(self.threads / self.diameter_factor)
+
+    @property
+    def base_lead_angle(self) -> float:
+        """Lead angle on the worm's base cylinder [rad]."""
+        return helicoid.base_lead_angle(self.lead_angle, self.pressure_angle)
+
+    @property
+    def base_radius(self) -> float:
+        """Radius of the worm's base cylinder [m]."""
+        return helicoid.base_radius(self.lead, self.base_lead_angle)
+
+    @property
+    def normal_module(self) -> float:
+        """Module of the section normal to the threads m_n [m]."""
+        return helicoid.normal_module(self.module, self.lead_angle)
+
+    @property
+    def hob_lead_angle(self) -> float:
+        """Lead angle on the reference cylinder of the hob, which has the worm's normal module [rad]."""
+        diameter = self.reference_diameter + self.hob_oversize
+        return helicoid.lead_angle_of(self.threads, self.normal_module, diameter)
+
+    @property
+    def normal_swivel(self) -> float:
+        """Swivel by which hob and worm have the same normal in the pitch point [rad]."""
+        return self.lead_angle - self.hob_lead_angle
+
+    @property
+    def worm(self) -> Worm:
+        """The worm's design table."""
+        return Worm(
+            threads=self.threads,
+            tip_radius=self.worm_tip_diameter / 2,
+            root_radius=self.worm_root_diameter / 2,
+            base_radius=self.base_radius,
+            axial_pitch=pi * self.module,
+            lead=self.lead,
+            base_lead_angle=self.base_lead_angle,
+            tip_relief=ParabolicRelief(self.worm_tip_relief, self.worm_tip_relief_length),
+            reference_radius=self.reference_diameter / 2,
+            thickness=self.worm_thickness,
+        )
+
+    @property
+    def wheel(self) -> Wheel:
+        """The wheel's design table."""
+        return Wheel(
+            teeth=self.teeth,
+            face_width=self.face_width,
+            tip_radius=self.wheel_outside_diameter / 2,
+            throat_radius=self.wheel_throat_diameter / 2,
+            tip_relief=ParabolicRelief(self.wheel_tip_relief, self.wheel_tip_relief_length),
+            groove_radius=self.wheel_groove_radius,
+            backlash=self.backlash,
+        )
+
+    @property
+    def hob(self) -> Hob:
+        """The hob's design table: the worm's normal module and pressure angle on a larger cylinder.
+
+        So both have the same normal base pitch. Its tip cuts the wheel's root.
+        """
+        diameter = self.reference_diameter + self.hob_oversize
+        distance = self.centre_distance + self.hob_oversize / 2
+        lead_angle = self.hob_lead_angle
+        base_angle = helicoid.base_lead_angle(lead_angle, self.pressure_angle)
+        # z m_n = z m_x cos(gamma) is the same of both
+        lead = self.lead * cos(self.lead_angle) / cos(lead_angle)
+        root = diameter / 2 - (1 + CLEARANCE) * self.module
+        return Hob(
+            tip_radius=distance - self.wheel_root_diameter / 2,
+            root_radius=min(root, distance - self.wheel_throat_diameter / 2),
+            base_radius=helicoid.base_radius(lead, base_angle),
+            lead=lead,
+            axial_pitch=lead / self.threads,
+            base_lead_angle=base_angle,
+            centre_distance=distance,
+            swivel=self.normal_swivel if self.hob_swivel is None else self.hob_swivel,
+            axial_shift=self.hob_axial_shift,
+        )
+
+
+Known = Mapping[str, float]
+"""Numbers of a drawing by their names in `Drawing`."""
+
+_USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
+    "pressure_angle": (lambda of: pi / 9, "usual of ZI worms"),
+    "worm_tip_diameter": (
+        lambda of: of["module"] * (of["diameter_factor"] + 2),
+        "an addendum of one module",
+    ),
+    "worm_root_diameter": (
+        lambda of: of["module"] * (of["diameter_factor"] - 2 - 2 * CLEARANCE),
+        "a dedendum of 1.2 modules",
+    ),
+    "worm_thickness": (lambda of: pi / 2 * of["module"], "half the axial pitch"),
+    "wheel_throat_diameter": (
+        lambda of: _mean_diameter(of) + 2 * of["module"],
+        "one module beyond the worm's reference cylinder",
+    ),
+    "wheel_outside_diameter": (
+        lambda of: of["wheel_throat_diameter"] + of["module"],
+        "one module more than the throat",
+    ),
+    "wheel_root_diameter": (
+        lambda of: _mean_diameter(of) - 2 * (1 + CLEARANCE) * of["module"],
+        "1.2 modules within the worm's reference cylinder",
+    ),
+    "wheel_groove_radius": (
+        lambda of: of["centre_distance"] - of["wheel_throat_diameter"] / 2,
+        "concentric with the worm",
+    ),
+    "face_width": (
+        lambda of: 2 * of["module"] * (0.5 + sqrt(of["diameter_factor"] + 1)),
+        "2 m (0.5 + sqrt(q + 1))",
+    ),
+    "backlash": (lambda of: 0.03 * of["module"], "0.03 modules"),
+    "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, as of tips run in"),
+    "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
+    "wheel_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, as of tips run in"),
+    "wheel_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
+    "hob_oversize": (
+        lambda of: 0.02 * of["module"] * of["diameter_factor"],
+        "2 % of the worm's reference diameter",
+    ),
+    "hob_axial_shift": (lambda of: 0.0, "in the middle of the face"),
+}
+"""Number of a drawing -> its usual value from those before it, and that in words."""
+
+
+def _mean_diameter(of: Known) -> float:
+    """Diameter of the wheel at the worm's reference cylinder d_m2 = 2 a - d_m1 [m]."""
+    return 2 * of["centre_distance"] - of["diameter_factor"] * of["module"]
+
+
+def completed(given: Mapping[str, float | None]) -> tuple[Drawing, tuple[str, ...]]:
+    """A drawing with usual values for what it does not give.
+
+    Parameters
+    ----------
+    given : mapping
+        Numbers by their names in `Drawing`, those that are left out None or absent.
+
+    Returns
+    -------
+    tuple of Drawing and tuple of str
+        The drawing, and a sentence that begins with the key for each value taken.
+    """
+    known = {name: value for name, value in given.items() if value is not None}
+    assumed = []
+    for name, (rule, words) in _USUAL.items():
+        if name in known:
+            continue
+        known[name] = rule(known)
+        assumed.append(f"{key_of(name)} = {_shown(name, known[name])}, {words}")
+    return Drawing(**known), tuple(assumed)
+
+
+def key_of(name: str) -> str:
+    """The key of `[drive]` of a number: "hob.oversize" of "hob_oversize"."""
+    part, _, rest = name.partition("_")
+    return f"{part}.{rest}" if part in ("worm", "wheel", "hob") else name
+
+
+def _shown(name: str, value: float) -> str:
+    """A number of a drawing in the unit of drawings."""
+    return f"{degrees(value):.5g} deg" if name.endswith("angle") else f"{value * 1e3:.5g} mm"

@@ -1,0 +1,59 @@
+"""The hob's swivel where a drawing does not give it."""
+
+from dataclasses import replace
+from functools import lru_cache
+from math import degrees
+
+from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly
+from pyworm.drives.zi_worm.drawing import Drawing
+from pyworm.drives.zi_worm.gears import ZiWormGears
+
+FRACTIONS = (1.0, 0.95, 0.9, 0.85, 0.8, 0.7)
+"""Swivels that are tried, over the one by which hob and worm have the same normal in the pitch point.
+
+At larger lead angles that one leaves so little crowning that the worm would cut in at an end of the face.
+"""
+
+
+@lru_cache(maxsize=4)
+def with_swivel(of: Drawing) -> tuple[Drawing, str]:
+    """A drawing with the first swivel by which the worm does not cut into the wheel, and that in words.
+
+    Raises
+    ------
+    ValueError
+        None of those tried leaves a wheel that the worm meshes with.
+    """
+    refusal, depth = None, None
+    for fraction in FRACTIONS:
+        tried = replace(of, hob_swivel=fraction * of.normal_swivel)
+        try:
+            found = drawn_gears(tried).interference
+        except ValueError as error:
+            refusal = refusal or error
+            continue
+        if found is None:
+            at = "the difference of the lead angles of worm and hob"
+            part = "" if fraction == 1.0 else f"{fraction:g} of "
+            why = "" if fraction == 1.0 else ", with all of which the worm would cut into the wheel"
+            return tried, f"hob.swivel = {degrees(tried.hob_swivel):.4g} deg, {part}{at}{why}"
+        depth = found.depth if depth is None else min(depth, found.depth)
+    if depth is None:
+        raise refusal
+    last, first = (degrees(fraction * of.normal_swivel) for fraction in (FRACTIONS[-1], 1.0))
+    raise ValueError(
+        f"hob.swivel is not given, and none from {last:.4g} to {first:.4g} deg fits: the worm would cut "
+        f"{depth * 1e6:.1f} um or more into the wheel; a larger hob.oversize or a smaller face_width is "
+        "needed"
+    )
+
+
+def drawn_gears(of: Drawing, assembly: Assembly = AS_DESIGNED) -> ZiWormGears:
+    """Worm and wheel of a drawing, as cut and assembled."""
+    return ZiWormGears(
+        worm=of.worm,
+        wheel=of.wheel,
+        hob=of.hob,
+        centre_distance=of.centre_distance,
+        assembly=assembly,
+    )

@@ -1,0 +1,84 @@
+"""Thickness of threads and teeth up to their tips.
+
+A tooth's other flank is the first one turned by half a turn about the line of centres, so that the place
+along the face changes its sign.
+"""
+
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.drives.zi_worm.tooth import wheel_radius
+from pyworm.drives.zi_worm.tooth_outline import flank_places
+from pyworm.formulas.involute_helicoid import axial_thickness
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+FACE_PLACES = 21
+"""Places along the face at which the wheel tooth's thickness is found; an odd number has the middle."""
+
+
+def worm_thickness(gears: "ZiWormGears", radius: float) -> float:
+    """Axial thickness of the thread on a cylinder [m]; as usual half the pitch on the reference one."""
+    worm = gears.worm
+    return axial_thickness(
+        max(radius, worm.base_radius),
+        of=pi / 2 * gears.module if worm.thickness is None else worm.thickness,
+        at=gears.reference_radius,
+        base_radius=worm.base_radius,
+        lead=worm.lead,
+    )
+
+
+def wheel_thickness(gears: "ZiWormGears") -> float:
+    """Thickness of the wheel's tooth on its reference circle in the mid-plane [m].
+
+    There it rolls with the worm's cylinder of the radius that is left of the centre distance: both
+    thicknesses and the backlash fill the pitch.
+    """
+    cylinder = gears.centre_distance - gears.wheel_reference_radius
+    taken = worm_thickness(gears, cylinder) + (gears.wheel.backlash or 0.0)
+    return pi * gears.module - taken
+
+
+def wheel_tip_thickness(gears: "ZiWormGears") -> tuple[Array, Array]:
+    """Places along the face [m] and thickness of the wheel's tooth at its tip there [m].
+
+    It is negative where the flanks meet below the tip, not a number where the flank does not reach it.
+    """
+    half = gears.wheel.face_width / 2
+    along = np.linspace(-half, half, FACE_PLACES)
+    reference = gears.wheel_reference_radius
+    target = np.stack([np.append(gears.wheel_tooth.tip(along), reference), np.append(along, 0.0)])
+    q = flank_places(gears.wheel_flank, gears.within, target)
+    point, normal = gears.wheel_flank.point(*q), gears.wheel_flank.normal(*q)
+    angle = np.arctan2(point[2], -point[0])
+    outwards = np.sign(normal[0] * np.sin(angle) + normal[2] * np.cos(angle))
+    off = np.abs(np.stack([wheel_radius(point), point[1]]) - target).max(axis=0)
+    angle = np.where(off < 1e-6, angle, np.nan)
+    grown = outwards[:-1] * (angle[:-1] + angle[:-1][::-1] - 2 * angle[-1])
+    return along, target[0, :-1] * (wheel_thickness(gears) / reference + grown)
+
+
+def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
+    """A sentence for a pointed thread, and one for a pointed tooth."""
+    said = []
+    tip = worm_thickness(gears, gears.worm.tip_radius)
+    if tip <= 0:
+        said.append(
+            "worm: its threads are pointed below their tip, where their flanks would be "
+            f"{-tip * 1e3:.3g} mm past each other; a smaller tip or a smaller pressure angle is needed"
+        )
+    along, thickness = wheel_tip_thickness(gears)
+    known = np.isfinite(thickness)
+    if known.any() and np.nanmin(thickness) <= 0:
+        least = int(np.nanargmin(thickness))
+        said.append(
+            f"wheel: its teeth are pointed below their tip {abs(along[least]) * 1e3:.1f} mm from the middle "
+            f"of the face, where their flanks would be {-thickness[least] * 1e3:.3g} mm past each other; a "
+            "smaller outside diameter or face width is needed"
+        )
+    return tuple(said)

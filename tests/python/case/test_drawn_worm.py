@@ -1,0 +1,288 @@
+"""Worm drives by the numbers of their drawing: the same drive as by its design table, and refusals."""
+
+import json
+import re
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyworm.case.case import case_again, case_of
+from pyworm.cli.main import main
+from pyworm.io.input_error import CaseError
+from pyworm.ratings.rated_case import asked_of, ratings
+
+ROOT = Path(__file__).parents[3]
+TEXT = (ROOT / "cases/worm_drawing.toml").read_text()
+
+
+def drawn(*changes: tuple[str, str]):
+    """The shipped drawing with some of its text replaced."""
+    text = TEXT
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return case_of(tomllib.loads(text), "drawn", ROOT / "cases")
+
+
+@cache
+def unit():
+    return drawn()
+
+
+def in_table(part: str, line: str) -> tuple[str, str]:
+    """A change that adds a line to a table of the drawing."""
+    return (
+        "[drive.hob]",
+        f"[drive.hob]\n{line}" if part == "hob" else f"[drive.{part}]\n{line}\n[drive.hob]",
+    )
+
+
+def in_drive(line: str) -> tuple[str, str]:
+    return ("module = ", f"{line}\nmodule = ")
+
+
+DESIGN = """
+[drive]
+kind = "zi-worm"
+centre_distance = "100 mm"
+[drive.worm]
+threads = 2
+tip_radius = "24 mm"
+root_radius = "15.2 mm"
+base_radius = "9.48695 mm"
+axial_pitch = "12.56637 mm"
+lead = "25.13274 mm"
+base_lead_angle = "22.8618 deg"
+tip_relief = "16 um"
+tip_relief_length = "1 mm"
+[drive.wheel]
+teeth = 41
+face_width = "30 mm"
+tip_radius = "86 mm"
+throat_radius = "84 mm"
+tip_relief = "16 um"
+tip_relief_length = "1 mm"
+[drive.hob]
+tip_radius = "25.6 mm"
+root_radius = "16 mm"
+base_radius = "9.56851 mm"
+lead = "25.09490 mm"
+axial_pitch = "12.54745 mm"
+base_lead_angle = "22.6561 deg"
+centre_distance = "100.8 mm"
+swivel = "0.4404 deg"
+axial_shift = "0 mm"
+"""
+"""The same unit by a design table computed by hand."""
+
+
+def test_a_drawing_makes_the_drive_of_its_design_table():
+    head, rest = TEXT.partition("[drive]")[0], TEXT[TEXT.index("[operation]") :]
+    table = case_of(tomllib.loads(head + DESIGN + rest), "table", ROOT)
+    by_table, by_drawing = table.drive, unit().drive
+    for phase in (0.2, 0.5, 0.8):
+        one, other = by_table.contact(phase), by_drawing.contact(phase)
+        # the digits of a table move the contact by hundredths of a millimetre
+        assert other.point == pytest.approx(one.point, abs=0.05e-3)
+        assert other.radii == pytest.approx(one.radii, rel=2e-3)
+        assert by_drawing.normal_load(phase) == pytest.approx(by_table.normal_load(phase), rel=0.01)
+
+
+def test_a_drawing_without_its_hob_has_one_of_the_usual_size():
+    case = drawn(('[drive.hob]\noversize = "1.6 mm" # on the reference diameter', ""))
+    assert case.drive.described()["hob_oversize_m"] == pytest.approx(0.8e-3)
+    assert any("hob.oversize = 0.8 mm" in one for one in case.drive.assumptions)
+
+
+@pytest.mark.parametrize(
+    "instead",
+    [
+        [("diameter_factor = 10", ""), in_table("worm", 'reference_diameter = "40 mm"')],
+        [("diameter_factor = 10", "profile_shift = -0.5")],
+        [("diameter_factor = 10", "diameter_factor = 10\nprofile_shift = -0.5")],
+        [
+            in_table(
+                "worm", 'reference_diameter = "40 mm"\nlead = "25.133 mm"\nlead_angle = "11.31 deg"'
+            )
+        ],
+        [in_table("worm", 'axial_pitch = "12.566 mm"\nbase_diameter = "18.97 mm"')],
+        [in_table("wheel", 'reference_diameter = "164 mm"\nthroat_diameter = "168 mm"')],
+        [('oversize = "1.6 mm"', 'reference_diameter = "41.6 mm"')],
+        [('oversize = "1.6 mm"', 'oversize = "1.6 mm"\nreference_diameter = "41.6 mm"')],
+    ],
+)
+def test_redundant_numbers_that_agree_change_nothing(instead):
+    drive = drawn(*instead).drive
+    assert drive.worm.base_radius == pytest.approx(unit().drive.worm.base_radius, rel=1e-9)
+    assert drive.hob.lead == pytest.approx(unit().drive.hob.lead, rel=1e-9)
+
+
+def test_a_left_hand_drive_is_the_mirror_image_of_the_right_hand_one():
+    left = drawn(('"right"', '"left"'))
+    mine, other = left.scene(0.3), unit().scene(0.3)
+    assert mine.load == other.load and mine.radii == other.radii
+    assert left.drive.described()["hand"] == "left"
+    assert any("mirror image" in one for one in left.drive.assumptions)
+    assert not any("mirror image" in one for one in unit().drive.assumptions)
+
+
+def test_check_prints_the_computed_drawing_back(tmp_path, capsys):
+    path = tmp_path / "drawn.toml"
+    path.write_text(TEXT)
+    assert main(["check", str(path), "--phase", "0.5"]) == 0
+    printed = capsys.readouterr().out
+    for label, value in (
+        ("Lead", "25.133 mm"), ("Lead angle", "11.31 °"), ("Base lead angle", "22.862 °"),
+        ("Worm base diameter", "18.974 mm"), ("Wheel reference diameter", "164 mm"),
+        ("Hob swivel", "0.4404 °"), ("Backlash", "0.12 mm"), ("Profile shift", "-0.5"),
+    ):  # fmt: skip
+        assert re.search(rf"│ {label} +│ +{re.escape(value)} │", printed), label
+    assert "Taken as usual: drive.worm.tip_diameter = 48 mm" in printed
+
+
+def test_check_gives_the_drawing_in_si_units_as_json(tmp_path, capsys):
+    path = tmp_path / "drawn.toml"
+    path.write_text(TEXT)
+    assert main(["check", str(path), "--phase", "0.5", "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    drive = said["drive"]
+    assert drive["base_radius_m"] == pytest.approx(9.48695e-3, rel=1e-6)
+    assert drive["lead_m"] == pytest.approx(8e-3 * np.pi)
+    assert drive["lead_angle_deg"] == pytest.approx(11.3099, abs=1e-4)
+    # v_g = d_m1 omega / (2 cos gamma), at 1500 rpm
+    assert drive["sliding_speed_m_per_s"] == pytest.approx(
+        20e-3 * 50 * np.pi * np.sqrt(1.04), rel=1e-9
+    )
+    assert drive["pressure_angle_deg"] == pytest.approx(20)
+    assert 1.5 < drive["contact_ratio"] < 2.5
+    assert abs(drive["pattern_along_face_m"]) < 15e-3
+    assert 75e-3 < drive["pattern_radius_m"] < 86e-3
+    assert any("hob.axial_shift" in one for one in said["assumptions"])
+
+
+def test_the_standards_take_the_reference_diameter_of_the_drawing():
+    rated = """
+[worm_rating]
+oil = "PAG VG 220"
+sump_temperature = "80 degC"
+temperature_limit = "100 degC"
+wheel_material = "CuSn12Ni2"
+life = "25000 h"
+"""
+    case = drawn(in_table("worm", 'tip_diameter = "47 mm"'), ("[oil]\n", f"{rated}\n[oil]\n"))
+    duty = case.drive.duty()
+    assert duty.gear.diameter_factor == pytest.approx(10)
+    assert duty.gear.profile_shift == pytest.approx(-0.5)
+    assert "as drawn" in duty.words[0]
+    assert ratings(asked_of(case))
+
+
+def test_a_stored_drawing_is_the_case_again():
+    again = case_again(json.loads(json.dumps(unit().resolved)))
+    assert again.tables.model_dump() == unit().tables.model_dump()
+    assert again.drive.hob == unit().drive.hob
+
+
+REFUSED = [
+    # counts
+    ([("threads = 2", "threads = 41"), ("teeth = 41", "teeth = 2")],
+     "drive.threads is 41 with 2 teeth", "swapped? threads = 2, teeth = 41"),
+    ([("threads = 2", "threads = 20")], "drive.threads is 20", "1 to 12 threads"),
+    ([("threads = 2", "threads = 0")], "drive.threads = 0", "greater than 0"),
+    ([("threads = 2", "threads = 2.5")], "drive.threads = 2.5", "whole number"),
+    ([("threads = 2\n", "")], "drive.threads is missing", ""),
+    ([("teeth = 41", "teeth = 14")], "drive.centre_distance is 100 mm", "and teeth make 48 mm"),
+    # pressure angle
+    ([('"20 deg"', '"0 deg"')], "drive.pressure_angle is 0 deg", '"20 deg"'),
+    ([('"20 deg"', '"60 deg"')], "drive.pressure_angle is 60 deg", "10 to 30 deg"),
+    ([('"20 deg"', '"-20 deg"')], 'drive.pressure_angle = "-20 deg"', "zero or more"),
+    ([('"20 deg"', "20")], "drive.pressure_angle = 20", "with its unit"),
+    # centre distance
+    ([('"100 mm"', '"200 mm"')], "drive.centre_distance is 200 mm", "is it twice the distance?"),
+    ([('"100 mm"', '"50 mm"')], "drive.centre_distance is 50 mm", "make 102 mm"),
+    ([('"100 mm"', "100")], "drive.centre_distance = 100", "with its unit"),
+    ([('"100 mm"', '"100,5 mm"')], 'drive.centre_distance = "100,5 mm"', 'write "100.5 mm"'),
+    ([('centre_distance = "100 mm"\n', "")], "drive.centre_distance is missing", ""),
+    ([in_drive("profile_shift = 0.5")], "drive.profile_shift is 0.5", "give -0.5"),
+    ([in_drive("profile_shift = -0.48")], "drive.profile_shift is -0.48", "give -0.5"),
+    # module and diameter factor
+    ([('"4 mm"', '"0.4 mm"')], "drive.centre_distance is 100 mm", "make 10.2 mm"),
+    ([('"4 mm"', "4")], "drive.module = 4", "with its unit"),
+    ([("module = ", "modul = ")], "drive.modul: no such key", "did you mean module"),
+    ([("diameter_factor = 10", "diameter_factor = 40")], "drive.centre_distance is 100 mm", "make 162 mm"),
+    ([("diameter_factor = 10", "diameter_factor = 2")], "drive.diameter_factor is 2", "4 to 40"),
+    ([("diameter_factor = 10", "")], "drive: diameter_factor is missing", "worm.reference_diameter"),
+    # worm
+    ([in_table("worm", 'tip_radius = "24 mm"')], "drive.worm: tip_radius", "give tip_diameter"),
+    ([in_table("worm", 'lead_angle = "12 deg"')], "drive.worm.lead_angle is 12.00 deg", "give 11.31 deg"),
+    ([in_table("worm", 'tip_relief = "20 um"\ntip_relief_length = "9 mm"')],
+     "drive.worm.tip_relief_length is 9 mm", "the tooth's height"),
+    # wheel
+    ([in_table("wheel", 'throat_radius = "84 mm"')], "drive.wheel: throat_radius", "give throat_diameter"),
+    ([in_table("wheel", 'root_diameter = "153 mm"')], "drive.worm.tip_diameter is 48", "wheel.root_diameter"),
+    ([('"30 mm"', '"300 mm"')], "drive.face_width is 300 mm", "30.533 mm"),
+    ([('"30 mm"', '"2 mm"')], "drive.face_width is 2 mm", "30.533 mm"),
+    ([in_drive('backlash = "6 mm"')], "drive.backlash is 6 mm", "0.12 mm"),
+    # hob
+    ([('"1.6 mm"', '"-1.6 mm"')], "drive.hob.oversize is -1.6 mm", "smaller than the worm"),
+    ([('oversize = "1.6 mm"', 'oversize = "41.6 mm"')], "drive.hob.oversize is 41.6 mm", "at most 10 mm"),
+    ([in_table("hob", 'swivel = "3 deg"')], "drive.hob.swivel and hob.axial_shift are 3 deg", "face ends"),
+    ([in_table("hob", 'axial_shift = "20 mm"')], "drive.hob.swivel and hob.axial_shift", "20 mm"),
+    # hand and profile
+    ([('"right"', '"links"')], 'drive.hand = "links"', '"right" or "left"'),
+    ([('"ZI"', '"ZK"')], 'drive.profile = "ZK"', 'only "ZI" is computed'),
+    ([('"ZI"', '"globoid"')], 'drive.profile = "globoid"', "roller-worm"),
+    ([('"ZI"', '"XX"')], 'drive.profile = "XX"', 'must be "ZI"'),
+    ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
+]  # fmt: skip
+
+WRONG_SIZES = [
+    ("worm.tip_diameter", "24 mm", "is it a radius?"),
+    ("worm.tip_diameter", "39 mm", "above the reference diameter"),
+    ("worm.tip_diameter", "96 mm", "did you mean 48 mm?"),
+    ("worm.root_diameter", "15.2 mm", "is it a radius?"),
+    ("worm.root_diameter", "42 mm", "below the reference diameter"),
+    ("worm.lead", "12.566 mm", "give 25.1327 mm"),
+    ("worm.reference_diameter", "20 mm", "is it a radius?"),
+    ("worm.reference_diameter", "44 mm", "give 40 mm"),
+    ("worm.base_diameter", "9.487 mm", "is it a radius?"),
+    ("worm.axial_pitch", "12 mm", "give 12.5664 mm"),
+    ("worm.thickness", "12 mm", "6.2832 mm"),
+    ("wheel.throat_diameter", "16 mm", "groove_radius"),
+    ("wheel.throat_diameter", "32 mm", "groove_radius"),
+    ("wheel.throat_diameter", "84 mm", "is it a radius?"),
+    ("wheel.throat_diameter", "159 mm", "twice the addendum"),
+    ("wheel.throat_diameter", "171 mm", "worm.root_diameter"),
+    ("wheel.outside_diameter", "86 mm", "is it a radius?"),
+    ("wheel.outside_diameter", "160 mm", "throat's"),
+    ("wheel.root_diameter", "75.2 mm", "is it a radius?"),
+    ("wheel.groove_radius", "84 mm", "16 mm as a rule"),
+    ("wheel.reference_diameter", "82 mm", "is it a radius?"),
+    ("wheel.reference_diameter", "160 mm", "give 164 mm"),
+    ("hob.reference_diameter", "43 mm", "give 41.6 mm"),
+]
+"""Key, its value and what would be right."""
+
+
+@pytest.mark.parametrize(("key", "value", "right"), WRONG_SIZES)
+def test_a_wrong_size_is_refused_at_its_key_with_what_would_be_right(key, value, right):
+    part, name = key.split(".")
+    with pytest.raises(CaseError) as refused:
+        drawn(in_table(part, f'{name} = "{value}"'))
+    message = str(refused.value)
+    assert message.startswith(f"drive.{key} is {value}")
+    assert right in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(("changes", "begins", "right"), REFUSED, ids=[row[1] for row in REFUSED])
+def test_a_wrong_drawing_is_refused_at_its_key_with_what_would_be_right(changes, begins, right):
+    with pytest.raises(CaseError) as refused:
+        drawn(*changes)
+    message = str(refused.value)
+    assert message.startswith(begins)
+    assert right in message
+    assert "\n" not in message
