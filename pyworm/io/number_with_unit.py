@@ -5,11 +5,13 @@ import re
 from functools import cache
 
 from pyworm.io.unit_table import Unit, product
-from pyworm.io.unit_text import ROTATIONS, factors, plain
+from pyworm.io.unit_text import MEANT, factors, plain
 
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*")
 
-_DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+)(?![\d,])\s*(.*?)\s*")
+_COMMA = re.compile(r"\s*([+-]?\d+(?:[. ']\d{3})*),(\d+)(?![\d,.])\s*(.*?)\s*")
+
+_BLANKS = re.compile(r"\s*([+-]?\d{1,3}(?:[ ']\d{3})+(?:\.\d+)?)\s*([^\d\s].*?)\s*")
 
 LONGEST = 200
 """Characters of the longest quantity that is read."""
@@ -24,14 +26,14 @@ def number_and_unit(text: str) -> tuple[str, str] | None:
 def measure(text: str, unit: str | None = None) -> tuple[float, Unit] | None:
     """The number that a text means in SI base units, and its unit; None where it means none.
 
-    Where a speed of rotation is wanted, its unit distinguishes revolutions per minute.
+    Where a unit is wanted, what people write for it is understood: "1/min" of a speed of rotation is
+    revolutions, "C" of a temperature degrees.
     """
     parts = number_and_unit(text)
     if parts is None:
         return None
     number, own = parts
-    if unit == "rad/s" and plain(own) in ROTATIONS:
-        own = "rpm"
+    own = MEANT.get(unit, {}).get(plain(own), own)
     try:
         meant = unit_of(own)
     except ValueError:
@@ -55,7 +57,7 @@ def parse_any(text: str) -> tuple[float, str]:
     """
     measured = measure(text) if isinstance(text, str) else None
     if measured is None or not math.isfinite(measured[0]):
-        raise ValueError(f'must be a number with its unit, such as "540 MPa"{comma_hint(text)}')
+        raise ValueError(f'must be a number with its unit, such as "540 MPa"{number_hint(text)}')
     value, unit = measured
     return value, unit.base
 
@@ -81,7 +83,7 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
         Not a number and a unit, or of another dimension.
     """
     if not isinstance(text, str) or measure(text) is None:
-        raise ValueError(f'must be a number with its unit, such as "540 MPa"{comma_hint(text)}')
+        raise ValueError(f'must be a number with its unit, such as "540 MPa"{number_hint(text)}')
     number, own = number_and_unit(text)
     if unit is None or unit == own:
         return float(number), own
@@ -90,12 +92,19 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
     return converted(float(number), own, unit), unit
 
 
-def comma_hint(text: object) -> str:
-    """The hint about a decimal comma, to be added to a message; empty where there is none."""
-    match = _DECIMAL_COMMA.fullmatch(text) if isinstance(text, str) else None
-    if match is None or len(text) > LONGEST:
+def number_hint(text: object) -> str:
+    """The hint about a comma or blanks in a number, to be added to a message; empty where there are none."""
+    if not isinstance(text, str) or len(text) > LONGEST:
         return ""
-    return f'; decimals follow a point, write "{match[1]}.{match[2]} {match[3]}"'
+    comma, blanks = _COMMA.fullmatch(text), _BLANKS.fullmatch(text)
+    if blanks is not None:
+        number = re.sub("[ ']", "", blanks[1])
+        return f'; thousands stand together, write "{number} {blanks[2]}"'
+    if comma is None:
+        return ""
+    before, after, unit = re.sub("[. ']", "", comma[1]), comma[2], comma[3]
+    other = f' or "{before}{after} {unit}"' if len(after) == 3 and before == comma[1] else ""
+    return f'; decimals follow a point, not a comma, write "{before}.{after} {unit}"{other}'
 
 
 @cache

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
-from pyworm.io.number_with_unit import comma_hint, measure, number_and_unit, unit_of
+from pyworm.io.number_with_unit import measure, number_and_unit, number_hint, unit_of
 
 _SIGNS = {
     "positive": (lambda value: value > 0, "greater than zero"),
@@ -30,6 +30,7 @@ _SLIPS = {
     "Pa s": ("mPa s", "Pa s"),
     "kg/m^3": ("g/cm^3", "kg/m^3"),
     "K": ("degC", "K"),
+    "delta_degC": ("K",),
     "W/(m K)": ("W/(m K)", "mW/(m K)"),
     "J/(kg K)": ("J/(kg K)", "kJ/(kg K)"),
     "m^2/s": ("mm^2/s",),
@@ -98,7 +99,9 @@ def parse(text: str, kind: Kind) -> float:
     with_unit = f"{kind.noun} with its unit" if kind.unit else kind.noun
     value = _in_kind(text, kind)
     if value is None:
-        raise ValueError(f'must be {with_unit}, such as "{kind.example}"{comma_hint(text)}')
+        raise ValueError(
+            f'must be {with_unit}, such as "{kind.example}"{number_hint(text) or _case_hint(text, kind)}'
+        )
     allowed, wanted = _SIGNS[kind.sign]
     if not (math.isfinite(value) and allowed(value)):
         raise ValueError(f'must be {kind.noun} {wanted}, such as "{kind.example}"')
@@ -126,6 +129,18 @@ def doubt(text: str, kind: Kind) -> str | None:
     low, high = kind.usual
     lies = f"lies between {low} and {high}" if low else f"is at most {high}"
     return f"unusual, {kind.noun} {lies} as a rule{_meant(text, kind)}"
+
+
+def _case_hint(text: object, kind: Kind) -> str:
+    """The question whether a unit is meant with other capitals, "14 KN" as "14 kN"; empty where it is not."""
+    parts = number_and_unit(text) if isinstance(text, str) else None
+    if parts is None:
+        return ""
+    number, own = parts
+    for unit in (own.replace("K", "k"), own.lower(), own[:1] + own[1:].lower()):
+        if unit != own and _in_kind(f"{number} {unit}", kind) is not None:
+            return f'; did you mean "{number} {unit}"?'
+    return ""
 
 
 def _in_kind(text: object, kind: Kind) -> float | None:

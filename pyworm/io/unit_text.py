@@ -24,8 +24,21 @@ _SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "⁴": "4", "⁻": "-", "¹
 
 _RENAMED = {"%": "percent", "°": "degree", "°C": "degC", "°F": "degF", "percent": "percent"}
 
-ROTATIONS = ("1/min", "min-1", "min^-1", "min**-1", "r/min", "rev/min", "U/min")
+_ROTATIONS = ("1/min", "/min", "min-1", "min^-1", "min**-1", "r/min", "rev/min", "U/min", "RPM")
 """What revolutions in a minute are written as, beside rpm."""
+
+_CELSIUS = ("degC", "°C", "C", "℃", "deg C", "° C")
+_FAHRENHEIT = ("degF", "°F", "F", "℉", "deg F", "° F")
+
+MEANT = {
+    "rad/s": dict.fromkeys(_ROTATIONS, "rpm"),
+    "K": dict.fromkeys(_CELSIUS, "degC") | dict.fromkeys(_FAHRENHEIT, "degF"),
+    "delta_degC": dict.fromkeys(_CELSIUS, "delta_degC") | dict.fromkeys(_FAHRENHEIT, "delta_degF"),
+    "W/(m K)": dict.fromkeys(("W/mK", "W/m K", "W/m/K"), "W/(m K)"),
+    "J/(kg K)": dict.fromkeys(("J/kgK", "J/kg K", "J/kg/K"), "J/(kg K)"),
+}
+"""Unit that is wanted -> how people write it, and what they mean: elsewhere C is no temperature, mK is a
+thousandth of a kelvin."""
 
 DIVISORS_ONLY = ("degC", "degF")
 """Temperature scales with an offset; below a fraction bar they are differences."""

@@ -218,7 +218,10 @@ ScuffingTemperature = quantity(
     usual=("80 degC", "700 degC"),
 )
 _APART = {"possible": ("1e-12 K", "1000 K"), "usual": ("0.01 K", "150 K")}
-TemperatureDifference = quantity("a temperature difference", "K", "15 K", "not negative", **_APART)
+TemperatureDifference = quantity(
+    "a temperature difference", "delta_degC", "15 K", "not negative", **_APART
+)
+"""15 degrees are 15 kelvin, however they are written."""
 ThermalConductance = quantity(
     "a thermal conductance",
     "W/K",

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.zi_worm.tooth_form import wheel_thickness, worm_thickness
+from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.involute_helicoid import normal_pressure_angle
 
 if TYPE_CHECKING:
@@ -67,6 +67,7 @@ def _wheel(drive: "ZiWormDrive") -> Described:
         "wheel_throat_diameter_m": 2 * wheel.throat_radius,
         "wheel_outside_diameter_m": 2 * wheel.tip_radius,
         "wheel_root_diameter_m": 2 * (hob.centre_distance - hob.tip_radius),
+        "wheel_flank_from_diameter_m": 2 * flank_start(drive),
         "wheel_groove_radius_m": hob.centre_distance - wheel.throat_radius
         if wheel.groove_radius is None
         else wheel.groove_radius,

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 FACE_PLACES = 21
 """Places along the face at which the wheel tooth's thickness is found; an odd number has the middle."""
 
+REACHED = 1e-5
+"""Distance from a boundary at which the flank has reached it [m]."""
+
 
 def worm_thickness(gears: "ZiWormGears", radius: float) -> float:
     """Axial thickness of the thread on a cylinder [m]; as usual half the pitch on the reference one."""
@@ -63,8 +66,24 @@ def wheel_tip_thickness(gears: "ZiWormGears") -> tuple[Array, Array]:
     return along, target[0, :-1] * (wheel_thickness(gears) / reference + grown)
 
 
+def flank_start(gears: "ZiWormGears") -> float:
+    """Radius in the mid-plane from which the wheel's tooth has its flank [m]; a fillet is below it."""
+    target = np.array([[float(gears.wheel_tooth.root(np.zeros(1))[0])], [0.0]])
+    q = flank_places(gears.wheel_flank, gears.within, target, gears.hob.tip_radius)
+    return float(wheel_radius(gears.wheel_flank.cut_point(*q))[0])
+
+
+def undercut(gears: "ZiWormGears") -> float:
+    """How far the hob's tip reaches beyond the edge of its envelope [m]; zero without undercut."""
+    cut = gears.wheel_flank.cut_point(*gears.rim)
+    margins = np.stack(list(gears.wheel_tooth.margins(cut).values())).min(axis=0)
+    beyond = gears.hob.tip_radius - gears.wheel_flank.hob.radius(cut)
+    ended = (margins > REACHED) & (beyond > REACHED)
+    return float(np.max(beyond, where=ended, initial=0.0))
+
+
 def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
-    """A sentence for a pointed thread, and one for a pointed tooth."""
+    """A sentence for a pointed thread, one for a pointed tooth and one for undercut."""
     said = []
     tip = worm_thickness(gears, gears.worm.tip_radius)
     if tip <= 0:
@@ -80,5 +99,12 @@ def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
             f"wheel: its teeth are pointed below their tip {abs(along[least]) * 1e3:.1f} mm from the middle "
             f"of the face, where their flanks would be {-thickness[least] * 1e3:.3g} mm past each other; a "
             "smaller outside diameter or face width is needed"
+        )
+    reach = undercut(gears)
+    if reach > 0:
+        said.append(
+            f"wheel: it is undercut, the hob's tip reaches up to {reach * 1e3:.2g} mm below the end of its "
+            "flanks, which are shorter than drawn; more teeth, a larger profile_shift or a larger pressure "
+            "angle is needed"
         )
     return tuple(said)

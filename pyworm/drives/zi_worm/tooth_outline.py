@@ -1,12 +1,15 @@
 """Outline of the wheel's tooth: the rim of its flank, or the flank's own end where that comes first.
 
-The hob cuts an envelope that ends at an edge of regression, as an involute ends at its base circle; where the
-root lies below it the tooth is undercut there. Radius and place along the axis are a map of the flank's two
-parameters whose determinant vanishes at that edge and nowhere else, since no flank normal is perpendicular to
-the direction of the wheel's motion (its lever about the wheel's axis is the same everywhere).
+The hob cuts the flank with what it has within its tip cylinder: the flank ends where the tip has cut it,
+above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope itself ends
+at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that edge before
+its tip is undercut. Radius and place along the axis are a map of the flank's two parameters whose determinant
+vanishes at that edge and nowhere else, since no flank normal is perpendicular to the direction of the wheel's
+motion (its lever about the wheel's axis is the same everywhere).
 """
 
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 
@@ -63,11 +66,11 @@ def flank_outline(
     count : int
         Points on each of the four sides.
     """
-    return flank_places(flank, start, np.stack(tooth.rim(count)))
+    return flank_places(flank, start, np.stack(tooth.rim(count)), tooth.hob_tip_radius)
 
 
 def flank_places(
-    flank: WheelFlank, start: tuple[float, float], target: Array
+    flank: WheelFlank, start: tuple[float, float], target: Array, hob_tip_radius: float = inf
 ) -> tuple[Array, Array]:
     """Generators and rolls [rad] of places on a wheel's flank, or of where it ends on the way to them.
 
@@ -77,6 +80,8 @@ def flank_places(
         As of `flank_outline`.
     target : ndarray
         Radii and places along the axis [m], (2, places).
+    hob_tip_radius : float
+        Radius of the hob's tip cylinder [m], infinite for the whole envelope.
     """
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
     first, slope = _place(flank, q)
@@ -85,6 +90,7 @@ def flank_places(
     for _ in range(MOST_STEPS):
         there = np.minimum(reach + step, 1.0)
         tried, found = _at(flank, q, first + there * (target - first), sign)
+        found &= flank.hob.radius(flank.cut_point(*tried)) < hob_tip_radius
         q = np.where(found, tried, q)
         reach = np.where(found, there, reach)
         step = np.where(found, 2 * step, step / 2)

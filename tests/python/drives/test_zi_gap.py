@@ -9,8 +9,11 @@ from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
 import pyworm
+from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.zi_worm.point_cache import PointCache
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
+from pyworm.drives.zi_worm.tooth_form import flank_start
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
 DATA = Path(__file__).parents[2] / "data"
@@ -315,56 +318,94 @@ def test_outline_encloses_the_contact_and_the_path():
     outline = drive.tooth_outline(contact)
     assert np.all(np.isfinite(outline.x)) and np.all(np.isfinite(outline.y))
     assert outline.x[0] == pytest.approx(outline.x[-1], abs=1e-12)
-    # every point of it lies on a boundary of the tooth, seen through the flank's height
+    # every point lies on a boundary of the tooth, seen through the flank's height, or the hob's tip cut it
     height = contact.wheel_height.solve(outline.x, outline.y)[0]
     point = contact.point[:, None] + contact.axes.T @ np.stack([outline.x, outline.y, height])
-    margins = np.stack(list(drive.wheel_tooth.margins(point).values()))
-    np.testing.assert_allclose(margins.min(axis=0), 0, atol=1e-9)
+    margins = np.stack(list(drive.wheel_tooth.margins(point).values())).min(axis=0)
+    on_rim = margins < 1e-9
+    assert margins.min() > -1e-9 and on_rim.sum() > 150
+    cut = drive.wheel_flank.cut_point(*drive.rim)
+    by = drive.wheel_flank.hob.radius(cut)
+    assert by.max() < drive.hob.tip_radius
+    np.testing.assert_allclose(by[~on_rim], drive.hob.tip_radius, atol=1e-6)
     middle = len(outline.path_x) // 2
     assert np.hypot(outline.path_x[middle], outline.path_y[middle]) < 1e-12
 
 
 @pytest.fixture(scope="module")
-def undercut():
-    """A wheel whose root lies below the end of its involute."""
+def low_root():
+    """A wheel whose root lies below its base circle: a fillet, and no flank is missing."""
     return pyworm.load(DATA / "zi_a100.toml").drive
 
 
-def test_outline_of_an_undercut_tooth_ends_with_its_flank(undercut):
-    """Each point is on the rim, or at the edge of regression, where the envelope's tangents are parallel."""
+@pytest.fixture(scope="module")
+def undercut():
+    """A wheel of so few teeth that the hob's tip reaches below the end of their involutes."""
+    few = {"threads": 1, "teeth": 18, "module": 4e-3, "diameter_factor": 10.0}
+    return drawn_gears(with_swivel(completed(few | {"centre_distance": 0.056})[0])[0])
+
+
+def inside(gears):
+    """How far points of the outline lie within the tooth's rim, and the hob's radius that cut them [m]."""
+    cut = gears.wheel_flank.cut_point(*gears.rim)
+    margins = np.stack(list(gears.wheel_tooth.margins(cut).values()))
+    return margins.min(axis=0), gears.wheel_flank.hob.radius(cut)
+
+
+def test_a_root_below_the_base_circle_is_no_undercut(low_root):
+    """The flank of a wheel ends at the radius that the tip of its rack reaches on the line of action.
+
+    The mid-plane section of a worm of a small lead angle is nearly such a rack.
+    """
+    within, by = inside(low_root)
+    ended = within > 1e-6
+    assert 20 < ended.sum() < 100
+    np.testing.assert_allclose(by[ended], low_root.hob.tip_radius, atol=1e-6)
+    assert low_root.warnings == ()
+    axial = np.arctan(np.tan(np.radians(20)) * np.hypot(1, 0.2))
+    depth = 82e-3 - (low_root.hob.centre_distance - low_root.hob.tip_radius)
+    by_rack = np.hypot(82e-3 - depth, depth / np.tan(axial))
+    assert flank_start(low_root) == pytest.approx(by_rack, abs=0.5e-3)
+    assert flank_start(low_root) > 82e-3 * np.cos(axial)  # beyond the base circle
+
+
+def test_an_undercut_tooth_ends_at_the_edge_of_the_envelope_and_is_told(undercut):
+    """There the envelope's tangents are parallel, and the hob has not yet cut with its tip."""
     theta, roll = undercut.rim
     step = 1e-5
     point, ahead, beside = (
         undercut.wheel_flank.point(theta + a * step, roll + b * step)
         for a, b in ((0, 0), (1, 0), (0, 1))
     )
-    margins = undercut.wheel_tooth.margins(point)
-    on_rim = np.min(np.stack(list(margins.values())), axis=0) < 1e-8
+    within, by = inside(undercut)
+    at_edge = (within > 1e-6) & (by < undercut.hob.tip_radius - 1e-5)
     first, second = ((side - point) / step for side in (ahead, beside))
     size = np.linalg.norm(first, axis=0) * np.linalg.norm(second, axis=0)
     angle = np.linalg.norm(np.cross(first, second, axis=0), axis=0) / size
-    assert 20 < np.sum(~on_rim) < 60
-    assert angle[~on_rim].max() < 0.02 < angle[on_rim].min()
-    assert np.stack(list(margins.values())).min() > -1e-8
+    assert at_edge.sum() > 10
+    assert angle[at_edge].max() < 0.02 < angle[within < 1e-8].min()
+    (told,) = undercut.warnings
+    assert told.startswith("wheel: it is undercut")
 
 
-def test_outline_of_an_undercut_tooth_is_no_larger_than_the_tooth(undercut):
+@pytest.mark.parametrize("gears", ["low_root", "undercut"])
+def test_outline_is_no_larger_than_the_tooth(gears, request):
     """Lines of metres were drawn where Newton's method left the flank; a tooth is 30 mm wide, 11 mm high."""
+    gears = request.getfixturevalue(gears)
     for phase in (0.0, 0.5, 1.0):
-        outline = undercut.tooth_outline(undercut.contact(phase))
+        outline = gears.tooth_outline(gears.cycle.contact(phase))
         sides = np.hypot(np.diff(outline.x), np.diff(outline.y))
         assert np.ptp(outline.x) < 35e-3 and np.ptp(outline.y) < 15e-3 and sides.max() < 2e-3
 
 
 def test_outline_of_an_undercut_tooth_bounds_its_flank(undercut):
     """The flank's heights, found by another method, exist within the outline and end a little beyond it."""
-    contact = undercut.contact(0.5)
+    contact = undercut.cycle.contact(0.5)
     outline = undercut.tooth_outline(contact)
     inner, outer = (
         contact.wheel_height.solve(share * outline.x, share * outline.y)[2]
         for share in (0.98, 1.03)
     )
-    theta, roll = undercut.rim
-    point = undercut.wheel_flank.cut_point(theta, roll)
-    ended = np.stack(list(undercut.wheel_tooth.margins(point).values())).min(axis=0) > 1e-6
-    assert inner.all() and not outer[ended].any()
+    within, by = inside(undercut)
+    at_edge = (within > 1e-6) & (by < undercut.hob.tip_radius - 1e-4)
+    assert inner.all() and not outer[at_edge].any()

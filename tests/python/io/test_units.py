@@ -1,6 +1,7 @@
 """Quantities come in with their unit and go on in SI."""
 
 import math
+import re
 
 import pytest
 from hypothesis import given
@@ -13,6 +14,8 @@ FORCE = Kind("a force", "N", "14 kN")
 LENGTH = Kind("a length", "m", "305 mm", "any")
 ANGLE = Kind("an angle", "rad", "27.5 deg")
 SPEED = Kind("a speed of rotation", "rad/s", "1500 rpm")
+DIFFERENCE = Kind("a temperature difference", "delta_degC", "15 K", "not negative")
+HEAT = Kind("a specific heat", "J/(kg K)", "477 J/(kg K)")
 TEMPERATURE = Kind("a temperature", "K", "60 degC")
 PER_PRESSURE = Kind("a pressure coefficient", "1/Pa", "9.5 1/GPa", "not negative")
 TORQUE = Kind("a torque", "N m", "30 N m")
@@ -48,6 +51,21 @@ CONDUCTIVITY = Kind("a thermal conductivity", "W/(m K)", "47 W/(m K)")
         ("1500 min^-1", SPEED, 50 * math.pi),
         ("1500 min⁻¹", SPEED, 50 * math.pi),
         ("1500 r/min", SPEED, 50 * math.pi),
+        ("1500 U/min", SPEED, 50 * math.pi),
+        ("1500 /min", SPEED, 50 * math.pi),
+        ("1500 RPM", SPEED, 50 * math.pi),
+        ("80 C", TEMPERATURE, 353.15),
+        ("80°C", TEMPERATURE, 353.15),
+        ("80 deg C", TEMPERATURE, 353.15),
+        ("176 F", TEMPERATURE, 353.15),
+        ("15 K", DIFFERENCE, 15.0),
+        ("15 degC", DIFFERENCE, 15.0),
+        ("15 °C", DIFFERENCE, 15.0),
+        ("27 degF", DIFFERENCE, 15.0),
+        ("42 W/mK", CONDUCTIVITY, 42.0),
+        ("42 W/m K", CONDUCTIVITY, 42.0),
+        ("460 J/kgK", HEAT, 460.0),
+        ("460 J/(kg K)", HEAT, 460.0),
         ("1%", SHARE, 0.01),
         ("0.01", SHARE, 0.01),
     ],
@@ -111,13 +129,55 @@ def test_a_wrong_sign_is_refused(text, kind, wanted):
 
 @pytest.mark.parametrize(
     ("text", "written"),
-    [("1,5 kN", '"1.5 kN"'), ("-0,25 N", '"-0.25 N"'), ("14,5kN", '"14.5 kN"')],
+    [
+        ("1,5 kN", '"1.5 kN"'),
+        ("-0,25 N", '"-0.25 N"'),
+        ("14,5kN", '"14.5 kN"'),
+        ("1.400,5 N", '"1400.5 N"'),
+        ("1,400 N", '"1.400 N" or "1400 N"'),
+    ],
 )
 def test_a_decimal_comma_is_named(text, written):
-    with pytest.raises(ValueError, match=f"decimals follow a point, write {written}"):
+    said = re.escape(f"; decimals follow a point, not a comma, write {written}") + "$"
+    with pytest.raises(ValueError, match=said):
         parse(text, FORCE)
-    with pytest.raises(ValueError, match=f"decimals follow a point, write {written}"):
+    with pytest.raises(ValueError, match=said):
         parse_any(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "written"),
+    [("1 500 N", '"1500 N"'), ("12 345 678.5 N", '"12345678.5 N"'), ("1'500 N", '"1500 N"')],
+)
+def test_blanks_between_thousands_are_named(text, written):
+    with pytest.raises(
+        ValueError, match=re.escape(f"; thousands stand together, write {written}") + "$"
+    ):
+        parse(text, FORCE)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "meant"),
+    [
+        ("14 KN", FORCE, "14 kN"),
+        ("305 MM", LENGTH, "305 mm"),
+        ("600 NM", TORQUE, "600 Nm"),
+        ("60 DEGC", TEMPERATURE, None),
+        ("14 mm", FORCE, None),
+    ],
+)
+def test_wrong_capitals_of_a_unit_are_asked_about(text, kind, meant):
+    with pytest.raises(ValueError) as refused:
+        parse(text, kind)
+    message = str(refused.value)
+    assert message.endswith(f'; did you mean "{meant}"?' if meant else f'such as "{kind.example}"')
+
+
+def test_what_is_understood_for_one_quantity_is_not_for_another():
+    """A C is no unit of heat per kelvin, mK elsewhere a thousandth of a kelvin."""
+    with pytest.raises(ValueError):
+        parse_any("80 C")
+    assert parse_any("2 W/mK")[0] == pytest.approx(2000.0)
 
 
 @given(st.floats(min_value=1e-12, max_value=1e12), st.sampled_from(["mm", "um", "m", "inch"]))
