@@ -1,11 +1,11 @@
 """Outline of the wheel's tooth: the rim of its flank, or the flank's own end where that comes first.
 
 The hob cuts the flank with what it has within its tip cylinder: the flank ends where the tip has cut it,
-above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope itself ends
-at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that edge before
-its tip is undercut. Radius and place along the axis are a map of the flank's two parameters whose determinant
-vanishes at that edge and nowhere else, since no flank normal is perpendicular to the direction of the wheel's
-motion (its lever about the wheel's axis is the same everywhere).
+above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope itself
+ends at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that edge
+before its tip is undercut. Radius and place along the axis are a map of the flank's two parameters whose
+determinant vanishes at that edge and nowhere else, since no flank normal is perpendicular to the direction of
+the wheel's motion (its lever about the wheel's axis is the same everywhere).
 """
 
 from dataclasses import dataclass
