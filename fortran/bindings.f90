@@ -19,6 +19,7 @@ module bindings
   public :: film_free, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, film_transient, &
     film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
     film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
+  public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions
   public :: compiled_with
 
@@ -62,6 +63,42 @@ contains
     if (stat == status_ok) call solve_dry_contact(space, gap, covered /= 0, load, tolerance, &
       most_iterations, p, approach, iterations, stat)
   end subroutine dry_contact_solve
+
+  !> Presses a periodic rough surface against a rigid flat; see `cell_contact`. p [Pa] is the initial guess, then the solution.
+  subroutine cell_press(height, nx, ny, dx, dy, reduced_modulus, separation, hardness, tolerance, most_iterations, p, gap, &
+      iterations, stat)
+    use cell_contact, only: press_flat
+    use elastic_cell, only: elastic_surface, new_elastic_surface
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: height(nx, ny)
+    real(c_double), intent(in) :: dx, dy, reduced_modulus, separation, hardness, tolerance
+    integer(c_int), intent(in) :: most_iterations
+    real(c_double), intent(inout) :: p(nx, ny)
+    real(c_double), intent(out) :: gap(nx, ny)
+    integer(c_int), intent(out) :: iterations, stat
+    type(elastic_surface) :: surface
+    !f2py threadsafe
+
+    gap = 0
+    iterations = 0
+    call new_elastic_surface(surface, nx, ny, dx, dy, reduced_modulus, stat)
+    if (stat == status_ok) call press_flat(surface, nx*ny, height, separation, hardness, tolerance, most_iterations, p, gap, &
+      iterations, stat)
+  end subroutine cell_press
+
+  !> Flow through a periodic gap [m]; see `cell_flow` for the arguments.
+  subroutine cell_conduct(gap, nx, ny, dx, dy, tolerance, most_iterations, conducted, carried, iterations, stat)
+    use cell_flow, only: flow_through
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: gap(nx, ny)
+    real(c_double), intent(in) :: dx, dy, tolerance
+    integer(c_int), intent(in) :: most_iterations
+    real(c_double), intent(out) :: conducted(3), carried(3)
+    integer(c_int), intent(out) :: iterations, stat
+    !f2py threadsafe
+
+    call flow_through(gap, dx, dy, tolerance, most_iterations, conducted, carried, iterations, stat)
+  end subroutine cell_conduct
 
   !> Makes a point contact; see `point_film` for the arguments and `viscosity_density` for the oil's.
   subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
