@@ -179,11 +179,12 @@ contains
         return
       end if
       first = max(first, norm)
-      if (.not. norm > tolerance**2*first) then
+      if (abs(norm) <= tolerance**2*first) then
         stat = status_ok
         return
       end if
-      if (iterations == most_iterations) exit
+      ! rounding has spoilt the residual
+      if (iterations == most_iterations .or. norm < 0) exit
       if (interrupted()) then
         stat = status_interrupted
         return

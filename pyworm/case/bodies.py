@@ -1,14 +1,16 @@
 """`[bodies]`: the solids of a contact."""
 
 from math import pi, sqrt
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
+from pyworm.case.surface import SurfaceTable, texture_of
 from pyworm.case.table import Table
 from pyworm.io import units
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
+from pyworm.materials.topography import Topography
 
 RQ_OVER_RA = sqrt(pi / 2)
 """Root mean square over arithmetic mean of heights spread normally."""
@@ -34,6 +36,14 @@ class BodyTable(Table):
     roughness_aspect: Annotated[float, Field(strict=True, ge=1 / 9, le=9)] | None = None
     lay: units.AngleOrZero | None = None
     hardness: units.Hardness | None = None
+    surface: SurfaceTable | None = None
+
+    @model_validator(mode="after")
+    def _surface_alone(self):
+        for name in ("roughness", "roughness_ra", "roughness_slope", "roughness_aspect", "lay"):
+            if self.surface is not None and getattr(self, name) is not None:
+                raise ValueError(f"{name} means nothing beside surface, whose heights give it")
+        return self
 
     @model_validator(mode="after")
     def _roughness_complete(self):
@@ -54,7 +64,9 @@ class BodyTable(Table):
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""
-        constants = {name: value for name, value in self if value is not None}
+        constants = {name: value for name, value in self if value is not None and name != "surface"}
+        if self.surface is not None and self.surface.found:
+            constants |= _of_surface(self.surface.topography())
         mean = constants.pop("roughness_ra", None)
         if mean is not None:
             constants["roughness"] = RQ_OVER_RA * mean
@@ -63,8 +75,25 @@ class BodyTable(Table):
         return Body(**constants)
 
 
+def _of_surface(surface: Topography) -> dict[str, Any]:
+    """A topography and its figures, as constants of a body."""
+    own = texture_of(surface)
+    return {
+        "topography": surface,
+        "roughness": own.rq,
+        "roughness_slope": own.slope,
+        "roughness_aspect": own.aspect,
+        "lay": own.lay + surface.x_direction,
+    }
+
+
 class Bodies(Table):
     """`[bodies]`: two solids, body 1 first."""
+
+    @property
+    def surfaces(self) -> dict[str, SurfaceTable]:
+        """Surfaces that are given point by point, by the name of their body."""
+        return {name: body.surface for name, body in self if body.surface is not None}
 
     def pair(self, oil: Oil) -> tuple[Body, Body]:
         """Body 1 and body 2 under an oil."""

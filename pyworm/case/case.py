@@ -128,6 +128,9 @@ class Case:
         if isinstance(self.tables, GapCase):
             content = (self.directory / self.tables.contact.file).read_bytes()
             tables["contact"]["file"] = sha256(content).hexdigest()
+        for name, surface in self.tables.bodies.surfaces.items():
+            if surface.file is not None:
+                tables["bodies"][name]["surface"]["file"] = surface.content
         return tables
 
     @property
@@ -284,6 +287,12 @@ def load(path: str | Path) -> Case:
 def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The completely checked case of a case file's content; CaseError as of `load`."""
     case = Case(name, directory, _tables(data))
+    for body, surface in case.tables.bodies.surfaces.items():
+        surface.lie_in(directory)
+        try:
+            surface.waves()
+        except ValueError as error:
+            raise CaseError(f"bodies.{body}.{error}") from error
     # All contacts are made: the drive must mesh and the gap file must hold a gap.
     found = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
     checked_case = replace(case, doubts=found)

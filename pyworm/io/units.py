@@ -60,6 +60,15 @@ Roughness = quantity(
 )
 """Root mean square height Rq of a surface; 5 um is a hobbed or milled one."""
 
+Wave = quantity(
+    "a length along a surface",
+    "m",
+    "20 um",
+    possible=("1 nm", "100 mm"),
+    usual=("0.1 um", "10 mm"),
+)
+"""Length of a wave of roughness, distance of points, nesting index of a filter."""
+
 _TURN = {"possible": ("1e-24 deg", "360 deg")}
 Angle = quantity("an angle", "rad", "27.5 deg", **_TURN)
 AngleOrZero = quantity("an angle", "rad", "12 deg", sign="not negative", **_TURN)

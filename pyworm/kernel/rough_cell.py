@@ -1,4 +1,4 @@
-"""One periodic cell of a rough surface: its contact with a rigid flat, and flow through the gap that is left."""
+"""A periodic cell of a rough surface: its contact with a rigid flat and flow through the gap between."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ Array = np.ndarray
 
 MOST_ITERATIONS = 1000
 
-FLOW_TOLERANCE = 1e-7
+FLOW_TOLERANCE = 1e-5
 """Residual of the flow's equations, over the first; errors of the factors are its square."""
 
 

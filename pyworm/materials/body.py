@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive
+from pyworm.materials.topography import Topography
 
 RUN_IN_SLOPE = 0.008
 """Root mean square slope of a run-in surface, where none is given: with it the asperities' share of the
@@ -36,6 +37,8 @@ class Body:
         Angle of the lay from the surface's own motion through the contact [rad].
     hardness : float or None
         Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield.
+    topography : Topography or None
+        Heights of the surface, in place of averages by the figures above; None where they are not known.
 
     Raises
     ------
@@ -54,6 +57,7 @@ class Body:
     roughness_aspect: float = 1.0
     lay: float = 0.0
     hardness: float | None = None
+    topography: Topography | None = None
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of a solid."""

@@ -149,25 +149,66 @@ class RoughPair:
 
     def curves(self) -> GapCurves:
         """All averages as tables for the kernel."""
-        first, last = np.arcsinh(DEEPEST), np.arcsinh(WIDEST)
-        row = np.linspace(first, last, ROWS)
-        gap = np.sinh(row)
+        row, gap = gap_rows()
         thickness = self.mean_thickness(gap)
         pressure, area = self.contact(gap)
         flow, shear = self.flow_factors(gap)
         cube = np.maximum(gap, 0.0) ** 3
         isotropic = np.array([1.0, 1.0, 0.0])[:, None]
-        values = np.vstack(
-            [
-                np.log(np.maximum(pressure, np.exp(LEAST_LOGARITHM))),
-                (thickness - gap) * self.height,
-                np.where(area > LEAST_AREA, area, 0.0),
-                (flow * cube + NARROWEST**3 * isotropic) / thickness**3,
-                shear * self.height,
-            ]
+        return tabulated(
+            row,
+            self.height,
+            pressure=pressure,
+            area=area,
+            surplus=(thickness - gap) * self.height,
+            flow=(flow * cube + NARROWEST**3 * isotropic) / thickness**3,
+            shear=shear * self.height,
         )
-        slopes = scipy.interpolate.PchipInterpolator(row, values, axis=1).derivative()(row)
-        return GapCurves(self.height, float(first), float(row[1] - row[0]), values, slopes)
+
+
+def gap_rows() -> tuple[Array, Array]:
+    """Rows of the tables for the kernel, and their gap over the composite roughness [-]."""
+    row = np.linspace(np.arcsinh(DEEPEST), np.arcsinh(WIDEST), ROWS)
+    return row, np.sinh(row)
+
+
+def tabulated(
+    row: Array,
+    height: float,
+    *,
+    pressure: Array,
+    area: Array,
+    surplus: Array,
+    flow: Array,
+    shear: Array,
+) -> GapCurves:
+    """Averages at the rows of `gap_rows` as a table for the kernel.
+
+    Parameters
+    ----------
+    row : numpy.ndarray
+        The rows.
+    height : float
+        Composite root mean square height [m].
+    pressure, area : numpy.ndarray
+        Pressure of the asperities [Pa] and real area of contact over the nominal one.
+    surplus : numpy.ndarray
+        Mean thickness of the gap less the gap between mean planes [m].
+    flow, shear : numpy.ndarray
+        Flow factors of the mean thickness's cube [-] and shear flow factors times the roughness [m]: tensors
+        xx, yy, xy, shape (3, rows).
+    """
+    values = np.vstack(
+        [
+            np.log(np.maximum(pressure, np.exp(LEAST_LOGARITHM))),
+            surplus,
+            np.where(area > LEAST_AREA, area, 0.0),
+            flow,
+            shear,
+        ]
+    )
+    slopes = scipy.interpolate.PchipInterpolator(row, values, axis=1).derivative()(row)
+    return GapCurves(height, float(row[0]), float(row[1] - row[0]), values, slopes)
 
 
 def rough_pair(

@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds
 from pyworm.materials.rough_surfaces import RoughPair, rough_pair
 from pyworm.scene.past import Past
+
+if TYPE_CHECKING:
+    from pyworm.surfaces.topography_pair import TopographyPair
 
 Array = np.ndarray
 
@@ -101,10 +104,14 @@ class Contact(ABC):
         return composite_roughness(*self.bodies)
 
     @property
-    def rough_pair(self) -> RoughPair | None:
+    def rough_pair(self) -> "RoughPair | TopographyPair | None":
         """Both surfaces with their roughness; None where it is not known, or left out."""
         if self.smooth or self.composite_roughness is None:
             return None
+        if any(body.topography is not None for body in self.bodies):
+            from pyworm.surfaces.topography_pair import topography_pair
+
+            return topography_pair(self.bodies, self.motion_angles)
         return rough_pair(self.bodies, self.motion_angles, self.oil.boundary_friction)
 
     @property

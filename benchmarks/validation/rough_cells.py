@@ -1,0 +1,91 @@
+"""The cell solver on generated surfaces, means of eight: against Patir and Cheng, Tripp, and Persson.
+
+Flow between Gaussian surfaces that overlap where they would touch, as Patir and Cheng had it; both directions
+of isotropic ones, gamma and 1/gamma of ridges. Then the contact of elastic self-affine surfaces: the factor
+and the length of its exponential law, and its area slope, between H = 0.6 and 1.8. Run from the repository's
+root:
+
+    python benchmarks/validation/rough_cells.py
+"""
+
+import numpy as np
+
+from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
+from pyworm.kernel.rough_cell import conduct, press
+from pyworm.surfaces.generated import gaussian, self_affine
+from pyworm.surfaces.parameters import slopes
+
+SURFACES = 8
+GAPS = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0)
+ASPECTS = (1.0, 3.0)
+FLOOR = 1e-2
+"""Gap over the roughness that remains where surfaces overlap."""
+
+MODULUS = 2.0
+"""E' = 2 E*: pressures are over E*."""
+
+
+def main():
+    print("| gamma | H | phi | Patir and Cheng | Tripp | Phi_s | Patir and Cheng | Tripp |")
+    print("|---|---|---|---|---|---|---|---|")
+    for aspect in ASPECTS:
+        surfaces = [gaussian(1e-6, 20e-6, aspect, seed) for seed in range(SURFACES)]
+        for gap in GAPS:
+            for gamma, (flow, shear) in factors(surfaces, gap, aspect).items():
+                print(row(gamma, gap, flow, shear))
+    print("\n| Hurst | p_a/(E* h'rms) at H = 0 | e-folding length over Rq | A_r E* h'rms/p_a |")
+    print("|---|---|---|---|")
+    for hurst in (0.5, 0.8):
+        found = np.array([contact(hurst, seed) for seed in range(SURFACES)])
+        mean, spread = found.mean(axis=0), found.std(axis=0)
+        cells = " | ".join(f"{m:.3f} ± {s:.3f}" for m, s in zip(mean, spread, strict=True))
+        print(f"| {hurst} | {cells} |")
+
+
+def factors(surfaces, gap, aspect):
+    """Pressure and shear flow factors of each surface, by the Peklenik number along the flow."""
+    found = []
+    for surface in surfaces:
+        rms = surface.rms
+        local = np.maximum(gap * rms - surface.height, FLOOR * rms)
+        conducted, carried = conduct(local, surface.spacing)
+        found.append((conducted[:2] / (gap * rms) ** 3, (local.mean() - carried[:2]) / rms))
+    flow, shear = (np.array([one[k] for one in found]) for k in (0, 1))
+    if aspect == 1:
+        return {1.0: (flow.mean(axis=1), shear.mean(axis=1))}
+    return {aspect: (flow[:, 0], shear[:, 0]), 1 / aspect: (flow[:, 1], shear[:, 1])}
+
+
+def row(gamma, gap, flow, shear):
+    """A row of the table: means, with the standard deviation from surface to surface."""
+    tripp = 1 + 3 * (1 - 3 / (1 + gamma)) / gap**2, 3 / ((1 + gamma) * gap)
+    fits = (
+        (pressure_flow_factor(gap, gamma), shear_flow_factor(gap, gamma))
+        if gap <= 4
+        else (np.nan, np.nan)
+    )
+    cells = []
+    for values, fit, second in zip((flow, shear), fits, tripp, strict=True):
+        own = values.mean()
+        cells.append(f"{own:.3f} ± {values.std():.3f}")
+        for theory, holds in ((fit, gap <= 4), (second, gap >= 2)):
+            cells.append(f"{theory:.3f} ({own / theory - 1:+.1%})" if holds else "")
+    return f"| {gamma:.3g} | {gap:g} | {' | '.join(cells)} |"
+
+
+def contact(hurst, seed):
+    """Factor and length of the exponential law, and area slope, of one elastic surface."""
+    surface = self_affine(1e-6, hurst, 50e-6, 4e-6, seed=seed)
+    rms, slope = surface.rms, np.hypot(*slopes(surface))
+    gaps = np.linspace(0.6, 1.8, 7)
+    pressure, area = [], []
+    for gap in gaps:
+        p, _ = press(surface.height, surface.spacing, MODULUS, gap * rms, 1e9, 1e-5 * rms)
+        pressure.append(p.mean() / slope)
+        area.append((p > 0).mean())
+    fall, factor = np.polyfit(gaps, np.log(pressure), 1)
+    return np.exp(factor), -1 / fall, np.mean(np.array(area) / pressure)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,44 @@
+"""Gaussian filter of profiles and areas (ISO 16610-21, -61), by which half of a wave of its index passes."""
+
+from math import log, pi, sqrt
+
+import numpy as np
+import scipy
+
+Array = np.ndarray
+
+ALPHA = sqrt(log(2) / pi)
+"""Constant of the weights exp(-pi (x/(ALPHA index))^2): 50 % of a wave as long as the nesting index pass."""
+
+REACH = 1.2
+"""Half width of the weights over the nesting index: beyond, they are below 1e-8 of the largest."""
+
+
+def smoothed(heights: Array, steps: float, axes: tuple[int, ...], *, periodic: bool) -> Array:
+    """Long waves of heights.
+
+    Near the ends of what is not periodic the weights are those within it (ISO 16610-28).
+
+    Parameters
+    ----------
+    heights : numpy.ndarray
+        Heights.
+    steps : float
+        Nesting index over the distance of points along each axis, for each axis.
+    axes : tuple of int
+        Axes along which to filter.
+    periodic : bool
+        Whether heights repeat themselves.
+    """
+    for axis, index in zip(axes, steps, strict=True):
+        reach = int(np.ceil(REACH * index))
+        places = np.arange(-reach, reach + 1) / (ALPHA * index)
+        weights = np.exp(-pi * places**2)
+        weights /= weights.sum()
+        mode = "wrap" if periodic else "constant"
+        within = 1.0
+        if not periodic:
+            line = scipy.ndimage.convolve1d(np.ones(heights.shape[axis]), weights, mode=mode)
+            within = np.expand_dims(line, [one for one in range(heights.ndim) if one != axis])
+        heights = scipy.ndimage.convolve1d(heights, weights, axis=axis, mode=mode) / within
+    return heights

@@ -1,0 +1,57 @@
+"""Heights of a surface over an area of it, measured or generated."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from hashlib import sha256
+
+import numpy as np
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Topography:
+    """Heights over a rectangle; two of the same heights are equal.
+
+    Attributes
+    ----------
+    height : numpy.ndarray
+        Heights [m], outwards of the body, of mean zero, shape (nx, ny).
+    spacing : tuple of float
+        Distance of points along x and y [m].
+    periodic : bool
+        Whether the heights repeat themselves beyond the rectangle.
+    x_direction : float
+        Angle of the x axis from the surface's own motion through the contact [rad].
+    """
+
+    height: Array
+    spacing: tuple[float, float]
+    periodic: bool = False
+    x_direction: float = 0.0
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """Length of the sides along x and y [m]."""
+        return tuple(n * step for n, step in zip(self.height.shape, self.spacing, strict=True))
+
+    @property
+    def rms(self) -> float:
+        """Root mean square height Rq [m]."""
+        return float(self.height.std())
+
+    def turned(self, x_direction: float) -> "Topography":
+        """The same heights with their x axis at an angle from the surface's own motion [rad]."""
+        return replace(self, x_direction=x_direction)
+
+    @cached_property
+    def digest(self) -> str:
+        """Digest of the heights and where they are."""
+        place = repr((self.height.shape, self.spacing, self.periodic, self.x_direction))
+        return sha256(place.encode() + np.ascontiguousarray(self.height).tobytes()).hexdigest()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Topography) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        return hash(self.digest)

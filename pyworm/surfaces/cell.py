@@ -1,0 +1,96 @@
+"""A periodic cell of a topography, or of two together, as the cell solver takes it."""
+
+import numpy as np
+import scipy
+
+from pyworm.materials.topography import Topography
+
+Array = np.ndarray
+
+NODES = 256
+"""Nodes along each side of a cell that is cut from a larger area."""
+
+BLENDED = 8
+"""One part in so many of a cell, at its low sides, is blended with what lies beyond its high sides."""
+
+
+def periodic_cell(surface: Topography) -> Topography:
+    """A cell that repeats itself: the surface if it does, else the middle of it with blended sides.
+
+    Cells are of `NODES` nodes a side or as many as there are. Heights keep their root mean square.
+    """
+    if surface.periodic and max(surface.height.shape) <= 2 * NODES:
+        return surface
+    most = (
+        surface.height.shape
+        if surface.periodic
+        else [int(n / (1 + 1 / BLENDED)) for n in surface.height.shape]
+    )
+    nodes = tuple(_even(min(n, NODES)) for n in most)
+    return _sampled(surface, nodes, surface.spacing)
+
+
+def common_cell(surfaces: tuple[Topography, Topography]) -> Topography:
+    """Sum of two surfaces' heights in one cell, with their x axes alongside."""
+    cells = [periodic_cell(one) for one in surfaces]
+    if cells[0].height.shape == cells[1].height.shape and cells[0].spacing == cells[1].spacing:
+        total = cells[0].height + cells[1].height
+        return Topography(total, cells[0].spacing, periodic=True)
+    sides = [min(pair) for pair in zip(*(cell.extent for cell in cells), strict=True)]
+    finest = [min(pair) for pair in zip(*(cell.spacing for cell in cells), strict=True)]
+    nodes = tuple(
+        _even(min(NODES, round(side / step))) for side, step in zip(sides, finest, strict=True)
+    )
+    spacing = tuple(side / n for side, n in zip(sides, nodes, strict=True))
+    total = sum(_sampled(one, nodes, spacing).height for one in surfaces)
+    return Topography(total, spacing, periodic=True)
+
+
+def _even(nodes: int) -> int:
+    """The largest number of nodes up to this that the solver's grids can halve at least four times."""
+    return nodes // 16 * 16
+
+
+def _sampled(
+    surface: Topography, nodes: tuple[int, int], spacing: tuple[float, float]
+) -> Topography:
+    """Heights of a surface at the nodes of a periodic cell in its middle."""
+    if surface.periodic:
+        margins, mode = (0, 0), "grid-wrap"
+        whole = [
+            abs(n * a - b) < 1e-9 * b
+            for n, a, b in zip(nodes, spacing, surface.extent, strict=True)
+        ]
+        if not all(whole):
+            margins = tuple(n // BLENDED for n in nodes)
+    else:
+        margins, mode = tuple(n // BLENDED for n in nodes), "nearest"
+    places = []
+    for n, margin, step, own, count in zip(
+        nodes, margins, spacing, surface.spacing, surface.height.shape, strict=True
+    ):
+        start = (count - (n + margin) * step / own) // 2
+        places.append(start + np.arange(n + margin) * step / own)
+    exact = all(np.allclose(one, np.round(one)) for one in places)
+    height = scipy.ndimage.map_coordinates(
+        surface.height,
+        np.meshgrid(*(np.round(one) if exact else one for one in places), indexing="ij"),
+        order=1 if exact else 3,
+        mode=mode,
+    )
+    for axis, margin in enumerate(margins):
+        height = _blended(height, axis, margin)
+    height -= height.mean()
+    return Topography(height * (surface.rms / height.std()), spacing, periodic=True)
+
+
+def _blended(height: Array, axis: int, margin: int) -> Array:
+    """Heights whose first rows turn into those beyond the last: shares whose squares add to one."""
+    if margin == 0:
+        return height
+    height = np.moveaxis(height, axis, 0)
+    angle = np.pi / 2 * (np.arange(margin) + 0.5) / margin
+    cell = height[:-margin].copy()
+    own, beyond = np.sin(angle)[:, None], np.cos(angle)[:, None]
+    cell[:margin] = own * cell[:margin] + beyond * height[-margin:]
+    return np.moveaxis(cell, 0, axis)

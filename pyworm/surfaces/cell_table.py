@@ -1,0 +1,162 @@
+"""Contact and flow of a rough surface over its separation from a smooth one, solved once and kept."""
+
+import os
+from dataclasses import asdict, dataclass, fields
+from functools import lru_cache
+from hashlib import sha256
+from math import inf, isfinite
+from pathlib import Path
+from zipfile import BadZipFile
+
+import numpy as np
+
+from pyworm.io.atomic import whole_file
+from pyworm.kernel.core import EXTENSION
+from pyworm.kernel.rough_cell import conduct, press
+from pyworm.materials.topography import Topography
+
+Array = np.ndarray
+
+SEPARATIONS = np.geomspace(8.0, 0.2, 20)
+"""Separations from the mean plane over the roughness, the widest first."""
+
+CLOSER = np.array([0.0, -0.25, -0.5, -1.0, -1.5, -2.0])
+"""Further ones of surfaces that yield, whose mean planes can cross."""
+
+CLOSED = 0.9
+"""Real area of contact over the nominal one at which a table ends."""
+
+GAP_TOLERANCE = 1e-5
+"""Gap left in the contact over the roughness, root mean square."""
+
+SHALLOWEST = 0.02
+"""Gap over the roughness that remains for the flow where surfaces touch, with 1e-5 of the conductance of one
+as wide as the roughness: its equations stay regular, and the film's are left with ten times that
+(`rough_surfaces.NARROWEST`)."""
+
+FORMAT = 1
+"""Number of what is in the files that are kept; another makes them anew."""
+
+
+@dataclass(frozen=True)
+class CellTable:
+    """A rough surface against a smooth one over its separation, the widest first.
+
+    Attributes
+    ----------
+    height : float
+        Root mean square height [m].
+    separation : numpy.ndarray
+        Flat from the mean plane of the deformed surface [m].
+    pressure, area : numpy.ndarray
+        Mean pressure of the contact [Pa] and its real area over the nominal one.
+    thickness : numpy.ndarray
+        Mean gap [m].
+    conducted : numpy.ndarray
+        Cube of the gap that conducts as much as the cell [m3]: tensors xx, yy, xy, shape (3, separations).
+    dragged : numpy.ndarray
+        Mean gap less the thickness that a moving rough wall carries along [m]: likewise.
+    """
+
+    height: float
+    separation: Array
+    pressure: Array
+    area: Array
+    thickness: Array
+    conducted: Array
+    dragged: Array
+
+
+@lru_cache(maxsize=16)
+def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None) -> CellTable:
+    """Contact and flow of a periodic cell, from the user's cache or solved.
+
+    Parameters
+    ----------
+    cell : Topography
+        A periodic surface, whatever its direction.
+    reduced_modulus : float
+        E' [Pa].
+    hardness : float or None
+        Largest pressure [Pa]; None of surfaces that do not yield.
+
+    Raises
+    ------
+    KernelError
+        A contact or a flow did not converge.
+    """
+    path = _cache() / f"{_key(cell, reduced_modulus, hardness)}.npz"
+    try:
+        with np.load(path) as kept:
+            return CellTable(
+                float(kept["height"]), *(kept[one.name] for one in fields(CellTable)[1:])
+            )
+    except (OSError, ValueError, KeyError, EOFError, BadZipFile):
+        table = solve_cell(cell, reduced_modulus, hardness)
+    try:
+        with whole_file(path) as partial, partial.open("wb") as file:
+            np.savez(file, **asdict(table))
+    except OSError:
+        pass  # where nothing can be kept it is solved again
+    return table
+
+
+def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None) -> CellTable:
+    """Contact and flow of a periodic cell; arguments and errors as of `cell_table`."""
+    rms, most = cell.rms, inf if hardness is None else hardness
+    separations = SEPARATIONS if hardness is None else np.append(SEPARATIONS, CLOSER)
+    rows = []
+    for separation in separations * rms:
+        row = _at(cell, separation, reduced_modulus, most)
+        if row["area"] >= CLOSED:
+            break
+        rows.append(row)
+    columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+    return CellTable(
+        rms,
+        columns["separation"],
+        columns["pressure"],
+        columns["area"],
+        columns["thickness"],
+        columns["conducted"].T,
+        columns["dragged"].T,
+    )
+
+
+def _at(cell: Topography, separation: float, modulus: float, hardness: float) -> dict:
+    """One row of a table."""
+    rms = cell.rms
+    bound = hardness if isfinite(hardness) else modulus * 1e6
+    pressure, gap = press(
+        cell.height, cell.spacing, modulus, separation, bound, GAP_TOLERANCE * rms
+    )
+    gap = np.maximum(gap, 0.0)
+    conducted, carried = conduct(np.maximum(gap, SHALLOWEST * rms), cell.spacing)
+    thickness = float(gap.mean())
+    return {
+        "separation": separation,
+        "pressure": float(pressure.mean()),
+        "area": float((pressure > 0).mean()),
+        "thickness": thickness,
+        "conducted": conducted,
+        "dragged": np.array([thickness, thickness, 0.0]) - carried,
+    }
+
+
+def _cache() -> Path:
+    root = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(root) / "pyworm" / "surfaces"
+
+
+def _key(cell: Topography, reduced_modulus: float, hardness: float | None) -> str:
+    """Key of a table in the cache: the heights, the bodies and the program."""
+    parts = (
+        FORMAT,
+        cell.turned(0.0).digest,
+        reduced_modulus,
+        hardness,
+        tuple(SEPARATIONS),
+        tuple(CLOSER),
+        sha256(EXTENSION.read_bytes()).hexdigest(),
+    )
+    return sha256(repr(parts).encode()).hexdigest()[:24]

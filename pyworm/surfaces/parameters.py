@@ -1,0 +1,189 @@
+"""Figures of a rough surface: heights, Abbott curve, slopes, correlation lengths and lay."""
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+import scipy
+
+from pyworm.materials.topography import Topography
+
+Array = np.ndarray
+
+SECANT = 0.4
+"""Part of the Abbott curve over which its flattest secant makes the core (ISO 13565-2, ISO 25178-2)."""
+
+QUANTILES = 5000
+"""Points of the Abbott curve."""
+
+DIRECTIONS = 180
+"""Directions in half a turn along which the autocorrelation is read."""
+
+PEKLENIK, TEXTURE = 0.5, 0.2
+"""Autocorrelation at which lengths give the Peklenik number, and the texture ratio of ISO 25178-2."""
+
+
+@dataclass(frozen=True)
+class Texture:
+    """Figures of a surface, over its area: those of profiles' standards in name, of ISO 25178-2 in kind.
+
+    Attributes
+    ----------
+    rq, ra : float
+        Root mean square and arithmetic mean height [m]; Sq and Sa of areas.
+    skewness, kurtosis : float
+        Rsk and Rku [-]; 0 and 3 of heights spread normally.
+    rk, rpk, rvk : float
+        Core height, reduced peak and reduced valley heights [m].
+    mr1, mr2 : float
+        Ends of the core on the Abbott curve [-].
+    slope, slope_x, slope_y : float
+        Root mean square slope, and that along x and along y [-].
+    length_across, length_along : float
+        Shortest and longest distance at which the autocorrelation has fallen to 0.5 [m].
+    aspect : float
+        Peklenik number: the longer of these over the shorter [-].
+    shortest_length : float
+        Shortest distance at which the autocorrelation has fallen to 0.2 [m], Sal.
+    texture_ratio : float
+        That over the longest such distance [-], Str: 1 without lay, 0 with a lay without end.
+    lay : float
+        Angle of the lay from the x axis [rad], -pi/2 to pi/2.
+    """
+
+    rq: float
+    ra: float
+    skewness: float
+    kurtosis: float
+    rk: float
+    rpk: float
+    rvk: float
+    mr1: float
+    mr2: float
+    slope: float
+    slope_x: float
+    slope_y: float
+    length_across: float
+    length_along: float
+    aspect: float
+    shortest_length: float
+    texture_ratio: float
+    lay: float
+
+
+def texture(surface: Topography) -> Texture:
+    """Figures of a surface."""
+    height = surface.height - surface.height.mean()
+    rq = float(height.std())
+    slope_x, slope_y = slopes(surface)
+    angles = np.arange(DIRECTIONS) * pi / DIRECTIONS - pi / 2
+    half, fifth = correlation_lengths(surface, angles, (PEKLENIK, TEXTURE))
+    across, along = float(half.min()), float(half.max())
+    return Texture(
+        rq=rq,
+        ra=float(np.abs(height).mean()),
+        skewness=float((height**3).mean() / rq**3),
+        kurtosis=float((height**4).mean() / rq**4),
+        **_core(height),
+        slope=float(np.hypot(slope_x, slope_y)),
+        slope_x=slope_x,
+        slope_y=slope_y,
+        length_across=across,
+        length_along=along,
+        aspect=along / across,
+        shortest_length=float(fifth.min()),
+        texture_ratio=float(fifth.min() / fifth.max()),
+        lay=_lay(angles, half),
+    )
+
+
+def slopes(surface: Topography) -> tuple[float, float]:
+    """Root mean square slopes along x and y [-], by differences of neighbours."""
+    found = []
+    for axis, step in enumerate(surface.spacing):
+        end = {"append": surface.height.take([0], axis=axis)} if surface.periodic else {}
+        found.append(float(np.sqrt((np.diff(surface.height, axis=axis, **end) ** 2).mean()) / step))
+    return found[0], found[1]
+
+
+def abbott(height: Array) -> tuple[Array, Array]:
+    """Abbott curve: parts of the area, and the height [m] that each exceeds."""
+    part = np.linspace(0.0, 1.0, QUANTILES)
+    return part, np.quantile(height, 1 - part)
+
+
+def _core(height: Array) -> dict[str, float]:
+    """Core, peaks and valleys of the Abbott curve (ISO 13565-2)."""
+    part, level = abbott(height)
+    steps = round(SECANT * (QUANTILES - 1))
+    drop = level[:-steps] - level[steps:]
+    start = int(drop.argmin())
+    slope = drop[start] / SECANT
+    top = level[start] + slope * part[start]
+    bottom = top - slope
+    mr1, mr2 = (float(np.interp(-edge, -level, part)) for edge in (top, bottom))
+    peaks = np.trapezoid(np.maximum(level - top, 0.0), part)
+    valleys = np.trapezoid(np.maximum(bottom - level, 0.0), part)
+    return {
+        "rk": float(slope),
+        "rpk": float(2 * peaks / mr1) if mr1 > 0 else 0.0,
+        "rvk": float(2 * valleys / (1 - mr2)) if mr2 < 1 else 0.0,
+        "mr1": mr1,
+        "mr2": mr2,
+    }
+
+
+def correlation_lengths(
+    surface: Topography, angles: Array, levels: tuple[float, ...]
+) -> list[Array]:
+    """Distances [m] along directions from the x axis [rad] at which the autocorrelation falls to levels.
+
+    Where it does not within half the area, half its shorter side.
+    """
+    correlation = _autocorrelation(surface)
+    reach = min(surface.extent) / 2
+    distance = np.arange(0.0, reach, min(surface.spacing) / 2)
+    lengths = [np.full(len(angles), reach) for _ in levels]
+    centre = [n // 2 for n in correlation.shape]
+    for k, angle in enumerate(angles):
+        place = [
+            middle + distance * part / step
+            for middle, part, step in zip(
+                centre, (np.cos(angle), np.sin(angle)), surface.spacing, strict=True
+            )
+        ]
+        course = scipy.ndimage.map_coordinates(correlation, place, order=1, mode="nearest")
+        for found, level in zip(lengths, levels, strict=True):
+            below = np.flatnonzero(course <= level)
+            if below.size:
+                i = below[0]
+                rest = (course[i - 1] - level) / (course[i - 1] - course[i])
+                found[k] = distance[i - 1] + rest * (distance[i] - distance[i - 1])
+    return lengths
+
+
+def _autocorrelation(surface: Topography) -> Array:
+    """Autocorrelation with its middle in the middle: of pairs within the area where it is not periodic."""
+    height = surface.height - surface.height.mean()
+    shape = height.shape
+    if surface.periodic:
+        spectrum = np.abs(np.fft.rfft2(height)) ** 2
+        raw = np.fft.irfft2(spectrum, s=shape)
+    else:
+        padded = tuple(scipy.fft.next_fast_len(2 * n, real=True) for n in shape)
+        pairs = [np.abs(np.fft.rfft2(one, s=padded)) ** 2 for one in (height, np.ones(shape))]
+        raw, count = (np.fft.irfft2(one, s=padded) for one in pairs)
+        raw = raw / np.maximum(count, 1.0)
+    middle = np.fft.fftshift(raw / raw[0, 0])
+    if surface.periodic:
+        return middle
+    start = [m // 2 - n // 2 for m, n in zip(middle.shape, shape, strict=True)]
+    return middle[start[0] : start[0] + shape[0], start[1] : start[1] + shape[1]]
+
+
+def _lay(angles: Array, lengths: Array) -> float:
+    """Direction of the longest correlation: the axis of the lengths' second harmonic near it."""
+    longest = angles[int(lengths.argmax())]
+    near = np.abs((angles - longest + pi / 2) % pi - pi / 2) < pi / 8
+    turn = np.sum((lengths[near] - lengths[near].min()) * np.exp(2j * angles[near]))
+    return float(np.angle(turn) / 2) if abs(turn) > 0 else float(longest)

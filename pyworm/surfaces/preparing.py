@@ -1,0 +1,201 @@
+"""From heights as measured to a topography: points filled, form removed, waves separated."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import scipy
+
+from pyworm.formulas.gaussian_filter import smoothed
+from pyworm.materials.topography import Topography
+
+Array = np.ndarray
+
+MOST_MISSING = 0.1
+"""Largest fraction of points that are missing, and filled from those around them."""
+
+FARTHEST = 15.0
+"""Distance of a height from the median, over the normal deviation of the middle half, from which on it is an
+outlier: deep valleys of a plateau surface come to about 10, spikes of instruments to tens."""
+
+NORMAL_OVER_MIDDLE = 1.4826
+"""Standard deviation over the median distance from the median, of heights spread normally."""
+
+SHORTEST = 4.0
+"""Shortest nesting index over the distance of points that a filter can resolve."""
+
+Outliers = Literal["refuse", "fill", "keep"]
+
+
+@dataclass(frozen=True)
+class SeparatedWaves:
+    """Heights of a surface as separated by filters.
+
+    Attributes
+    ----------
+    roughness : Topography
+        Waves shorter than the nesting index, without form.
+    long_waves : numpy.ndarray
+        Waves longer than that [m], of mean zero and without form, which belong to the contact's gap.
+    filled : float
+        Fraction of points that were filled.
+    """
+
+    roughness: Topography
+    long_waves: Array
+    filled: float
+
+
+def separate_waves(
+    heights: Array,
+    spacing: tuple[float, float],
+    *,
+    periodic: bool = False,
+    nesting_index: float | None = None,
+    shortest_wave: float | None = None,
+    outliers: Outliers = "refuse",
+) -> SeparatedWaves:
+    """Fill, level and filter heights.
+
+    Form is a polynomial of second order. Filters are Gaussian (ISO 16610-61).
+
+    Parameters
+    ----------
+    heights : numpy.ndarray
+        Heights [m], shape (nx, ny), NaN where missing.
+    spacing : tuple of float
+        Distance of points along x and y [m].
+    periodic : bool
+        Whether they repeat themselves, and have no form.
+    nesting_index : float, optional
+        Longest wave of roughness [m]; without, all that is no form is roughness.
+    shortest_wave : float, optional
+        Nesting index of the filter against noise [m].
+    outliers : str
+        Whether to "refuse", "fill" or "keep" heights that are far from all others.
+
+    Raises
+    ------
+    ValueError
+        Too many points are missing, there are outliers, or an index that the area does not hold.
+    """
+    level, filled = _complete(heights, periodic, outliers)
+    if not level.std() > 0:
+        raise ValueError("is flat: all heights are equal after levelling")
+    extent = [n * step for n, step in zip(level.shape, spacing, strict=True)]
+    for name, index in (("nesting_index", nesting_index), ("shortest_wave", shortest_wave)):
+        _require_index(name, index, spacing, extent)
+    if shortest_wave is not None:
+        level = _long(level, spacing, shortest_wave, periodic)
+    long_waves = np.zeros_like(level)
+    if nesting_index is not None:
+        long_waves = _long(level, spacing, nesting_index, periodic)
+    rough = level - long_waves
+    topography = Topography(rough - rough.mean(), spacing, periodic)
+    return SeparatedWaves(topography, long_waves - long_waves.mean(), filled)
+
+
+def _complete(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array, float]:
+    """Heights without form and with what is missing filled, and the fraction that was."""
+    heights = np.where(np.isfinite(heights), heights, np.nan)
+    _require_most(heights)
+    level = heights if periodic else heights - _form(heights)
+    level = level - np.nanmean(level)
+    far = _outliers(level)
+    if far.any() and outliers == "refuse":
+        worst, usual = (np.nanmax(np.abs(level[part])) * 1e6 for part in (far, ~far))
+        raise ValueError(
+            f"has {far.sum()} outliers, up to {worst:.3g} um from the mean of a surface whose other heights "
+            f'are within {usual:.3g} um; give outliers = "fill", or "keep" if they are real'
+        )
+    if far.any() and outliers == "fill":
+        level[far] = np.nan
+        _require_most(level)
+    missing = np.isnan(level)
+    if missing.any():
+        level = _filled(level, missing)
+        level = level if periodic else level - _form(level)
+    return level, float(missing.mean())
+
+
+def _require_most(heights: Array) -> None:
+    """Refuse heights of which too many are missing."""
+    missing = float(np.isnan(heights).mean())
+    if missing > MOST_MISSING:
+        raise ValueError(
+            f"{missing * 100:.0f} % of its points are missing, at most {MOST_MISSING * 100:.0f} % can be "
+            "filled; give a part of it that is complete"
+        )
+
+
+def _require_index(
+    name: str, index: float | None, spacing: tuple[float, float], extent: list[float]
+) -> None:
+    """Refuse a filter whose waves the points do not resolve or the area does not hold."""
+    if index is None:
+        return
+    if index < SHORTEST * max(spacing):
+        raise ValueError(
+            f"{name} of {index * 1e6:.4g} um is too short for points {max(spacing) * 1e6:.3g} um apart, "
+            f"at least {SHORTEST * max(spacing) * 1e6:.4g} um is needed"
+        )
+    if index > min(extent):
+        raise ValueError(
+            f"{name} of {index * 1e6:.4g} um is longer than the area, whose side is "
+            f"{min(extent) * 1e6:.4g} um"
+        )
+
+
+def _long(level: Array, spacing: tuple[float, float], index: float, periodic: bool) -> Array:
+    return smoothed(level, [index / step for step in spacing], (0, 1), periodic=periodic)
+
+
+def _form(heights: Array) -> Array:
+    """Polynomial of second order nearest to the heights that are there."""
+    x, y = (np.linspace(-1, 1, n) for n in heights.shape)
+    terms = [np.outer(x**i, y**j) for i in range(3) for j in range(3 - i)]
+    there = np.isfinite(heights)
+    matrix = np.array([[(a * b)[there].sum() for a in terms] for b in terms])
+    right = np.array([(a * np.where(there, heights, 0.0)).sum() for a in terms])
+    return np.tensordot(np.linalg.solve(matrix, right), terms, 1)
+
+
+def _outliers(level: Array) -> Array:
+    """Where heights are far from all others."""
+    distance = np.abs(level - np.nanmedian(level))
+    return distance > FARTHEST * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
+
+
+def _filled(level: Array, missing: Array) -> Array:
+    """Heights with missing ones such that each is the mean of its neighbours."""
+    number = np.full(level.shape, -1)
+    number[missing] = np.arange(missing.sum())
+    rows, columns, values = [], [], []
+    right = np.zeros(missing.sum())
+    count = np.zeros(missing.sum())
+    for axis, way in ((0, 1), (0, -1), (1, 1), (1, -1)):
+        beside, height = (_neighbours(field, axis, way) for field in (number, level))
+        inside = missing & (beside > -2)
+        count += inside[missing]
+        known = inside & (beside == -1)
+        right[number[known]] += height[known]
+        unknown = inside & (beside >= 0)
+        rows.append(number[unknown])
+        columns.append(beside[unknown])
+        values.append(np.full(unknown.sum(), -1.0))
+    matrix = scipy.sparse.coo_array(
+        (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
+        shape=(len(right), len(right)),
+    ).tocsr() + scipy.sparse.diags_array(count)
+    full = level.copy()
+    full[missing] = scipy.sparse.linalg.spsolve(matrix.tocsc(), right)
+    return full
+
+
+def _neighbours(field: Array, axis: int, way: int) -> Array:
+    """The field's value at each point's neighbour; -2 beyond the edge."""
+    beside = np.roll(field, -way, axis=axis)
+    edge = [slice(None)] * 2
+    edge[axis] = -1 if way == 1 else 0
+    beside[tuple(edge)] = -2
+    return beside
