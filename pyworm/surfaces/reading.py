@@ -19,6 +19,9 @@ LEAST_POINTS = 16
 MOST_BYTES_A_POINT = 40
 """Length of a number in a text, beyond which no file of `MOST_POINTS` has to go."""
 
+NO_INSTRUMENT = ("hgt",)
+"""Formats of maps of land, for which any file of the right length may be taken."""
+
 ARRAYS = (".npy", ".csv", ".txt")
 """Endings of files of bare numbers, whose unit and spacing the file does not tell."""
 
@@ -134,6 +137,8 @@ def _read_instrument(
     library = _library()
     try:
         with library.open_topography(str(path)) as reader:
+            if reader.format() in NO_INSTRUMENT:
+                raise ValueError("is no file of an instrument that SurfaceTopography knows")
             channel = reader.default_channel
             shape, sides, unit = channel.nb_grid_pts, channel.physical_sizes, channel.unit
             if len(shape) != 2:
