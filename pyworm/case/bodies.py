@@ -3,11 +3,12 @@
 from math import pi, sqrt
 from typing import Annotated, Any
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from pyworm.case.surface import SurfaceTable, texture_of
 from pyworm.case.table import Table
 from pyworm.io import units
+from pyworm.materials import solids
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.materials.topography import Topography
@@ -16,14 +17,23 @@ RQ_OVER_RA = sqrt(pi / 2)
 """Root mean square over arithmetic mean of heights spread normally."""
 
 
+def _finish(text: str) -> str:
+    if text not in solids.finishes():
+        raise ValueError(f"must be one of {', '.join(solids.finishes())}")
+    return text
+
+
 class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
     Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
     mean square height Rq, or by `roughness_ra` the arithmetic mean Ra, 0.8 Rq of heights spread normally.
-    The lay is the angle of its ridges from the surface's own motion.
+    The lay is the angle of its ridges from the surface's own motion. A `material` by name gives all constants
+    that are not given beside it, a `finish` the usual roughness of flanks so made.
     """
 
+    material: Annotated[str, AfterValidator(solids.named_material)] | None = None
+    finish: Annotated[str, AfterValidator(_finish)] | None = None
     youngs_modulus: units.Modulus
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity | None = None
@@ -45,6 +55,23 @@ class BodyTable(Table):
                 raise ValueError(f"{name} means nothing beside surface, whose heights give it")
         return self
 
+    @model_validator(mode="before")
+    @classmethod
+    def _by_name(cls, given: Any, info: ValidationInfo) -> Any:
+        """The table with what its material and its finish give; a stored one has it already."""
+        if info.context == units.SI or not isinstance(given, dict):
+            return given
+        whole, finish = dict(given), given.get("finish")
+        if solids.is_named(given.get("material")):
+            whole = solids.constants(solids.named_material(given["material"])) | whole
+        if finish is not None and given.keys() & {"roughness", "roughness_ra", "surface"}:
+            raise ValueError(
+                "give either finish or roughness (roughness_ra, surface), one of the two"
+            )
+        if finish in solids.finishes():
+            whole["roughness_ra"] = solids.usual_roughness(finish)
+        return whole
+
     @model_validator(mode="after")
     def _roughness_complete(self):
         if self.roughness is not None and self.roughness_ra is not None:
@@ -64,7 +91,8 @@ class BodyTable(Table):
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""
-        constants = {name: value for name, value in self if value is not None and name != "surface"}
+        names = {"surface", "material", "finish"}
+        constants = {name: value for name, value in self if value is not None and name not in names}
         if self.surface is not None and self.surface.found:
             constants |= _of_surface(self.surface.topography())
         mean = constants.pop("roughness_ra", None)
@@ -85,6 +113,23 @@ def _of_surface(surface: Topography) -> dict[str, Any]:
         "roughness_aspect": own.aspect,
         "lay": own.lay + surface.x_direction,
     }
+
+
+def taken_by_name(bodies: Any) -> dict[str, str]:
+    """What the names in `[bodies]`, as it is written, stand for: dotted key -> source of the constants."""
+    taken = {}
+    tables = bodies.items() if isinstance(bodies, dict) else ()
+    for name, body in tables:
+        material, finish = (
+            body.get(key) if isinstance(body, dict) else None for key in ("material", "finish")
+        )
+        if solids.is_named(material):
+            of = solids.source(solids.named_material(material))
+            taken[f"bodies.{name}.material"] = f"for constants that are not given; {of}"
+        if finish in solids.finishes():
+            rough = solids.usual_roughness(finish)
+            taken[f"bodies.{name}.finish"] = f"usual roughness of flanks so made, Ra {rough}"
+    return taken
 
 
 class Bodies(Table):

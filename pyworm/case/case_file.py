@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
 
+from pyworm.case.bodies import taken_by_name
 from pyworm.case.oil import OilTable
 from pyworm.case.table import Table, Text, by_dotted_key
 from pyworm.io import units
@@ -74,6 +75,17 @@ class FileTable(Table):
 
 class CaseTable(FileTable):
     """Keys that all case files share; each kind adds its own `bodies`."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _names_are_assumptions(cls, given: Any, info: ValidationInfo) -> Any:
+        """The file with what its names of materials stand for in `[assumed]`; a stored one has it."""
+        if info.context == units.SI or not isinstance(given, dict):
+            return given
+        taken, own = taken_by_name(given.get("bodies")), given.get("assumed", {})
+        if not taken or not isinstance(own, dict):
+            return given
+        return given | {"assumed": taken | by_dotted_key(own)}
 
     accuracy: units.Share = 0.01
     effects: Annotated[str, AfterValidator(_effects)] = "auto"

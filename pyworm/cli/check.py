@@ -22,6 +22,7 @@ def _check(options: argparse.Namespace) -> int:
     tasks = planned_tasks(case, options)
     warn_of_unusual(case)
 
+    from pyworm.case.workshop_units import assumptions
     from pyworm.io.console import Console
     from pyworm.io.format import duration
     from pyworm.report.console.drive import drive_table
@@ -57,6 +58,8 @@ def _check(options: argparse.Namespace) -> int:
             console.print(table)
             for sentence in case.drive.assumptions:
                 console.print(f"- {sentence}")
+            for key, reason in assumptions(case.tables).items():
+                console.print(f"- {key}: {reason}.")
             console.print()
         for task, of in zip(tasks, expected, strict=True):
             console.print(plan_table(task.scene, task.plan, of))

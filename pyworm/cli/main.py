@@ -12,6 +12,7 @@ from typing import NoReturn
 from pyworm.batch.workers import WorkerDiedError
 from pyworm.cli.check import add_check
 from pyworm.cli.doctor import add_doctor
+from pyworm.cli.new import add_new
 from pyworm.cli.oil import add_oil
 from pyworm.cli.plot import add_plot
 from pyworm.cli.precision import add_precision
@@ -77,6 +78,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for add in (
         add_run,
+        add_new,
         add_check,
         add_precision,
         add_sweep,

@@ -189,7 +189,7 @@ Known = Mapping[str, float]
 """Numbers of a drawing by their names in `Drawing`."""
 
 _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
-    "pressure_angle": (lambda of: pi / 9, "usual of ZI worms"),
+    "pressure_angle": (lambda of: pi / 9, "as of most ZI worms"),
     "worm_tip_diameter": (
         lambda of: of["module"] * (of["diameter_factor"] + 2),
         "an addendum of one module",

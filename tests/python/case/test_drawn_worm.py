@@ -166,8 +166,8 @@ def test_check_gives_the_drawing_in_si_units_as_json(tmp_path, capsys):
 def test_the_standards_take_the_reference_diameter_of_the_drawing():
     rated = """
 [worm_rating]
-oil = "PAG VG 220"
-sump_temperature = "80 degC"
+oil = "PAG VG 460"
+sump_temperature = "60 degC"
 temperature_limit = "100 degC"
 wheel_material = "CuSn12Ni2"
 life = "25000 h"

@@ -1,0 +1,130 @@
+"""Text of a new case file about a worm drive, from the numbers of its drawing."""
+
+import json
+from collections.abc import Mapping, Sequence
+
+ASKED = {
+    "centre_distance": ("centre distance", "100 mm"),
+    "threads": ("threads of the worm", "2"),
+    "teeth": ("teeth of the wheel", "41"),
+    "module": ("axial module", "4 mm"),
+    "diameter_factor": ("diameter factor q", "10"),
+    "worm_speed": ("speed of the worm", "1500 1/min"),
+    "wheel_torque": ("torque of the wheel", "600 Nm"),
+    "worm_material": ("material of the worm", "16MnCr5"),
+    "wheel_material": ("material of the wheel", "CuSn12Ni2-C-GZ"),
+    "oil": ("oil", "PAG VG 220"),
+    "oil_temperature": ("temperature of the oil", "80 C"),
+}
+"""Number of the drawing that has to be known -> what it is called, and an example."""
+
+OPTIONAL = {
+    "pressure_angle": ("normal pressure angle", "20 deg"),
+    "face_width": ("face width of the wheel", "30 mm"),
+    "hand": ("hand of the threads", "right"),
+    "hob_oversize": ("reference diameter of the hob beyond the worm's", "1.6 mm"),
+}
+"""Number that may be left out, likewise."""
+
+PLAIN = ("threads", "teeth", "diameter_factor")
+"""Those that are numbers without unit."""
+
+_COMMENTS = {
+    "centre_distance": "a",
+    "threads": "z1",
+    "teeth": "z2",
+    "module": "axial, m",
+    "diameter_factor": "q, reference diameter of the worm over the module",
+    "pressure_angle": "normal, at the reference cylinder of the worm",
+    "face_width": "of the wheel",
+}
+
+
+def new_worm_text(answers: Mapping[str, str], title: str, taken: Sequence[str] = ()) -> str:
+    """The case file of a worm drive.
+
+    Parameters
+    ----------
+    answers : mapping
+        The numbers of `ASKED` and any of `OPTIONAL`, as they are written on a drawing.
+    title : str
+        Title of the case.
+    taken : sequence of str
+        Usual values of the drive for what is not given (`ZiWormDrive.taken`), to stand as comments.
+    """
+    rows = {"": _drive_rows(answers), "worm": [], "wheel": [], "hob": []}
+    if "hob_oversize" in answers:
+        oversize = _toml("hob_oversize", answers["hob_oversize"])
+        rows["hob"].append(f"oversize = {oversize} # on the reference diameter")
+    for one in taken:
+        key, _, rest = one.partition(" = ")
+        value, _, words = rest.partition(", ")
+        part, _, name = key.rpartition(".")
+        rows[part].append(f"# {name} = {json.dumps(value)} # as usual: {words}")
+    drive = "\n\n".join(
+        "\n".join([f"[drive.{part}]" if part else "[drive]", *lines])
+        for part, lines in rows.items()
+        if lines
+    )
+    return _TEXT.format(
+        title=json.dumps(title, ensure_ascii=False),
+        drive=drive,
+        **{key: _toml(key, answers[key]) for key in _AFTER},
+    )
+
+
+def _drive_rows(answers: Mapping[str, str]) -> list[str]:
+    """Rows of `[drive]`, each with its comment."""
+    rows = ['kind = "worm"', 'profile = "ZI" # involute helicoid']
+    for key in (*ASKED, *OPTIONAL):
+        if key in answers and key not in _AFTER and key != "hob_oversize":
+            comment = f" # {_COMMENTS[key]}" if key in _COMMENTS else ""
+            rows.append(f"{key} = {_toml(key, answers[key])}{comment}")
+    return rows
+
+
+def _toml(key: str, answer: str) -> str:
+    """An answer as TOML has it: a number alone where it has no unit, else a text."""
+    if key in PLAIN and answer.replace(".", "", 1).isdigit():
+        return answer
+    return json.dumps(answer, ensure_ascii=False)
+
+
+_AFTER = (
+    *("worm_speed", "wheel_torque", "worm_material", "wheel_material"),
+    *("oil", "oil_temperature"),
+)
+"""Numbers outside of `[drive]`."""
+
+_TEXT = """\
+title = {title}
+source = "Drawing of the drive"
+accuracy = "5 %" # largest numerical error of films and pressures
+
+# As drawn, in the terms of DIN 3975 and ISO 1122-2. Keys behind a # have the value that is taken as usual:
+# take the # away where the drawing has another one. pyworm check prints the whole drawing back.
+
+{drive}
+
+# phases: places in the mesh of a pair of teeth at which its film is solved, from 0, where it meets, to 1.
+
+[operation]
+worm_speed = {worm_speed}
+wheel_torque = {wheel_torque}
+phases = [0.1, 0.3, 0.5, 0.7, 0.9]
+
+# Constants of materials come by name; any of them may stand beside it. finish: the usual roughness of flanks
+# so made; roughness_ra = "0.4 um" in its place gives a measured one.
+
+[bodies.worm]
+material = {worm_material}
+finish = "ground"
+
+[bodies.wheel]
+material = {wheel_material}
+finish = "run-in"
+
+[oil]
+name = {oil}
+temperature = {oil_temperature} # where it enters the contact
+"""

@@ -1,0 +1,64 @@
+"""pyworm new: write the case file of a worm drive from the numbers of its drawing."""
+
+import argparse
+import sys
+import tomllib
+from pathlib import Path
+
+from pyworm.case.case import case_of
+from pyworm.case.new_worm import ASKED, OPTIONAL, new_worm_text
+from pyworm.cli.shared import CONVERGED, warn_of_unusual
+from pyworm.io.input_error import CaseError
+from pyworm.io.terminal import put, say
+
+
+def add_new(commands: argparse._SubParsersAction) -> None:
+    """Add the command `new`."""
+    new = commands.add_parser(
+        "new", help="write a worm drive's case file from its drawing's numbers"
+    )
+    new.add_argument("case", type=Path, metavar="CASE.toml", help="the file to be written")
+    new.add_argument("--title", help="by default the drive's size")
+    for key, (what, example) in (ASKED | OPTIONAL).items():
+        asked = "asked for if not given" if key in ASKED else "taken as usual if not given"
+        new.add_argument(
+            f"--{key.replace('_', '-')}",
+            metavar="VALUE",
+            help=f'{what}, such as "{example}"; {asked}',
+        )
+    new.set_defaults(command=_new)
+
+
+def _new(options: argparse.Namespace) -> int:
+    path = options.case
+    if path.exists():
+        raise CaseError(f"{path}: is there already; give another name, or remove it first")
+    if path.suffix != ".toml":
+        raise CaseError(f"{path}: must end in .toml")
+    answers = {key: getattr(options, key) for key in OPTIONAL if getattr(options, key) is not None}
+    for key, (what, example) in ASKED.items():
+        given = getattr(options, key)
+        answers[key] = _asked(key, what, example) if given is None else given
+    title = options.title or _title(answers)
+    case = case_of(tomllib.loads(new_worm_text(answers, title)), path.stem, path.parent)
+    try:
+        path.write_text(new_worm_text(answers, title, case.drive.taken))
+    except OSError as error:
+        raise CaseError(f"{path}: cannot be written ({error})") from None
+    warn_of_unusual(case)
+    put(f"{path}: {title}. Next: pyworm check {path}, then pyworm run {path}")
+    return CONVERGED
+
+
+def _asked(key: str, what: str, example: str) -> str:
+    """The answer to a question on the terminal."""
+    say(f'{what}, such as "{example}"?')
+    answer = sys.stdin.readline().strip().strip('"')
+    if not answer:
+        raise CaseError(f'--{key.replace("_", "-")} is missing ({what}, such as "{example}")')
+    return answer
+
+
+def _title(answers: dict[str, str]) -> str:
+    """Title of a drive by its size."""
+    return f"Worm drive, a = {answers['centre_distance']}, {answers['threads']}/{answers['teeth']}"

@@ -1,0 +1,101 @@
+"""Materials by name: elastic and thermal constants of gear steels, bronzes and irons, and usual roughness."""
+
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from pyworm.io import units
+from pyworm.io.toml import read_toml
+
+_TABLE = Path(__file__).with_name("solids.toml")
+
+
+class SolidTable(BaseModel):
+    """One material of the table, as written there, each constant with its unit."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    aliases: tuple[str, ...]
+    youngs_modulus: units.Modulus
+    poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
+    density: units.MassDensity
+    conductivity: units.Conductivity
+    specific_heat: units.SpecificHeat
+    hardness: units.Hardness
+    source: str
+
+
+@cache
+def _tables() -> dict[str, dict]:
+    """The checked table, its values as they are written."""
+    data = read_toml(_TABLE)
+    for name, table in data.items():
+        if name != "finishes":
+            SolidTable.model_validate(table)
+    return data
+
+
+def materials() -> tuple[str, ...]:
+    """Names of all materials."""
+    return tuple(name for name in _tables() if name != "finishes")
+
+
+def finishes() -> tuple[str, ...]:
+    """Ways of making flanks whose usual roughness is known."""
+    return tuple(_tables()["finishes"])
+
+
+def named_material(text: str) -> str:
+    """The name in the table of a material, by any of its names.
+
+    Raises
+    ------
+    ValueError
+        There is none such.
+    """
+    known = {
+        _plain(alias): name for name in materials() for alias in (name, *_tables()[name]["aliases"])
+    }
+    if _plain(text) in known:
+        return known[_plain(text)]
+    near = get_close_matches(_plain(text), known, n=1)
+    meant = f'; did you mean "{known[near[0]]}"?' if near else ""
+    raise ValueError(f"must be one of {', '.join(materials())}{meant}")
+
+
+def is_named(text: object) -> bool:
+    """Whether a text is the name of a material of the table."""
+    try:
+        return isinstance(text, str) and bool(named_material(text))
+    except ValueError:
+        return False
+
+
+def _plain(name: str) -> str:
+    """A name without what is written in different ways: capitals, blanks, the C of castings."""
+    return name.lower().replace(" ", "").replace("-c-", "-")
+
+
+def constants(name: str) -> dict[str, str | float]:
+    """Constants of a material of the table as a case file writes them.
+
+    Parameters
+    ----------
+    name : str
+        As of `named_material`.
+    """
+    table = _tables()[name]
+    return {key: value for key, value in table.items() if key not in ("aliases", "source")}
+
+
+def source(name: str) -> str:
+    """What the constants of a material of the table rest on."""
+    return _tables()[name]["source"]
+
+
+def usual_roughness(finish: str) -> str:
+    """Arithmetic mean Ra of flanks made in a way, as a case file writes it."""
+    return _tables()["finishes"][finish]

@@ -1,0 +1,107 @@
+"""pyworm new: a worm drive's case file from the numbers of its drawing."""
+
+import io
+import re
+import tomllib
+
+import pytest
+from refusals import refusal
+
+import pyworm
+from pyworm.cli.main import main
+
+UNIT = {
+    "--centre-distance": "100 mm",
+    "--threads": "2",
+    "--teeth": "41",
+    "--module": "4 mm",
+    "--diameter-factor": "10",
+    "--worm-speed": "1500 1/min",
+    "--wheel-torque": "300 Nm",
+    "--worm-material": "16MnCr5",
+    "--wheel-material": "CuSn12Ni2-C-GZ",
+    "--oil": "PAG VG 460",
+    "--oil-temperature": "60 C",
+}
+
+
+def words(path, **changes):
+    """The command line of a unit, some of its options changed, or left out where None."""
+    given = UNIT | {f"--{key.replace('_', '-')}": value for key, value in changes.items()}
+    return [
+        *("new", str(path)),
+        *(word for pair in given.items() if pair[1] is not None for word in pair),
+    ]
+
+
+def test_options_make_a_case(tmp_path, capsys):
+    path = tmp_path / "unit.toml"
+    assert main(words(path, hand="left", hob_oversize="1.6 mm", title='Häcksler "3"')) == 0
+    assert "pyworm run" in capsys.readouterr().out
+    case = pyworm.load(path)
+    assert case.title == 'Häcksler "3"'
+    assert case.drive.worm.threads == 2 and case.drive.wheel.teeth == 41
+    assert case.drive.hand == "left"
+    assert case.drive.described()["hob_oversize_m"] == pytest.approx(1.6e-3)
+    assert case.drive.speed == pytest.approx(157.0796, rel=1e-6)
+    assert case.tables.operation.wheel_torque == 300
+
+
+def test_answers_make_the_same_case(tmp_path, capsys, monkeypatch):
+    by_options, by_answers = tmp_path / "unit.toml", tmp_path / "asked.toml"
+    main(words(by_options))
+    capsys.readouterr()
+    monkeypatch.setattr("sys.stdin", io.StringIO("\n".join(UNIT.values()) + "\n"))
+    assert main(["new", str(by_answers)]) == 0
+    assert 'axial module, such as "4 mm"?' in capsys.readouterr().err
+    assert by_answers.read_text() == by_options.read_text()
+
+
+def test_what_is_taken_as_usual_stands_there_as_a_comment_and_means_what_it_says(tmp_path):
+    """With all signs of comments taken away from keys the drive is the same, to the digits written."""
+    path = tmp_path / "unit.toml"
+    main(words(path))
+    text = path.read_text()
+    open_text = re.sub(r"^# (\w+ = )", r"\1", text, flags=re.M)
+    assert len(tomllib.loads(open_text)["drive"]["worm"]) == 5
+    (tmp_path / "open.toml").write_text(open_text)
+    usual, written = (pyworm.load(tmp_path / f"{name}.toml").drive for name in ("unit", "open"))
+    assert written.taken == ()
+    assert len(usual.taken) == len(re.findall(r"as usual: ", text))
+    mine, other = usual.described(), written.described()
+    for key, value in mine.items():
+        expected = value if isinstance(value, str) else pytest.approx(value, rel=2e-3, abs=2e-5)
+        assert other[key] == expected, key
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"threads": "41", "teeth": "2"}, "drive.threads is 41 with 2 teeth"),
+        ({"threads": "two"}, 'drive.threads = "two": must be a whole number'),
+        ({"module": "4"}, 'drive.module = "4": must be a length with its unit'),
+        ({"wheel_torque": "300 N"}, 'operation.wheel_torque = "300 N": must be a torque'),
+        ({"oil": "PAG 460"}, 'oil.name = "PAG 460"'),
+        ({"wheel_material": "bronze"}, 'bodies.wheel.material = "bronze": must be one of 16MnCr5'),
+        ({"module": None}, '--module is missing (axial module, such as "4 mm")'),
+    ],
+)
+def test_wrong_numbers_are_refused_and_nothing_is_written(
+    changes, says, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr("sys.stdin", io.StringIO(""))
+    path = tmp_path / "unit.toml"
+    assert main(words(path, **changes)) == 2
+    assert says in capsys.readouterr().err
+    assert not path.exists()
+
+
+def test_a_file_is_not_written_over(tmp_path, capsys):
+    path = tmp_path / "unit.toml"
+    path.write_text("mine")
+    assert "is there already" in refusal(words(path), tmp_path, capsys)
+    assert path.read_text() == "mine"
+
+
+def test_a_case_file_ends_in_toml(tmp_path, capsys):
+    assert "must end in .toml" in refusal(words(tmp_path / "unit.txt"), tmp_path, capsys)
