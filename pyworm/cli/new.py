@@ -46,7 +46,7 @@ def _new(options: argparse.Namespace) -> int:
     except OSError as error:
         raise CaseError(f"{path}: cannot be written ({error})") from None
     warn_of_unusual(case)
-    put(f"{path}: {title}. Next: pyworm check {path}, then pyworm run {path}")
+    put(f"{path}: {title}. Next: pyworm check {path}")
     return CONVERGED
 
 

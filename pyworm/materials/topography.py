@@ -44,6 +44,11 @@ class Topography:
         """The same heights with their x axis at an angle from the surface's own motion [rad]."""
         return replace(self, x_direction=x_direction)
 
+    @property
+    def mirrored(self) -> "Topography":
+        """The mirror image of the heights and of the motion, in the plane of the motion."""
+        return replace(self, height=self.height[:, ::-1], x_direction=-self.x_direction)
+
     @cached_property
     def digest(self) -> str:
         """Digest of the heights and where they are."""

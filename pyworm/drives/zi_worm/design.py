@@ -148,8 +148,16 @@ class Design:
     taken: tuple[str, ...] = ()
 
     def seen(self, bodies: tuple[Body, Body]) -> tuple[Body, Body]:
-        """Worm and wheel with the lay of their roughness as in the mirror image, where that is computed."""
+        """Worm and wheel with their roughness as in the mirror image, where that is computed."""
         if self.hand == "right":
             return bodies
-        worm, wheel = (replace(body, lay=-body.lay % pi) for body in bodies)
+        worm, wheel = (_mirrored(body) for body in bodies)
         return worm, wheel
+
+
+def _mirrored(body: Body) -> Body:
+    """A body with the mirror image of its roughness."""
+    heights = body.topography
+    return replace(
+        body, lay=-body.lay % pi, topography=None if heights is None else heights.mirrored
+    )

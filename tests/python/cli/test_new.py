@@ -37,7 +37,7 @@ def words(path, **changes):
 def test_options_make_a_case(tmp_path, capsys):
     path = tmp_path / "unit.toml"
     assert main(words(path, hand="left", hob_oversize="1.6 mm", title='Häcksler "3"')) == 0
-    assert "pyworm run" in capsys.readouterr().out
+    assert "pyworm check" in capsys.readouterr().out
     case = pyworm.load(path)
     assert case.title == 'Häcksler "3"'
     assert case.drive.worm.threads == 2 and case.drive.wheel.teeth == 41

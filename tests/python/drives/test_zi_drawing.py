@@ -19,6 +19,7 @@ from pyworm.drives.zi_worm.tooth_form import (
 )
 from pyworm.drives.zi_worm.tooth_outline import flank_places
 from pyworm.materials.body import Body
+from pyworm.materials.topography import Topography
 
 UNIT = {
     "centre_distance": 0.1,
@@ -214,3 +215,14 @@ def test_the_lay_of_a_left_hand_drive_is_mirrored():
     worm, wheel = Design(*parts, "left").seen(bodies)
     assert worm.lay == pytest.approx(pi - 0.2) and wheel.lay == 0
     assert Design(*parts).seen(bodies) == bodies
+
+
+def test_the_heights_of_a_left_hand_drive_are_mirrored():
+    ridge = np.outer(np.arange(3.0), np.ones(4)) + np.arange(4.0)
+    heights = Topography(ridge, (1e-6, 1e-6), x_direction=0.3)
+    body = Body(200e9, 0.3, roughness=1e-6, topography=heights)
+    of = drawing()
+    worm, _ = Design(of.worm, of.wheel, of.hob, of.centre_distance, "left").seen((body, body))
+    assert worm.topography.x_direction == -0.3
+    assert np.all(worm.topography.height == ridge[:, ::-1])
+    assert worm.topography.mirrored == heights
