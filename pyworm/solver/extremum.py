@@ -49,6 +49,26 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     return value, (place[0] + near[0].start, place[1] + near[1].start)
 
 
+def surface_at(field: Array, i: Array, j: Array) -> Array:
+    """Values of the surface through a field over a plane at places given in nodes, all within the grid."""
+    rows, on_x = _four(i, field.shape[0])
+    columns, on_y = _four(j, field.shape[1])
+    return np.einsum("pa,pab,pb->p", on_x, field[rows[:, :, None], columns[:, None, :]], on_y)
+
+
+def _four(places: Array, count: int) -> tuple[Array, Array]:
+    """Four nodes about each place along x or y, and the weights of their values."""
+    cell = np.clip(np.floor(places).astype(int), 0, count - 2)
+    weights = _keys(np.abs(places[:, None] - cell[:, None] - np.arange(-1, 3)))
+    for end, order in ((0, 1), (count - 2, -1)):
+        # the node beyond a side, extrapolated from three
+        beyond, a, b, c = weights[cell == end, ::order].T
+        weights[cell == end, ::order] = np.stack(
+            [a + 3 * beyond, b - 3 * beyond, c + beyond, np.zeros_like(beyond)], axis=1
+        )
+    return np.clip(cell - 1, 0, count - 4)[:, None] + np.arange(4), weights
+
+
 def _near(within: Array) -> slice:
     """The nodes along one direction on which the surface about some of them depends."""
     at = np.flatnonzero(within)
@@ -154,8 +174,12 @@ def _cells_of(places: Array) -> Array:
 
 
 def _weights(places: Array) -> Array:
-    """Weights of the nodes' values at places, counted from the middle node (Keys)."""
-    s = np.abs(places[:, None] - np.arange(-MARGIN, MARGIN + 1))
+    """Weights of the nodes' values at places, counted from the middle node."""
+    return _keys(np.abs(places[:, None] - np.arange(-MARGIN, MARGIN + 1)))
+
+
+def _keys(s: Array) -> Array:
+    """Weight of a node's value at a distance in nodes (Keys)."""
     near, far = (1.5 * s - 2.5) * s**2 + 1, ((2.5 - 0.5 * s) * s - 4) * s + 2
     return np.where(s < 1, near, np.where(s < 2, far, 0.0))
 

@@ -8,7 +8,7 @@ import scipy
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.error_estimate import Peak
-from pyworm.solver.extremum import minimum
+from pyworm.solver.extremum import minimum, surface_at
 
 Array = np.ndarray
 
@@ -192,7 +192,6 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
 
     Only the first minimum behind the contact point counts; the film grows without end beyond it.
     """
-    spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, film)
     direction = np.array([np.cos(angle), np.sin(angle)])
     sides = np.array(
         [
@@ -203,14 +202,15 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
     with np.errstate(divide="ignore"):
         reach = float(np.min(np.abs(sides / direction)))
     along = np.linspace(0.0, reach, 4 * max(film.shape))
-    place = int(np.argmin(spline(along * direction[0], along * direction[1], grid=False)))
-    found = scipy.optimize.minimize_scalar(
-        lambda distance: float(spline(*(distance * direction), grid=False)),
-        bounds=(along[max(place - 1, 0)], along[min(place + 1, along.size - 1)]),
-        method="bounded",
-        options={"xatol": ON_NODE * along[1]},
-    )
-    return float(found.fun), float(found.x)
+    for _ in range(3):  # the whole line, then twice about the place found
+        ray = along * direction[:, None]
+        thickness = surface_at(
+            film, (ray[0] - grid.west) / grid.dx, (ray[1] - grid.south) / grid.dy
+        )
+        place = int(np.argmin(thickness))
+        least, at = float(thickness[place]), float(along[place])
+        along = np.linspace(along[max(place - 1, 0)], along[min(place + 1, along.size - 1)], 65)
+    return least, at
 
 
 def contact_extent(grid: Grid, pressure: Array) -> tuple[float, float]:
