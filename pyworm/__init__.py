@@ -7,8 +7,14 @@ plan = pyworm.plan(scene, accuracy=0.01)
 solution = pyworm.solve(scene, plan)
 """
 
+import os
 from importlib import import_module
 from typing import Any
+
+# One thread a process unless asked otherwise, since batch work runs a process a core. This stands before
+# NumPy and the kernel are loaded, which count their threads then.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 __all__ = ["Case", "CaseError", "LineScene", "Scene", "Solution", "load", "plan", "solve"]
 

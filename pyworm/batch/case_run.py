@@ -69,6 +69,8 @@ def run(
     before = sum(task not in missing for task in tasks)
     if before:
         say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+    if executor is None and len(missing) == 1:
+        store = replace(store, sole=True)
     reasons = solve_all(missing, store, executor, progress)
     kept, unread = _collected(tasks, store, earlier, directory / RESULT_NAME)
     reasons = {key: reasons.get(key, why) for key, why in unread.items()}
@@ -93,7 +95,7 @@ def _result(case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, s
     solved = [task for task in tasks if task.key in kept]
     if not solved:
         raise NothingSolvedError(reasons[tasks[-1].key])
-    solutions = tuple(replace(kept[task.key][0], name=task.scene.name) for task in solved)
+    solutions = tuple(kept[task.key][0].changed(name=task.scene.name) for task in solved)
     plans = {task.key: kept[task.key][1] for task in solved}
     failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
     hot = overheated(solution.summary() for solution in solutions)

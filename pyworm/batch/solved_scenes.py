@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -25,10 +25,14 @@ class Store:
     fields : bool
         Whether solutions are kept in full, `KEY.nc`, a result of one scene; else only their scalars are,
         `KEY.json`, with all that decided them.
+    sole : bool
+        Whether one scene is solved, which goes into a result at once, without a file of its own.
     """
 
     directory: Path
     fields: bool
+    sole: bool = False
+    _solved_here: dict[str, Result] = field(default_factory=dict, compare=False, repr=False)
 
     def file(self, task: Task) -> Path:
         """File of a solved task."""
@@ -38,7 +42,9 @@ class Store:
         """Store the solution of a task; OSError if that is not possible."""
         file = self.file(task)
         if self.fields:
-            result.save(file)
+            self._solved_here[task.key] = result
+            if not self.sole:
+                result.save(file)
             return
         (solution,) = result.solutions
         content = {"task": task.identity, "summary": solution.summary()}
@@ -59,7 +65,11 @@ class Store:
         return list({task.key: task for task in tasks if not self.holds(task)}.values())
 
     def result(self, task: Task) -> Result:
-        """A complete stored solution as a result; OSError if its file is missing or damaged."""
+        """A complete solution, solved here or stored; OSError if its file is missing or damaged."""
+        here = self._solved_here.get(task.key)
+        return self._stored(task) if here is None else here
+
+    def _stored(self, task: Task) -> Result:
         file = self.file(task)
         try:
             result = open_result(file)
@@ -72,7 +82,7 @@ class Store:
     def summary(self, task: Task) -> dict[str, Any]:
         """The scalars of a stored solution, as `Solution.summary`; OSError if its file is missing or bad."""
         if self.fields:
-            return self.result(task).solutions[0].summary()
+            return self._stored(task).solutions[0].summary()
         file = self.file(task)
         try:
             content = json.loads(file.read_text())

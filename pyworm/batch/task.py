@@ -1,7 +1,7 @@
 """A task: one scene to be solved, identified by everything that decides its solution."""
 
 import json
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from hashlib import sha256
 from typing import Any
@@ -94,7 +94,7 @@ class Task:
         solution = solve(self.scene, self.plan, progress=progress)
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)
-            solution = replace(solution, fields=solution.fields.merge(beside))
+            solution = solution.changed(fields=solution.fields.merge(beside))
         return Result(
             self.case.name,
             self.case.resolved,

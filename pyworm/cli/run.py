@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -53,7 +54,6 @@ def _run(options: argparse.Namespace) -> int:
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
     from pyworm.batch.drive_iteration import run_balanced
     from pyworm.io.console import progress_bar
-    from pyworm.plots.draw import draw
     from pyworm.ratings.heating import heating_of
     from pyworm.ratings.standard_loss import standard_loss
     from pyworm.result.mesh_cycle import drive_cycle
@@ -71,15 +71,8 @@ def _run(options: argparse.Namespace) -> int:
             put(f"Results   {directory / RESULT_NAME}")
         # After the figures, which no picture may cost; and by this machine, since others need not reach
         # this place.
-        drawing = partial(
-            draw,
-            result,
-            executor=None if options.scheduler else executor,
-            key_only=options.pictures == "key",
-        )
-        pictures = (
-            [] if options.pictures == "none" else drawn_pictures(directory, drawing, PICTURES)[0]
-        )
+        drawers = None if options.scheduler else executor
+        pictures = _pictures(result, directory, options.pictures, drawers)
     if options.json:
         cycle, standard = drive_cycle(result), standard_loss(case)
         heating = heating_of(tasks[0].case, cycle, standard)
@@ -100,6 +93,18 @@ def _run(options: argparse.Namespace) -> int:
         more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
         put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
     return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
+
+
+def _pictures(
+    result: "Result", directory: Path, which: str, executor: Executor | None
+) -> list[str]:
+    """Names of the pictures drawn of a result."""
+    if which == "none":
+        return []
+    from pyworm.plots.draw import draw
+
+    drawing = partial(draw, result, executor=executor, key_only=which == "key")
+    return drawn_pictures(directory, drawing, PICTURES)[0]
 
 
 def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:

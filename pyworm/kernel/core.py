@@ -1,14 +1,8 @@
 """The compiled extension, imported here only: status numbers to exceptions, arrays to Fortran order."""
 
-import os
 from pathlib import Path
 
 import numpy as np
-
-# One thread a process unless asked otherwise, since batch work runs a process a core. This stands before the
-# kernel is loaded, which counts its threads then.
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from pyworm import _core
 

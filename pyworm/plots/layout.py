@@ -2,17 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil
+from math import ceil, log10
 from pathlib import Path
 from textwrap import fill
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
@@ -45,6 +45,8 @@ TITLE_LINE, TITLE_LETTERS_PER_INCH = 0.17, 13
 
 
 DOTS_PER_INCH = 150
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 LOAD_UNITS = {"point": "N", "line": "N/m"}
 """Unit of the load of each kind of contact."""
@@ -91,7 +93,7 @@ class Window:
         return (size, size / ratio) if ratio >= 1 else (max(size * ratio, SHORTEST_SIDE), size)
 
 
-def whole_window(fields: xr.Dataset) -> Window:
+def whole_window(fields: "xr.Dataset") -> Window:
     """The grid and, where given, the outline of the tooth, with a narrow margin."""
     x, y = fields["x"].values, fields["y"].values
     if "tooth_outline_x" in fields:
@@ -107,7 +109,7 @@ def whole_window(fields: xr.Dataset) -> Window:
     )
 
 
-def contact_window(fields: xr.Dataset) -> Window:
+def contact_window(fields: "xr.Dataset") -> Window:
     """The dry contact with margins that show its inlet and outlet, within the grid."""
     x, y = fields["x"].values, fields["y"].values
     loaded = fields["dry_pressure"].transpose("y", "x").values > 0
@@ -136,7 +138,7 @@ def _window(x: np.ndarray, y: np.ndarray) -> Window:
     )
 
 
-def in_window(fields: xr.Dataset, window: Window) -> xr.Dataset:
+def in_window(fields: "xr.Dataset", window: Window) -> "xr.Dataset":
     """The part of the fields inside the window, with one more grid line on each side."""
     return fields.isel(
         x=_slice(fields["x"].values * MILLI, window.left, window.right),
@@ -238,6 +240,11 @@ def placed_panels(
     figure.suptitle(heading, y=1 - 0.03 / height, verticalalignment="top")
     figure.subplots_adjust(left / width, below / height, 1 - right / width, 1 - above / height)
     return figure, figure.subplots(**kind)
+
+
+def power_of_ten(value: float, _: int) -> str:
+    """Label of a tick at a power of ten."""
+    return "10" + str(round(log10(value))).translate(SUPERSCRIPTS)
 
 
 def _stretch_note(stretch: float) -> str:

@@ -3,16 +3,16 @@
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.contact.outline import signed_square
 from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
 from pyworm.solver.solution import Solution
 
 
-def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:
+def draw_dry_outline(axes: Axes, fields: "xr.Dataset", colour: str) -> None:
     """The boundary of the dry contact."""
     pressure = fields["dry_pressure"].transpose("y", "x").values
     if pressure.max() > 0:
@@ -20,7 +20,7 @@ def draw_dry_outline(axes: Axes, fields: xr.Dataset, colour: str) -> None:
         axes.contour(x, y, signed_square(pressure), levels=[0], colors=colour, linewidths=1.2)
 
 
-def draw_tooth(axes: Axes, fields: xr.Dataset) -> None:
+def draw_tooth(axes: Axes, fields: "xr.Dataset") -> None:
     """Where a surface is missing, hatched, and the outline and contact path where given."""
     covered = fields["covered"].transpose("y", "x").values
     if covered.min() < 0.5:
@@ -46,7 +46,7 @@ STANDSTILL = 1e-3
 """Fraction of the largest value below which a vector has no arrow."""
 
 
-def draw_arrows(axes: Axes, u: xr.DataArray, v: xr.DataArray) -> None:
+def draw_arrows(axes: Axes, u: "xr.DataArray", v: "xr.DataArray") -> None:
     """Arrows of one length in the direction of a vector field, none where it is nearly zero.
 
     Parameters

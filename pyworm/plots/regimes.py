@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
 
 from pyworm.formulas.film import ellipticity
 from pyworm.formulas.regimes import (
@@ -19,7 +20,7 @@ from pyworm.formulas.regimes import (
     line_films,
     point_films,
 )
-from pyworm.plots.layout import placed_panels, result_heading
+from pyworm.plots.layout import placed_panels, power_of_ten, result_heading
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 
@@ -88,7 +89,11 @@ def draw_chart(
     piezoviscous = np.minimum(film[PIEZOVISCOUS_RIGID], film[PIEZOVISCOUS_ELASTIC])
     gain = np.log(piezoviscous / isoviscous)
     number = np.where(gain > 0, np.where(thick > 0, 3, 1), np.where(thin > 0, 2, 0))
-    axes.pcolormesh(ge, gv, number, cmap=ListedColormap(SHADES), vmin=0, vmax=3, rasterized=True)
+    shades = {"cmap": ListedColormap(SHADES), "vmin": 0, "vmax": 3}
+    # places are even on both scales, as those of an image, whose outermost stand on the sides of the panel
+    low, high = -0.5 / (len(number) - 1), 1 + 0.5 / (len(number) - 1)
+    place = {"extent": (low, high) * 2, "transform": axes.transAxes, "aspect": "auto"}
+    axes.imshow(number, origin="lower", interpolation="nearest", **place, **shades)
     for boundary in (
         gain,
         np.ma.masked_where(gain < 0, thick),
@@ -102,6 +107,10 @@ def draw_chart(
             place = ge[0, int(np.median(columns[rows == middle]))], gv[middle, 0]
             axes.text(*place, name, color="0.35", size=13, ha="center", va="center")
     axes.set(xscale="log", yscale="log", xlim=ends[0], ylim=ends[1])
+    for axis in (axes.xaxis, axes.yaxis):
+        # minor ticks, and powers set as formulas, take long to draw
+        axis.set_minor_locator(NullLocator())
+        axis.set_major_formatter(power_of_ten)
     axes.set_xlabel("elasticity parameter $g_E$")
     axes.set_ylabel("viscosity parameter $g_V$")
 

@@ -14,9 +14,9 @@ from itertools import pairwise
 
 import numpy as np
 import scipy
-import xarray as xr
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
@@ -42,7 +42,7 @@ FAILURE = 0.2
 _LARGEST, _LEAST = ("pressure", "temperature_body_2", "temperature_middle"), ("film", "supply")
 
 
-def flank_map(result: Result) -> xr.Dataset | None:
+def flank_map(result: Result) -> "xr.Dataset | None":
     """Extremes over the mesh cycle on the wheel's flank; None without enough phases.
 
     Returns

@@ -4,10 +4,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-import xarray as xr
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES, Array, Loss, cycle_loss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import xarray as xr
 from pyworm.result.contact_loss import contact_losses
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -173,7 +173,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
     )
 
 
-def _lifted(cycle: xr.Dataset, good: list[Solution]) -> tuple[float, float]:
+def _lifted(cycle: "xr.Dataset", good: list[Solution]) -> tuple[float, float]:
     """Largest relative change of the load of a solved phase by the lifts, and that phase."""
     phases = np.array([one.phase for one in good])
     loads = (

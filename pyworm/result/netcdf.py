@@ -1,4 +1,4 @@
-"""Datasets as the groups of a NetCDF file, as xarray reads them.
+"""Datasets, plain or xarray's, as the groups of a NetCDF file, as xarray reads them.
 
 All variables are defined before the first is written, which xarray does not do: the library goes through all
 definitions at each change from one to the other.
@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
 
 _WORTH, _REPEATED = 1000, 0.9
 """Least number of values, and least fraction that repeat their neighbours, for compression: of marks
 and constants hardly anything is left, other fields take longer to compress than to write."""
 
 
-def as_netcdf(groups: "Mapping[str, xr.Dataset]") -> memoryview:
+def as_netcdf(groups: "Mapping[str, PlainDataset | xr.Dataset]") -> memoryview:
     """The content of a file of groups by their paths, "/" for that of the file itself.
 
     It is made in memory, since the library reports a full disk without the reason.
@@ -32,7 +33,7 @@ def as_netcdf(groups: "Mapping[str, xr.Dataset]") -> memoryview:
     return file.close()
 
 
-def _defined(group: Any, data: "xr.Dataset") -> list[tuple[Any, np.ndarray]]:
+def _defined(group: Any, data: "PlainDataset | xr.Dataset") -> list[tuple[Any, np.ndarray]]:
     """The variables of a dataset, defined in a group, with their values."""
     beside = [str(name) for name in data.coords if name not in data.dims]
     group.setncatts(data.attrs | ({"coordinates": " ".join(beside)} if beside else {}))

@@ -24,10 +24,11 @@ from typing import Any
 from pyworm.io.atomic import whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.reason import reason_of
 from pyworm.result.netcdf import as_netcdf
 from pyworm.result.sound_result import check, typed
-from pyworm.solver.solution import Solution
+from pyworm.solver.solution import DATASETS, Solution
 
 FORMAT = "pyworm result"
 FORMAT_VERSION = 4
@@ -189,7 +190,7 @@ def readable(path: Path) -> Iterator[None]:
         ) from error
 
 
-def _groups(result: Result) -> "dict[str, xr.Dataset]":
+def _groups(result: Result) -> "dict[str, PlainDataset | xr.Dataset]":
     about = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -197,18 +198,16 @@ def _groups(result: Result) -> "dict[str, xr.Dataset]":
         "case": _to_json(result.case),
         "provenance": _to_json(result.provenance),
     }
-    groups = {"/": xr.Dataset(attrs=about)}
+    groups = {"/": PlainDataset({}, (), about)}
     if result.mesh_cycle is not None:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
         scene = f"/scene_{number:03d}"
         attributes = plain_attributes(solution.summary())
         attributes["solution"] = _to_json(_scalars(solution))
-        groups[scene] = xr.Dataset(attrs=attributes)
-        groups[f"{scene}/fields"] = solution.fields
-        groups[f"{scene}/history"] = solution.history
-        if solution.profile is not None:
-            groups[f"{scene}/profile"] = solution.profile
+        groups[scene] = PlainDataset({}, (), attributes)
+        parts = {part: solution.held(part) for part in DATASETS}
+        groups |= {f"{scene}/{part}": of for part, of in parts.items() if of is not None}
     return groups
 
 
@@ -226,10 +225,8 @@ def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
 def _scalars(value: Any) -> Any:
     """A dataclass as nested dictionaries, without its datasets."""
     if is_dataclass(value):
-        parts = {part.name: getattr(value, part.name) for part in fields(value)}
-        return {
-            name: _scalars(part) for name, part in parts.items() if not isinstance(part, xr.Dataset)
-        }
+        names = [part.name for part in fields(value) if part.name not in DATASETS]
+        return {name: _scalars(getattr(value, name)) for name in names}
     if isinstance(value, tuple):
         return [_scalars(part) for part in value]
     return value
@@ -241,11 +238,7 @@ def _to_json(value: Any) -> str:
 
 
 def _read_solution(groups: "dict[str, xr.Dataset]", scene: str) -> Solution:
-    datasets = {
-        part: groups[f"{scene}/{part}"]
-        for part in ("fields", "history", "profile")
-        if f"{scene}/{part}" in groups
-    }
+    datasets = {part: groups[f"{scene}/{part}"] for part in DATASETS if f"{scene}/{part}" in groups}
     try:
         solution = typed(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
         check(solution)

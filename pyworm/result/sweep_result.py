@@ -16,12 +16,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from pyworm.case.sweep import Value
 from pyworm.formulas.lubrication import BY_SEVERITY
 from pyworm.io.atomic import whole_file
 from pyworm.io.number_with_unit import parse_in
+from pyworm.io.on_demand import xarray as xr
 from pyworm.result.result import LARGEST, plain_attributes
 from pyworm.result.sound_result import typed
 from pyworm.solver.left_out import LAMBDAS, SHARE, LeftOut, worst
@@ -52,7 +52,7 @@ class SweepResult:
     name: str
     title: str
     axes: list[list[str]]
-    table: xr.Dataset
+    table: "xr.Dataset"
     provenance: dict
 
     @property
@@ -140,7 +140,7 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
     return result
 
 
-def _loaded(path: Path) -> xr.Dataset | None:
+def _loaded(path: Path) -> "xr.Dataset | None":
     """The content of a NetCDF file; None if it is not one, or too large for a table."""
     try:
         with xr.open_dataset(path, engine="netcdf4", decode_times=False) as table:
@@ -173,7 +173,7 @@ def _check(result: SweepResult) -> None:
 
 def sweep_table(
     values: Sequence[Mapping[str, Value]], rows: Sequence[Mapping[str, Any]], keys: Sequence[str]
-) -> xr.Dataset:
+) -> "xr.Dataset":
     """Make the table of all scenes.
 
     Parameters

@@ -4,14 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyworm.io.on_demand import xarray as xr
-from pyworm.io.variables import describe
+from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.newton import NewtonStep
 
 
-def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> "xr.Dataset":
+def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> PlainDataset:
     """Over iteration: grid points along each direction of a grid, balances, GMRES iterations and work."""
     columns = {
         f"points_{axis}": [step.points[number] for step in steps]
@@ -21,9 +20,7 @@ def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> "
         columns[name] = [getattr(step, name) for step in steps]
     for name in steps[0].work if steps else ():
         columns[name] = [step.work[name] for step in steps]
-    return describe(
-        xr.Dataset(
-            {name: ("iteration", np.array(values)) for name, values in columns.items()},
-            coords={"iteration": np.arange(len(steps))},
-        )
+    return described(
+        {name: (("iteration",), np.array(values)) for name, values in columns.items()},
+        {"iteration": (("iteration",), np.arange(len(steps)))},
     )

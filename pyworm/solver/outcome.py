@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from pyworm import kernel
-from pyworm.io.on_demand import xarray as xr
-from pyworm.io.variables import describe
+from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.model import Model
 from pyworm.scene.contact import Array, Contact
 from pyworm.solver.level import Level
@@ -23,18 +22,18 @@ class Outcome:
     ----------
     figures : dict
         The figures of `solution.Figures` without error bars.
-    fields : xarray.Dataset
+    fields : PlainDataset
         Fields over the grid.
     flaw : str or None
         Reason why the figures are not to be trusted although the film converged.
-    profile : xarray.Dataset or None
+    profile : PlainDataset or None
         Temperature and velocity across the film at its hottest point, where heat is simulated.
     """
 
     figures: dict[str, Any]
-    fields: "xr.Dataset"
+    fields: PlainDataset
     flaw: str | None = None
-    profile: "xr.Dataset | None" = None
+    profile: PlainDataset | None = None
 
 
 def fields(
@@ -43,7 +42,7 @@ def fields(
     level: Level,
     dry_pressure: Array | None,
     attributes: Mapping[str, float],
-) -> "xr.Dataset":
+) -> PlainDataset:
     """All fields over the grid of a level, in single precision: its 24 bits are far finer than any error bar.
 
     Parameters
@@ -73,12 +72,10 @@ def fields(
         **(_heat_fields(level, scene.oil.heat.inlet_temperature) if model.heated else {}),
     }
     axes = _axes(level)
-    return describe(
-        xr.Dataset(
-            {name: (tuple(reversed(axes)), _single(of).T) for name, of in variables.items()},
-            coords=axes,
-            attrs=attributes,
-        )
+    return described(
+        {name: (tuple(reversed(axes)), _single(of).T) for name, of in variables.items()},
+        {axis: ((axis,), places) for axis, places in axes.items()},
+        attributes,
     )
 
 
@@ -118,7 +115,7 @@ def _heat_fields(level: Level, inlet_temperature: float) -> dict[str, Array]:
     }
 
 
-def profile(scene: Contact, level: Level) -> "xr.Dataset":
+def profile(scene: Contact, level: Level) -> PlainDataset:
     """Temperature and velocity across the film where it is hottest in the contact."""
     rise = level.film.rise()
     hottest = np.where(level.contact(), rise.max(axis=-1), -np.inf)
@@ -129,15 +126,13 @@ def profile(scene: Contact, level: Level) -> "xr.Dataset":
         "profile_velocity", level.film.profile(node, [float(component) for component in body_1])
     )
     temperature = scene.oil.heat.inlet_temperature + rise[node]
-    return describe(
-        xr.Dataset(
-            {
-                "profile_temperature": ("level", temperature),
-                **{name: ("level", values) for name, values in velocities.items()},
-                **_along("profile", place),
-            },
-            coords={"level_position": ("level", kernel.level_positions(rise.shape[-1]))},
-        )
+    return described(
+        {
+            "profile_temperature": (("level",), temperature),
+            **{name: (("level",), values) for name, values in velocities.items()},
+            **{name: ((), at) for name, at in _along("profile", place).items()},
+        },
+        {"level_position": (("level",), kernel.level_positions(rise.shape[-1]))},
     )
 
 

@@ -6,7 +6,7 @@ At a sharp edge the elastic pressure grows without bound as the grid is refined 
 
 import numpy as np
 
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
 
 LEAST_RATIO = 0.3
 """Least ratio of the dry pressure beside an edge to the largest for a contact that rests on it."""
@@ -18,12 +18,12 @@ CURE = (
 """Advice that a stop reason adds then."""
 
 
-def rests_on_edge(fields: "xr.Dataset") -> bool:
+def rests_on_edge(fields: PlainDataset) -> bool:
     """Whether the dry pressure of a solution's fields is large beside the end of a surface.
 
     Parameters
     ----------
-    fields : xarray.Dataset
+    fields : PlainDataset
         Fields of a solution; "dry_pressure" [Pa], or "pressure" where there is none, and "covered".
     """
     if "covered" not in fields:

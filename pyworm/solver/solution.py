@@ -1,11 +1,12 @@
 """The result of one solve: fields, figures with error bars, convergence history and cost."""
 
-from dataclasses import asdict, dataclass
-from typing import Literal
+from dataclasses import asdict, dataclass, replace
+from typing import Any, Literal
 
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
@@ -157,6 +158,11 @@ class Cost:
     unit_seconds: float = 0.0
 
 
+DATASETS = ("fields", "history", "profile")
+"""Attributes of a solution that are datasets."""
+
+
+@reads_as_xarray(*DATASETS)
 @dataclass(frozen=True)
 class Solution:
     """One solved scene.
@@ -243,6 +249,14 @@ class Solution:
             share.value if share is not None and self.converged else None,
         )
 
+    def held(self, part: str) -> "PlainDataset | xr.Dataset | None":
+        """One of `DATASETS` as it is held: xarray is not loaded for it."""
+        return held(self, part)
+
+    def changed(self, **changes: Any) -> "Solution":
+        """The solution with other values of some attributes; xarray is not loaded for it."""
+        return replace(self, **{part: self.held(part) for part in DATASETS} | changes)
+
     def summary(self) -> dict:
         """The scalars of this solution as one object, units in the keys, effects left out first.
 
@@ -250,7 +264,7 @@ class Solution:
         with an entry for each body and the film. Values that are not simulated, not known or not defined for
         the kind of contact have no key.
         """
-        figures = self.figures
+        figures, sizes = self.figures, self.held("fields").sizes
         return {
             "name": self.name,
             "kind": self.kind,
@@ -272,7 +286,7 @@ class Solution:
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
             "regime": self.regime.name,
-            "grid": [self.fields.sizes[axis] for axis in ("x", "y") if axis in self.fields.sizes],
+            "grid": [sizes[axis] for axis in ("x", "y") if axis in sizes],
             "residual": figures.residual,
             "load_error": figures.load_error,
             "mass_error": figures.mass_error,

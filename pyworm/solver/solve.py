@@ -1,7 +1,6 @@
 """Solve a scene by its plan, on finer grids until the figures are as accurate as asked."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from pyworm.io.progress import Progress
 from pyworm.planning.plan import Plan, reviewed
@@ -49,7 +48,7 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
             figures = solution.figures.values() if solution.converged else None
             updated = _updated(scene, plan, figures)
             if updated.on <= plan.on:
-                return replace(solution, effects=updated.effects)
+                return solution.changed(effects=updated.effects)
         missed = ", ".join(sorted(updated.on - plan.on))
         report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated

@@ -65,7 +65,7 @@ BLOCK = 4096
 TOLERANCE = 1e-12
 """Error of heights on large meshes [m], a ten-thousandth of a film of 10 nm."""
 
-MOST_CACHED = 500_000
+MOST_CACHED = 1_000_000
 """Number of points of a flank in the cache: a grid of the figures, the one before it, and samples of
 windows."""
 
@@ -277,7 +277,7 @@ class FlankHeight:
 
     def _solve_all(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            found = on_mesh(self._solve_block, x, y, TOLERANCE)
+            found = on_mesh(self._solve_each, x, y, TOLERANCE)
             if found is None:
                 found = self._solve_each(x.ravel(), y.ravel())
         found.flags.writeable = False

@@ -1,26 +1,27 @@
-"""Values of a smooth function at the many nodes of a mesh, by Chebyshev's polynomials from a few places.
+"""Values of a smooth function at the many nodes of a mesh, by polynomials through every few of them.
 
-The polynomials agree with the function at Chebyshev's nodes of both sides of the mesh (L. N. Trefethen,
-Approximation Theory and Approximation Practice, 2013, chapters 2 and 8: for an analytic function their error
-falls geometrically with the order). What it is, is seen at nodes of the mesh where the function is evaluated
-as well.
+For an analytic function the error of Lagrange's polynomials falls geometrically with the number of nodes that
+they go through, the faster the closer these are (L. N. Trefethen, Approximation Theory and Approximation
+Practice, 2013, chapters 11 and 15). What it is, is seen everywhere: polynomials through every second of these
+nodes, whose error is larger, are compared at the others. Nodes where it is too large, or the function is not
+smooth, are evaluated.
 """
 
 from collections.abc import Callable
 
 import numpy as np
-from numpy.polynomial.chebyshev import chebpts1, chebvander
 
 from pyworm.drives.zi_worm.helicoid import Array
 
-ORDERS = 16, 32
-"""Numbers of polynomials along each side, tried one after the other."""
+THROUGH = 10
+"""Number of nodes along each side that a polynomial goes through."""
 
-SEEN = 12
-"""Nodes along each side at which the error is seen, both ends among them."""
+LONGER_SIDE = 120
+"""Least number of intervals between such nodes along the longer side."""
 
-FEWEST = 20_000
-"""Number of nodes below which polynomials are not worth their while."""
+FALL = 100.0
+"""Error of the polynomials through every second of these nodes, over that of those through all, at least:
+2 to the power of THROUGH far from singularities."""
 
 
 def on_mesh(
@@ -41,27 +42,25 @@ def on_mesh(
     Returns
     -------
     ndarray or None
-        Values (quantities, ...); None of few nodes, of such that are no mesh, and where the polynomials are
-        not as accurate.
+        Values (quantities, ...); None of few nodes, and of such that are no mesh.
     """
-    sides = _sides(x, y) if x.ndim == 2 and x.size >= FEWEST else None
-    if sides is None:
+    stride = max(x.shape) // LONGER_SIDE if x.ndim == 2 else 0
+    if stride < 2 or min(x.shape) <= 2 * THROUGH * stride or (sides := _sides(x, y)) is None:
         return None
-    seen = np.ix_(*(np.linspace(0, count - 1, SEEN).round().astype(int) for count in x.shape))
-    exact = find(x[seen].ravel(), y[seen].ravel()).reshape(-1, SEEN, SEEN)
-    for order in ORDERS:
-        places = np.meshgrid(*(_spread(side, chebpts1(order)) for side in sides), indexing="ij")
-        if x[0, 0] == x[-1, 0]:  # x goes with the columns
-            places = places[::-1]
-        values = find(*(place.ravel() for place in places)).reshape(-1, order, order)
-        if not (values[-1] == 1).all() or not (exact[-1] == 1).all():
-            return None
-        rows, columns = (_interpolation(side, order) for side in sides)
-        found = rows @ values @ columns.T
-        if np.abs(found[0][seen] - exact[0]).max() <= tolerance:
-            found[-1] = 1.0
-            return found
-    return None
+    chosen = [np.append(np.arange(0, count - 1, stride), count - 1) for count in x.shape]
+    nodes = np.ix_(*chosen)
+    values = find(x[nodes].ravel(), y[nodes].ravel()).reshape(-1, *x[nodes].shape)
+    smooth = values[-1] == 1
+    values = np.where(smooth, values, 0.0)
+    coarse = [side[at] for side, at in zip(sides, chosen, strict=True)]
+    every_second = [np.append(np.arange(0, one.size - 1, 2), one.size - 1) for one in coarse]
+    seen = _interpolated(values[0][np.ix_(*every_second)], coarse, every_second)
+    sound = smooth & (np.abs(seen - values[0]) <= FALL * tolerance)
+    found = _interpolated(values, sides, chosen)
+    found[-1] = 1.0
+    left = _reached(~sound, x.shape, chosen)
+    found[:, left] = find(x[left], y[left])
+    return found
 
 
 def _sides(x: Array, y: Array) -> tuple[Array, Array] | None:
@@ -72,13 +71,34 @@ def _sides(x: Array, y: Array) -> tuple[Array, Array] | None:
     return None
 
 
-def _spread(side: Array, places: Array) -> Array:
-    """Places from -1 to 1 as coordinates along a side."""
-    return (side[0] + side[-1]) / 2 + (side[-1] - side[0]) / 2 * places
+def _interpolated(values: Array, sides: tuple[Array, Array], chosen: list[Array]) -> Array:
+    """Values at all nodes from those at the chosen ones of each side."""
+    rows, columns = (_matrix(side, at) for side, at in zip(sides, chosen, strict=True))
+    return rows @ values @ columns.T
 
 
-def _interpolation(side: Array, order: int) -> Array:
-    """Matrix from values at Chebyshev's nodes to those at the nodes of a side."""
-    places = (2 * side - side[0] - side[-1]) / (side[-1] - side[0])
-    at_nodes = chebvander(chebpts1(order), order - 1)
-    return np.linalg.solve(at_nodes.T, chebvander(places, order - 1).T).T
+def _matrix(side: Array, chosen: Array) -> Array:
+    """Matrix from values at the chosen nodes of a side to those at all."""
+    through = _through(side.size, chosen)
+    places = side[chosen][through]
+    apart = places[:, :, None] - places[:, None, :]
+    away = np.broadcast_to((side[:, None] - places)[:, None, :], apart.shape)
+    own = np.eye(THROUGH, dtype=bool)
+    weights = np.where(own, 1.0, away / np.where(own, 1.0, apart)).prod(axis=-1)
+    matrix = np.zeros((side.size, chosen.size))
+    np.put_along_axis(matrix, through, weights, axis=1)
+    return matrix
+
+
+def _through(count: int, chosen: Array) -> Array:
+    """Which of the chosen nodes the polynomial at each of all nodes goes through, (count, THROUGH)."""
+    before = np.searchsorted(chosen, np.arange(count), side="right") - 1
+    first = np.clip(before - THROUGH // 2 + 1, 0, chosen.size - THROUGH)
+    return first[:, None] + np.arange(THROUGH)
+
+
+def _reached(marked: Array, shape: tuple[int, ...], chosen: list[Array]) -> Array:
+    """Nodes whose polynomial goes through a marked one of the chosen nodes."""
+    for axis, (count, at) in enumerate(zip(shape, chosen, strict=True)):
+        marked = np.take(marked, _through(count, at), axis=axis).any(axis=axis + 1)
+    return marked

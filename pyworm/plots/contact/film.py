@@ -1,10 +1,10 @@
 """Film maps: contours up to three central films, and a synthetic interferogram."""
 
 import numpy as np
-import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import (
     MICRO,
     MILLI,
@@ -33,8 +33,9 @@ PIXELS_PER_INCH = 150
 
 def draw_film(case_name: str, solution: Solution) -> Figure:
     """Film contours with the place of the minimum, and a synthetic interferogram."""
-    window = contact_window(solution.fields)
-    fields = in_window(solution.fields, window)
+    whole = solution.held("fields")
+    window = contact_window(whole)
+    fields = in_window(whole, window)
     figures = solution.figures
     titles = [
         f"film: central {_micrometres(figures.film_central.value)}, "
@@ -77,7 +78,7 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     return figure
 
 
-def interferogram(fields: xr.Dataset, window: Window) -> np.ndarray:
+def interferogram(fields: "xr.Dataset", window: Window) -> np.ndarray:
     """Intensity (row, column, colour), 0 to 1, of a camera image of the window.
 
     The reflections of two surfaces a film h apart differ in phase by 4 pi n h / wavelength, with
@@ -113,7 +114,7 @@ def _pixel_average(phase_step: np.ndarray) -> np.ndarray:
 def thickest_shown(solution: Solution) -> float:
     """Upper end of film scales [m]; the thickest film of all if the central one is not positive."""
     central = solution.figures.film_central.value
-    return CLIP * central if central > 0 else float(solution.fields["film"].max())
+    return CLIP * central if central > 0 else float(solution.held("fields")["film"].values.max())
 
 
 def _micrometres(film: float) -> str:

@@ -1,12 +1,12 @@
 """Maps of the shear stress in the middle of the film and of the heat that its shear makes."""
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MEGA, MILLI, colour_bar, contact_window, heading, in_window, panels
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth
 from pyworm.solver.left_out import AS_IF_SMOOTH
@@ -39,7 +39,9 @@ def draw_friction(case_name: str, solution: Solution) -> Figure:
     return figure
 
 
-def _draw_map(axes: Axes, fields: xr.Dataset, values: np.ndarray, colours: str, label: str) -> None:
+def _draw_map(
+    axes: Axes, fields: "xr.Dataset", values: np.ndarray, colours: str, label: str
+) -> None:
     x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
     top = values.max()
     levels = MaxNLocator(BANDS).tick_values(0, top if top > 0 else 1)
@@ -49,7 +51,7 @@ def _draw_map(axes: Axes, fields: xr.Dataset, values: np.ndarray, colours: str, 
     colour_bar(axes, bands, label, levels)
 
 
-def _draw_slip(axes: Axes, fields: xr.Dataset) -> None:
+def _draw_slip(axes: Axes, fields: "xr.Dataset") -> None:
     """Hatches where the limiting stress is reached at a surface."""
     slip = fields["slip"].transpose("y", "x").values
     if slip.max() == 0:

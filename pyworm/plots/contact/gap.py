@@ -1,13 +1,13 @@
 """The undeformed gap with the tooth around it."""
 
 import numpy as np
-import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MICRO, MILLI, heading, panels, whole_window
 from pyworm.plots.overlays import draw_contact_point, draw_dry_outline, draw_tooth
 from pyworm.solver.solution import Solution
@@ -78,7 +78,7 @@ def _draw_contours(axes: Axes, gap: np.ndarray, x: np.ndarray, y: np.ndarray) ->
     return Line2D([], [], color=colour, linewidth=1.0, label="undeformed gap / µm")
 
 
-def _widest_gap(fields: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _widest_gap(fields: "xr.Dataset") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Gap [um] over the whole tooth where it is known there, else over the grid, with x and y [mm]."""
     known = "tooth_gap" in fields and bool(np.isfinite(fields["tooth_gap"]).any())
     prefix = "tooth_" if known else ""

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzContact, hertz
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.contact.film import thickest_shown
 from pyworm.plots.layout import MEGA, MICRO, MILLI, contact_window, heading, placed_panels
 from pyworm.solver.solution import Solution
@@ -36,7 +36,7 @@ def draw_profiles(case_name: str, solution: Solution) -> Figure:
 
 
 def draw_profile(
-    axes: Axes, line: xr.Dataset, along: str, hertz_pressure: Callable, top: float
+    axes: Axes, line: "xr.Dataset", along: str, hertz_pressure: Callable, top: float
 ) -> list:
     """Pressure and film on one line through the contact; returns what its legend names.
 
@@ -95,7 +95,7 @@ def draw_profile(
     return [*pressure, *dry, *dashed, *film]
 
 
-def _hertz_of(fields: xr.Dataset) -> HertzContact:
+def _hertz_of(fields: "xr.Dataset") -> HertzContact:
     """The Hertz contact of the scene that the fields belong to."""
     scene = fields.attrs
     return hertz(

@@ -4,11 +4,11 @@ import json
 from collections.abc import Sequence
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.headline import of_all
@@ -79,7 +79,7 @@ def draw_line_of_action(result: Result) -> Figure:
     return _finished(figure, panels, cycle)
 
 
-def _draw_film(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> None:
+def _draw_film(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> None:
     """Films in micrometres; where roughness is known the specific film on the right."""
     for name, label, colour in (
         ("film_central", "central", "tab:blue"),
@@ -104,7 +104,7 @@ def _draw_film(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> Non
 
 
 def _draw_simulated(
-    axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution], name: str, colour: str, label: str
+    axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution], name: str, colour: str, label: str
 ) -> None:
     estimates: list[Estimate] = [getattr(solution.figures, name) for solution in solved]
     film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
@@ -114,7 +114,7 @@ def _draw_simulated(
         mark_gaps(axes, _rolls(cycle, solved), solved)
 
 
-def _draw_temperature(axes: Axes, cycle: xr.Dataset, solved: Sequence[Solution]) -> None:
+def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> None:
     """Blok's contact temperature and the largest of the simulated surfaces.
 
     Blok's rise goes with the coefficient of friction, so that it is drawn with the simulated one too.
@@ -158,7 +158,7 @@ def _legend(axes: Axes, columns: int) -> None:
     axes.legend(frameon=False, ncols=columns, loc="upper left")
 
 
-def _finished(figure: Figure, panels: Sequence[Axes], cycle: xr.Dataset) -> Figure:
+def _finished(figure: Figure, panels: Sequence[Axes], cycle: "xr.Dataset") -> Figure:
     """Marks of the line of action on every panel, named above the first one."""
     marks = json.loads(cycle.attrs["marks"])
     places = {name: _at(cycle, phase) for name, phase in marks.items()}
@@ -191,18 +191,18 @@ def _heated(solution: Solution) -> bool:
     return solution.figures.temperature_max_film is not None
 
 
-def _roll(cycle: xr.Dataset) -> np.ndarray:
+def _roll(cycle: "xr.Dataset") -> np.ndarray:
     """Roll angles of the cycle [degrees]."""
     return np.degrees(cycle["roll_angle"].values)
 
 
-def _at(cycle: xr.Dataset, phase: float | Sequence[float]) -> np.ndarray:
+def _at(cycle: "xr.Dataset", phase: float | Sequence[float]) -> np.ndarray:
     """Roll angle [degrees] at phases: it is linear in them."""
     first, last = _roll(cycle)[[0, -1]]
     return first + np.asarray(phase, float) * (last - first)
 
 
-def _rolls(cycle: xr.Dataset, solved: Sequence[Solution]) -> np.ndarray:
+def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:
     return _at(cycle, [solution.phase for solution in solved])
 
 

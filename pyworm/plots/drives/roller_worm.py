@@ -1,12 +1,12 @@
 """Film, load and motion along a roller's path through both sections, and sensitivities of its film."""
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
 from pyworm.formulas.unit_factors import RPM
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
@@ -32,13 +32,13 @@ def draw_roller_cycle(result: Result) -> Figure:
     return figure
 
 
-def throat(cycle: xr.Dataset) -> tuple[float, float]:
+def throat(cycle: "xr.Dataset") -> tuple[float, float]:
     """Wheel angles between the sections [deg]."""
     angle = np.degrees(cycle["wheel_angle"])
     return float(angle.sel(section="right")[-1]), float(angle.sel(section="left")[0])
 
 
-def _draw_film(axes: Axes, cycle: xr.Dataset, solutions: tuple[Solution, ...]) -> None:
+def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...]) -> None:
     """Closed forms as lines, solved films with their error bars, and every roller of one instant."""
     for section, colour in SECTION_COLOURS.items():
         way = cycle.sel(section=section)
@@ -82,7 +82,7 @@ def _draw_film(axes: Axes, cycle: xr.Dataset, solutions: tuple[Solution, ...]) -
         )
 
 
-def _draw_load(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_load(axes: Axes, cycle: "xr.Dataset") -> None:
     """Load of the roller, and for each length in the middle of its line."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():
@@ -97,7 +97,7 @@ def _draw_load(axes: Axes, cycle: xr.Dataset) -> None:
     other.set_ylabel("load per length / kN/m (dashed)")
 
 
-def _draw_motion(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_motion(axes: Axes, cycle: "xr.Dataset") -> None:
     """Velocities across the line at its ends and in its middle, and the roller's own speed."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():
@@ -118,7 +118,7 @@ def _draw_motion(axes: Axes, cycle: xr.Dataset) -> None:
     axes.legend(frameon=False, fontsize=8, loc="upper center")
 
 
-def _draw_lambda(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_lambda(axes: Axes, cycle: "xr.Dataset") -> None:
     """Specific film of the closed form along the whole line, and what heat takes from the film."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():

@@ -1,11 +1,11 @@
 """The mesh cycle of a drive over phase."""
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.zi_worm_flank import draw_flank
 from pyworm.plots.layout import (
@@ -57,12 +57,12 @@ def draw_cycle(result: Result) -> Figure:
     return figure
 
 
-def _draw_transmission_error(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_transmission_error(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.plot(cycle["phase"], cycle["transmission_error"] * MICRO, color="black")
     axes.set_ylabel("transmission\nerror / µrad")
 
 
-def _draw_radii(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_radii(axes: Axes, cycle: "xr.Dataset") -> None:
     """Both radii, whose ratio is large, on a logarithmic scale."""
     for name, colour in (("radius_x", "tab:blue"), ("radius_y", "tab:orange")):
         label = f"along {name[-1]}"
@@ -74,7 +74,7 @@ def _draw_radii(axes: Axes, cycle: xr.Dataset) -> None:
     axes.legend(frameon=False, ncols=2)
 
 
-def _draw_contact_point(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_contact_point(axes: Axes, cycle: "xr.Dataset") -> None:
     """The contact point less its mean, so that its three components share a scale."""
     mean = cycle["point"].mean("phase")
     for axis in cycle["axis"].values:
@@ -88,7 +88,7 @@ def _draw_contact_point(axes: Axes, cycle: xr.Dataset) -> None:
     axes.legend(frameon=False, ncols=3)
 
 
-def _draw_tooth_load(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
     """Normal load of a tooth pair, also beyond the unloaded cycle, and the turn of the wheel."""
     phase, load = cycle["load_phase"], cycle["tooth_load"]
     carrying = phase.values[load.values > 0]

@@ -1,13 +1,13 @@
 """The wheel's flank over a mesh cycle, for comparison with a worn tooth."""
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MEGA, MICRO, MILLI, new_figure, result_heading
 from pyworm.result.flank_map import FAILURE, flank_map
 from pyworm.result.result import Result
@@ -66,7 +66,7 @@ THICK = {"film": 10.0}
 """Field that grows without bound off the contact -> how far above its least value colours end, as a ratio."""
 
 
-def _draw_tooth(axes: Axes, cycle: xr.Dataset) -> None:
+def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
     """Outline of the flank and path of contact with its phases."""
     axes.plot(cycle["rim_face"] * MILLI, cycle["rim_radius"] * MILLI, color="0.25", lw=1.5)
     point = cycle["point"]

@@ -1,17 +1,17 @@
 """Tables on the console: the whole mesh cycle of a result."""
 
-import xarray as xr
 from rich.table import Table
 
 from pyworm.drives.kinds import module_of
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import xarray as xr
 from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
 from pyworm.solver.left_out import AS_IF_SMOOTH
 
 
-def closed_form_table(cycle: xr.Dataset) -> Table | None:
+def closed_form_table(cycle: "xr.Dataset") -> Table | None:
     """Table of the closed forms of a mesh cycle; None for a kind of drive without such a table.
 
     It is `CYCLE_TABLE` of the module in `drives` beside that is named after the kind.

@@ -8,7 +8,6 @@ import pytest
 import xarray as xr
 from hypothesis import given
 from hypothesis import strategies as st
-from matplotlib.collections import QuadMesh
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.image import imread
@@ -205,13 +204,16 @@ def test_contacts_stand_on_the_chart_of_their_kind():
 def test_the_chart_shades_the_regime_that_prevails(films):
     axes = Figure().subplots()
     draw_chart(axes, films, np.array([0.3, 300.0]), np.array([0.3, 1e5]))
-    (shades,) = (artist for artist in axes.collections if isinstance(artist, QuadMesh))
-    corners = shades.get_coordinates()
+    (shades,) = axes.images
+    left, right, bottom, top = shades.get_extent()
+    numbers = shades.get_array()
     for row, column in np.random.default_rng(3).integers(1, 299, (200, 2)):
-        # the corners of a cell lie about the place it was judged at
-        ge, gv = np.sqrt(corners[row, column] * corners[row + 1, column + 1])
+        across = left + (right - left) * (column + 0.5) / numbers.shape[1]
+        up = bottom + (top - bottom) * (row + 0.5) / numbers.shape[0]
+        to_data = axes.transAxes + axes.transData.inverted()
+        ge, gv = to_data.transform((across, up))
         near = {prevailing(films(gv * a, ge * b)) for a in (0.9, 1.1) for b in (0.9, 1.1)}
-        assert list(SHORT)[int(shades.get_array()[row, column])] in near
+        assert list(SHORT)[int(numbers[row, column])] in near
 
 
 def test_a_line_profile_has_hertz_dashed_and_shows_the_contact():

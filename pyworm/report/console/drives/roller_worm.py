@@ -3,13 +3,13 @@
 from collections.abc import Callable
 
 import numpy as np
-import xarray as xr
 from rich.table import Table
 
 from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.wear_distress import regime
+from pyworm.io.on_demand import xarray as xr
 
-_ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
+_ROWS: tuple[tuple[str, Callable[["xr.Dataset"], float], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
     ("Load per length / kN/m", lambda at: at["load_per_length"] / 1e3, ".1f"),
     ("Relative radius / mm", lambda at: at["contact_radius"] * 1e3, ".3f"),
@@ -26,7 +26,7 @@ _ROWS: tuple[tuple[str, Callable[[xr.Dataset], float], str], ...] = (
 """Label, number at the middle of a contact line, its format."""
 
 
-def ends_table(cycle: xr.Dataset) -> Table:
+def ends_table(cycle: "xr.Dataset") -> Table:
     """Entry and exit of both sections of a roller enveloping drive, in the middle of the contact line."""
     table = Table(title="Entry and exit by closed forms", title_justify="left")
     table.add_column("In the middle of\nthe contact line", no_wrap=True)
@@ -50,7 +50,7 @@ def ends_table(cycle: xr.Dataset) -> Table:
     return table
 
 
-def _regime(cycle: xr.Dataset, at: xr.Dataset) -> str:
+def _regime(cycle: "xr.Dataset", at: "xr.Dataset") -> str:
     number = float(at["regime_number"])
     if np.isnan(number):
         return ""

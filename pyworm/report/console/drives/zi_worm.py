@@ -1,11 +1,12 @@
 """The contact of a ZI worm drive with errors of its assembly, for people."""
 
 import numpy as np
-import xarray as xr
 from rich.table import Table
 
+from pyworm.io.on_demand import xarray as xr
 
-def sensitivity_table(cycle: xr.Dataset) -> Table:
+
+def sensitivity_table(cycle: "xr.Dataset") -> Table:
     """Contact of a ZI worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
     load = cycle.attrs["varied_load"]
     table = Table(

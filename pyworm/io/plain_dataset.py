@@ -1,0 +1,151 @@
+"""Named arrays over named dimensions, so that a run does not wait for xarray to be loaded.
+
+What solving, writing and drawing a contact use of xarray.Dataset, by its names: the same code reads either.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from pyworm.io.on_demand import xarray as xr
+from pyworm.io.variables import VARIABLES
+
+
+@dataclass(frozen=True)
+class PlainVariable:
+    """An array with names of its dimensions.
+
+    Attributes
+    ----------
+    dims : tuple of str
+        Names of its dimensions.
+    values : numpy.ndarray
+        The array.
+    attrs : Mapping
+        Unit and long name.
+    """
+
+    dims: tuple[str, ...]
+    values: np.ndarray
+    attrs: Mapping[str, str]
+
+    def transpose(self, *dims: str) -> "PlainVariable":
+        """The variable with its dimensions in another order."""
+        order = [self.dims.index(name) for name in dims]
+        return replace(self, dims=dims, values=self.values.transpose(order))
+
+
+@dataclass(frozen=True)
+class PlainDataset:
+    """Variables that share dimensions.
+
+    Attributes
+    ----------
+    variables : Mapping
+        Name -> variable.
+    coords : tuple of str
+        Names of those that are coordinates.
+    attrs : Mapping
+        Attributes of the whole.
+    """
+
+    variables: Mapping[str, PlainVariable]
+    coords: tuple[str, ...]
+    attrs: Mapping[str, Any]
+
+    @cached_property
+    def sizes(self) -> dict[str, int]:
+        """Name of each dimension -> its size."""
+        return {
+            name: size
+            for variable in self.variables.values()
+            for name, size in zip(variable.dims, variable.values.shape, strict=True)
+        }
+
+    @property
+    def dims(self) -> Iterable[str]:
+        """Names of the dimensions."""
+        return self.sizes
+
+    def __contains__(self, name: str) -> bool:
+        """Whether a variable is there."""
+        return name in self.variables
+
+    def __getitem__(self, name: str) -> PlainVariable:
+        """A variable."""
+        return self.variables[name]
+
+    def isel(self, **parts: slice) -> "PlainDataset":
+        """Parts of some dimensions, by place."""
+        variables = {
+            name: replace(
+                of, values=of.values[tuple(parts.get(dim, slice(None)) for dim in of.dims)]
+            )
+            for name, of in self.variables.items()
+        }
+        return replace(self, variables=variables)
+
+    def to_xarray(self) -> "xr.Dataset":
+        """The same as xarray's."""
+        variables = {name: (of.dims, of.values, of.attrs) for name, of in self.variables.items()}
+        coords = {name: variables.pop(name) for name in self.coords}
+        return xr.Dataset(variables, coords=coords, attrs=dict(self.attrs))
+
+
+def described(
+    variables: Mapping[str, tuple[tuple[str, ...], Any]],
+    coords: Mapping[str, tuple[tuple[str, ...], Any]],
+    attrs: Mapping[str, Any] | None = None,
+) -> PlainDataset:
+    """A dataset of variables, given by dimensions and values, with the units and long names of `VARIABLES`.
+
+    Raises
+    ------
+    KeyError
+        If a variable has no entry.
+    """
+    made = {}
+    for name, (dims, values) in {**variables, **coords}.items():
+        unit, long_name = VARIABLES[name]
+        made[name] = PlainVariable(
+            dims, np.asarray(values), {"units": unit, "long_name": long_name}
+        )
+    return PlainDataset(made, tuple(coords), attrs or {})
+
+
+class _OnDemandDataset:
+    """An attribute that is given as any dataset and read as xarray's, made with the first look."""
+
+    def __init__(self, name: str) -> None:
+        self._place = f"_{name}"
+
+    def __set__(self, instance: Any, value: "PlainDataset | xr.Dataset | None") -> None:
+        vars(instance)[self._place] = value
+
+    def __get__(self, instance: Any, owner: type) -> "xr.Dataset | None":
+        value = self.held(instance)
+        if type(value) is PlainDataset:
+            value = vars(instance)[self._place] = value.to_xarray()
+        return value
+
+    def held(self, instance: Any) -> "PlainDataset | xr.Dataset | None":
+        return vars(instance)[self._place]
+
+
+def reads_as_xarray(*names: str) -> Callable[[type], type]:
+    """Decorator of a dataclass: these attributes, given as any datasets, are read as xarray's (`held`)."""
+
+    def decorated(kind: type) -> type:
+        for name in names:
+            setattr(kind, name, _OnDemandDataset(name))
+        return kind
+
+    return decorated
+
+
+def held(instance: Any, name: str) -> "PlainDataset | xr.Dataset | None":
+    """An attribute named in `reads_as_xarray` as it is held, so that xarray is not loaded for it."""
+    return vars(type(instance))[name].held(instance)
