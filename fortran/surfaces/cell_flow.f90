@@ -23,10 +23,10 @@ module cell_flow
   !> Sweeps on the coarsest grid; smallest grid that is still made; cycles on a coarser grid for each on a finer.
   integer, parameter :: coarsest_sweeps = 20, smallest = 4, cycles = 2
 
-  !> One grid: conductances of the faces to the east and north of each node, their sum, and fields.
+  !> One grid: conductances of the faces to the east and north of each node, the sum of all four and its inverse, and fields.
   type :: flow_grid
     integer :: nx = 0, ny = 0
-    real(wp), allocatable :: east(:, :), north(:, :), total(:, :), x(:, :), b(:, :), r(:, :)
+    real(wp), allocatable :: east(:, :), north(:, :), total(:, :), inverse(:, :), x(:, :), b(:, :), r(:, :)
   end type flow_grid
 
 contains
@@ -134,8 +134,8 @@ contains
       associate (grid => grids(k))
         grid%nx = nx
         grid%ny = ny
-        allocate (grid%east(nx, ny), grid%north(nx, ny), grid%total(nx, ny), grid%x(nx, ny), grid%b(nx, ny), &
-          grid%r(nx, ny), source=0.0_wp, stat=err)
+        allocate (grid%east(nx, ny), grid%north(nx, ny), grid%total(nx, ny), grid%inverse(nx, ny), &
+          grid%x(nx, ny), grid%b(nx, ny), grid%r(nx, ny), source=0.0_wp, stat=err)
         if (err /= 0) return
         if (k == 1) then
           grid%east = east
@@ -147,6 +147,7 @@ contains
           end associate
         end if
         grid%total = grid%east + cshift(grid%east, -1, dim=1) + grid%north + cshift(grid%north, -1, dim=2)
+        grid%inverse = 1/grid%total
       end associate
     end do
     stat = status_ok
@@ -276,8 +277,8 @@ contains
       do i = merge(1, grid%nx, order > 0), merge(grid%nx, 1, order > 0), order
         west = merge(grid%nx, i - 1, i == 1)
         east = merge(1, i + 1, i == grid%nx)
-        grid%x(i, j) = (grid%b(i, j) + grid%east(i, j)*grid%x(east, j) + grid%east(west, j)*grid%x(west, j) &
-          + grid%north(i, j)*grid%x(i, north) + grid%north(i, south)*grid%x(i, south))/grid%total(i, j)
+        grid%x(i, j) = (grid%b(i, j) + grid%east(i, j)*grid%x(east, j) + grid%north(i, j)*grid%x(i, north) &
+          + grid%north(i, south)*grid%x(i, south) + grid%east(west, j)*grid%x(west, j))*grid%inverse(i, j)
       end do
     end do
   end subroutine sweep

@@ -21,6 +21,7 @@ from pyworm.cli.report import add_report
 from pyworm.cli.run import add_run
 from pyworm.cli.shared import BAD_INPUT, FAILED, end_with
 from pyworm.cli.stopping import exit_code
+from pyworm.cli.surface import add_surface
 from pyworm.cli.sweep import add_sweep
 from pyworm.io.input_error import CaseError
 from pyworm.io.terminal import flush, prepare, put, say
@@ -86,6 +87,7 @@ def _parser() -> argparse.ArgumentParser:
         add_report,
         add_rate,
         add_oil,
+        add_surface,
         add_doctor,
     ):
         add(commands)

@@ -87,7 +87,7 @@ def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None)
     """
     path = _cache() / f"{_key(cell, reduced_modulus, hardness)}.npz"
     try:
-        with np.load(path) as kept:
+        with path.open("rb") as file, np.load(file) as kept:
             return CellTable(
                 float(kept["height"]), *(kept[one.name] for one in fields(CellTable)[1:])
             )

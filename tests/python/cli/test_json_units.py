@@ -27,6 +27,12 @@ RANGES = {
     r"^lambda_(min|central)\.error": (1e-4, 1),
     r"_error(_\w+)?_W$": (0, 1e4),
     r"_error(_grid|_domain|_algebra|_model)?$": (0, 0.5),
+    # surfaces, their heights and lengths
+    r"^(rq|ra|rk|rpk|rvk|long_waves_rq)_m$": (0, 1e-4),
+    r"^(spacing|length_across|length_along|shortest_length)_m$": (1e-7, 1e-2),
+    r"^(skewness|lay_rad)$": (-3.2, 3.2),
+    r"^(mr1|mr2|slope\w*|filled_fraction|texture_ratio)$": (0, 1),
+    r"^(kurtosis|aspect|points)$": (1, 1e5),
     # films and heights of surfaces; lengths of contacts, of gears, places on a flank
     r"film\w*_at_m$": (-0.1, 0.1),
     r"(film\w*|roughness|approach|wear_depth|^film_min\.value)_m$": (1e-9, 1e-4),
@@ -135,6 +141,11 @@ def test_oils_have_their_units_in_the_keys(capsys):
     for oil in said(capsys, "oil", "show", "PAG VG 460", "mineral VG 220", "PAO VG 46")["oils"]:
         agree_with_their_keys(oil)
     agree_with_their_keys(said(capsys, "oil", "choose", CASES / "oil_zi.toml"))
+
+
+def test_surfaces_have_their_units_in_the_keys(capsys):
+    for surface in said(capsys, "surface", CASES / "surfaces/ground.toml")["surfaces"]:
+        agree_with_their_keys(surface)
 
 
 @pytest.mark.parametrize("name", ["mourier_2006", "line_m20_l10"])

@@ -1,0 +1,232 @@
+"""pyworm surface: figures and curves of a measured or generated surface."""
+
+import argparse
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pyworm.cli.arguments import add_json
+from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures
+from pyworm.io.input_error import CaseError
+from pyworm.io.json import print_json
+from pyworm.io.terminal import put
+
+if TYPE_CHECKING:
+    from pyworm.surfaces.cell_table import CellTable
+    from pyworm.surfaces.parameters import Texture
+    from pyworm.surfaces.preparing import SeparatedWaves
+
+STEEL_ON_STEEL = 226e9
+"""Reduced modulus E' of a surface that no case gives a body [Pa]."""
+
+FILE_KEYS = ("spacing", "height_unit", "nesting_index", "shortest_wave", "outliers")
+"""Keys of `[bodies.NAME.surface]` that are options beside a file."""
+
+
+def add_surface(commands: argparse._SubParsersAction) -> None:
+    """Add the command `surface`."""
+    surface = commands.add_parser(
+        "surface", help="figures, contact and flow of a measured or generated surface"
+    )
+    surface.add_argument(
+        "file",
+        type=Path,
+        metavar="FILE",
+        help="heights of an instrument, .npy, .csv, or a .toml with keys of [bodies.NAME.surface], or a case "
+        "whose bodies have some",
+    )
+    surface.add_argument("--spacing", help='distance of points, "0.5 um", if not in the file')
+    surface.add_argument("--height-unit", help="unit of the heights, um, if not in the file")
+    surface.add_argument("--nesting-index", help='longest wave of roughness, "0.25 mm"')
+    surface.add_argument("--shortest-wave", help='filter against noise, "2.5 um"')
+    surface.add_argument("--outliers", help="refuse, fill or keep heights far from all others")
+    surface.add_argument(
+        "--modulus",
+        help="reduced modulus E' for the contact, \"226 GPa\"; else the case's, or steel",
+    )
+    surface.add_argument("--hardness", help='largest pressure, "1 GPa"; else the case\'s, or none')
+    surface.add_argument(
+        "--out", type=Path, metavar="DIR", help="solve contact and flow, draw pictures there"
+    )
+    add_json(surface)
+    surface.set_defaults(command=_surface)
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """A surface to be shown: its name, waves and figures, and the body that it is on."""
+
+    name: str
+    waves: "SeparatedWaves"
+    texture: "Texture"
+    modulus: float
+    hardness: float | None
+
+
+def _surface(options: argparse.Namespace) -> int:
+    from pyworm.io.atomic import check_writable
+    from pyworm.surfaces.cell import periodic_cell
+    from pyworm.surfaces.cell_table import cell_table
+    from pyworm.surfaces.summary import curves, figures
+
+    if options.out is not None:
+        check_writable(options.out)
+    shown = _with_bodies(_surfaces(options), options)
+    found = [{"name": one.name, **figures(one.waves, one.texture)} for one in shown]
+    pictures, complete = [], True
+    if options.out is not None:
+        cells = [periodic_cell(one.waves.roughness) for one in shown]
+        tables = [
+            cell_table(cell, one.modulus, one.hardness)
+            for one, cell in zip(shown, cells, strict=True)
+        ]
+        for one, cell, table in zip(found, cells, tables, strict=True):
+            one["curves"] = curves(cell, table)
+        pictures, complete = drawn_pictures(options.out, lambda aside: _draw(shown, tables, aside))
+    if options.json:
+        print_json({"surfaces": found, "pictures": pictures})
+    else:
+        _print(shown, found)
+        for name in pictures:
+            put(f"{options.out / name}")
+    return CONVERGED if complete else FAILED
+
+
+def _surfaces(options: argparse.Namespace) -> list[_Shown]:
+    """The surfaces of a file: one, or those of a case's bodies."""
+    from pyworm.io.toml import read_toml
+
+    given = {key: getattr(options, key) for key in FILE_KEYS if getattr(options, key) is not None}
+    path = options.file
+    if path.suffix != ".toml":
+        return [_shown(path.stem, given | {"file": path.name}, path)]
+    if given:
+        raise CaseError(f"--{next(iter(given)).replace('_', '-')}: {path} has keys for that")
+    data = read_toml(path)
+    if "bodies" not in data:
+        return [_shown(path.stem, data, path)]
+    return _of_case(path)
+
+
+def _shown(name: str, keys: dict[str, Any], path: Path) -> _Shown:
+    """The surface of a table's keys, its files beside `path`."""
+    from pyworm.case.case import checked
+    from pyworm.case.surface import SurfaceTable, texture_of
+
+    try:
+        table = checked(SurfaceTable, keys)
+        table.lie_in(path.parent)
+        waves = table.waves()
+    except ValueError as error:
+        raise CaseError(f"{path}: {error}") from error
+    return _Shown(name, waves, texture_of(waves.roughness), STEEL_ON_STEEL, None)
+
+
+def _of_case(path: Path) -> list[_Shown]:
+    from pyworm.case.case import load
+    from pyworm.case.surface import texture_of
+    from pyworm.materials.body import reduced_modulus
+
+    case = load(path)
+    bodies = case.tables.bodies
+    if not bodies.surfaces:
+        raise CaseError(f"{path}: no body has a surface; give [bodies.NAME.surface]")
+    pair = bodies.pair(case.tables.oil.oil())
+    hardness = [body.hardness for body in pair if body.hardness is not None]
+    return [
+        _Shown(
+            name,
+            surface.waves(),
+            texture_of(surface.waves().roughness),
+            reduced_modulus(*pair),
+            min(hardness) if hardness else None,
+        )
+        for name, surface in bodies.surfaces.items()
+    ]
+
+
+def _with_bodies(shown: list[_Shown], options: argparse.Namespace) -> list[_Shown]:
+    """The surfaces on bodies whose modulus and hardness are those of the options, where given."""
+    from pyworm.io.quantity import Kind, parse
+
+    instead = {}
+    for name, noun in (("modulus", "a reduced modulus"), ("hardness", "an indentation hardness")):
+        text = getattr(options, name)
+        if text is not None:
+            try:
+                instead[name] = parse(
+                    text, Kind(noun, "Pa", "226 GPa", possible=("0.1 MPa", "1500 GPa"))
+                )
+            except ValueError as error:
+                raise CaseError(f"--{name} {text}: {error}") from None
+    return [replace(one, **instead) for one in shown]
+
+
+def _draw(shown: list[_Shown], tables: list["CellTable"], directory: Path) -> list[Path]:
+    from functools import partial
+
+    from pyworm.plots.attempts import Attempts
+    from pyworm.plots.surface import draw_curves, draw_heights
+
+    made = Attempts()
+    for one, table in zip(shown, tables, strict=True):
+        heights = partial(draw_heights, one.name, one.waves.roughness, one.texture)
+        made.draw(directory / f"{one.name}_heights.png", heights)
+        known = partial(draw_curves, one.name, table, one.texture, one.modulus, one.hardness)
+        made.draw(directory / f"{one.name}_curves.png", known)
+    return made.result()
+
+
+MICRO, DEGREES = 1e6, 57.29577951308232
+"""From metres to micrometres, from radians to degrees."""
+
+ROWS = (
+    ("Rq, root mean square height", "rq_m", MICRO, "µm"),
+    ("Ra, arithmetic mean height", "ra_m", MICRO, "µm"),
+    ("Rsk, skewness", "skewness", 1, ""),
+    ("Rku, kurtosis", "kurtosis", 1, ""),
+    ("Rk, core height", "rk_m", MICRO, "µm"),
+    ("Rpk, reduced peak height", "rpk_m", MICRO, "µm"),
+    ("Rvk, reduced valley height", "rvk_m", MICRO, "µm"),
+    ("Mr1, Mr2, ends of the core", ("mr1", "mr2"), 100, "%"),
+    ("Root mean square slope", "slope", 1, ""),
+    ("Slope along x and y", ("slope_x", "slope_y"), 1, ""),
+    ("Correlation length across and along", ("length_across_m", "length_along_m"), MICRO, "µm"),
+    ("Peklenik number", "aspect", 1, ""),
+    ("Sal, Str", ("shortest_length_m", "texture_ratio"), (MICRO, 1), ("µm", "")),
+    ("Lay, from the x axis", "lay_rad", DEGREES, "°"),
+    ("Rq of longer waves", "long_waves_rq_m", MICRO, "µm"),
+    ("Points filled", "filled_fraction", 100, "%"),
+)
+"""Row of the table, its keys, factors and units."""
+
+
+def _print(shown: list[_Shown], found: list[dict[str, Any]]) -> None:
+    from rich.table import Table
+
+    from pyworm.io.console import Console
+
+    console = Console()
+    table = Table("Surface")
+    for one, known in zip(shown, found, strict=True):
+        nx, ny = known["points"]
+        sides = " x ".join(f"{side * 1e3:.4g}" for side in one.waves.roughness.extent)
+        table.add_column(f"{one.name}\n{nx} x {ny}, {sides} mm", justify="right")
+    for name, keys, factors, units in ROWS:
+        table.add_row(name, *(_cell(known, keys, factors, units) for known in found))
+    console.print(table)
+
+
+def _cell(known: dict[str, Any], keys: Any, factors: Any, units: Any) -> str:
+    """Values of a row in its units."""
+    if isinstance(keys, str):
+        keys = (keys,)
+    if not isinstance(factors, tuple):
+        factors = (factors,) * len(keys)
+    if not isinstance(units, tuple):
+        units = ("",) * (len(keys) - 1) + (units,)
+    parts = (
+        f"{known[key] * factor:.3g} {unit}".strip()
+        for key, factor, unit in zip(keys, factors, units, strict=True)
+    )
+    return ", ".join(parts)
