@@ -121,7 +121,7 @@ def draw_curves(
     shear.set_title("shear flow factors", fontsize="medium")
     for axes in (contact, flow, shear):
         axes.set_xlabel("gap between mean planes / Rq")
-        axes.set_xlim(min(0.0, gap.min()), 6)
+        axes.set_xlim(min(0.0, gap.min()) if axes is contact else 0, 6)
         axes.grid(True, color="0.9")
     for axes in (flow, shear):
         axes.set_ylim(bottom=0)
