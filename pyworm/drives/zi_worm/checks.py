@@ -9,6 +9,8 @@ from dataclasses import fields
 from math import atan2, degrees, isfinite, pi
 from typing import TYPE_CHECKING
 
+from pyworm.drives.zi_worm.size_checks import check_sizes
+
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.gears import ZiWormGears
 
@@ -27,7 +29,8 @@ def check_gears(gears: "ZiWormGears") -> None:
     ValueError
         If they do not mesh.
     """
-    _check_sizes(gears)
+    _check_numbers(gears)
+    check_sizes(gears)
     _check_table(gears)
     _check_fit(gears)
 
@@ -47,7 +50,7 @@ def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozense
             raise ValueError(f"{key} is {value:.6g}; it must be positive")
 
 
-def _check_sizes(gears: "ZiWormGears") -> None:
+def _check_numbers(gears: "ZiWormGears") -> None:
     """Refuse counts and sizes of the design table that are not finite, or not positive where they must be."""
     entries: dict[str, float] = {
         f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
@@ -66,17 +69,30 @@ def _check_sizes(gears: "ZiWormGears") -> None:
 def _check_table(gears: "ZiWormGears") -> None:
     """Refuse redundant entries that disagree beyond the table's rounding."""
     for name, screw in (("worm", gears.worm), ("hob", gears.hob)):
-        angle = atan2(screw.lead, 2 * pi * screw.base_radius)
-        if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
-            raise ValueError(
-                f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
-                f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
-            )
         pitch = screw.lead / gears.worm.threads
+        threads = gears.worm.threads
+        if threads > 1 and abs(screw.lead - screw.axial_pitch) <= TABLE_ROUNDING * pitch:
+            raise ValueError(
+                f"{name}.lead is {screw.lead * 1e3:.2f} mm, the same as {name}.axial_pitch; the lead is "
+                f"worm.threads x {name}.axial_pitch, {threads * screw.axial_pitch * 1e3:.2f} mm"
+            )
         if abs(pitch - screw.axial_pitch) > TABLE_ROUNDING * pitch:
             raise ValueError(
                 f"{name}.axial_pitch is {screw.axial_pitch * 1e3:.2f} mm, but {name}.lead over "
                 f"worm.threads gives {pitch * 1e3:.2f} mm"
+            )
+        angle = atan2(screw.lead, 2 * pi * screw.base_radius)
+        if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
+            halved = atan2(screw.lead, pi * screw.base_radius)
+            if abs(halved - screw.base_lead_angle) <= TABLE_ROUNDING:
+                raise ValueError(
+                    f"{name}.base_radius is {screw.base_radius * 1e3:.2f} mm: with half of it {name}.lead "
+                    f"gives {name}.base_lead_angle, {degrees(halved):.2f} deg; is it a diameter? a radius is "
+                    "wanted"
+                )
+            raise ValueError(
+                f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
+                f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
             )
         if screw.tip_radius <= screw.root_radius:
             raise ValueError(

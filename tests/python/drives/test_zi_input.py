@@ -63,6 +63,39 @@ def test_bad_geometry_is_refused(changes, says):
     assert type(caught.value) is ValueError
 
 
+@pytest.mark.parametrize(
+    ("changes", "begins", "right"),
+    [
+        ({"worm": changed(WORM, threads=59), "wheel": changed(WHEEL, teeth=3)},
+         "worm.threads is 59 and wheel.teeth 3", "swapped? worm.threads = 3, wheel.teeth = 59"),
+        ({"worm": changed(WORM, tip_radius=2 * WORM.tip_radius)},
+         "worm.tip_radius is 96.02 mm", "is it a diameter? a radius is wanted, 48.01 mm"),
+        ({"worm": changed(WORM, root_radius=2 * WORM.root_radius)},
+         "worm.root_radius is 58.06 mm", "is it a diameter? a radius is wanted, 29.03 mm"),
+        ({"worm": changed(WORM, base_radius=2 * WORM.base_radius)},
+         "worm.base_radius is 52.46 mm", "is it a diameter?"),
+        ({"hob": changed(HOB, tip_radius=2 * HOB.tip_radius)},
+         "hob.tip_radius is 103.26 mm", "is it a diameter? a radius is wanted, 51.63 mm"),
+        ({"hob": changed(HOB, base_radius=2 * HOB.base_radius)},
+         "hob.base_radius is 52.96 mm", "is it a diameter?"),
+        ({"hob": changed(HOB, tip_radius=47 * MM)}, "hob.tip_radius is 47.00 mm", "smaller than that of"),
+        ({"worm": changed(WORM, lead=WORM.axial_pitch)}, "worm.lead is 28.73 mm, the same as", "86.19 mm"),
+        ({"wheel": changed(WHEEL, throat_radius=2 * WHEEL.throat_radius)},
+         "wheel.throat_radius is 548.06 mm", "is it a diameter? a radius is wanted, 274.03 mm"),
+        ({"wheel": changed(WHEEL, throat_radius=31.58 * MM)},
+         "wheel.throat_radius is 31.58 mm", "is it the radius of the throat's groove?"),
+        ({"wheel": changed(WHEEL, tip_radius=2 * WHEEL.tip_radius)},
+         "wheel.tip_radius is 557.22 mm", "is it a diameter? a radius is wanted, 278.61 mm"),
+        ({"wheel": changed(WHEEL, face_width=603.3 * MM)}, "wheel.face_width is 603.30 mm", "96.02 mm"),
+    ],
+)  # fmt: skip
+def test_sizes_of_another_key_are_refused_with_what_is_meant(changes, begins, right):
+    with pytest.raises(ValueError) as caught:
+        sharif(**changes)
+    message = str(caught.value)
+    assert message.startswith(begins) and right in message and "\n" not in message
+
+
 def test_phase_outside_the_cycle_is_refused():
     with pytest.raises(ValueError, match="phase is 1"):
         sharif().contact(1.5)
