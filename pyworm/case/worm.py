@@ -7,7 +7,7 @@ from pydantic import AfterValidator, model_validator
 from pyworm.case.table import Count, Number, PositiveNumber, Table
 from pyworm.case.zi_worm import AssemblyTable, WormDriveCase
 from pyworm.drives.zi_worm.design import Design, Hand
-from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.drawing import completed, off_involute
 from pyworm.drives.zi_worm.drawing_checks import (
     DERIVED,
     check_drawing,
@@ -17,14 +17,17 @@ from pyworm.drives.zi_worm.drawing_checks import (
 from pyworm.drives.zi_worm.hob_setting import with_swivel
 from pyworm.io import units
 
-OTHER_PROFILES = ("ZA", "ZN", "ZK", "ZC")
+RULED = ("ZA", "ZN")
+"""Profiles that are not computed, and whose distance from ZI is."""
+
+ENVELOPED = ("ZK", "ZC")
 """Profiles of cylindrical worms that are known and not computed."""
 
 GLOBOID = ("globoid", "double-enveloping", "Hindley")
 
 
 def _computed(profile: str) -> str:
-    if profile in OTHER_PROFILES:
+    if profile in ENVELOPED:
         raise ValueError(
             'only "ZI" is computed, involute helicoids; of small lead angles the other cylindrical profiles '
             "differ little from it"
@@ -34,7 +37,7 @@ def _computed(profile: str) -> str:
             'globoid worms are not computed; there are cylindrical worms of profile "ZI" and roller '
             'enveloping ones, kind = "roller-worm"'
         )
-    if profile != "ZI":
+    if profile not in ("ZI", *RULED):
         raise ValueError('must be "ZI"')
     return profile
 
@@ -136,6 +139,12 @@ class DrawnWormDriveTable(Table):
         drawing, taken = completed(own)
         check_redundant(drawing, given)
         check_drawing(drawing)
+        if self.profile in RULED:
+            off = off_involute(drawing, self.profile)
+            raise ValueError(
+                f'profile is "{self.profile}"; only "ZI" is computed, whose flank is up to '
+                f"{off * 1e6:.2g} um off this one along the axis of the worm"
+            )
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
             taken = *taken, swivel

@@ -8,11 +8,12 @@ and tip relief have none: values of the usual size.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import atan, cos, degrees, pi, sqrt
+from math import atan, cos, degrees, pi, sqrt, tan
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
 from pyworm.formulas import involute_helicoid as helicoid
+from pyworm.formulas.ruled_helicoid import apart, involute, straight_axial, straight_normal
 
 CLEARANCE = 0.2
 """Usual clearance between tip and root over the axial module."""
@@ -183,6 +184,19 @@ class Drawing:
             swivel=self.normal_swivel if self.hob_swivel is None else self.hob_swivel,
             axial_shift=self.hob_axial_shift,
         )
+
+
+def off_involute(of: Drawing, profile: str) -> float:
+    """How far the flank of a worm of profile "ZA" or "ZN" is off the ZI flank of the same drawing [m].
+
+    Along the axis between root and tip, laid together on the reference cylinder.
+    """
+    thread = of.lead, of.lead_angle, of.pressure_angle
+    space = pi * of.module - of.worm_thickness
+    apex = of.reference_diameter / 2 - space * cos(of.lead_angle) / 2 / tan(of.pressure_angle)
+    drawn = straight_axial(*thread) if profile == "ZA" else straight_normal(*thread, apex)
+    radii = max(of.worm_root_diameter / 2, of.base_radius), of.worm_tip_diameter / 2
+    return apart(involute(*thread), drawn, of.reference_diameter / 2, radii)
 
 
 Known = Mapping[str, float]

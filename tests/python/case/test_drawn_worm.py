@@ -234,6 +234,8 @@ REFUSED = [
     # hand and profile
     ([('"right"', '"links"')], 'drive.hand = "links"', '"right" or "left"'),
     ([('"ZI"', '"ZK"')], 'drive.profile = "ZK"', 'only "ZI" is computed'),
+    ([('"ZI"', '"ZN"')], 'drive.profile is "ZN"', 'only "ZI" is computed, whose flank is up to '),
+    ([('"ZI"', '"ZA"')], 'drive.profile is "ZA"', "um off this one"),
     ([('"ZI"', '"globoid"')], 'drive.profile = "globoid"', "roller-worm"),
     ([('"ZI"', '"XX"')], 'drive.profile = "XX"', 'must be "ZI"'),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
