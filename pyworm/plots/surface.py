@@ -105,7 +105,7 @@ def draw_curves(
     smooth = RoughSurface(1e-6 * table.height, 1e-12, hardness=hardness)
     closed, area = RoughPair((rough, smooth), modulus / 2, 0.0).contact(gap)
     _draw_contact(contact, gap, table, closed, area)
-    factors, dragged = table.conducted / table.thickness**3, table.dragged / table.height
+    factors, dragged = table.conducted / table.flowing**3, table.dragged / table.height
     fitted = gap[gap >= 0.5]
     along_x = float(np.clip(texture.slope_y / texture.slope_x, 1 / 9, 9.0))
     for k, (axes_name, colour) in enumerate((("x", "tab:blue"), ("y", "tab:orange"))):

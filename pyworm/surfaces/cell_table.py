@@ -11,7 +11,8 @@ from zipfile import BadZipFile
 import numpy as np
 
 from pyworm.io.atomic import whole_file
-from pyworm.kernel.core import EXTENSION
+from pyworm.io.input_error import CaseError
+from pyworm.kernel.core import EXTENSION, NOT_CONVERGED, KernelError
 from pyworm.kernel.rough_cell import conduct, press
 from pyworm.materials.topography import Topography
 
@@ -26,6 +27,9 @@ CLOSER = np.array([0.0, -0.25, -0.5, -1.0, -1.5, -2.0])
 CLOSED = 0.9
 """Real area of contact over the nominal one at which a table ends."""
 
+LEAST_ROWS = 10
+"""Rows that a table has at least; where the surface is closer, it may end for want of convergence."""
+
 GAP_TOLERANCE = 1e-5
 """Gap left in the contact over the roughness, root mean square."""
 
@@ -34,7 +38,7 @@ SHALLOWEST = 0.02
 as wide as the roughness: its equations stay regular, and the film's are left with ten times that
 (`rough_surfaces.NARROWEST`)."""
 
-FORMAT = 1
+FORMAT = 2
 """Number of what is in the files that are kept; another makes them anew."""
 
 
@@ -50,12 +54,12 @@ class CellTable:
         Flat from the mean plane of the deformed surface [m].
     pressure, area : numpy.ndarray
         Mean pressure of the contact [Pa] and its real area over the nominal one.
-    thickness : numpy.ndarray
-        Mean gap [m].
+    thickness, flowing : numpy.ndarray
+        Mean gap, and that with what remains for the flow where surfaces touch (`SHALLOWEST`) [m].
     conducted : numpy.ndarray
         Cube of the gap that conducts as much as the cell [m3]: tensors xx, yy, xy, shape (3, separations).
     dragged : numpy.ndarray
-        Mean gap less the thickness that a moving rough wall carries along [m]: likewise.
+        Mean flowing gap less the thickness that a moving rough wall carries along [m]: likewise.
     """
 
     height: float
@@ -63,6 +67,7 @@ class CellTable:
     pressure: Array
     area: Array
     thickness: Array
+    flowing: Array
     conducted: Array
     dragged: Array
 
@@ -82,8 +87,10 @@ def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None)
 
     Raises
     ------
+    CaseError
+        A contact or a flow did not converge where the gap is wide.
     KernelError
-        A contact or a flow did not converge.
+        There is no memory, or the heights are not finite.
     """
     path = _cache() / f"{_key(cell, reduced_modulus, hardness)}.npz"
     try:
@@ -107,7 +114,17 @@ def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None)
     separations = SEPARATIONS if hardness is None else np.append(SEPARATIONS, CLOSER)
     rows = []
     for separation in separations * rms:
-        row = _at(cell, separation, reduced_modulus, most)
+        try:
+            row = _at(cell, separation, reduced_modulus, most)
+        except KernelError as error:
+            if error.status != NOT_CONVERGED:
+                raise
+            if len(rows) < LEAST_ROWS:
+                raise CaseError(
+                    f"contact or flow of a surface did not converge at a gap of {separation / rms:.3g} Rq; give a "
+                    "shortest_wave that its points resolve"
+                ) from error
+            break
         if row["area"] >= CLOSED:
             break
         rows.append(row)
@@ -118,6 +135,7 @@ def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None)
         columns["pressure"],
         columns["area"],
         columns["thickness"],
+        columns["flowing"],
         columns["conducted"].T,
         columns["dragged"].T,
     )
@@ -131,15 +149,17 @@ def _at(cell: Topography, separation: float, modulus: float, hardness: float) ->
         cell.height, cell.spacing, modulus, separation, bound, GAP_TOLERANCE * rms
     )
     gap = np.maximum(gap, 0.0)
-    conducted, carried = conduct(np.maximum(gap, SHALLOWEST * rms), cell.spacing)
-    thickness = float(gap.mean())
+    open_gap = np.maximum(gap, SHALLOWEST * rms)
+    conducted, carried = conduct(open_gap, cell.spacing)
+    flowing = float(open_gap.mean())
     return {
         "separation": separation,
         "pressure": float(pressure.mean()),
         "area": float((pressure > 0).mean()),
-        "thickness": thickness,
+        "thickness": float(gap.mean()),
+        "flowing": flowing,
         "conducted": conducted,
-        "dragged": np.array([thickness, thickness, 0.0]) - carried,
+        "dragged": np.array([flowing, flowing, 0.0]) - carried,
     }
 
 

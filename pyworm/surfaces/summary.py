@@ -41,7 +41,7 @@ def figures(waves: SeparatedWaves, texture: Texture) -> dict[str, Any]:
 
 def curves(cell: Topography, table: CellTable) -> dict[str, Any]:
     """Contact and flow of a surface's cell against a smooth one, the widest separation first."""
-    cube = table.thickness**3
+    cube = table.flowing**3
     return {
         "cell_points": list(cell.height.shape),
         "cell_spacing_m": list(cell.spacing),

@@ -117,9 +117,9 @@ def flow_beyond(table: CellTable, gap: Array) -> tuple[Array, Array]:
     smooth = np.array([1.0, 1.0, 0.0])[:, None]
     widest = table.separation[0]
     ratio = widest / np.maximum(gap, widest)
-    roughening = _course(table, table.conducted / table.thickness**3 - smooth, gap)
+    roughening = _course(table, table.conducted / table.flowing**3 - smooth, gap)
     return smooth + roughening * ratio**2, _course(
-        table, table.dragged / table.thickness, gap
+        table, table.dragged / table.flowing, gap
     ) * ratio**2
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyworm.io.input_error import CaseError
 from pyworm.materials.body import Body
 from pyworm.materials.rough_surfaces import NARROWEST, RoughPair, RoughSurface, gap_rows
 from pyworm.materials.topography import Topography
@@ -150,3 +151,32 @@ def test_a_table_is_solved_once_and_damaged_ones_again(cache, monkeypatch):
     assert np.array_equal(kept[0].pressure, again.pressure)
     tables.cell_table(cell, MODULUS / 2, None)
     assert len(solved) == 3
+
+
+def test_a_table_that_does_not_converge_is_one_sentence(monkeypatch):
+    monkeypatch.setattr("pyworm.kernel.rough_cell.MOST_ITERATIONS", 0)
+    with pytest.raises(CaseError, match="did not converge at a gap of .* Rq; give a shortest_wave"):
+        tables.solve_cell(_coarse(0.4e-6, 1), MODULUS, None)
+
+
+HARD = {
+    "stripes": lambda x, y: np.sign(np.sin(2 * np.pi * (x + 0.5) / 16)) + 0 * y,
+    "spike": lambda x, y: np.where((x == 3) & (y == 5), 30.0, np.sin(x) * np.sin(y)),
+    "plateau": lambda x, y: np.minimum(np.sin(0.6 * x + y) + np.sin(1.7 * y - x), 0.3),
+    "white": lambda x, y: np.random.default_rng(1).standard_normal((32, 32)),
+}
+
+
+@pytest.mark.parametrize("hardness", [None, 1e9, 200e9])
+@pytest.mark.parametrize("name", HARD)
+def test_surfaces_of_any_shape_have_sound_curves(name, hardness):
+    """Steps, single summits, plateaus that touch all at once, heights without any correlation."""
+    height = HARD[name](*np.meshgrid(np.arange(32), np.arange(32), indexing="ij"))
+    height = (height - height.mean()) * (0.4e-6 / height.std())
+    surface = Topography(height, (2e-6, 1e-6), periodic=True)
+    found = _curves(TopographyPair((surface, None), (0.4e-6, 0.0), MODULUS, hardness))
+    assert all(np.all(np.isfinite(values)) for values in found.values())
+    assert np.all(np.diff(found["pressure"]) <= 0)
+    assert np.all(found["flow"][:2] > 0)
+    # no wall carries more than twice the oil that there is
+    assert np.all(np.abs(found["shear"]) * 0.4e-6 <= 2 * found["thickness"])
