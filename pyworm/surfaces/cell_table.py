@@ -121,8 +121,8 @@ def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None)
                 raise
             if len(rows) < LEAST_ROWS:
                 raise CaseError(
-                    f"contact or flow of a surface did not converge at a gap of {separation / rms:.3g} Rq; give a "
-                    "shortest_wave that its points resolve"
+                    f"contact or flow of a surface did not converge at a gap of {separation / rms:.3g} Rq; "
+                    "give a shortest_wave that its points resolve"
                 ) from error
             break
         if row["area"] >= CLOSED:
