@@ -155,7 +155,9 @@ def test_a_table_is_solved_once_and_damaged_ones_again(cache, monkeypatch):
 
 def test_a_table_that_does_not_converge_is_one_sentence(monkeypatch):
     monkeypatch.setattr("pyworm.kernel.rough_cell.MOST_ITERATIONS", 0)
-    with pytest.raises(CaseError, match=r"did not converge at a gap of .* Rq; give a shortest_wave"):
+    with pytest.raises(
+        CaseError, match=r"did not converge at a gap of .* Rq; give a shortest_wave"
+    ):
         tables.solve_cell(_coarse(0.4e-6, 1), MODULUS, None)
 
 
