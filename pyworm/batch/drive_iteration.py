@@ -5,7 +5,8 @@ each other, the temperatures of its oil and bodies from the loss between the tee
 films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `STRIDE`-th phase, lifts at an accuracy of `GLANCE`.
+temperatures are found with every `STRIDE`-th phase, lifts at an accuracy of `GLANCE` and in one window: all
+that is solved last is solved in two.
 """
 
 from collections.abc import Callable, Sequence
@@ -88,7 +89,8 @@ class _Search:
 
     def glance(self, case: Case, tasks: Sequence[Task], how: tuple) -> Case:
         """The case with the values found by films of lower accuracy."""
-        tasks = [replace(task, case=case, accuracy=GLANCE) for task in tasks]
+        less = {"accuracy": GLANCE, "wider_window": False}
+        tasks = [replace(task, case=case, **less) for task in tasks]
         return self._next(case, run(case, tasks, *how), [])
 
     def settle(

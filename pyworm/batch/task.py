@@ -1,7 +1,7 @@
 """A task: one scene to be solved, identified by everything that decides its solution."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields, replace
 from functools import cached_property
 from hashlib import sha256
 from typing import Any
@@ -38,6 +38,8 @@ class Task:
         Which effects to simulate, as `pyworm.plan` takes it.
     quantities : tuple of str or None
         What is asked for, likewise.
+    wider_window : bool
+        Whether a wider window is solved too, for the window error; else error bars are without it.
     """
 
     case: Case
@@ -45,6 +47,7 @@ class Task:
     accuracy: float
     effects: str = "auto"
     quantities: tuple[str, ...] | None = None
+    wider_window: bool = True
 
     @cached_property
     def scene(self) -> Scene | LineScene:
@@ -54,7 +57,8 @@ class Task:
     @cached_property
     def plan(self) -> Plan:
         """Plan of the solve; ValueError if it cannot be planned."""
-        return plan(self.scene, self.accuracy, self.effects, self.quantities)
+        found = plan(self.scene, self.accuracy, self.effects, self.quantities)
+        return found if self.wider_window else replace(found, wider_grids=())
 
     @property
     def identity(self) -> dict[str, Any]:
@@ -67,6 +71,7 @@ class Task:
             "accuracy": self.accuracy,
             "effects": self.effects,
             "quantities": self.quantities,
+            "wider_window": self.wider_window,
         }
 
     @cached_property
@@ -75,7 +80,7 @@ class Task:
         return key_of(self.identity)
 
     def __reduce__(self) -> tuple:
-        given = self.case, self.place, self.accuracy, self.effects, self.quantities
+        given = tuple(getattr(self, part.name) for part in fields(self))
         return Task, given, {"plan": self.plan} if "plan" in vars(self) else None
 
     def solved(self, progress: Progress | None = None) -> Result:

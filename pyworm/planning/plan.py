@@ -51,7 +51,7 @@ class Plan:
         Grids from the outermost to the first one of the figures; finer ones are added as needed.
     wider_grids : tuple of Grid or LineGrid
         Grids of the same spacing to a window of twice the reach, for the window error; empty if that is
-        not to be estimated.
+        not to be estimated, and no part of error bars.
     largest_grid : int
         Nodes beyond which grids are not refined further.
     tolerance : float

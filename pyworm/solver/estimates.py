@@ -41,7 +41,8 @@ def estimates(
     readings : sequence of Reading
         Figures on grids of halving spacing, this one last.
     window_errors : mapping
-        Relative window error of each figure; empty where no wider window was solved.
+        Relative window error of each figure; empty where no wider window was solved: it is infinite then, and
+        none of the bars' if the plan has no wider window.
     settled : Settled
         Figures and algebraic errors on the last grid.
     plan : Plan
@@ -56,11 +57,12 @@ def estimates(
     if not film_is_sound(level, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
     modelled = level.model_errors()
+    window = np.inf if plan.wider_grids else 0.0
     found = {
         name: Estimate(
             solver.origins.get(name, 0.0) + limits[name].value,
             grid[name],
-            window_errors.get(name, np.inf),
+            window_errors.get(name, window),
             settled.algebra[name],
             modelled.get(name, 0.0) + model_errors.get(name, 0.0),
             reasons.get(name),

@@ -56,10 +56,11 @@ def on_mesh(
     every_second = [np.append(np.arange(0, one.size - 1, 2), one.size - 1) for one in coarse]
     seen = _interpolated(values[0][np.ix_(*every_second)], coarse, every_second)
     sound = smooth & (np.abs(seen - values[0]) <= FALL * tolerance)
-    found = _interpolated(values, sides, chosen)
-    found[-1] = 1.0
-    left = _reached(~sound, x.shape, chosen)
-    found[:, left] = find(x[left], y[left])
+    found = np.ones((len(values), *x.shape))
+    found[:-1] = _interpolated(values[:-1], sides, chosen)
+    if not sound.all():
+        left = _reached(~sound, x.shape, chosen)
+        found[:, left] = find(x[left], y[left])
     return found
 
 
@@ -74,7 +75,7 @@ def _sides(x: Array, y: Array) -> tuple[Array, Array] | None:
 def _interpolated(values: Array, sides: tuple[Array, Array], chosen: list[Array]) -> Array:
     """Values at all nodes from those at the chosen ones of each side."""
     rows, columns = (_matrix(side, at) for side, at in zip(sides, chosen, strict=True))
-    return rows @ values @ columns.T
+    return rows @ (values @ columns.T)
 
 
 def _matrix(side: Array, chosen: Array) -> Array:
