@@ -3,7 +3,7 @@
 !> The pressure between them is shared: oil bears what the asperities in contact leave (Johnson, Greenwood and Poon,
 !> Wear 19 (1972) 91). Pressure of the asperities, real area of contact, mean thickness of the gap and the flow factors of
 !> Patir and Cheng (J. Lubr. Technol. 100 (1978) 12, 101 (1979) 220) depend on the gap between the surfaces' mean planes
-!> alone; they are given as tables. Components of a tensor are in the order xx, xy, yy.
+!> alone; they are given as tables. Components of a tensor are in the order xx, yy, xy.
 module rough_surfaces
   use kinds, only: wp
   use status, only: status_ok, status_bad_argument, status_no_memory, status_not_finite

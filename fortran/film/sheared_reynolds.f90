@@ -339,8 +339,7 @@ contains
         faces%film_after(i, j) = by_h*widening2(c) + by_mass2*growth2(c) + rho(c)*turn2(c)
       end do
       if (allocated(fields%rough)) then
-        call add_dragged(fields, first, last, j, di, dj, 0, work%us, work%vs, faces%flow, faces%before, faces%film_before)
-        call add_dragged(fields, first, last, j, di, dj, 1, work%us, work%vs, faces%flow, faces%after, faces%film_after)
+        call add_dragged(nodes, fields, first, last, j, di, dj, faces)
       end if
     end associate
   end subroutine flow_through
@@ -394,28 +393,40 @@ contains
     end associate
   end subroutine turn_flow
 
-  !> Adds to the flow through faces half of what roughness drags along with the walls by the average at one of their
-  !> two nodes, `side` 0 or 1, with its derivatives; (us, vs) is the velocity of body 2 relative to body 1 at the faces.
-  pure subroutine add_dragged(fields, first, last, j, di, dj, side, us, vs, flow, by_pressure, by_gap)
+  !> Adds the oil that rough walls drag along through the faces; arguments as of `flow_through`.
+  !>
+  !> It depends on the gap and not on a gradient, so that thickness travels with its change by the gap, and against the
+  !> entrainment where a slow rough wall slides fast over a gap of less than about its roughness. It is taken from the node
+  !> upwind of the travelling thickness: with a mean of both nodes, or upwind to higher order, such films are lost.
+  pure subroutine add_dragged(nodes, fields, first, last, j, di, dj, faces)
+    type(sheared_oil), intent(in) :: nodes
     type(film_fields), intent(in) :: fields
-    integer, intent(in) :: first, last, j, di, dj, side
-    real(wp), intent(in) :: us(:), vs(:)
-    real(wp), intent(inout) :: flow(:, :), by_pressure(:, :), by_gap(:, :)
-    real(wp) :: normal, aside, dragged
-    integer :: c, i, k, l, xx
+    integer, intent(in) :: first, last, j, di, dj
+    type(face_flow), intent(inout) :: faces
+    real(wp) :: dragged(0:1), by_gap(0:1), normal, aside
+    integer :: i, k, l, side, xx
 
     xx = merge(1, 2, di == 1)
     associate (shear => fields%rough%shear, shear_h => fields%rough%shear_h, rho => fields%rho, rho_p => fields%rho_p)
-      do c = 1, last - first + 1
-        i = first + c - 1
-        k = i + side*di
-        l = j + side*dj
-        normal = merge(us(c), vs(c), di == 1)/4
-        aside = merge(vs(c), us(c), di == 1)/4
-        dragged = shear(k, l, xx)*normal + shear(k, l, 3)*aside
-        flow(i, j) = flow(i, j) + rho(k, l)*dragged
-        by_pressure(i, j) = by_pressure(i, j) + rho_p(k, l)*dragged
-        by_gap(i, j) = by_gap(i, j) + rho(k, l)*(shear_h(k, l, xx)*normal + shear_h(k, l, 3)*aside)
+      do i = first, last
+        do side = 0, 1
+          k = i + side*di
+          l = j + side*dj
+          normal = merge(nodes%sliding_x(k, l), nodes%sliding_y(k, l), di == 1)/2
+          aside = merge(nodes%sliding_y(k, l), nodes%sliding_x(k, l), di == 1)/2
+          dragged(side) = shear(k, l, xx)*normal + shear(k, l, 3)*aside
+          by_gap(side) = rho(k, l)*(shear_h(k, l, xx)*normal + shear_h(k, l, 3)*aside)
+        end do
+        ! the flow is subtracted: thickness travels against its change by the gap
+        if (sum(by_gap) <= 0) then
+          faces%flow(i, j) = faces%flow(i, j) + rho(i, j)*dragged(0)
+          faces%before(i, j) = faces%before(i, j) + rho_p(i, j)*dragged(0)
+          faces%film_before(i, j) = faces%film_before(i, j) + by_gap(0)
+        else
+          faces%flow(i, j) = faces%flow(i, j) + rho(k, l)*dragged(1)
+          faces%after(i, j) = faces%after(i, j) + rho_p(k, l)*dragged(1)
+          faces%film_after(i, j) = faces%film_after(i, j) + by_gap(1)
+        end if
       end do
     end associate
   end subroutine add_dragged

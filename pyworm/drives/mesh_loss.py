@@ -1,5 +1,6 @@
 """Power through a mesh and its loss by friction."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 
@@ -18,7 +19,9 @@ class ContactLoss:
     power : float
         Power lost [W], for each length of a line contact [W/m].
     error : float
-        Relative error bar of the power lost [-].
+        Relative numerical error bar of the power lost [-].
+    model : float or None
+        Its relative uncertainty by the model of roughness [-]; None where roughness was not simulated.
     """
 
     phase: float
@@ -26,6 +29,7 @@ class ContactLoss:
     friction: float
     power: float
     error: float
+    model: float | None = None
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,8 @@ class MeshLoss:
         Largest relative error bar of the friction in it [-].
     words : str
         Derivation, in words.
+    model : float or None
+        Relative uncertainty of the friction by the model of roughness [-]; None where none was simulated.
     """
 
     power: float
@@ -51,8 +57,14 @@ class MeshLoss:
     friction: float
     error: float
     words: str
+    model: float | None = None
 
     @property
     def efficiency(self) -> float:
         """Efficiency of the teeth alone [-]."""
         return 1 - self.loss / self.power
+
+
+def largest_model(contacts: Sequence[ContactLoss]) -> float | None:
+    """Largest relative uncertainty by the model of roughness; None where none was simulated."""
+    return max((one.model for one in contacts if one.model is not None), default=None)

@@ -43,6 +43,9 @@ class Loss:
         Power out over power in, as the drive runs [-].
     reverse_efficiency : float
         Efficiency with the power in the other direction, at the same loads and friction [-].
+    model_error : float or None
+        Uncertainty of the power lost by the model of roughness, the same way at all phases [W]; None where
+        roughness was not simulated.
     """
 
     power: float
@@ -54,16 +57,24 @@ class Loss:
     worm_torque: float
     efficiency: float
     reverse_efficiency: float
+    model_error: float | None = None
 
     @property
     def error(self) -> float:
-        """Error bar of the power lost, the sum of all origins [W]."""
+        """Numerical error bar of the power lost, the sum of all origins [W]."""
         return self.scene_error + self.phase_error + self.end_error
 
     @property
     def efficiency_error(self) -> float:
         """Error bar of either efficiency [-]: the fraction of loss in the power, times its relative error."""
         return (1 - self.efficiency) * self.error / self.power
+
+    @property
+    def efficiency_model_error(self) -> float | None:
+        """Uncertainty of either efficiency by the model of roughness [-]; None likewise."""
+        if self.model_error is None:
+            return None
+        return (1 - self.efficiency) * self.model_error / self.power
 
 
 def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
@@ -81,7 +92,6 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     solved = np.array([one.phase for one in contacts])
     friction = np.array([one.power / one.load for one in contacts])
     friction /= np.interp(solved, phases, sliding)
-    errors = np.array([one.error for one in contacts])
 
     def over_pitch(values: Array) -> float:
         return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])
@@ -112,7 +122,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     )
     return Loss(
         power=power,
-        scene_error=over_pitch(lost * np.interp(phases, solved, errors)),
+        scene_error=over_pitch(lost * _interpolated(phases, contacts, "error")),
         phase_error=abs(over_pitch(along(half) * load * sliding) - power),
         end_error=over_pitch(lost * beyond) * float(friction.max() / friction.min() - 1),
         friction=power / over_pitch(load * sliding),
@@ -120,4 +130,15 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
         worm_torque=worm,
         efficiency=efficiencies[0 if turn > 0 else 1],
         reverse_efficiency=efficiencies[1 if turn > 0 else 0],
+        model_error=(
+            None
+            if all(one.model is None for one in contacts)
+            else over_pitch(lost * _interpolated(phases, contacts, "model"))
+        ),
     )
+
+
+def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> Array:
+    """A relative error of the contacts at all phases; zero of a contact that has none."""
+    errors = [getattr(one, part) or 0.0 for one in contacts]
+    return np.interp(phases, [one.phase for one in contacts], errors)

@@ -9,6 +9,8 @@ fits fall too fast.
 
 import numpy as np
 
+from pyworm.formulas.rough_contact import open_gap
+
 Array = np.ndarray
 
 ASPECTS = np.array([1 / 9, 1 / 6, 1 / 3, 1.0, 3.0, 6.0, 9.0])
@@ -67,11 +69,17 @@ def pressure_flow_factor(gap, aspect: float) -> Array:
 
 
 def shear_flow_factor(gap, aspect: float) -> Array:
-    """Shear flow factor [-] of a rough surface against a smooth one; arguments likewise."""
+    """Shear flow factor [-] of a rough surface against a smooth one; arguments likewise.
+
+    Below the fits the oil is in valleys, which move with their surface: the factor stays the same part of
+    the mean thickness. Fits that vanish with the gap would let the valleys stand still.
+    """
     gap = np.asarray(gap, dtype=float)
-    near = np.clip(gap, 0.0, ASYMPTOTIC)
+    near = np.clip(gap, CLOSED, ASYMPTOTIC)
     fits = np.array([a * near**b * np.exp(-c * near + d * near**2) for a, b, c, d in SHEAR_FACTORS])
-    return _blend(gap, _between(fits, aspect), 3 / ((1 + aspect) * np.maximum(gap, FITTED)))
+    part = open_gap(np.minimum(gap, CLOSED)) / open_gap(CLOSED)
+    asymptote = 3 / ((1 + aspect) * np.maximum(gap, FITTED))
+    return part * _blend(gap, _between(fits, aspect), asymptote)
 
 
 def _between(fits: Array, aspect: float) -> Array:

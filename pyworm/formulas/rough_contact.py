@@ -46,6 +46,19 @@ def overlap_moment(order: float, gap) -> Array:
     return np.where(gap < HIGHEST, moment, 0.0)
 
 
+def open_gap(gap) -> Array:
+    """Mean thickness of the gap over the roughness [-], where surfaces of normal heights overlap nowhere.
+
+    Parameters
+    ----------
+    gap : array_like
+        Gap between mean planes over the composite roughness [-].
+    """
+    gap = np.asarray(gap, dtype=float)
+    thickness = gap * scipy.special.ndtr(gap) + np.exp(-(gap**2) / 2) / sqrt(2 * pi)
+    return np.maximum(thickness, 0.0)
+
+
 def greenwood_tripp(gap, density: float, sharpness: float, modulus: float) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of two rough surfaces with spherical asperities.
 

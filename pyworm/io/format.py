@@ -14,3 +14,9 @@ def duration(seconds: float) -> str:
 def percent(share: float) -> str:
     """A fraction as text, in per cent."""
     return f"{share * 100:.0f} %" if share >= 0.095 else f"{share * 100:.2g} %"
+
+
+def bars(error: float, model: float | None, scale: float = 100.0, unit: str = " %") -> str:
+    """Error bars as text, relative ones in per cent: the numerical one and, if there is one, the model's."""
+    numerical = f"± {error * scale:.2g}{unit}"
+    return numerical if model is None else f"{numerical} ± {model * scale:.2g}{unit} (model)"

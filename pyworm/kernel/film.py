@@ -171,6 +171,7 @@ class Film:
         self.levels = 0
         self.heated = False
         self.rough = False
+        self.boundary_friction = 0.0
         self._warming = 0.0
         weakref.finalize(self, core.bindings.film_free, self._handle)
 
@@ -357,18 +358,24 @@ class Film:
             )
         )
         self.rough = True
+        self.boundary_friction = boundary_friction
 
     def asperities(self) -> Asperities:
         """What asperities of rough surfaces bear, as last evaluated."""
         fields = core.bindings.film_asperities(self._handle, *self._nodes)
         return Asperities(*(self._on_grid(field) for field in fields))
 
+    def set_rise(self, rise) -> None:
+        """Set the rise over the inlet temperature at the levels [K]; the film must be restarted."""
+        core.bindings.film_set_rise(self._handle, self._on_nodes(rise))
+        self._warming = np.inf
+
     def _warm_from(self, rise) -> None:
-        """Set the initial rise over the inlet temperature at the levels [K], by default zero."""
-        if rise is not None:
-            core.bindings.film_set_rise(self._handle, self._on_nodes(rise))
+        """Heat the film from a rise over the inlet temperature at the levels [K], by default zero."""
         self.heated = True
         self._warming = np.inf
+        if rise is not None:
+            self.set_rise(rise)
 
     def shear_fields(self, factors: bool = False) -> ShearFields:
         """Shear of a film with a flow law; flow factors are computed only on request, else zero.

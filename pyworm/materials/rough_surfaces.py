@@ -2,13 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import cos, hypot, pi, sin, sqrt
+from math import cos, hypot, sin
+from typing import Self
 
 import numpy as np
 import scipy
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
-from pyworm.formulas.rough_contact import self_affine
+from pyworm.formulas.rough_contact import open_gap, self_affine
 from pyworm.materials.body import Body, reduced_modulus
 
 Array = np.ndarray
@@ -23,7 +24,6 @@ found."""
 
 LEAST_LOGARITHM = -600.0
 """Logarithm of the least pressure of asperities [Pa], which is none."""
-
 
 LEAST_AREA = 1e-30
 """Real area of contact over the nominal one that is none."""
@@ -74,6 +74,31 @@ class GapCurves:
     values: Array
     slopes: Array
 
+    @classmethod
+    def through(cls, scale: float, first: float, spacing: float, values: Array) -> Self:
+        """Monotone curves through the values of all rows."""
+        row = first + spacing * np.arange(values.shape[1])
+        slopes = scipy.interpolate.PchipInterpolator(row, values, axis=1).derivative()(row)
+        return cls(scale, first, spacing, values, slopes)
+
+    @property
+    def gaps(self) -> Array:
+        """Gap between mean planes of each row [m]."""
+        return self.scale * np.sinh(self.first + self.spacing * np.arange(self.values.shape[1]))
+
+    @property
+    def thicknesses(self) -> Array:
+        """Mean thickness of the gap of each row [m]."""
+        return self.gaps + self.values[1]
+
+    def gap_under(self, pressure: float) -> float:
+        """Gap between mean planes [m] at which asperities alone bear a pressure [Pa]."""
+        return float(np.interp(-np.log(pressure), -self.values[0], self.gaps))
+
+    def at_thickness(self, thickness: float) -> Array:
+        """All curves where the gap has a mean thickness [m], (9,)."""
+        return np.array([np.interp(thickness, self.thicknesses, row) for row in self.values])
+
     def scaled(self, factor: float) -> "GapCurves":
         """Those of surfaces with all lengths times a factor, which bear as much at a gap as much wider."""
         lengths = np.array([1.0, factor, 1.0, 1.0, 1.0, 1.0, factor, factor, factor])[:, None]
@@ -95,13 +120,10 @@ class RoughPair:
         Surfaces of body 1 and body 2.
     modulus : float
         E* = E'/2 [Pa].
-    boundary_friction : float
-        Friction coefficient of asperities in contact [-].
     """
 
     surfaces: tuple[RoughSurface, RoughSurface]
     modulus: float
-    boundary_friction: float
 
     @property
     def height(self) -> float:
@@ -127,9 +149,7 @@ class RoughPair:
 
     def mean_thickness(self, gap) -> Array:
         """Mean thickness of the gap where surfaces overlap nowhere, over the composite roughness [-]."""
-        gap = np.asarray(gap, dtype=float)
-        open_gap = gap * scipy.special.ndtr(gap) + np.exp(-(gap**2) / 2) / sqrt(2 * pi)
-        return (np.maximum(open_gap, 0.0) ** 4 + NARROWEST**4) ** 0.25
+        return (open_gap(gap) ** 4 + NARROWEST**4) ** 0.25
 
     def flow_factors(self, gap) -> tuple[Array, Array]:
         """Pressure flow factors of the gap's cube [-] and shear flow factors [-]: tensors xx, yy, xy.
@@ -146,6 +166,13 @@ class RoughPair:
                 pressure += share * tensor * pressure_flow_factor(gap, aspect)
                 shear += side * share * tensor * shear_flow_factor(gap, aspect)
         return pressure, shear
+
+    def elastic(self) -> "RoughPair | None":
+        """The surfaces as if they did not yield; None where neither does."""
+        if all(surface.hardness is None for surface in self.surfaces):
+            return None
+        first, second = (replace(surface, hardness=None) for surface in self.surfaces)
+        return replace(self, surfaces=(first, second))
 
     def curves(self) -> GapCurves:
         """All averages as tables for the kernel."""
@@ -207,13 +234,10 @@ def tabulated(
             shear,
         ]
     )
-    slopes = scipy.interpolate.PchipInterpolator(row, values, axis=1).derivative()(row)
-    return GapCurves(height, float(row[0]), float(row[1] - row[0]), values, slopes)
+    return GapCurves.through(height, float(row[0]), float(row[1] - row[0]), values)
 
 
-def rough_pair(
-    bodies: tuple[Body, Body], directions: Sequence[float], boundary_friction: float
-) -> RoughPair:
+def rough_pair(bodies: tuple[Body, Body], directions: Sequence[float]) -> RoughPair:
     """The surfaces of two bodies whose roughness is known.
 
     Parameters
@@ -222,8 +246,6 @@ def rough_pair(
         Body 1 and body 2.
     directions : sequence of float
         Direction of each surface's motion, from which its lay counts, from the x axis [rad].
-    boundary_friction : float
-        Friction coefficient of asperities in contact [-].
     """
     surfaces = tuple(
         RoughSurface(
@@ -235,4 +257,4 @@ def rough_pair(
         )
         for body, direction in zip(bodies, directions, strict=True)
     )
-    return RoughPair(surfaces, reduced_modulus(*bodies) / 2, boundary_friction)
+    return RoughPair(surfaces, reduced_modulus(*bodies) / 2)

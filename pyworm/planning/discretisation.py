@@ -94,7 +94,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         largest_grid=LARGEST_GRID,
         tolerance=RESIDUAL_FRACTION * accuracy,
         work=work,
-        refusal=_refusal(work, size.film, LARGEST_GRID),
+        refusal=_refusal(work, size.open_film, LARGEST_GRID),
     )
 
 
@@ -108,7 +108,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
         )
     grid, wider = first_grids(scene, size, accuracy, model.heated)
     change = first_change(
-        grid.spacing, (size.hertz.half_width,), (scene.radius,), size.film, size.groups.moes_l
+        grid.spacing, (size.hertz.half_width,), (scene.radius,), size.open_film, size.groups.moes_l
     )
     work = expected_work(
         "line",
@@ -126,7 +126,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
         largest_grid=LARGEST_LINE,
         tolerance=HEATED_LINE_FRACTION * accuracy if model.heated else LINE_TOLERANCE,
         work=work,
-        refusal=_refusal(work, size.film, LARGEST_LINE),
+        refusal=_refusal(work, size.open_film, LARGEST_LINE),
     )
 
 
@@ -164,7 +164,7 @@ def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> f
         spacing,
         (size.hertz.semi_axis_x, size.hertz.semi_axis_y),
         scene.radii,
-        size.film,
+        size.open_film,
         size.groups.moes_l,
         _slenderness(size),
     )
@@ -173,7 +173,7 @@ def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> f
 def _first_spacing(scene: Scene, size: Scales) -> tuple[float, float]:
     """Spacing of the first grid of the figures along each direction, unless accuracy asks for less [m]."""
     lengths = [
-        sqrt(semi_axis**2 + 2 * radius * size.film)
+        sqrt(semi_axis**2 + 2 * radius * size.open_film)
         for semi_axis, radius in zip(
             (size.hertz.semi_axis_x, size.hertz.semi_axis_y), scene.radii, strict=True
         )

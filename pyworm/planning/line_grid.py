@@ -113,7 +113,7 @@ def _distance(scene: LineScene, size: LineScales, films: float) -> float:
     Outside the contact the gap is b^2/2R {X (X^2 - 1)^(1/2) - ln[X + (X^2 - 1)^(1/2)]}, X = x/b (Johnson,
     Contact Mechanics, section 4.2).
     """
-    height, b = films * size.film, size.hertz.half_width
+    height, b = films * size.open_film, size.hertz.half_width
     near, far = b, 2 * hypot(b, sqrt(2 * scene.radius * height))
     for _ in range(60):
         middle = (near + far) / 2

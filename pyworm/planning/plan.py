@@ -13,6 +13,7 @@ from pyworm.planning.effects.judgement import Judgement, judge, simplified
 from pyworm.planning.effects.selection import (
     ONLY_NAMED,
     SIMULATED,
+    BesideAuto,
     beside_auto,
     chosen,
     require,
@@ -60,6 +61,8 @@ class Plan:
         Expected Newton steps; `pyworm.solver.cost.expected_time` gives their time.
     refusal : str or None
         Reason why no grid is refined, the film needing far more nodes than allowed; else None.
+    excluded : tuple of str
+        Effects that the user leaves out of what the accuracy requires.
     """
 
     accuracy: float
@@ -75,6 +78,7 @@ class Plan:
     tolerance: float
     work: Work
     refusal: str | None = None
+    excluded: tuple[str, ...] = ()
 
     @property
     def on(self) -> frozenset[str]:
@@ -84,7 +88,7 @@ class Plan:
     @property
     def may_grow(self) -> bool:
         """Whether it leaves out effects that the solution may call for."""
-        simulated = SIMULATED.keys() - ONLY_NAMED
+        simulated = SIMULATED.keys() - ONLY_NAMED - set(self.excluded)
         left_out = {one.name for one in self.effects if not one.on and one.influence}
         return self.asked is None and not left_out.isdisjoint(simulated)
 
@@ -115,7 +119,8 @@ def plan(
     accuracy : float
         Relative error wanted [-], between 1e-5 and 0.5.
     effects : str
-        "auto": what the accuracy requires, and effects named after a comma; otherwise a choice as of
+        "auto": what the accuracy requires, with effects named after a comma and without those after a minus;
+        otherwise a choice as of
         `planning.effects.selection.chosen`: "all", "isothermal", or names of effects with commas.
     quantities : sequence of str, optional
         Quantities asked for: "film", "friction", "temperature"; by default all that the oil's data allow.
@@ -139,13 +144,17 @@ def plan(
                 f"quantities: {quantity} cannot be found without [oil.shear] or [oil.heat]"
             )
     wanted = known if quantities is None else tuple(quantities)
-    named = beside_auto(effects)
-    for name in named or ():
+    beside = beside_auto(effects)
+    asked = effects if beside is None else None
+    beside = beside or BesideAuto()
+    for name in beside.required:
         require(scene, name, effects)
-    asked = effects if named is None else None
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
-            return planned(scene, accuracy, wanted, predicted(scene), asked, named or frozenset())
+            prediction = predicted(scene)
+            return planned(
+                scene, accuracy, wanted, prediction, asked, beside.required, beside.excluded
+            )
     except ArithmeticError as error:
         raise ValueError(
             f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "
@@ -160,9 +169,10 @@ def planned(
     prediction: Prediction,
     asked: str | None = None,
     required: frozenset[str] = frozenset(),
+    excluded: frozenset[str] = frozenset(),
 ) -> Plan:
-    """The plan from a prediction of the contact; effects in `required` stay on."""
-    judgements = _judged(scene, accuracy, quantities, prediction, asked, required)
+    """The plan from a prediction of the contact; effects in `required` stay on, those in `excluded` off."""
+    judgements = _judged(scene, accuracy, quantities, prediction, asked, required, excluded)
     on = frozenset(judgement.name for judgement in judgements if judgement.on)
     simple = simplified(scene, on)
     model = model_for(simple, accuracy, on, prediction)
@@ -172,7 +182,17 @@ def planned(
     law = sheared or asked is None or simple.oil.flow == scene.oil.flow
     aim = _aim(quantities, model, rubs=law and prediction.sliding > 0, beta=prediction.inlet_beta)
     regime = (line_regime if isinstance(scene, LineScene) else point_regime)(prediction.groups)
-    return Plan(accuracy, quantities, asked, judgements, regime, aim, model, **vars(numerics))
+    return Plan(
+        accuracy,
+        quantities,
+        asked,
+        judgements,
+        regime,
+        aim,
+        model,
+        **vars(numerics),
+        excluded=tuple(sorted(excluded)),
+    )
 
 
 def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGrid, ...]:
@@ -197,7 +217,15 @@ def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float])
     Only where effects are added is the rest of the plan made again.
     """
     prediction = predicted(scene).updated(figures)
-    how = scene, plan.accuracy, plan.quantities, prediction, plan.asked, plan.on
+    how = (
+        scene,
+        plan.accuracy,
+        plan.quantities,
+        prediction,
+        plan.asked,
+        plan.on,
+        frozenset(plan.excluded),
+    )
     again = replace(plan, effects=_judged(*how))
     return again if again.on == plan.on else planned(*how)
 
@@ -209,10 +237,11 @@ def _judged(
     prediction: Prediction,
     asked: str | None,
     required: frozenset[str],
+    excluded: frozenset[str],
 ) -> tuple[Judgement, ...]:
     """The effects judged for `planned`."""
     names = None if asked is None else chosen(scene, asked)
-    return judge(scene, accuracy, quantities, prediction, names, required)
+    return judge(scene, accuracy, quantities, prediction, names, required, excluded)
 
 
 def _known(scene: Scene | LineScene) -> tuple[str, ...]:

@@ -19,10 +19,7 @@ from pyworm.materials.oil import Oil
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.scene.scales import line_scales, scales
-
-POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
-"""Ratio of mean to largest pressure of Hertz's ellipse and strip."""
+from pyworm.scene.scales import LINE_MEAN, POINT_MEAN, line_scales, scales
 
 LEAST_TO_CENTRAL = 0.6
 """Typical ratio of minimum to central film, where no formula gives it."""
@@ -288,8 +285,8 @@ def _point(scene: Scene) -> Prediction:
         half_length=across,
         mean_to_max=POINT_MEAN,
         pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
-        film_central=size.film,
-        film_min=LEAST_TO_CENTRAL * size.film,
+        film_central=size.open_film,
+        film_min=LEAST_TO_CENTRAL * size.open_film,
         speed=size.groups.speed
         * scene.reduced_modulus
         * size.groups.radius
@@ -311,8 +308,8 @@ def _line(scene: LineScene) -> Prediction:
         half_length=inf,
         mean_to_max=LINE_MEAN,
         pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
-        film_central=size.film,
-        film_min=0.8 * size.film,
+        film_central=size.open_film,
+        film_min=0.8 * size.open_film,
         speed=abs(scene.entrainment),
         sliding=abs(scene.sliding),
         velocities=tuple(abs(velocity) for velocity in scene.velocities),

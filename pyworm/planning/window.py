@@ -90,7 +90,7 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
     )
     flat = _least(scene, boxes[0]) + size.hertz.approach
     for _ in range(MOST_GROWTHS):
-        rise = (_lowest(scene, boxes) - flat) / size.film
+        rise = (_lowest(scene, boxes) - flat) / size.open_film
         open_ = rise < inlet
         enough = open_ & (rise >= exit_)  # if the side is an exit
         if enough.any():

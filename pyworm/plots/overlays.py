@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.contact.outline import signed_square
+from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
 from pyworm.solver.solution import Solution
 
@@ -114,10 +115,8 @@ def draw_largest_temperatures(
     ):
         estimates = [getattr(solution.figures, name) for solution in solutions]
         hottest = with_gaps(solutions, [estimate.value for estimate in estimates])
-        error = abs(hottest - inlet) * [estimate.error for estimate in estimates]
-        axes.errorbar(
-            places, hottest - ZERO_CELSIUS, error, fmt="o-", color=colour, capsize=3, label=label
-        )
+        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
+        draw_estimates(axes, places, hottest - ZERO_CELSIUS, hottest - inlet, estimates, **style)
     axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
     mark_gaps(axes, places, solutions)
     low, high = axes.get_ylim()

@@ -103,7 +103,7 @@ def draw_curves(
     gap = table.separation / table.height
     rough = RoughSurface(table.height, texture.slope, hardness=hardness)
     smooth = RoughSurface(1e-6 * table.height, 1e-12, hardness=hardness)
-    closed, area = RoughPair((rough, smooth), modulus / 2, 0.0).contact(gap)
+    closed, area = RoughPair((rough, smooth), modulus / 2).contact(gap)
     _draw_contact(contact, gap, table, closed, area)
     factors, dragged = table.conducted / table.flowing**3, table.dragged / table.height
     fitted = gap[gap >= 0.5]

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import mark_gaps, placed_panels, result_heading, with_gaps
 from pyworm.plots.overlays import draw_largest_temperatures
 from pyworm.result.headline import of_all
@@ -45,9 +46,9 @@ def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     ratios = np.array([solution.slide_roll_ratio for solution in swept])
     estimates = [solution.figures.friction_coefficient for solution in swept]
     friction = with_gaps(swept, [estimate.value for estimate in estimates])
-    error = abs(friction) * [estimate.error for estimate in estimates]
     signed = np.sign(ratios) * friction
-    axes.errorbar(ratios, signed, error, fmt="o-", color="tab:purple", capsize=3)
+    style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
+    draw_estimates(axes, ratios, signed, friction, estimates, **style)
     mark_gaps(axes, ratios, swept)
     if not all(one.converged for one in swept):
         axes.legend(frameon=False)

@@ -15,6 +15,7 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
             friction=of.figures.friction_coefficient.value,
             power=of.figures.power_loss.value,
             error=of.figures.power_loss.error,
+            model=of.figures.power_loss.model,
         )
         for of in solutions
     ]

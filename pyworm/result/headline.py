@@ -20,7 +20,9 @@ def headline(solutions: Sequence[Solution]) -> str:
     if not words or not films:
         return words
     film = min(films, key=lambda film: film.value)
-    return f"Least film {film.value * 1e6:.3g} µm ± {film.error * 100:.2g} % (numerical); {words}"
+    numerical = f"± {film.error * 100:.2g} % (numerical)"
+    model = "" if film.model is None else f" ± {film.model * 100:.2g} % (model)"
+    return f"Least film {film.value * 1e6:.3g} µm {numerical}{model}; {words}"
 
 
 def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:

@@ -24,7 +24,7 @@ class Extreme:
     value : float
         The figure in SI units.
     error : float
-        Its error bar in the same unit.
+        Its numerical error bar in the same unit.
     phase : float
         Phase in the mesh cycle.
     place : tuple of float or None
@@ -32,6 +32,8 @@ class Extreme:
         a temperature.
     reason : str or None
         Reason why its error bar is infinite (`solution.Estimate`).
+    model : float or None
+        Its uncertainty by the model of roughness in the same unit; None where roughness was not simulated.
     """
 
     value: float
@@ -39,6 +41,7 @@ class Extreme:
     phase: float
     place: tuple[float, float] | None = None
     reason: str | None = None
+    model: float | None = None
 
 
 @dataclass(frozen=True)
@@ -118,6 +121,14 @@ class DriveCycle:
                     "efficiency": loss.efficiency,
                     "reverse_efficiency": loss.reverse_efficiency,
                     "efficiency_error": loss.efficiency_error,
+                    **(
+                        {}
+                        if loss.model_error is None
+                        else {
+                            "power_loss_model_error_W": loss.model_error,
+                            "efficiency_model_error": loss.efficiency_model_error,
+                        }
+                    ),
                 }
             ),
         }
@@ -127,6 +138,8 @@ def _told(one: Extreme, unit: str) -> dict:
     values = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
     if one.place is not None:
         values |= {"face_m": one.place[0], "radius_m": one.place[1]}
+    if one.model is not None:
+        values["model_error"] = one.model
     if one.reason is not None:
         values["error_reason"] = one.reason
     return values
@@ -196,7 +209,10 @@ def _extreme(
     heat = name.startswith("temperature")
     size = estimate.value - one.inlet_temperature if heat else estimate.value
     at = None if place is None else flank_place(one, *place(one))
-    return Extreme(estimate.value, estimate.error * abs(size), one.phase, at, estimate.reason)
+    model = None if estimate.model is None else estimate.model * abs(size)
+    return Extreme(
+        estimate.value, estimate.error * abs(size), one.phase, at, estimate.reason, model
+    )
 
 
 def _largest_at(solution: Solution) -> tuple[float, float]:
@@ -227,4 +243,5 @@ def _lambda(film: Extreme, roughness: float | None) -> Extreme | None:
     """Least film over the composite roughness of worm and wheel [m]."""
     if roughness is None:
         return None
-    return replace(film, value=film.value / roughness, error=film.error / roughness)
+    model = None if film.model is None else film.model / roughness
+    return replace(film, value=film.value / roughness, error=film.error / roughness, model=model)

@@ -112,7 +112,7 @@ class Contact(ABC):
             from pyworm.surfaces.topography_pair import topography_pair
 
             return topography_pair(self.bodies, self.motion_angles)
-        return rough_pair(self.bodies, self.motion_angles, self.oil.boundary_friction)
+        return rough_pair(self.bodies, self.motion_angles)
 
     @property
     @abstractmethod

@@ -15,8 +15,12 @@ from pyworm.formulas.film import (
     radii_at_angle,
 )
 from pyworm.formulas.hertz import HertzContact, HertzLine, hertz, hertz_line
+from pyworm.scene.contact import Contact
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
+
+POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
+"""Ratio of mean to largest pressure of Hertz's ellipse and strip."""
 
 MOST_SLENDER = 1e6
 """Largest ratio of the relative radii."""
@@ -38,13 +42,16 @@ class Scales:
     angle : float
         Direction of the entrainment, from x to y [rad].
     film : float
-        Central film by Nijenbanning, Venner and Moes [m].
+        Central film of smooth surfaces by Nijenbanning, Venner and Moes [m].
+    open_film : float
+        Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
     """
 
     hertz: HertzContact
     groups: PointGroups
     angle: float
     film: float
+    open_film: float
 
 
 def scales(scene: Scene) -> Scales:
@@ -84,7 +91,22 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.alpha,
     )
     require_proportion(scene.name, groups)
-    return Scales(contact, groups, angle, float(nijenbanning_venner_moes(groups).central))
+    film = float(nijenbanning_venner_moes(groups).central)
+    mean_pressure = POINT_MEAN * contact.pressure_max
+    return Scales(contact, groups, angle, film, _open_film(scene, film, mean_pressure))
+
+
+def _open_film(scene: Contact, film: float, pressure: float) -> float:
+    """Film [m] of rough surfaces under a mean pressure [Pa] whose film would be `film` if smooth.
+
+    The gap of the dry rough contact joins the film as a hypotenuse: right where one of both rules.
+    """
+    pair = scene.rough_pair
+    if pair is None:
+        return film
+    curves = pair.curves()
+    dry = np.interp(curves.gap_under(pressure), curves.gaps, curves.thicknesses)
+    return hypot(film, float(dry))
 
 
 def require_proportion(name: str, groups: PointGroups | LineGroups) -> None:
@@ -123,12 +145,15 @@ class LineScales:
     groups : LineGroups
         Dimensionless groups.
     film : float
-        Film where the pressure is largest by Moes [m].
+        Film of smooth surfaces where the pressure is largest by Moes [m].
+    open_film : float
+        Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
     """
 
     hertz: HertzLine
     groups: LineGroups
     film: float
+    open_film: float
 
 
 def line_scales(scene: LineScene) -> LineScales:
@@ -160,4 +185,6 @@ def line_scales(scene: LineScene) -> LineScales:
     )
     require_proportion(scene.name, groups)
     contact = hertz_line(scene.radius, scene.load, scene.reduced_modulus)
-    return LineScales(contact, groups, float(moes_line(groups).central))
+    film = float(moes_line(groups).central)
+    mean_pressure = LINE_MEAN * contact.pressure_max
+    return LineScales(contact, groups, film, _open_film(scene, film, mean_pressure))

@@ -19,6 +19,7 @@ from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
+from pyworm.solver.roughness_uncertainty import roughness_uncertainty
 
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid outside the figures is refined, and at which a Newtonian film is sheared."""
@@ -50,10 +51,6 @@ CONTINUATION_STEPS = 12
 
 HEATED_TOLERANCE = 1e-2
 """Residual of a heated film, and change of its temperature, at which the stress continuation advances."""
-
-SMOOTHEST, ROUGHENING = 1 / 64, 2.0
-"""Least first roughness over its own, and ratio of successive ones, in the continuation from smooth
-surfaces."""
 
 SENSELESS = 1.0
 """Residual beyond which a film is no initial guess for a finer grid: its pressure gradients need more stress
@@ -213,27 +210,18 @@ class ContactSolver(ABC):
     def _roughened(self, level: Level) -> list[NewtonStep]:
         """Newton steps from the film of smooth surfaces to that of rough ones, isothermal and Newtonian.
 
-        Roughness rises from the height of the smooth film to its own (roughness continuation), and with it
-        the film.
+        They begin with the pressure of the smooth film left to the oil, and that of the asperities on top, at
+        a gap no less than that in which asperities alone would bear it. So the load is too large: where
+        asperities are too stiff Newton's steps descend their exponential from above, and from below they
+        would overshoot it.
         """
-        steps: list[NewtonStep] = []
-        film = self._film_at_largest_pressure(level)
-        share, lift = min(max(film / self._rough.height, SMOOTHEST), 1.0), 0.0
-        while True:
-            before = level.state()
-            self._set_law(level, NEWTONIAN, share)
-            level.film.start(before.pressure, before.rigid_film + lift, before.oil)
-            steps += lead(level, COARSE_TOLERANCE)
-            if share >= 1:
-                return steps
-            rougher = min(share * ROUGHENING, 1.0)
-            lift = (rougher / share - 1) * self._film_at_largest_pressure(level)
-            share = rougher
-
-    @staticmethod
-    def _film_at_largest_pressure(level: Level) -> float:
-        """Film where the pressure is largest [m]."""
-        return float(level.film.thickness().flat[level.film.pressure.argmax()])
+        smooth = level.state()
+        pressure = level.film.pressure
+        film = float(level.film.thickness().flat[pressure.argmax()])
+        lift = max(self._curves.gap_under(pressure.max()) - film, 0.0)
+        self._set_law(level, NEWTONIAN)
+        level.film.start(smooth.pressure, smooth.rigid_film + lift, smooth.oil)
+        return lead(level, COARSE_TOLERANCE)
 
     def _heated(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
         """Newton steps from a sheared film to a heated one, and the factor of its stresses.
@@ -322,15 +310,13 @@ class ContactSolver(ABC):
         law = (self._scene.oil.flow or NEWTONIAN).firmer(stresses)
         self._set_law(level, law, slip_step=SLIP_STEP + SLIP_WIDENING * (stresses - 1))
 
-    def _set_law(
-        self, level: Level, law: FlowLaw, roughness: float = 1.0, slip_step: float = SLIP_STEP
-    ) -> None:
-        """Set a flow law, between surfaces of a fraction of their roughness; the film must be restarted."""
+    def _set_law(self, level: Level, law: FlowLaw, slip_step: float = SLIP_STEP) -> None:
+        """Set a flow law, and the surfaces' roughness; the film must be restarted."""
         level.film.shear(
             law, self._model.levels, self._scene.sliding_at(*level.grid.mesh()), slip_step
         )
         if self._curves is not None:
-            level.film.roughen(self._curves.scaled(roughness), self._scene.oil.boundary_friction)
+            level.film.roughen(self._curves, self._scene.oil.boundary_friction)
 
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""
@@ -363,6 +349,10 @@ class ContactSolver(ABC):
             None if dry is None or dry.converged else "the dry contact did not converge",
             profile(scene, level) if model.heated else None,
         )
+
+    def uncertainties(self, level: Level) -> dict[str, float]:
+        """Relative uncertainty of each figure of a converged film between rough surfaces."""
+        return roughness_uncertainty(level, self._rough, self._scene.oil.boundary_friction)
 
     def _dry(self, level: Level) -> DryContact | None:
         """The dry contact on the grid of a level; None where it is Hertz's in closed form."""

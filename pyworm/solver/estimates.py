@@ -28,7 +28,8 @@ def estimates(
     window_errors: Mapping[str, float],
     settled: Settled,
     plan: Plan,
-    model_errors: Mapping[str, float],
+    approximations: Mapping[str, float],
+    uncertainties: Mapping[str, float],
 ) -> dict[str, Estimate]:
     """Estimate figures with error bars, which are infinite where the equations are not met.
 
@@ -47,8 +48,10 @@ def estimates(
         Figures and algebraic errors on the last grid.
     plan : Plan
         Accuracy and tolerance asked for.
-    model_errors : mapping
+    approximations : mapping
         Relative error of each figure by the levels across the film and by the integration in time.
+    uncertainties : mapping
+        Relative uncertainty of each figure by the model of roughness; empty where it is not simulated.
     """
     limits = grid_limits(readings or [settled.reading], solver.convergence)
     grid = {name: of.error for name, of in limits.items()}
@@ -56,17 +59,18 @@ def estimates(
     reasons = {"pressure_max": unresolved(settled.reading)}
     if not film_is_sound(level, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
-    modelled = level.model_errors()
     window = np.inf if plan.wider_grids else 0.0
+    conduction = level.conduction_errors()
     found = {
         name: Estimate(
             solver.origins.get(name, 0.0) + limits[name].value,
             grid[name],
             window_errors.get(name, window),
             settled.algebra[name],
-            modelled.get(name, 0.0) + model_errors.get(name, 0.0),
+            conduction.get(name, 0.0) + approximations.get(name, 0.0),
             reasons.get(name),
             on_grid=solver.origins.get(name, 0.0) + value,
+            model=uncertainties.get(name),
         )
         for name, value in settled.reading.figures.items()
     }

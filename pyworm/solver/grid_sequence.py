@@ -74,6 +74,7 @@ class GridSequence:
         self._stopwatch = stopwatch
         self._readings: list[Reading] = []
         self._window_errors: dict[str, float] = {}
+        self._uncertainties: dict[str, float] = {}
         self._steps: list[NewtonStep] = []
         self._unsettled = self._refinements = 0
 
@@ -129,8 +130,10 @@ class GridSequence:
         reason = (self._transient and self._transient.flaw) or refusal(
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
-        if reason is None and plan.wider_grids and not self._window_errors:
-            if film_is_sound(self._level, self._settled, plan):
+        if film_is_sound(self._level, self._settled, plan):
+            if plan.model.rough and not self._uncertainties:
+                self._uncertainties = self._solver.uncertainties(self._level)
+            if reason is None and plan.wider_grids and not self._window_errors:
                 reason = self._compare_windows()
         return reason or stop_reason(
             self._level, self._settled, self._estimates(), self._unsettled, plan
@@ -254,10 +257,11 @@ class GridSequence:
             self._window_errors,
             self._settled,
             self._plan,
-            self._model_errors(),
+            self._approximations(),
+            self._uncertainties,
         )
 
-    def _model_errors(self) -> dict[str, float]:
+    def _approximations(self) -> dict[str, float]:
         """Relative error of each figure by the levels across the film and by the integration in time."""
         past = {} if self._transient is None else self._transient.errors
         figures = self._settled.reading.figures

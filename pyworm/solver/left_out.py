@@ -20,14 +20,11 @@ WHOLE = 1.0
 LAMBDAS = ("lambda_central", "lambda_min")
 """Central and least film over composite roughness."""
 
-UNSURE = ", by averaged roughness, whose own uncertainty no error bar holds"
-"""Qualifier of that share: contact, slopes and boundary friction scatter from surface to surface."""
-
 CARRYING = ("mixed", "boundary")
 """Regimes in which roughness carries load."""
 
-SHARE = "asperity_load_fraction"
-"""Share of the load that asperities carry."""
+SHARE, SHARE_MODEL_ERROR = "asperity_load_fraction", "asperity_load_fraction_model_error"
+"""Share of the load that asperities carry, and its relative uncertainty by the model of roughness."""
 
 AS_IF_SMOOTH = "as if smooth"
 """Qualifier of friction, loss and efficiency where roughness carries load."""
@@ -52,6 +49,8 @@ class LeftOut:
         Whether roughness is simulated.
     asperity_load_fraction : float or None
         Share of the load that asperities carry; None where it is not simulated, or not known yet.
+    asperity_load_fraction_model_error : float or None
+        Its relative uncertainty by the model of roughness; None likewise.
     """
 
     influence: dict[str, float] = field(default_factory=dict)
@@ -61,6 +60,7 @@ class LeftOut:
     contacts: int = 1
     rough: bool = False
     asperity_load_fraction: float | None = None
+    asperity_load_fraction_model_error: float | None = None
 
     @property
     def as_if_smooth(self) -> bool:
@@ -78,7 +78,10 @@ class LeftOut:
     @property
     def note(self) -> str:
         """The effects in words, for pictures and tables with error bars."""
-        return f"{self.words}; error bars are numerical" if self.words else ""
+        bars = (
+            "numerical, the second those of the model of roughness" if self.rough else "numerical"
+        )
+        return f"{self.words}; error bars are {bars}" if self.words else ""
 
     @property
     def sentence(self) -> str:
@@ -86,18 +89,20 @@ class LeftOut:
         if self.lubrication not in CARRYING:
             return ""
         which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
-        share = self.asperity_load_fraction
-        end = ", which is not simulated"
-        if self.rough:
-            end = (
-                ""
-                if share is None
-                else f"; asperities carry {share * 100:.2g} % of the load{UNSURE}"
-            )
+        end = self._carried if self.rough else ", which is not simulated"
         return (
             f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
             f"least film {self.lambda_min:.2g} times the composite roughness){end}."
         )
+
+    @property
+    def _carried(self) -> str:
+        """The asperities' share of the load in words, with its uncertainty; empty where it is not known."""
+        share, error = self.asperity_load_fraction, self.asperity_load_fraction_model_error
+        if share is None:
+            return ""
+        bar = "" if error is None else f" ± {share * error * 100:.2g} % (model)"
+        return f"; asperities carry {share * 100:.2g} %{bar} of the load"
 
     def headed(self, name: str) -> str:
         """The name of a friction, loss or efficiency, with what it leaves out."""
@@ -110,7 +115,9 @@ class LeftOut:
     @classmethod
     def read(cls, summary: Mapping[str, Any]) -> Self:
         """Read from the object that `summary` made."""
-        given = {name: summary[name] for name in (*LAMBDAS, SHARE) if name in summary}
+        given = {
+            name: summary[name] for name in (*LAMBDAS, SHARE, SHARE_MODEL_ERROR) if name in summary
+        }
         return cls(dict(summary["left_out"]), summary["lubrication"], rough=SHARE in given, **given)
 
     def summary(self) -> dict[str, Any]:
@@ -140,7 +147,7 @@ def judged(
     accuracy: float,
     films: Sequence[float],
     roughness: float | None,
-    asperity_load_fraction: float | None = None,
+    asperity_load: tuple[float | None, float | None] = (None, None),
 ) -> LeftOut:
     """Judge the effects left out of a contact and its lubrication.
 
@@ -154,18 +161,20 @@ def judged(
         Central and least film [m]; empty where they may not be trusted.
     roughness : float or None
         Composite roughness [m].
-    asperity_load_fraction : float, optional
-        Share of the load that asperities carry, where that is solved [-].
+    asperity_load : tuple of float or None
+        Share of the load that asperities carry and its relative uncertainty, where they are solved [-].
     """
     known = films if roughness else ()
     central, least = (film / roughness for film in known) if known else (None, None)
+    share, uncertainty = asperity_load
     return LeftOut(
         beyond(effects, accuracy),
         lubrication(central, least),
         central,
         least,
         rough=any(effect.on for effect in effects if effect.name == "roughness"),
-        asperity_load_fraction=asperity_load_fraction,
+        asperity_load_fraction=share,
+        asperity_load_fraction_model_error=uncertainty,
     )
 
 

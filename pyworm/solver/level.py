@@ -138,8 +138,8 @@ class Level(ABC):
     transient_term: TransientTerm | None
 
     @abstractmethod
-    def model_errors(self) -> dict[str, float]:
-        """Relative error of figures by the models of the bodies' conduction."""
+    def conduction_errors(self) -> dict[str, float]:
+        """Relative error of figures by the approximation of the bodies' conduction."""
 
     def read(self) -> Reading:
         """Read the film's figures in its present state, without their `peaks`, which few readings need."""
@@ -253,7 +253,7 @@ class Level(ABC):
         sliding = self.scene.sliding_at(*self.grid.mesh())
         speed = np.sqrt(sum(component**2 for component in sliding))
         bearing = self.film.asperities().pressure if self.film.rough else np.zeros(speed.shape)
-        stress = self.scene.oil.boundary_friction * bearing
+        stress = self.film.boundary_friction * bearing
         return tuple(-stress * of / np.maximum(speed, STILL) for of in sliding), stress * speed
 
     def _temperature_fields(self) -> dict[str, tuple[Array, Array | bool]]:

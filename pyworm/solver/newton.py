@@ -68,14 +68,17 @@ class Settled:
     algebra: dict[str, float]
 
 
-def newton_step(level: Level) -> NewtonStep | None:
-    """Make one Newton step and a sweep of heat, or the sweep alone; None if both fail."""
+def newton_step(level: Level, forcing: float | None = None) -> NewtonStep | None:
+    """Make one Newton step and a sweep of heat, or the sweep alone; None if both fail.
+
+    The linear system is solved to `forcing` times its right-hand side, by default as far as is economical.
+    """
     if not level.film.balance.residual <= HOPELESS:
         return None
     warming = level.film.balance.warming
     krylov = 0
     try:
-        krylov = level.film.step(level.forcing).krylov
+        krylov = level.film.step(forcing or level.forcing).krylov
     except KernelError as error:
         if error.status not in (NO_DESCENT, NOT_FINITE, NOT_CONVERGED):
             raise

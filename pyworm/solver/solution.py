@@ -15,7 +15,7 @@ from pyworm.solver.left_out import LeftOut, judged
 
 @dataclass(frozen=True)
 class Estimate:
-    """A figure and its relative error bar, by origin (`pyworm.solver.error_estimate`).
+    """A figure, its relative error bar by origin (`pyworm.solver.error_estimate`), and its model uncertainty.
 
     Attributes
     ----------
@@ -28,27 +28,32 @@ class Estimate:
         Window error, from a window of twice the reach [-].
     algebra : float
         Algebraic error by stopping the Newton iteration [-].
-    model : float
-        Error of a temperature by the model of conduction in the bodies (`fortran/heat/conduction_model.f90`),
-        and of all figures of a transient film by the integration in time (`pyworm.solver.transient`) [-].
+    approximation : float
+        Error of a temperature by the approximation of conduction in the bodies
+        (`fortran/heat/conduction_model.f90`), of all figures by the levels across the film and, where it is
+        transient, by the integration in time (`pyworm.solver.transient`) [-].
     reason : str or None
         Reason why this figure alone has an infinite error bar.
     on_grid : float or None
         The figure on the finest grid, to which the fields belong; None where it is not known apart.
+    model : float or None
+        Relative uncertainty by the assumptions of averaged roughness
+        (`pyworm.solver.roughness_uncertainty`), no part of `error`; None where roughness was not simulated.
     """
 
     value: float
     grid: float
     domain: float = 0.0
     algebra: float = 0.0
-    model: float = 0.0
+    approximation: float = 0.0
     reason: str | None = None
     on_grid: float | None = None
+    model: float | None = None
 
     @property
     def error(self) -> float:
-        """Relative error bar, the sum of all origins [-]."""
-        return self.grid + self.domain + self.algebra + self.model
+        """Relative numerical error bar, the sum of all origins [-]."""
+        return self.grid + self.domain + self.algebra + self.approximation
 
 
 @dataclass(frozen=True)
@@ -246,7 +251,7 @@ class Solution:
             self.accuracy,
             films,
             self.composite_roughness,
-            share.value if share is not None and self.converged else None,
+            (share.value, share.model) if share is not None and self.converged else (None, None),
         )
 
     def held(self, part: str) -> "PlainDataset | xr.Dataset | None":
@@ -306,6 +311,7 @@ class Solution:
         return known | {
             "specific_film": film.value / self.composite_roughness,
             "specific_film_error": film.error,
+            **({} if film.model is None else {"specific_film_model_error": film.model}),
         }
 
     def _point_summary(self) -> dict[str, float]:
@@ -347,6 +353,15 @@ class Solution:
             )
         return summary
 
+    def _model_errors_of_temperatures(self, largest: dict[str, Estimate]) -> dict[str, dict]:
+        """Uncertainty of temperatures by the model of roughness [K]; none where it was not simulated."""
+        errors = {
+            place: of.model * abs(of.value - self.inlet_temperature)
+            for place, of in largest.items()
+            if of.model is not None
+        }
+        return {"temperature_max_model_error_K": errors} if errors else {}
+
     def _heat_summary(self) -> dict[str, dict[str, float] | float]:
         """The scalars of heat; errors of temperatures in kelvin."""
         figures = self.figures
@@ -366,6 +381,7 @@ class Solution:
                 place: estimate.error * abs(estimate.value - self.inlet_temperature)
                 for place, estimate in largest.items()
             },
+            **self._model_errors_of_temperatures(largest),
             "heat_balance": figures.heat_balance,
         }
 
@@ -390,7 +406,8 @@ def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
         f"{name}_error": estimate.error,
         **{
             f"{name}_error_{part}": getattr(estimate, part)
-            for part in ("grid", "domain", "algebra", "model")
+            for part in ("grid", "domain", "algebra", "approximation")
         },
+        **({} if estimate.model is None else {f"{name}_model_error": estimate.model}),
         **({} if estimate.reason is None else {f"{name}_error_reason": estimate.reason}),
     }

@@ -65,6 +65,10 @@ class TopographyPair:
         as_high = replace(cell, height=cell.height * (self.height / cell.rms), x_direction=0.0)
         return cell_table(as_high, self.reduced_modulus, self.hardness)
 
+    def elastic(self) -> "TopographyPair | None":
+        """The surfaces as if they did not yield; None where neither does."""
+        return None if self.hardness is None else replace(self, hardness=None)
+
     def curves(self) -> GapCurves:
         """All averages as tables for the kernel."""
         row, gap = gap_rows()

@@ -30,7 +30,7 @@ from trial import HEADING, BriefTrial, Trial, Verdict, trial, verdict
 
 from pyworm.batch.solved_scenes import Store
 
-EFFECTS = {"isothermal": "isothermal", "thermal": "all", "rough": "all,roughness"}
+EFFECTS = {"isothermal": "isothermal", "thermal": "all", "rough": "all"}
 
 
 def named_trials(directory: Path, kind: type[Trial] = Trial) -> Iterator[Trial]:

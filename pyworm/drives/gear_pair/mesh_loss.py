@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 
 if TYPE_CHECKING:
     from pyworm.drives.gear_pair.drive import GearPairDrive
@@ -22,6 +22,7 @@ def gear_mesh_loss(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> M
         friction=friction,
         error=max(one.error for one in contacts),
         words=f"loss factor H_V = {drive.loss_factor:.4f}, friction interpolated between the solved phases",
+        model=largest_model(contacts),
     )
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 from pyworm.drives.tooth_loss import FEWEST_PHASES, cycle_loss
 from pyworm.drives.zi_worm.load_sharing import Transmission
 
@@ -31,6 +31,7 @@ def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> 
         friction=loss.friction,
         error=loss.error / loss.power,
         words="of all teeth in mesh, each under its share of the load, over the mesh cycle",
+        model=None if loss.model_error is None else loss.model_error / loss.power,
     )
 
 
@@ -46,4 +47,5 @@ def _of_given_load(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> Mes
         error=max(one.error for one in contacts),
         words=f"means over the solved mesh phases; {teeth:.2f} teeth in contact on average, each "
         "under the load given",
+        model=largest_model(contacts),
     )

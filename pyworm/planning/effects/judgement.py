@@ -41,6 +41,7 @@ def judge(
     prediction: Prediction,
     asked: frozenset[str] | None = None,
     required: frozenset[str] = frozenset(),
+    excluded: frozenset[str] = frozenset(),
 ) -> tuple[Judgement, ...]:
     """Judge every effect, whether to simulate it.
 
@@ -59,8 +60,8 @@ def judge(
         The contact by closed forms, or by solved figures.
     asked : frozenset of str, optional
         The effects to simulate, whatever their influence.
-    required : frozenset of str
-        Effects to simulate even if the prediction no longer requires them.
+    required, excluded : frozenset of str
+        Effects to simulate, and not to simulate, whatever the prediction requires.
     """
     judgements = {}
     allowed = accuracy
@@ -72,6 +73,8 @@ def judge(
         influence = effect.influence(prediction)
         worst = influence.on(quantities)
         settled = _settled(effect, asked, required, judgements)
+        if effect.name in excluded:
+            settled = False, "left out as asked"
         if settled is not None:
             on, reason = settled
         elif effect.name in required:
@@ -89,7 +92,7 @@ def judge(
         )
     if asked is None:
         for effect in EFFECTS:
-            _bring(effect, judgements)
+            _bring(effect, judgements, excluded)
     return tuple(judgements.values())
 
 
@@ -134,12 +137,12 @@ def _percent(fraction: float) -> str:
     return f"{fraction * 100:.2g} %"
 
 
-def _bring(effect: Effect, judgements: dict[str, Judgement]) -> None:
-    """Switch on the effects that an effect needs, and those that ease its solution."""
+def _bring(effect: Effect, judgements: dict[str, Judgement], excluded: frozenset[str]) -> None:
+    """Switch on the effects that an effect needs, and those that ease its solution, unless excluded."""
     if not judgements[effect.name].on:
         return
     for verb, names in (("goes with", effect.together), ("eases", effect.eased_by)):
-        for name in names:
+        for name in set(names) - excluded:
             other = judgements[name]
             if not other.on and other.indicator is not None:
                 judgements[name] = replace(other, on=True, reason=f"{verb} {effect.name}")

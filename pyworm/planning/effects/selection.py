@@ -1,5 +1,7 @@
 """Effects named by the user."""
 
+from dataclasses import dataclass
+
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.scene.contact import Contact
 
@@ -25,7 +27,7 @@ GROUPS = ("all", "isothermal")
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The names of a choice; after "auto", only effects that are simulated on request.
+    """The names of a choice; after "auto", effects that are simulated on request, and any after a minus.
 
     Raises
     ------
@@ -35,10 +37,10 @@ def words(text: str) -> tuple[str, ...]:
     names = tuple(part.strip() for part in text.split(","))
     if names[0] == "auto":
         for word in names[1:]:
-            if word not in ONLY_NAMED:
+            if word not in ONLY_NAMED and word not in {f"-{name}" for name in SIMULATED}:
                 raise ValueError(
-                    f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} "
-                    "beside it and chooses all else by the accuracy"
+                    f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} and "
+                    "effects after a minus beside it and chooses all else by the accuracy"
                 )
         return names
     if "auto" in names:
@@ -51,8 +53,24 @@ def words(text: str) -> tuple[str, ...]:
     return names
 
 
-def beside_auto(text: str) -> frozenset[str] | None:
-    """Names of the effects requested together with "auto"; None for a choice without it.
+@dataclass(frozen=True)
+class BesideAuto:
+    """Effects named beside "auto".
+
+    Attributes
+    ----------
+    required : frozenset of str
+        Effects to simulate in any case.
+    excluded : frozenset of str
+        Effects not to simulate, with those that depend on them.
+    """
+
+    required: frozenset[str] = frozenset()
+    excluded: frozenset[str] = frozenset()
+
+
+def beside_auto(text: str) -> BesideAuto | None:
+    """Effects named together with "auto"; None for a choice without it.
 
     Raises
     ------
@@ -60,7 +78,11 @@ def beside_auto(text: str) -> frozenset[str] | None:
         For a word that means nothing.
     """
     first, *names = _understood(text)
-    return frozenset(names) if first == "auto" else None
+    if first != "auto":
+        return None
+    minus = {name.removeprefix("-") for name in names if name.startswith("-")}
+    excluded = frozenset().union(*map(_with_dependents, minus))
+    return BesideAuto(frozenset(name for name in names if not name.startswith("-")), excluded)
 
 
 def _understood(text: str) -> tuple[str, ...]:

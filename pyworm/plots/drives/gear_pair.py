@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
+from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -108,8 +109,8 @@ def _draw_simulated(
 ) -> None:
     estimates: list[Estimate] = [getattr(solution.figures, name) for solution in solved]
     film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
-    error = np.abs(film) * [estimate.error for estimate in estimates]
-    axes.errorbar(_rolls(cycle, solved), film, error, fmt="o", color=colour, capsize=3, label=label)
+    style = {"fmt": "o", "color": colour, "capsize": 3, "label": label}
+    draw_estimates(axes, _rolls(cycle, solved), film, film, estimates, **style)
     if name == "film_min":
         mark_gaps(axes, _rolls(cycle, solved), solved)
 

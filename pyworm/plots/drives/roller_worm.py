@@ -10,6 +10,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
+from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MICRO, MILLI, mark_gaps, placed_panels, result_heading, with_gaps
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
@@ -53,8 +54,9 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...])
         if solved:
             at = [float(np.interp(one.phase, way["phase"], angle)) for one in solved]
             film = with_gaps(solved, [one.figures.film_min.value for one in solved]) * MICRO
-            error = film * [one.figures.film_min.error for one in solved]
-            axes.errorbar(at, film, error, fmt="k.", ms=5, capsize=2, lw=0.8)
+            style = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
+            estimates = [one.figures.film_min for one in solved]
+            draw_estimates(axes, at, film, film, estimates, **style)
             mark_gaps(axes, at, solved)
         pitch = np.degrees(cycle.attrs["roller_pitch"])
         mesh = np.arange(np.ceil(angle[0] / pitch), np.floor(angle[-1] / pitch) + 1) * pitch

@@ -8,6 +8,7 @@ from matplotlib.ticker import LogLocator, NullLocator
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.zi_worm_flank import draw_flank
+from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import (
     KILO,
     MEGA,
@@ -115,8 +116,8 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     ):
         estimates = [getattr(solution.figures, name) for solution in solved]
         film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
-        error = abs(film) * [estimate.error for estimate in estimates]
-        axes.errorbar(phase, film, error, fmt="o-", color=colour, capsize=3, label=label)
+        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
+        draw_estimates(axes, phase, film, film, estimates, **style)
     mark_gaps(axes, phase, solved)
     axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel("film / µm")
@@ -140,8 +141,8 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
     phase = np.array([solution.phase for solution in sheared])
     estimates = [solution.figures.friction_coefficient for solution in sheared]
     friction = with_gaps(sheared, [estimate.value for estimate in estimates])
-    error = abs(friction) * [estimate.error for estimate in estimates]
-    axes.errorbar(phase, friction, error, fmt="o-", color="tab:purple", capsize=3)
+    style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
+    draw_estimates(axes, phase, friction, friction, estimates, **style)
     mark_gaps(axes, phase, sheared)
     scaled = friction
     if standard is not None:

@@ -31,9 +31,12 @@ def cycle_table(cycle: DriveCycle) -> Table:
         table.add_column(heading, justify="right")
 
     def extreme(label: str, one: Extreme, scale: float, unit: str, offset: float = 0.0) -> None:
-        value = f"{(one.value - offset) * scale:.4g} {unit}".rstrip()
+        value = (
+            f"{(one.value - offset) * scale:.4g} {unit}".rstrip() + f" ± {_two(one.error * scale)}"
+        )
+        value += "" if one.model is None else f" ± {_two(one.model * scale)} (model)"
         place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
-        table.add_row(label, f"{value} ± {_two(one.error * scale)}", f"{one.phase:g}", *place)
+        table.add_row(label, value, f"{one.phase:g}", *place)
         if one.reason is not None:
             table.add_row("  error bar", one.reason)
 
@@ -86,13 +89,18 @@ def loss_table(
             "Mean friction": f"{standard.friction:.3g}",
             "Efficiency": f"{standard.efficiency * 100:.3g} %",
         }
-    bar = f"± {loss.efficiency_error * 100:.2g}"
+    bar, rough = f"± {loss.efficiency_error * 100:.2g}", ""
+    friction = f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
+    if loss.model_error is not None:
+        rough = f" ± {_two(loss.model_error)} (model)"
+        bar += f" ± {loss.efficiency_model_error * 100:.2g} (model)"
+        friction += f" ± {loss.model_error / loss.power * 100:.2g} % (model)"
     for label, value in (
-        ("Loss", f"{loss.power:.4g} W ± {_two(loss.error)}"),
+        ("Loss", f"{loss.power:.4g} W ± {_two(loss.error)}{rough}"),
         ("  error by the scenes' errors", f"{_two(loss.scene_error)} W"),
         ("  by the phases", f"{_two(loss.phase_error)} W"),
         ("  by friction at the ends", f"{_two(loss.end_error)} W"),
-        ("Mean friction", f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"),
+        ("Mean friction", friction),
         ("Torque of the wheel", f"{loss.wheel_torque:.5g} N m"),
         ("Torque of the worm", f"{loss.worm_torque:.4g} N m"),
         ("Efficiency", f"{loss.efficiency * 100:.2f} % {bar}"),

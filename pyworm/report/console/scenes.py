@@ -129,12 +129,15 @@ def figures_table(
     left_out = LeftOut.read(summary)
     table = Table("Figure", title=left_out.titled(_title(scene)), title_justify="left")
     table.add_column("Value", justify="right")
+    mixed = "film_min_model_error" in summary
+    if mixed:
+        table.add_column("Model of\nroughness", justify="right")
     if published:
         table.add_column("Published", justify="right")
 
-    def add(label: str, value: str, name: str | None) -> None:
+    def add(label: str, value: str, name: str | None, model: str = "") -> None:
         printed = published[name].text if name in published else ""
-        table.add_row(label, value, *([printed] if published else []))
+        table.add_row(label, value, *([model] if mixed else []), *([printed] if published else []))
 
     for label, key, scale, unit, error_key, name in _FIGURES:
         if figures.get(key) is None:
@@ -144,7 +147,8 @@ def figures_table(
         if not summary["converged"] and not isfinite(figures.get(error_key, 0.0)):
             add(label, "not converged", name)
             continue
-        add(label, _value(figures[key] * scale, unit, figures.get(error_key)), name)
+        error, model = figures.get(error_key), figures.get(_of_model(error_key))
+        add(label, _value(figures[key] * scale, unit, error), name, _bar(model, 100.0, "%"))
         if error_key is not None and f"{error_key}_reason" in figures:
             table.add_row("  error bar", figures[f"{error_key}_reason"])
         if key == "film_min_m":
@@ -154,7 +158,9 @@ def figures_table(
         if key == "inlet_temperature_C":
             for place, of in HOT_PLACES.items():
                 name = f"temperature_max_{place}"
-                add(f"Largest temperature of {of}", _temperature(summary, place), name)
+                label = f"Largest temperature of {of}"
+                model = summary.get("temperature_max_model_error_K", {}).get(place)
+                add(label, _temperature(summary, place), name, _bar(model, 1.0, "K"))
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
     return table
@@ -178,12 +184,14 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     table.add_column(heading, no_wrap=True)
     solved = [values for values in summaries if values["converged"]]
     rough = bool(solved) and all("specific_film" in values for values in solved)
+    mixed = any("film_min_model_error" in values for values in solved)
     headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
-    for heading in (*headings, *(["lambda"] if rough else []), "s"):
+    headings += [*(["model\n± %"] if mixed else []), *(["lambda"] if rough else [])]
+    for heading in (*headings, "s"):
         table.add_column(heading, justify="right")
     table.add_column("Con-\nver-\nged")
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
-        cells = [""] * (7 if rough else 6)
+        cells = [""] * len(headings)
         if values["converged"]:
             cells = [
                 f"{_dry_pressure(scene, values) / 1e6:.4g}",
@@ -192,6 +200,7 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
                 f"{values['film_central_error'] * 100:.2g}",
                 f"{values['film_min_m'] * 1e6:.4g}",
                 f"{values['film_min_error'] * 100:.2g}",
+                *([_model_bar(values, "film_min")] if mixed else []),
                 *([f"{values['specific_film']:.3g}"] if rough else []),
             ]
         converged = "yes" if values["converged"] else "NO"
@@ -209,7 +218,8 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     left_out = _at_worst(summaries)
     title = left_out.titled(left_out.headed("Friction and heat of all scenes"))
     table = Table(heading, title=title, title_justify="left", **SLENDER)
-    headings = ["Friction", "± %", "Loss"]
+    mixed = any("friction_coefficient_model_error" in values for values in summaries)
+    headings = ["Friction", "± %", *(["model\n± %"] if mixed else []), "Loss"]
     if heated:
         headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
     for heading in headings:
@@ -222,6 +232,7 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
         cells = [
             f"{values['friction_coefficient']:.4g}",
             f"{values['friction_coefficient_error'] * 100:.2g}",
+            *([_model_bar(values, "friction_coefficient")] if mixed else []),
             f"{values[loss] * scale:.4g} {unit}",
         ]
         if "temperature_max_C" in values:
@@ -229,6 +240,12 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(label, *cells)
     return table
+
+
+def _model_bar(summary: Mapping[str, Any], name: str) -> str:
+    """Uncertainty of a figure by the model of roughness [%]; empty where roughness was not simulated."""
+    error = summary.get(f"{name}_model_error")
+    return "" if error is None else f"{error * 100:.2g}"
 
 
 def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:
@@ -332,12 +349,22 @@ def _title(scene: Scene | LineScene) -> str:
 
 def _value(value: float, unit: str, error: float | None = None) -> str:
     text = f"{value:.4g} {unit}".rstrip()
-    return text if error is None else f"{text} ± {error * 100:.2g} %"
+    return text if error is None else f"{text} {_bar(error, 100.0, '%')}"
 
 
 def _temperature(summary: Mapping[str, Any], place: str) -> str:
     value, error = (summary[key][place] for key in ("temperature_max_C", "temperature_max_error_K"))
-    return f"{value:.1f} °C ± {error:.2g} K"
+    return f"{value:.1f} °C {_bar(error, 1.0, 'K')}"
+
+
+def _bar(error: float | None, scale: float, unit: str) -> str:
+    """An error bar; empty without one."""
+    return "" if error is None else f"± {error * scale:.2g} {unit}"
+
+
+def _of_model(error_key: str | None) -> str | None:
+    """Key of the uncertainty by the model of roughness beside that of a numerical error bar."""
+    return error_key and error_key.replace("_error", "_model_error")
 
 
 def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:

@@ -9,6 +9,7 @@ from pyworm.case.contact import GapCase
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.format import bars
 from pyworm.io.quantity_text import shown_like
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
@@ -65,7 +66,7 @@ def glance_section(
         thin = min(solutions, key=lambda of: of.figures.film_min.value)
         film = thin.figures.film_min
         label = f"Least specific film lambda (roughness {roughness * 1e6:.3g} µm)"
-        value = f"{film.value / roughness:.3g} ± {film.error * 100:.2g} %"
+        value = f"{film.value / roughness:.3g} {bars(film.error, film.model)}"
         rows.append((label, value, place_of(thin)))
     if all(of.figures.friction_coefficient is not None for of in solutions):
         rows.append(
@@ -87,7 +88,8 @@ def glance_section(
         rows += _loss_rows(loss, of_all(solutions), standard)
     rows += _decisive(made)
     note = (
-        "± is numerical: the error of the solution of the model, not of the model or of the inputs."
+        "± is numerical: the error of the solution of the model; ± (model) is what averages over roughness "
+        "do not know. Errors of the inputs are in neither."
     )
     if loss is not None:
         note += f" Loss: {loss.words}."
@@ -119,13 +121,14 @@ def _worst(
 def _loss_rows(
     loss: MeshLoss, left_out: LeftOut, standard: StandardLoss | NoStandard
 ) -> list[tuple[str, str, str]]:
-    bar, headed = f"± {loss.error * 100:.2g} %", left_out.headed
+    bar, headed = bars(loss.error, loss.model), left_out.headed
+    lost = loss.loss / loss.power
     rows = [
         (headed("Mean friction between the teeth"), f"{loss.friction:.4g} {bar}", "mesh cycle"),
         (headed("Loss between the teeth"), f"{loss.loss:.4g} W {bar}", "mesh cycle"),
         (
             headed("Efficiency of the teeth, forward"),
-            f"{loss.efficiency * 100:.4g} % ± {loss.error * loss.loss / loss.power * 100:.2g} %",
+            f"{loss.efficiency * 100:.4g} % {bars(loss.error, loss.model, 100 * lost)}",
             f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning",
         ),
     ]
@@ -142,13 +145,16 @@ def _loss_rows(
 def estimate(figure: Estimate, scale: float, unit: str) -> str:
     """A figure with its error bar."""
     reason = "" if figure.reason is None else f" ({figure.reason})"
-    return f"{figure.value * scale:.4g} {unit}".rstrip() + f" ± {figure.error * 100:.2g} %{reason}"
+    return (
+        f"{figure.value * scale:.4g} {unit}".rstrip()
+        + f" {bars(figure.error, figure.model)}{reason}"
+    )
 
 
 def temperature(figure: Estimate, inlet: float) -> str:
     """A temperature with its error bar in kelvin."""
-    bar = figure.error * abs(figure.value - inlet)
-    return f"{figure.value - ZERO_CELSIUS:.1f} °C ± {bar:.2g} K"
+    rise = abs(figure.value - inlet)
+    return f"{figure.value - ZERO_CELSIUS:.1f} °C {bars(figure.error, figure.model, rise, ' K')}"
 
 
 def film_section(case: Case, result: Result) -> Section:

@@ -25,7 +25,7 @@ class LineLevel(Level):
 
     forcing: ClassVar[float] = 1e-3
 
-    def model_errors(self) -> dict[str, float]:
+    def conduction_errors(self) -> dict[str, float]:
         """No errors: Jaeger's line source is exact for a body of uniform velocity."""
         return {}
 

@@ -47,7 +47,7 @@ class PointLevel(Level):
     load: float
     coarser: InitialGuess | None = None
 
-    def model_errors(self) -> dict[str, float]:
+    def conduction_errors(self) -> dict[str, float]:
         """Relative error of the temperatures by the models of the bodies' conduction."""
         if not self.film.heated:
             return {}

@@ -10,7 +10,7 @@ from pyworm.materials.body import Body
 from pyworm.materials.rough_surfaces import RoughPair, RoughSurface, rough_pair
 
 SMOOTHER, ROUGHER = RoughSurface(0.3e-6, 0.02), RoughSurface(0.4e-6, 0.02, hardness=1e9)
-PAIR = RoughPair((SMOOTHER, ROUGHER), 85e9, 0.1)
+PAIR = RoughPair((SMOOTHER, ROUGHER), 85e9)
 
 
 def test_composite_roughness():
@@ -29,7 +29,7 @@ def test_mean_thickness_is_the_mean_of_what_is_open():
 
 def test_softer_body_yields():
     """Asperities bear the hardness at most, over the area of overlap; harder ones the elastic pressure."""
-    hard = RoughPair((SMOOTHER, RoughSurface(0.4e-6, 0.02)), 85e9, 0.1)
+    hard = RoughPair((SMOOTHER, RoughSurface(0.4e-6, 0.02)), 85e9)
     gap = np.linspace(-2, 4, 30)
     yielding, elastic = PAIR.contact(gap)[0], hard.contact(gap)[0]
     assert np.all(yielding < elastic)
@@ -43,19 +43,19 @@ def test_lays_of_both_surfaces_add():
     ridges = RoughSurface(0.4e-6, 0.02, aspect=6.0)
     across = RoughSurface(0.4e-6, 0.02, aspect=6.0, lay=pi / 2)
     oblique = RoughSurface(0.4e-6, 0.02, aspect=6.0, lay=pi / 4)
-    xx, yy, xy = RoughPair((ridges, across), 85e9, 0.1).flow_factors(np.array([3.0]))[0]
+    xx, yy, xy = RoughPair((ridges, across), 85e9).flow_factors(np.array([3.0]))[0]
     assert xx == pytest.approx(yy)
     assert xy == pytest.approx(0, abs=1e-12)
-    xx, yy, xy = RoughPair((ridges, ridges), 85e9, 0.1).flow_factors(np.array([3.0]))[0]
+    xx, yy, xy = RoughPair((ridges, ridges), 85e9).flow_factors(np.array([3.0]))[0]
     assert xx > 1 > yy
-    xx, yy, xy = RoughPair((oblique, oblique), 85e9, 0.1).flow_factors(np.array([3.0]))[0]
+    xx, yy, xy = RoughPair((oblique, oblique), 85e9).flow_factors(np.array([3.0]))[0]
     assert xx == pytest.approx(yy)
     assert xy > 0
 
 
 def test_shear_factors_cancel_between_equal_surfaces():
     """What a rough wall drags forward its equal drags back; the rougher one rules."""
-    equal = RoughPair((SMOOTHER, SMOOTHER), 85e9, 0.1).flow_factors(np.array([2.0]))[1]
+    equal = RoughPair((SMOOTHER, SMOOTHER), 85e9).flow_factors(np.array([2.0]))[1]
     assert equal == pytest.approx(0, abs=1e-15)
     assert PAIR.flow_factors(np.array([2.0]))[1][0] < 0  # body 2 is rougher
 
@@ -74,7 +74,6 @@ def test_tables_hold_the_curves():
     double = RoughPair(
         tuple(RoughSurface(2 * s.height, s.slope, hardness=s.hardness) for s in PAIR.surfaces),
         85e9,
-        0.1,
     ).curves()
     assert curves.scaled(2.0).values == pytest.approx(double.values, rel=1e-9, abs=1e-15)
 
@@ -82,7 +81,6 @@ def test_tables_hold_the_curves():
 def test_lay_counts_from_the_surface_s_motion():
     """Directions of motion and lay add up."""
     body = Body(210e9, 0.3, roughness=0.4e-6, roughness_aspect=3.0, lay=0.2)
-    pair = rough_pair((body, body), (0.1, -0.3), 0.08)
+    pair = rough_pair((body, body), (0.1, -0.3))
     assert [surface.lay for surface in pair.surfaces] == pytest.approx([0.3, -0.1])
-    assert pair.boundary_friction == 0.08
     assert pair.modulus == pytest.approx(210e9 / (1 - 0.09) / 2)

@@ -199,8 +199,10 @@ def test_only_a_plan_that_leaves_out_what_is_simulated_may_grow():
     scene = replace(trial.scene(), bodies=(ROUGH, ROUGH))
     assert pyworm.plan(scene, 0.01, "auto", trial.quantities).may_grow
     whole = pyworm.plan(scene, 1e-4, "auto", ("film", "friction", "temperature"))
-    assert "roughness" not in whole.on
     assert not whole.may_grow
+    without = pyworm.plan(scene, 1e-4, "auto,-roughness", ("film", "friction", "temperature"))
+    assert without.on == whole.on - {"roughness"}
+    assert not without.may_grow
     assert not pyworm.plan(scene, 0.01, "isothermal").may_grow
 
 
@@ -279,22 +281,25 @@ def test_squeeze_of_a_growing_load_is_that_of_the_contact_s_edges(kind, power, e
 
 
 def test_effects_that_are_not_simulated_are_judged_all_the_same():
-    rough = TRIALS["very rough"].scene()
-    roughness = judged(pyworm.plan(rough, 0.05))["roughness"]
-    assert not roughness.on
-    assert roughness.reason == "only if named: auto,roughness"
-    assert judged(pyworm.plan(rough, 0.05, "auto,roughness"))["roughness"].on
-    assert roughness.influence["film"] > 0.05
     starved = judged(pyworm.plan(TRIALS["starved bearing"].scene(), 0.05))["starvation"]
     assert 0 < starved.influence["film"] < 1
-    smooth = replace(rough, bodies=tuple(replace(body, roughness=None) for body in rough.bodies))
-    for effects in ("auto,roughness", "all,roughness"):
-        with pytest.raises(
-            ValueError, match=f"effects = {effects}: roughness: roughness not given"
-        ):
-            pyworm.plan(smooth, 0.05, effects)
     with pytest.raises(ValueError, match="starvation is none of"):
-        pyworm.plan(rough, effects="starvation")
+        pyworm.plan(TRIALS["starved bearing"].scene(), effects="starvation")
+
+
+def test_roughness_is_an_effect_like_any_other():
+    rough = TRIALS["very rough"].scene()
+    roughness = judged(pyworm.plan(rough, 0.05))["roughness"]
+    assert roughness.on
+    assert roughness.influence["film"] > 0.05
+    without = pyworm.plan(rough, 0.05, "auto,-roughness")
+    assert judged(without)["roughness"].reason == "left out as asked"
+    assert without.on == pyworm.plan(rough, 0.05).on - {"roughness"}
+    smooth = replace(rough, bodies=tuple(replace(body, roughness=None) for body in rough.bodies))
+    with pytest.raises(
+        ValueError, match="effects = isothermal,roughness: roughness: roughness not given"
+    ):
+        pyworm.plan(smooth, 0.05, "isothermal,roughness")
 
 
 @pytest.mark.parametrize("accuracy", [0.01, 0.05])
@@ -397,7 +402,10 @@ def test_squeeze_is_simulated_where_it_is_named():
             told = judged(pyworm.plan(still, 0.05, effects))["squeeze"]
             assert not told.on and told.reason == why
     for effects, why in (
-        ("auto,film-heating", "film-heating after auto, which takes only roughness, squeeze"),
+        (
+            "auto,film-heating",
+            "film-heating after auto, which takes only squeeze and effects after a minus",
+        ),
         ("auto,", "nothing after auto"),
         ("squeeze,auto", "auto comes first, as in auto,squeeze"),
     ):

@@ -138,16 +138,13 @@ def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
     assert opening(smooth, "unsaid") == []
 
 
-def test_simulated_roughness_is_told_with_its_share_and_what_no_bar_holds():
-    mixed = LeftOut({}, "mixed", 2.0, 1.5, rough=True, asperity_load_fraction=0.031)
+def test_simulated_roughness_is_told_with_its_share_and_its_bar():
+    share = {"asperity_load_fraction": 0.031, "asperity_load_fraction_model_error": 0.5}
+    mixed = LeftOut({}, "mixed", 2.0, 1.5, rough=True, **share)
     assert not mixed.as_if_smooth
     assert mixed.headed("Friction") == "Friction"
-    assert mixed.sentence.endswith(
-        "; asperities carry 3.1 % of the load, by averaged roughness, whose own uncertainty no error bar "
-        "holds."
-    )
-    told = mixed.summary() | {"asperity_load_fraction": 0.031}
-    assert LeftOut.read(told) == mixed
+    assert mixed.sentence.endswith("; asperities carry 3.1 % ± 1.6 % (model) of the load.")
+    assert LeftOut.read(mixed.summary() | share) == mixed
     planned = LeftOut({}, "mixed", 2.0, 1.5, rough=True)
     assert planned.sentence.endswith("times the composite roughness).")
 
@@ -208,8 +205,8 @@ def test_check_shows_what_the_plan_leaves_out(capsys):
     assert main(line) == 0
     shown = capsys.readouterr().out
     assert "runs in mixed lubrication" in shown.split("│")[0]
-    assert "not simulated: roughness up to 37 %" in shown.split("│")[0]
-    assert main([*line, "--json"]) == 0
+    assert "not simulated: squeeze up to" in shown.split("│")[0]
+    assert main([*line, "--effects", "auto,-roughness", "--json"]) == 0
     (scene,) = json.loads(capsys.readouterr().out)["scenes"]
     off = {
         of["name"]: max(of["influence"].values())
@@ -230,10 +227,10 @@ def test_a_run_opens_with_what_was_left_out(tmp_path, capsys):
     path = tmp_path / "rough.toml"
     path.write_text(text)
     line = ["run", str(path), "--accuracy", "20%", "--out", str(tmp_path / "out")]
-    assert main(line) == 0
+    assert main([*line, "--effects", "auto,-roughness"]) == 0
     first = " ".join(capsys.readouterr().out.split("┏")[0].split())
     assert "This contact runs in boundary lubrication" in first
-    assert "(numerical); not simulated: roughness up to" in first
+    assert "(numerical); not simulated: roughness" in first
     assert "No friction, loss and efficiency by a standard" in first
 
 

@@ -34,7 +34,7 @@ from pyworm.solver.stop_reason import ACCURATE
 )
 def test_random_scenes_converge(tmp_path, name):
     kind, _, number = name.partition(":")
-    effects = {"isothermal": "isothermal", "thermal": "all", "rough": "all,roughness"}[kind]
+    effects = {"isothermal": "isothermal", "thermal": "all", "rough": "all"}[kind]
     one = trial(DRAWS[kind](int(number)).tables, name, tmp_path, effects)
     store = Store(tmp_path / "scenes", fields=False)
     first = verdict(one, store)

@@ -290,7 +290,7 @@ def test_the_summary_of_a_line_contact():
     assert summary["grid"] == [solution.fields.sizes["x"]]
     assert len(summary["film_min_at_m"]) == 1
     parts = sum(
-        summary[f"film_min_error_{part}"] for part in ("grid", "domain", "algebra", "model")
+        summary[f"film_min_error_{part}"] for part in ("grid", "domain", "algebra", "approximation")
     )
     assert summary["film_min_error"] == pytest.approx(parts)
     assert not {"load_N", "film_exit_min_m", "dry_pressure_max_Pa"} & set(summary)

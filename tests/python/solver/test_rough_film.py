@@ -52,9 +52,9 @@ def test_vanishing_roughness_is_none():
     lead(level, 1e-9)
     smooth = level.read()
     finest = RoughSurface(1e-6 * smooth.film_central, 0.01)
-    pair = RoughPair((finest, finest), scene.reduced_modulus / 2, 0.1)
+    pair = RoughPair((finest, finest), scene.reduced_modulus / 2)
     level.film.shear(NEWTONIAN, 3, scene.sliding_at(*level.grid.mesh()))
-    level.film.roughen(pair.curves(), pair.boundary_friction)
+    level.film.roughen(pair.curves(), 0.1)
     level.film.restart()
     lead(level, 1e-9)
     assert level.film.balance.worst <= 1e-7
@@ -87,7 +87,7 @@ def test_standstill_is_the_dry_rough_contact():
         1e-4 * pair.height,
     )
     film.shear(NEWTONIAN, 3, (still, still))
-    film.roughen(pair.curves(), pair.boundary_friction)
+    film.roughen(pair.curves(), 0.1)
     hertz = 1.5 * load / (pi * half_width**2)
     dome = hertz * np.sqrt(np.maximum(1 - (x**2 + y**2) / half_width**2, 0))
     film.start(dome, 2 * pair.height - approach)
@@ -143,7 +143,7 @@ def test_newton_steps_of_heated_mixed_films(lambda_ratio):
     """At most 1.5 times those of the smooth film; the heat of oil, asperities and bodies balances."""
     scene = pyworm.load(CASES / "traction_steel.toml").scene(slide_roll_ratio=0.5)
     smooth = solved(scene, "auto")
-    mixed = solved(rough(scene, smooth.figures.film_central.value / lambda_ratio), "auto,roughness")
+    mixed = solved(rough(scene, smooth.figures.film_central.value / lambda_ratio), "auto")
     assert mixed.history.sizes["iteration"] <= 1.5 * smooth.history.sizes["iteration"]
     assert abs(mixed.figures.heat_balance) < 1e-3
     assert mixed.fields["pressure"].values.min() >= 0

@@ -62,7 +62,6 @@ def test_curves_have_the_order_of_closed_forms(hardness):
         RoughPair(
             (RoughSurface(0.5e-6, slope, hardness=hardness), RoughSurface(1e-12, 1e-12)),
             MODULUS / 2,
-            0.1,
         )
     )
     for gap in (0.5, 1.0, 1.5):

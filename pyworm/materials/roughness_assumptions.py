@@ -1,0 +1,127 @@
+"""Assumptions of averaged roughness that may as well be others, and by how much.
+
+Every assumption is varied on its own; what it changes is the uncertainty of figures by the model of roughness
+(`pyworm.solver.roughness_uncertainty`).
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import log
+from typing import Protocol
+
+import numpy as np
+
+from pyworm.formulas.rough_contact import overlap_moment
+from pyworm.materials.rough_surfaces import GapCurves
+
+Array = np.ndarray
+
+HEIGHT_SPREAD = 0.2
+"""Relative uncertainty of a composite roughness: measured tracks of one flank differ as much."""
+
+STIFFNESS_FACTOR = 1.5
+"""Factor by which the pressure of asperities may be larger or smaller at a gap: shares of the load at one
+specific film differ as much between published mixed films (`docs/theory/roughness.md`)."""
+
+FLOW_SCATTER, FLOW_FALL = 0.3, 2.5
+"""Scatter of flow factors between surfaces of one spectrum at a gap of the roughness and below, relative,
+and the power with which it falls beyond."""
+
+BOUNDARY_FRICTION_SPREAD = 0.25
+"""Relative uncertainty of the asperities' friction coefficient."""
+
+
+class RoughSurfaces(Protocol):
+    """Two rough surfaces in contact."""
+
+    @property
+    def height(self) -> float:
+        """Composite root mean square height [m]."""
+
+    def curves(self) -> GapCurves:
+        """Averages over the gap."""
+
+    def elastic(self) -> "RoughSurfaces | None":
+        """The surfaces as if they did not yield; None where neither does."""
+
+
+@dataclass(frozen=True)
+class Variation:
+    """Rough surfaces with one assumption changed by a part of its uncertainty.
+
+    Attributes
+    ----------
+    curves : GapCurves
+        Averages over the gap.
+    boundary_friction : float
+        Friction coefficient of asperities in contact [-].
+    """
+
+    curves: GapCurves
+    boundary_friction: float
+
+
+def variations(
+    pair: RoughSurfaces, boundary_friction: float, part: float
+) -> Iterator[tuple[str, Variation]]:
+    """Names of uncertain assumptions, each with the surfaces in which it is changed.
+
+    Alternatives of one name exclude each other: their largest change counts. Those of different names are
+    independent.
+
+    Parameters
+    ----------
+    pair : RoughSurfaces
+        The surfaces as assumed.
+    boundary_friction : float
+        Friction coefficient of asperities in contact as assumed [-].
+    part : float
+        Part of the uncertainty by which each assumption is changed [-].
+    """
+    curves = pair.curves()
+    pressure = curves.values[0]
+    others = {
+        "height": [curves.scaled(1 + part * HEIGHT_SPREAD)],
+        "contact": [
+            _with_rows(curves, slice(0, 1), pressure + part * (other - pressure))
+            for other in _other_pressures(pair, curves)
+        ],
+        "pressure flow": [_scattered(curves, slice(3, 6), part)],
+        "shear flow": [_scattered(curves, slice(6, 9), part)],
+    }
+    for name, alternatives in others.items():
+        for other in alternatives:
+            yield name, Variation(other, boundary_friction)
+    rubbing = boundary_friction * (1 + part * BOUNDARY_FRICTION_SPREAD)
+    yield "boundary friction", Variation(curves, rubbing)
+
+
+def flow_scatter(gap) -> Array:
+    """Relative scatter of flow factors by the gap over the roughness [-]."""
+    return FLOW_SCATTER * np.maximum(gap, 1.0) ** -FLOW_FALL
+
+
+def _other_pressures(pair: RoughSurfaces, curves: GapCurves) -> Iterator[Array]:
+    """Logarithms of the asperities' pressure [ln Pa] over the rows, by other laws of contact."""
+    pressure = curves.values[0]
+    yield pressure + log(STIFFNESS_FACTOR)
+    # asperities of one radius, as stiff where the mean planes touch
+    gap = curves.gaps / curves.scale
+    fall = overlap_moment(2.5, gap) / overlap_moment(2.5, 0.0)
+    touching = np.interp(0.0, gap, pressure)
+    yield touching + np.log(np.maximum(fall, np.exp(pressure.min() - touching)))
+    elastic = pair.elastic()
+    if elastic is not None:
+        yield elastic.curves().values[0]
+
+
+def _scattered(curves: GapCurves, rows: slice, part: float) -> GapCurves:
+    """Curves with flow factors larger by a part of their scatter."""
+    larger = 1 + part * flow_scatter(curves.gaps / curves.scale)
+    return _with_rows(curves, rows, curves.values[rows] * larger)
+
+
+def _with_rows(curves: GapCurves, rows: slice, values: Array) -> GapCurves:
+    changed = curves.values.copy()
+    changed[rows] = values
+    return GapCurves.through(curves.scale, curves.first, curves.spacing, changed)

@@ -1,0 +1,46 @@
+"""Error bars of figures over a sweep: the numerical one, and behind it that of the model of roughness."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from pyworm.solver.solution import Estimate
+
+Array = np.ndarray
+
+
+def draw_estimates(
+    axes: Axes,
+    places: Sequence[float],
+    values: Array,
+    sizes: Array,
+    estimates: Sequence[Estimate],
+    **style: Any,
+) -> None:
+    """Draw figures with both error bars, the model's wide and pale.
+
+    Parameters
+    ----------
+    axes : Axes
+        Any.
+    places : sequence of float
+        Where in the sweep each figure is.
+    values : numpy.ndarray
+        Figures in the unit of the axes.
+    sizes : numpy.ndarray
+        What errors are relative to, in that unit: of temperatures the rise.
+    estimates : sequence of Estimate
+        Figures with their errors.
+    **style
+        Line, marker and label (`Axes.errorbar`).
+    """
+    sizes = np.abs(sizes)
+    numerical = sizes * [estimate.error for estimate in estimates]
+    (line, *_) = axes.errorbar(places, values, numerical, **style)
+    model = sizes * [np.nan if of.model is None else of.model for of in estimates]
+    known = np.isfinite(model)
+    at, middle, half = (np.asarray(of)[known] for of in (places, values, model))
+    low = np.maximum(middle - half, np.minimum(middle, 0.0))
+    axes.vlines(at, low, middle + half, color=line.get_color(), alpha=0.25, linewidth=6)

@@ -1,0 +1,98 @@
+"""Uncertainty of figures by the assumptions of averaged roughness, to first order.
+
+Each assumption is changed by a small part of its uncertainty at the converged film. A Newton step from
+there, a linear solve with the film's own Jacobian, shows how every figure follows, of a heated film a second
+one with its temperature; nothing is solved anew. Assumptions are independent of each other, so that their
+changes add by squares.
+"""
+
+from collections.abc import Mapping
+from math import hypot, inf
+
+from pyworm.materials.roughness_assumptions import RoughSurfaces, flow_scatter, variations
+from pyworm.solver.level import InitialGuess, Level
+from pyworm.solver.newton import newton_step
+
+PART = 0.1
+"""Part of an uncertainty by which an assumption is changed."""
+
+FORCING = 1e-2
+"""Residual of a linear solve over its right-hand side."""
+
+ENOUGH, MOST_STEPS = 5e-4, 8
+"""Residual of a film that has followed a change, and the most Newton steps to it: one or two, more only where
+asperities carry nearly all the load."""
+
+SHEARED = ("friction_coefficient", "power_loss")
+"""Figures with the shear of the oil between rough walls, whose own factors are left out."""
+
+
+def roughness_uncertainty(
+    level: Level, pair: RoughSurfaces, boundary_friction: float
+) -> dict[str, float]:
+    """Relative uncertainty of each figure [-], of temperatures over their rise above the inlet's.
+
+    Infinite where the film does not follow. The level is left at the film it had, one step further if heated.
+
+    Parameters
+    ----------
+    level : Level
+        A converged film between rough surfaces.
+    pair : RoughSurfaces
+        The surfaces.
+    boundary_friction : float
+        Friction coefficient of asperities in contact [-].
+    """
+    converged, figures = level.state(), level.read().figures
+    changes: dict[str, dict[str, float]] = {}
+    for name, varied in variations(pair, boundary_friction, PART):
+        level.film.roughen(varied.curves, varied.boundary_friction)
+        _start(level, converged)
+        followed = _follow(level)
+        after = level.read().figures
+        found = {key: _whole(of, after[key]) if followed else inf for key, of in figures.items()}
+        changes[name] = {key: max(of, changes.get(name, found)[key]) for key, of in found.items()}
+    level.film.roughen(pair.curves(), boundary_friction)
+    _start(level, converged)
+    if level.film.heated:
+        newton_step(level)  # its heat flows are those of the last sweep
+    stress = _of_stress(figures, pair.height)
+    return {
+        key: hypot(*(of[key] for of in changes.values()), stress.get(key, 0.0)) for key in figures
+    }
+
+
+def _follow(level: Level) -> bool:
+    """Make Newton steps until the film has followed the change; returns whether it has."""
+    for steps in range(1, MOST_STEPS + 1):
+        if newton_step(level, FORCING) is None:
+            return False
+        if steps > level.film.heated and level.film.balance.residual <= ENOUGH:
+            return True
+    return False
+
+
+def _whole(before: float, after: float) -> float:
+    """Relative change of a figure by a whole uncertainty, from that by a `PART`.
+
+    A fall compounds, as of pressures that fall exponentially with the gap: no figure changes its sign.
+    """
+    ratio = after / before if before else 1.0
+    return (ratio - 1) / PART if ratio > 1 else 1 - max(ratio, 0.0) ** (1 / PART)
+
+
+def _start(level: Level, guess: InitialGuess) -> None:
+    """Start a film, under the equations set before, from a converged one."""
+    if guess.rise is not None:
+        level.film.set_rise(guess.rise)
+    level.film.start(guess.pressure, guess.rigid_film, guess.oil)
+
+
+def _of_stress(figures: Mapping[str, float], roughness: float) -> dict[str, float]:
+    """Uncertainty of friction by the shear stress factors, taken as the scatter of the flow factors."""
+    friction = figures.get("friction_coefficient", 0.0)
+    if not friction:
+        return {}
+    fluid = friction - figures["friction_boundary"]
+    scatter = float(flow_scatter(figures["film_central"] / roughness))
+    return dict.fromkeys(SHEARED, scatter * abs(fluid / friction))

@@ -1,0 +1,135 @@
+"""Uncertainty of figures by the assumptions of averaged roughness."""
+
+from dataclasses import replace
+from math import hypot
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pyworm
+from pyworm.materials.roughness_assumptions import (
+    BOUNDARY_FRICTION_SPREAD,
+    HEIGHT_SPREAD,
+    flow_scatter,
+    variations,
+)
+from pyworm.solver import roughness_uncertainty as uncertainty
+from pyworm.solver.line.contact import LineContactSolver
+from pyworm.solver.newton import lead
+
+CASES = Path(__file__).parents[3] / "cases"
+
+MU_B = 0.1
+"""Friction of the asperities of the shipped case."""
+
+FIGURES = ("film_min", "film_central", "friction_coefficient", "asperity_load_fraction")
+
+
+@pytest.fixture(scope="module")
+def film():
+    """A heated film in boundary lubrication on one grid, converged, and its surfaces."""
+    scene = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5)
+    plan = pyworm.plan(scene, 0.05)
+    assert plan.model.rough and plan.model.heated
+    level, _ = LineContactSolver(plan.simplified(scene), plan).begin(plan.grids)
+    lead(level, 1e-8)
+    return level, scene.rough_pair
+
+
+def solved_anew(level, varied):
+    """Figures of the film solved again between other surfaces."""
+    found, pair = level.state(), level.scene.rough_pair
+    level.film.roughen(varied.curves, varied.boundary_friction)
+    level.film.start(found.pressure, found.rigid_film, found.oil)
+    lead(level, 1e-8)
+    assert level.film.balance.worst <= 1e-6
+    figures = level.read().figures
+    level.film.roughen(pair.curves(), level.scene.oil.boundary_friction)
+    level.film.set_rise(found.rise)
+    level.film.start(found.pressure, found.rigid_film, found.oil)
+    return figures
+
+
+def test_linear_solves_find_what_solving_again_finds(film):
+    """Of the whole uncertainty of each assumption, though found from a tenth of it by two Newton steps."""
+    level, pair = film
+    before = level.read().figures
+    anew: dict[str, dict[str, float]] = {}
+    for name, varied in variations(pair, MU_B, 1.0):
+        after = solved_anew(level, varied)
+        change = {key: abs(after[key] / before[key] - 1) for key in FIGURES}
+        anew[name] = {key: max(of, anew.get(name, change)[key]) for key, of in change.items()}
+    fluid = before["friction_coefficient"] - before["friction_boundary"]
+    scatter = float(flow_scatter(before["film_central"] / pair.height))
+    stress = scatter * fluid / before["friction_coefficient"]
+    found = uncertainty.roughness_uncertainty(level, pair, MU_B)
+    for key in FIGURES:
+        parts = [of[key] for of in anew.values()]
+        expected = hypot(*parts, stress if key == "friction_coefficient" else 0.0)
+        assert found[key] == pytest.approx(expected, rel=0.2), key
+
+
+def test_the_film_is_as_it_was(film):
+    level, pair = film
+    before, balance = level.read().figures, level.film.balance.worst
+    uncertainty.roughness_uncertainty(level, pair, MU_B)
+    after = level.read().figures
+    assert {key: after[key] for key in FIGURES} == pytest.approx(
+        {key: before[key] for key in FIGURES}, rel=1e-5
+    )
+    assert balance <= 1e-6
+    assert level.film.balance.worst <= 1e-5
+
+
+def test_a_film_that_does_not_follow_has_no_bar(film, monkeypatch):
+    monkeypatch.setattr(uncertainty, "newton_step", lambda level, forcing=None: None)
+    found = uncertainty.roughness_uncertainty(*film, MU_B)
+    assert all(of == np.inf for of in found.values())
+
+
+def test_results_have_both_bars():
+    scene = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5)
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.05))
+    friction = solution.figures.friction_coefficient
+    summary = solution.summary()
+    assert friction.error < 0.05 < friction.model < 0.6
+    assert summary["friction_coefficient_error"] == friction.error
+    assert summary["friction_coefficient_model_error"] == friction.model
+    assert summary["temperature_max_model_error_K"]["film"] > 0
+    share = solution.figures.asperity_load_fraction
+    said = f"asperities carry {share.value * 100:.2g} % ± {share.value * share.model * 100:.2g} % (model)"
+    assert said in solution.left_out.sentence
+
+
+def test_smooth_films_have_one_bar():
+    scene = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5)
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.05, "all,-roughness"))
+    assert solution.figures.friction_coefficient.model is None
+    assert not any("model_error" in key for key in solution.summary())
+
+
+def test_each_assumption_is_varied_alone():
+    scene = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5)
+    pair = scene.rough_pair
+    curves = pair.curves()
+    whole = dict(variations(pair, MU_B, 1.0))
+    assert whole["height"].curves.scale == pytest.approx((1 + HEIGHT_SPREAD) * curves.scale)
+    rubbed = whole["boundary friction"]
+    assert rubbed.boundary_friction == pytest.approx((1 + BOUNDARY_FRICTION_SPREAD) * MU_B)
+    np.testing.assert_array_equal(rubbed.curves.values, curves.values)
+    for name, rows in (("pressure flow", slice(3, 6)), ("shear flow", slice(6, 9))):
+        changed = whole[name].curves.values
+        others = np.ones(9, dtype=bool)
+        others[rows] = False
+        np.testing.assert_array_equal(changed[others], curves.values[others])
+        assert not np.array_equal(changed[rows], curves.values[rows])
+
+
+def test_the_elastic_curve_is_an_alternative_to_a_plastic_one():
+    pair = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5).rough_pair
+    soft = replace(pair.surfaces[1], hardness=1e9)
+    yielding = replace(pair, surfaces=(pair.surfaces[0], soft))
+    laws = [varied for name, varied in variations(yielding, MU_B, 1.0) if name == "contact"]
+    np.testing.assert_allclose(laws[-1].curves.values[0], pair.curves().values[0])
+    assert len(laws) == 1 + sum(name == "contact" for name, _ in variations(pair, MU_B, 1.0))
