@@ -71,7 +71,7 @@ def test_standstill_is_the_dry_rough_contact():
     half_width = (1.5 * load * radius / modulus) ** (1 / 3)
     approach = half_width**2 / radius
     surface = RoughSurface(0.1 * approach, 0.02)
-    pair = SphericalAsperities((surface, surface), modulus / 2, 0.1)
+    pair = SphericalAsperities((surface, surface), modulus / 2)
     places = np.linspace(-4 * half_width, 4 * half_width, 129)
     x, y = np.meshgrid(places, places, indexing="ij")
     still = np.zeros_like(x)
