@@ -90,7 +90,7 @@ def table(drives: dict[str, GearPairDrive]) -> None:
 
 def simulated(drive: GearPairDrive, phase: float):
     scene = drive.scene(phase)
-    return pyworm.solve(scene, pyworm.plan(scene, 0.02))
+    return pyworm.solve(scene, pyworm.plan(scene, 0.02, "auto,-roughness"))
 
 
 def directions(drives: dict[str, GearPairDrive]) -> None:

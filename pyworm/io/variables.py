@@ -11,6 +11,7 @@ VARIABLES = {
     "pressure": ("Pa", "pressure of the film, of oil and asperities together"),
     "film": ("m", "film thickness, of rough surfaces the mean thickness of the gap"),
     "asperity_pressure": ("Pa", "pressure that asperities bear, part of the film's"),
+    "asperity_rubbing": ("W/m2", "pressure that asperities bear times the sliding"),
     "real_area": ("1", "real area of contact of asperities over the nominal one"),
     "entrainment_x": ("m/s", "mean surface velocity along x"),
     "entrainment_y": ("m/s", "mean surface velocity along y"),

@@ -39,7 +39,15 @@ LOADED_FRACTION = 0.05
 FAILURE = 0.2
 """Speed at which oil enters, over the mean entrainment, below which the entrainment fails."""
 
-_LARGEST, _LEAST = ("pressure", "temperature_body_2", "temperature_middle"), ("film", "supply")
+_LARGEST = (
+    "pressure",
+    "temperature_body_2",
+    "temperature_middle",
+    "asperity_pressure",
+    "asperity_rubbing",
+)
+
+_LEAST = ("film", "supply")
 
 
 def flank_map(result: Result) -> "xr.Dataset | None":
@@ -48,9 +56,10 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     Returns
     -------
     xarray.Dataset
-        Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2
-        and temperature_middle, their largest values; film and supply, their least. `supply` is the speed at
-        which oil entered over the mean entrainment [-].
+        Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2,
+        temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film and supply,
+        their least. `supply` is the speed at which oil entered over the mean entrainment [-],
+        `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
     """
     solved = sorted(
         (one for one in result.solutions if one.converged and "tooth_face" in one.fields),
@@ -120,6 +129,10 @@ def _layer(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
     layer["pressure"] = np.nan_to_num(layer["pressure"])
     for name in names[1:]:  # outside a solution's window nothing is loaded
         layer[name] = np.where(np.isnan(layer[name]), np.nanmax(layer[name]), layer[name])
+    if "asperity_pressure" in layer:
+        sliding = fields[["sliding_x", "sliding_y"]].interp(x=x, y=y).transpose("y", "x")
+        speed = np.hypot(_filled(sliding["sliding_x"].values), _filled(sliding["sliding_y"].values))
+        layer["asperity_rubbing"] = layer["asperity_pressure"] * speed
     layer["face"], layer["radius"] = flank_place(solution, *np.meshgrid(x, y))
     layer["supply"] = supply(solution, x, y)
     return layer

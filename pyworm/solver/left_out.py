@@ -78,9 +78,7 @@ class LeftOut:
     @property
     def note(self) -> str:
         """The effects in words, for pictures and tables with error bars."""
-        bars = (
-            "numerical, the second those of the model of roughness" if self.rough else "numerical"
-        )
+        bars = "numerical and of the model of roughness" if self.rough else "numerical"
         return f"{self.words}; error bars are {bars}" if self.words else ""
 
     @property

@@ -59,24 +59,26 @@ def test_python_runs_and_prints_what_the_page_says(page, tmp_path, monkeypatch, 
             assert _numbers(printed) == pytest.approx(_numbers(said), rel=0.02, abs=1e-6)
 
 
-def test_the_readme_shows_what_run_prints(tmp_path, capsys):
-    """The table of the worm contact at mid-mesh: every row with its published value."""
+def test_the_readme_shows_what_run_prints(tmp_path, capsys, monkeypatch):
+    """The table of the worm contact at mid-mesh: every row with its model's bar and its published value."""
+    monkeypatch.setenv("COLUMNS", "100")
     text = (ROOT / "README.md").read_text()
     command = re.search(r"`pyworm (run [^`]*)` prints, among other lines", text)[1]
     shown = [row.strip() for row in re.findall(r"^    │.*│$", text, re.M)]
-    assert len(shown) == 13
+    assert len(shown) == 14
     words = command.replace("cases/", f"{ROOT}/cases/").split()
     assert main([*words, "--out", str(tmp_path)]) == 0
     printed = {
         _cells(row)[0]: _cells(row) for row in capsys.readouterr().out.splitlines() if "│" in row
     }
-    for name, value, published in map(_cells, shown):
-        _, now, beside = printed[name]
+    for name, value, model, published in map(_cells, shown):
+        _, now, uncertain, beside = printed[name]
         assert beside == published
         assert NUMBER.sub("#", now) == NUMBER.sub("#", value)
         figure, *bar = _numbers(value)
         assert _numbers(now)[0] == pytest.approx(figure, rel=1e-3), name
         assert _numbers(now)[1:] == pytest.approx(bar, rel=0.02), name
+        assert _numbers(uncertain) == pytest.approx(_numbers(model), rel=0.05), name
 
 
 def _cells(row: str) -> list[str]:

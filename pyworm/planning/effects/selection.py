@@ -5,16 +5,17 @@ from dataclasses import dataclass
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.scene.contact import Contact
 
-OF_HEAT_AND_FLOW = frozenset(
+BEYOND_ISOTHERMAL = frozenset(
     {
         "shear-thinning",
         "limiting-stress",
         "surface-heating",
         "film-heating",
         "viscosity-across",
+        "roughness",
     }
 )
-"""Effects that an isothermal Newtonian film does not have."""
+"""Effects that the isothermal film of a Newtonian oil between smooth surfaces does not have."""
 
 
 SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
@@ -101,8 +102,8 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
         The contact.
     text : str
         With commas between: "all" (all that are simulated and the contact has, but for `ONLY_NAMED`),
-        "isothermal" (these for a Newtonian film of one temperature), names of effects, and names after a
-        minus, which are taken away.
+        "isothermal" (these for a Newtonian film of one temperature between smooth surfaces), names of
+        effects, and names after a minus, which are taken away.
 
     Raises
     ------
@@ -111,7 +112,7 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     most = whole - ONLY_NAMED
-    groups = {"all": most, "isothermal": most - OF_HEAT_AND_FLOW}
+    groups = {"all": most, "isothermal": most - BEYOND_ISOTHERMAL}
     on: set[str] = set()
     for word in _understood(text):
         name = word.removeprefix("-")

@@ -15,7 +15,9 @@ from pyworm.result.result import Result
 _PANELS = (
     ("film", "least film / µm", MICRO, 0.0, "viridis"),
     ("pressure", "largest pressure / MPa", MEGA, 0.0, "inferno"),
-    ("temperature_body_2", "largest temperature of the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
+    ("temperature_body_2", "largest temperature\nof the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
+    ("asperity_pressure", "largest pressure\non asperities / MPa", MEGA, 0.0, "inferno"),
+    ("asperity_rubbing", "asperities' pressure\ntimes sliding / (MW/m²)", MEGA, 0.0, "inferno"),
     ("supply", f"least supply of oil (white: below {FAILURE:g})", 1.0, 0.0, "viridis"),
 )
 """Field, its words, scale and offset to what is shown, colours."""
