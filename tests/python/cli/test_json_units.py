@@ -26,7 +26,7 @@ RANGES = {
     r"^temperature_max\..*\.error|_error_K\b": (1e-3, 20),
     r"^lambda_(min|central)\.error": (1e-4, 1),
     r"_error(_\w+)?_W$": (0, 1e4),
-    r"_error(_grid|_domain|_algebra|_model)?$": (0, 0.5),
+    r"_error(_grid|_domain|_algebra|_approximation)?$": (0, 0.5),
     # surfaces, their heights and lengths
     r"^(rq|ra|rk|rpk|rvk|long_waves_rq)_m$": (0, 1e-4),
     r"^(spacing|length_across|length_along|shortest_length)_m$": (1e-7, 1e-2),
