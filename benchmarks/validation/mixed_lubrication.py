@@ -14,7 +14,7 @@ import sys
 import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, fields
-from math import log, sqrt
+from math import exp, log, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -97,16 +97,16 @@ ZI_HEIGHTS = (0.3, 0.5)
 """Ra of both flanks of the ZI drive [um]; the standard asks for the worm's alone."""
 
 
-def masjedi_khonsari(height: float) -> tuple[float, float]:
+def masjedi_khonsari(height: float, load: float = LOAD) -> tuple[float, float]:
     """Central film over the radius and share of the asperities [-] of the line contact, by their formulas.
 
     M. Masjedi and M. M. Khonsari, J. Tribol. 134 (2012) 011503; from memory, against values that others read
     from their figure 2.
     """
-    smooth = 2.691 * LOAD**-0.135 * SPEED**0.705 * MATERIAL**0.556
-    rise = 0.2 * height**1.222 * HARDNESS**0.223 * LOAD**-0.229 * SPEED**-0.748 * MATERIAL**-0.842
-    rough = 4470 * height**6.015 * HARDNESS**1.168 * LOAD**0.485 * SPEED**-3.741 * MATERIAL**-2.898
-    share = 0.005 * LOAD**-0.408 * SPEED**-0.088 * MATERIAL**0.103 * log(1 + rough)
+    smooth = 2.691 * load**-0.135 * SPEED**0.705 * MATERIAL**0.556
+    rise = 0.2 * height**1.222 * HARDNESS**0.223 * load**-0.229 * SPEED**-0.748 * MATERIAL**-0.842
+    rough = 4470 * height**6.015 * HARDNESS**1.168 * load**0.485 * SPEED**-3.741 * MATERIAL**-2.898
+    share = 0.005 * load**-0.408 * SPEED**-0.088 * MATERIAL**0.103 * log(1 + rough)
     return smooth * (1 + rise), share / 100
 
 
@@ -151,6 +151,12 @@ def compare_line() -> None:
     for slope in SLOPES:
         for height in HEIGHTS:
             print(line_row(height, slope))
+    lighter, height = LOAD / 5, HEIGHTS[1]
+    ratio = masjedi_khonsari(0.0, lighter)[0] / height
+    print(
+        f"\nat W = {lighter:g} and {height:g} the formula has {masjedi_khonsari(height, lighter)[1]:.1%}, "
+        f"partial films of Patir and Cheng exp(-1.8 lambda^1.2) = {exp(-1.8 * ratio**1.2):.1%}"
+    )
 
 
 def line_row(height: float, slope: float) -> str:

@@ -17,7 +17,7 @@ from matplotlib.ticker import NullFormatter
 from pyworm.plots.layout import joined, new_figure
 from pyworm.result.sweep_result import SweepResult, open_sweep
 
-SPEED = "operation.worm_speed"
+SPEED, LAMBDAS = "operation.worm_speed", ("lambda_central", "lambda_min")
 
 
 def table(result: SweepResult) -> str:
@@ -38,8 +38,7 @@ def table(result: SweepResult) -> str:
             f"{row['friction_fluid']:.4f}",
             f"{share:.1%}",
             f"± {share * row['asperity_load_fraction_model_error']:.1%}",
-            f"{row['lambda_central']:.2f}",
-            f"{row['lambda_min']:.2f}",
+            *("" if np.isnan(row[name]) else f"{row[name]:.2f}" for name in LAMBDAS),
             "" if row["converged"] == 1 else row["stop_reason"],
         )
         lines.append(f"| {' | '.join(cells)} |")
@@ -61,7 +60,7 @@ def draw(result: SweepResult) -> Figure:
     friction.set_ylabel("friction coefficient")
     _with_bars(share, speed, columns, "asperity_load_fraction", "tab:red", "asperities")
     share.set_ylabel("share of the load")
-    for name, label in (("lambda_central", "central film"), ("lambda_min", "least film")):
+    for name, label in zip(LAMBDAS, ("central film", "least film"), strict=True):
         film.plot(speed[good], columns[name][good], "o-", markersize=4, label=label)
     film.set_ylabel("film over the roughness")
     for axes, name in ((friction, "friction_coefficient"), (share, "asperity_load_fraction")):
