@@ -361,7 +361,7 @@ def test_simulated_least_films_follow_dowson_and_higginson(spur, increaser):
 
 
 def test_simulated_surfaces_are_as_hot_as_blok_has_it_with_their_friction(increaser):
-    """Between smooth surfaces and at low heights of rise the film's heat goes to both bodies as Blok shares it: within 5 %."""
+    """Between smooth surfaces the film's heat goes to both bodies as Blok shares it: within 5 %."""
     for phase in (0.35, 0.6, 0.87):
         scene = increaser.scene(phase)
         solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "all,-roughness"))
