@@ -178,7 +178,8 @@ def judged(
 
 def expected(scene: Contact, plan: Plan) -> LeftOut:
     """Effects that a plan leaves out of a contact, estimated by closed forms."""
-    prediction = predicted(scene)
+    shown = scene if plan.model.rough else replace(scene, smooth=True)
+    prediction = predicted(shown)
     films = prediction.film_central, prediction.film_min
     return judged(plan.effects, plan.accuracy, films, scene.composite_roughness)
 

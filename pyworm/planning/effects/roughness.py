@@ -9,8 +9,8 @@ from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction
 
 OF_FLOW = 0.5
-"""Change of a film, thicker than the roughness, over that of its flow by the factors of rough walls: 0.2 to
-0.4 in the contacts of `cases/`, more where asperities carry load."""
+"""Change of a film, thicker than the roughness, over that of its flow by the factors of rough walls; the
+inlet feels a part of it, more where asperities carry load."""
 
 
 def _thickness(prediction: Prediction) -> float:

@@ -28,7 +28,7 @@ from pyworm.result.headline import headline, of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result, open_result
 from pyworm.result.sweep_result import SweepResult, sweep_table
-from pyworm.solver.left_out import LeftOut, beyond, worst
+from pyworm.solver.left_out import LeftOut, beyond, expected, worst
 
 CASES = Path(__file__).parents[3] / "cases"
 
@@ -363,3 +363,14 @@ def test_a_cycle_s_json_begins_with_the_worst_of_its_scenes():
     assert told["lubrication"] == "boundary"
     central = min(of.figures.film_central.value for of in cycle_result(PHASES).solutions)
     assert told["lambda_central"]["value"] == pytest.approx(central / 2e-6)
+
+
+def test_a_plan_without_roughness_expects_the_film_of_smooth_surfaces():
+    """That which asperities keep open is expected only where they are simulated."""
+    scene = pyworm.load(CASES / "errichello_speed_increaser.toml").scene(phase=0.5)
+    rough, smooth = (
+        expected(scene, pyworm.plan(scene, 0.05, effects))
+        for effects in ("auto", "auto,-roughness")
+    )
+    assert smooth.lambda_central < 0.15 < rough.lambda_central
+    assert smooth.as_if_smooth and not rough.as_if_smooth
