@@ -158,7 +158,7 @@ def test_error_bars_of_a_tooth_pair_s_transient_film_hold():
     rough, fine = (solved(scene, "isothermal,squeeze", accuracy) for accuracy in (0.15, 0.05))
     assert films(rough) != pytest.approx(films(solved(scene, accuracy=0.15)), rel=0.05)
     for name, value in films(rough).items():
-        assert getattr(rough.figures, name).model > 0
+        assert getattr(rough.figures, name).approximation > 0
         better = getattr(fine.figures, name)
         bars = getattr(rough.figures, name).error + better.error
         assert abs(value - better.value) <= bars * better.value
