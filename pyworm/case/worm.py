@@ -7,38 +7,31 @@ from pydantic import AfterValidator, model_validator
 from pyworm.case.table import Count, Number, PositiveNumber, Table
 from pyworm.case.zi_worm import AssemblyTable, WormDriveCase
 from pyworm.drives.zi_worm.design import Design, Hand
-from pyworm.drives.zi_worm.drawing import completed, off_involute
+from pyworm.drives.zi_worm.drawing import completed
 from pyworm.drives.zi_worm.drawing_checks import (
     DERIVED,
     check_drawing,
     check_given,
+    check_profile,
     check_redundant,
 )
 from pyworm.drives.zi_worm.hob_setting import with_swivel
+from pyworm.drives.zi_worm.profiles import PROFILES
 from pyworm.io import units
 
-RULED = ("ZA", "ZN")
-"""Profiles that are not computed, and whose distance from ZI is."""
-
-ENVELOPED = ("ZK", "ZC")
-"""Profiles of cylindrical worms that are known and not computed."""
+KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)
 
 GLOBOID = ("globoid", "double-enveloping", "Hindley")
 
 
 def _computed(profile: str) -> str:
-    if profile in ENVELOPED:
-        raise ValueError(
-            'only "ZI" is computed, involute helicoids; of small lead angles the other cylindrical profiles '
-            "differ little from it"
-        )
     if profile in GLOBOID:
         raise ValueError(
-            'globoid worms are not computed; there are cylindrical worms of profile "ZI" and roller '
+            f"globoid worms are not computed; there are cylindrical worms of the profiles {KNOWN} and roller "
             'enveloping ones, kind = "roller-worm"'
         )
-    if profile not in ("ZI", *RULED):
-        raise ValueError('must be "ZI"')
+    if profile not in PROFILES:
+        raise ValueError(f"must be one of {KNOWN}")
     return profile
 
 
@@ -68,6 +61,8 @@ class DrawnWormTable(_Drawn):
     lead: units.Length | None = None
     lead_angle: units.Angle | None = None
     base_diameter: units.Length | None = None
+    disc_diameter: units.Length | None = None
+    arc_radius: units.Length | None = None
 
 
 class DrawnWheelTable(_Drawn):
@@ -136,15 +131,10 @@ class DrawnWormDriveTable(Table):
             given["hob_oversize"] = self.hob.reference_diameter - worm
         check_given(given)
         own = {name: of for name, of in given.items() if name not in DERIVED}
-        drawing, taken = completed(own)
+        check_profile(self.profile, given)
+        drawing, taken = completed(own, self.profile)
         check_redundant(drawing, given)
         check_drawing(drawing)
-        if self.profile in RULED:
-            off = off_involute(drawing, self.profile)
-            raise ValueError(
-                f'profile is "{self.profile}"; only "ZI" is computed, whose flank is up to '
-                f"{off * 1e6:.2g} um off this one along the axis of the worm"
-            )
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
             taken = *taken, swivel

@@ -54,27 +54,15 @@ def normal_base_pitch(lead: float, base_lead_angle: float, threads: int) -> floa
     return lead * cos(base_lead_angle) / threads
 
 
-def axial_thickness(
-    radius: float, *, of: float, at: float, base_radius: float, lead: float
-) -> float:
-    """Thickness of a thread along the axis on a cylinder [m]; negative beyond the thread's pointed end.
+def axial_profile(radius: float, base_radius: float, lead: float) -> float:
+    """Height of the flank along the axis over a radius at or outside the base cylinder [m].
 
-    It falls by twice the axial advance of the flank, z = p (tan(alpha) - alpha) with cos(alpha) = r_b / r.
+    z = p (tan(alpha) - alpha) with p = lead / 2 pi and cos(alpha) = r_b / r: the profile of an involute.
 
     Parameters
     ----------
-    radius : float
-        The cylinder, at or outside the base cylinder [m].
-    of, at : float
-        Thickness on another cylinder, and that one's radius [m].
-    base_radius, lead : float
-        Of the flank [m].
+    radius, base_radius, lead : float
+        The radius, the base cylinder's and the advance of the flank in one turn [m].
     """
-    screw = lead / (2 * pi)
-    return of - 2 * screw * (_involute(base_radius, radius) - _involute(base_radius, at))
-
-
-def _involute(base_radius: float, radius: float) -> float:
-    """Involute function of the profile angle on a cylinder, tan(alpha) - alpha."""
     tangent = sqrt(max(radius**2 - base_radius**2, 0.0)) / base_radius
-    return tangent - atan2(tangent, 1.0)
+    return lead / (2 * pi) * (tangent - atan2(tangent, 1.0))

@@ -6,18 +6,17 @@ Theory, 2004, chapter 19). Lengths in m, angles in rad.
 """
 
 from dataclasses import dataclass
-from math import cos, pi, sin, sqrt, tan
+from math import cos, inf, pi, sin, sqrt, tan
 
 import numpy as np
 
 from pyworm.formulas.involute_helicoid import base_lead_angle, base_radius
-
-Array = np.ndarray
+from pyworm.formulas.screw_generator import Array, Components, ScrewGenerator
 
 
 @dataclass(frozen=True)
-class RuledHelicoid:
-    """A right-hand ruled helicoid, about z; the line falls outwards.
+class RuledHelicoid(ScrewGenerator):
+    """A right-hand ruled helicoid, about z; the line rises outwards, its parameter is the way across the axis.
 
     Attributes
     ----------
@@ -33,30 +32,23 @@ class RuledHelicoid:
     slope: float
     screw: float
 
-    def point(self, turn: Array, across: Array) -> Array:
-        """Points, (3, ...) [m], after a turn [rad] at distances across the axis along the line [m]."""
-        cosine, sine = np.cos(turn), np.sin(turn)
-        return np.stack(
-            [
-                self.offset * cosine + across * sine,
-                self.offset * sine - across * cosine,
-                self.screw * turn - across * self.slope,
-            ]
-        )
+    @property
+    def start_radius(self) -> float:
+        """Radius at which the line is nearest the axis [m]; of the involute its base cylinder."""
+        return abs(self.offset)
 
-    def normal(self, turn: Array, across: Array) -> Array:
-        """Unit normals there, (3, ...)."""
-        cosine, sine = np.cos(turn), np.sin(turn)
-        along = np.stack([sine, -cosine, -self.slope + 0 * sine])
-        point = self.point(turn, across)
-        moved = np.stack([-point[1], point[0], self.screw + 0 * sine])
-        normal = np.cross(along, moved, axis=0)
-        return normal / np.linalg.norm(normal, axis=0)
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """The half of the line that rises outwards [m]."""
+        return 0.0, inf
 
-    def axial_profile(self, radius: Array) -> Array:
-        """Height along the axis [m] of the section with a plane through the axis, over the radius [m]."""
-        across = np.sqrt(np.asarray(radius) ** 2 - self.offset**2)
-        return self.screw * np.arctan2(across, self.offset) - across * self.slope
+    def curve(self, u: Array) -> tuple[Components, Components, Components]:
+        """The line and its derivatives."""
+        return (self.offset, u, self.slope * u), (0.0, 1.0, self.slope), (0.0, 0.0, 0.0)
+
+    def at_radius(self, radius: Array) -> Array:
+        """Way across the axis along the line at a distance from the axis [m]."""
+        return np.sqrt(np.asarray(radius) ** 2 - self.offset**2)
 
 
 def straight_axial(lead: float, lead_angle: float, pressure_angle: float) -> RuledHelicoid:
@@ -89,12 +81,3 @@ def involute(lead: float, lead_angle: float, pressure_angle: float) -> RuledHeli
     base = base_radius(lead, base_lead_angle(lead_angle, pressure_angle))
     screw = lead / (2 * pi)
     return RuledHelicoid(base, screw / base, screw)
-
-
-def apart(
-    one: RuledHelicoid, other: RuledHelicoid, reference: float, radii: tuple[float, float]
-) -> float:
-    """Largest distance along the axis [m] of two flanks between two radii, laid together at a third [m]."""
-    radius = np.append(np.linspace(*radii, 101), reference)
-    height = one.axial_profile(radius) - other.axial_profile(radius)
-    return float(np.abs(height - height[-1]).max())

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from pyworm.drives.zi_worm.size_checks import check_sizes
 
 if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.design import Hob, Worm
     from pyworm.drives.zi_worm.gears import ZiWormGears
 
 TABLE_ROUNDING = 1e-3
@@ -56,7 +57,8 @@ def _check_numbers(gears: "ZiWormGears") -> None:
         f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
         for part in ("worm", "wheel", "hob", "assembly")
         for field in fields(getattr(gears, part))
-        if field.name != "tip_relief" and getattr(getattr(gears, part), field.name) is not None
+        if field.name not in ("tip_relief", "generator", "profile")
+        and getattr(getattr(gears, part), field.name) is not None
     }
     signed = {"hob.swivel", "hob.axial_shift"}
     signed |= {key for key in entries if key.startswith("assembly.")}
@@ -81,19 +83,8 @@ def _check_table(gears: "ZiWormGears") -> None:
                 f"{name}.axial_pitch is {screw.axial_pitch * 1e3:.2f} mm, but {name}.lead over "
                 f"worm.threads gives {pitch * 1e3:.2f} mm"
             )
-        angle = atan2(screw.lead, 2 * pi * screw.base_radius)
-        if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
-            halved = atan2(screw.lead, pi * screw.base_radius)
-            if abs(halved - screw.base_lead_angle) <= TABLE_ROUNDING:
-                raise ValueError(
-                    f"{name}.base_radius is {screw.base_radius * 1e3:.2f} mm: with half of it {name}.lead "
-                    f"gives {name}.base_lead_angle, {degrees(halved):.2f} deg; is it a diameter? a radius is "
-                    "wanted"
-                )
-            raise ValueError(
-                f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
-                f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
-            )
+        if screw.generator is None:
+            _check_base(name, screw)
         if screw.tip_radius <= screw.root_radius:
             raise ValueError(
                 f"{name}.tip_radius is {screw.tip_radius * 1e3:.2f} mm; it must be above "
@@ -120,6 +111,23 @@ def _check_table(gears: "ZiWormGears") -> None:
         raise ValueError(
             f"hob.lead and hob.base_radius give a normal base pitch of {cut * 1e3:.3f} mm, but the "
             f"worm has {pitch * 1e3:.3f} mm; they must be equal to mesh"
+        )
+
+
+def _check_base(name: str, screw: "Worm | Hob") -> None:
+    """Refuse a base lead angle of an involute helicoid that its lead and its base radius do not make."""
+    angle = atan2(screw.lead, 2 * pi * screw.base_radius)
+    if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
+        halved = atan2(screw.lead, pi * screw.base_radius)
+        if abs(halved - screw.base_lead_angle) <= TABLE_ROUNDING:
+            raise ValueError(
+                f"{name}.base_radius is {screw.base_radius * 1e3:.2f} mm: with half of it {name}.lead "
+                f"gives {name}.base_lead_angle, {degrees(halved):.2f} deg; is it a diameter? a radius is "
+                "wanted"
+            )
+        raise ValueError(
+            f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
+            f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
         )
 
 

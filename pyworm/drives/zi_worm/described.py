@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
-from pyworm.formulas.involute_helicoid import normal_pressure_angle
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
@@ -24,7 +23,7 @@ def _gear(drive: "ZiWormDrive") -> Described:
         drive.centre_distance - drive.reference_radius - drive.wheel_reference_radius
     ) / drive.module
     return {
-        "profile": "ZI",
+        "profile": drive.worm.profile,
         "hand": drive.hand,
         "threads": drive.worm.threads,
         "teeth": drive.wheel.teeth,
@@ -41,23 +40,27 @@ def _lead_angle(lead: float, radius: float) -> float:
 
 
 def _worm(drive: "ZiWormDrive") -> Described:
-    worm, radius = drive.worm, drive.reference_radius
+    worm, radius, flank = drive.worm, drive.reference_radius, drive.worm_flank
     lead_angle = _lead_angle(worm.lead, radius)
-    return {
+    about: Described = {
         "normal_module_m": drive.module * cos(lead_angle),
-        "pressure_angle_deg": degrees(normal_pressure_angle(worm.lead, worm.base_radius, radius)),
+        "pressure_angle_deg": degrees(flank.pressure_angle(radius)),
         "lead_m": worm.lead,
         "lead_angle_deg": degrees(lead_angle),
-        "base_lead_angle_deg": degrees(_lead_angle(worm.lead, worm.base_radius)),
-        "base_radius_m": worm.base_radius,
         "worm_reference_diameter_m": 2 * radius,
         "worm_tip_diameter_m": 2 * worm.tip_radius,
         "worm_root_diameter_m": 2 * worm.root_radius,
-        "worm_base_diameter_m": 2 * worm.base_radius,
-        "worm_flank_from_diameter_m": 2 * max(worm.root_radius, worm.base_radius),
+        "worm_flank_from_diameter_m": 2 * max(worm.root_radius, flank.start_radius),
         "worm_thickness_m": worm_thickness(drive, radius),
         "worm_tip_thickness_m": worm_thickness(drive, worm.tip_radius),
     }
+    if worm.generator is None:
+        about |= {
+            "base_lead_angle_deg": degrees(_lead_angle(worm.lead, worm.base_radius)),
+            "base_radius_m": worm.base_radius,
+            "worm_base_diameter_m": 2 * worm.base_radius,
+        }
+    return about
 
 
 def _wheel(drive: "ZiWormDrive") -> Described:
@@ -82,18 +85,22 @@ def _wheel(drive: "ZiWormDrive") -> Described:
 def _hob(drive: "ZiWormDrive") -> Described:
     hob = drive.hob
     worm, cut = drive.base_pitches
-    return {
+    about: Described = {
         "hob_oversize_m": 2 * (hob.centre_distance - drive.centre_distance),
         "hob_tip_diameter_m": 2 * hob.tip_radius,
-        "hob_base_diameter_m": 2 * hob.base_radius,
         "hob_lead_m": hob.lead,
-        "hob_base_lead_angle_deg": degrees(hob.base_lead_angle),
         "hob_centre_distance_m": hob.centre_distance,
         "hob_swivel_deg": degrees(hob.swivel),
         "hob_axial_shift_m": hob.axial_shift,
         "normal_base_pitch_m": worm,
         "hob_base_pitch_difference_m": cut - worm,
     }
+    if hob.generator is None:
+        about |= {
+            "hob_base_diameter_m": 2 * hob.base_radius,
+            "hob_base_lead_angle_deg": degrees(hob.base_lead_angle),
+        }
+    return about
 
 
 def _mesh(drive: "ZiWormDrive") -> Described:

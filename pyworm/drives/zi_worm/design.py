@@ -4,7 +4,9 @@ from dataclasses import dataclass, replace
 from math import pi
 from typing import Literal
 
+from pyworm.drives.zi_worm.profiles import Profile
 from pyworm.drives.zi_worm.tooth import NO_RELIEF, ParabolicRelief
+from pyworm.formulas.screw_generator import ScrewGenerator
 from pyworm.materials.body import Body
 
 Hand = Literal["right", "left"]
@@ -18,28 +20,36 @@ class Worm:
     ----------
     threads : int
         Number of threads.
-    tip_radius, root_radius, base_radius : float
-        Radii of the tip, root and base cylinders [m].
+    tip_radius, root_radius : float
+        Radii of the tip and root cylinders [m].
+    base_radius : float or None
+        Radius of the base cylinder [m]; None of other profiles than ZI, which have none.
     axial_pitch, lead : float
         Distance of neighbouring threads along the axis, and advance in one turn [m].
-    base_lead_angle : float
-        Lead angle on the base cylinder [rad].
+    base_lead_angle : float or None
+        Lead angle on the base cylinder [rad]; None likewise.
     tip_relief : ParabolicRelief
         What is taken off the flank towards its tip.
     reference_radius, thickness : float or None
         Radius of the reference cylinder and axial thickness of the thread there [m], where they are known.
+    generator : ScrewGenerator or None
+        What sweeps the flank of any other profile than ZI.
+    profile : str
+        Form of the flank (`profiles.PROFILES`).
     """
 
     threads: int
     tip_radius: float
     root_radius: float
-    base_radius: float
+    base_radius: float | None
     axial_pitch: float
     lead: float
-    base_lead_angle: float
+    base_lead_angle: float | None
     tip_relief: ParabolicRelief = NO_RELIEF
     reference_radius: float | None = None
     thickness: float | None = None
+    generator: ScrewGenerator | None = None
+    profile: Profile = "ZI"
 
 
 @dataclass(frozen=True)
@@ -75,12 +85,14 @@ class Hob:
 
     Attributes
     ----------
-    tip_radius, root_radius, base_radius : float
-        Radii of the tip, root and base cylinders [m].
+    tip_radius, root_radius : float
+        Radii of the tip and root cylinders [m].
+    base_radius : float or None
+        Radius of the base cylinder [m]; None of other profiles than ZI, which have none.
     lead, axial_pitch : float
         Advance in one turn, and distance of neighbouring threads along the axis [m].
-    base_lead_angle : float
-        Lead angle on the base cylinder [rad].
+    base_lead_angle : float or None
+        Lead angle on the base cylinder [rad]; None likewise.
     centre_distance : float
         Distance of hob and wheel axes [m].
     swivel : float
@@ -89,17 +101,20 @@ class Hob:
     axial_shift : float
         Shift of the hob along the wheel's axis from the middle of the face [m], positive to the side
         where the worm's threads leave.  (A shift along the hob's own axis only turns the wheel.)
+    generator : ScrewGenerator or None
+        What sweeps the flank of any other profile than ZI.
     """
 
     tip_radius: float
     root_radius: float
-    base_radius: float
+    base_radius: float | None
     lead: float
     axial_pitch: float
-    base_lead_angle: float
+    base_lead_angle: float | None
     centre_distance: float
     swivel: float
     axial_shift: float
+    generator: ScrewGenerator | None = None
 
 
 @dataclass(frozen=True)

@@ -1,9 +1,9 @@
-"""A ZI worm gear as its drawing has it, and the design table of worm, wheel and hob that follows.
+"""A worm gear as its drawing has it, and the design table of worm, wheel and hob that follows.
 
 Names as in DIN 3975 and ISO 1122-2. What a drawing leaves out has a usual value, which is told. Sources of
 these: DIN 3975 for addenda, clearance, groove and face width (as handed on in textbooks, such as Niemann and
 Winter, Maschinenelemente III), Sharif et al. (2001) for the hob's oversize (1.64 mm on some 78 mm). Backlash
-and tip relief have none: values of the usual size.
+and tip relief have none, nor has the grinding disc of ZK and ZC: values of the usual size.
 """
 
 from collections.abc import Callable, Mapping
@@ -11,9 +11,15 @@ from dataclasses import dataclass
 from math import atan, cos, degrees, pi, sqrt, tan
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
+from pyworm.drives.zi_worm.profiles import (
+    Profile,
+    Thread,
+    generator_of,
+    normal_pressure_angle,
+)
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
 from pyworm.formulas import involute_helicoid as helicoid
-from pyworm.formulas.ruled_helicoid import apart, involute, straight_axial, straight_normal
+from pyworm.formulas.screw_generator import ScrewGenerator
 
 CLEARANCE = 0.2
 """Usual clearance between tip and root over the axial module."""
@@ -34,7 +40,7 @@ class Drawing:
     diameter_factor : float
         q, reference diameter of the worm over the module [-].
     pressure_angle : float
-        alpha_n, normal, at the worm's reference cylinder [rad].
+        alpha_n, normal, at the worm's reference cylinder [rad]; of ZA the axial one, of ZK and ZC the disc's.
     worm_tip_diameter, worm_root_diameter : float
         d_a1, d_f1 [m].
     worm_thickness : float
@@ -55,6 +61,11 @@ class Drawing:
         Shift of the hob along the wheel's axis [m].
     hob_swivel : float or None
         Turn of the hob's axis [rad]; None: so that hob and worm have the same normal in the pitch point.
+    profile : str
+        Form of the flanks.
+    worm_disc_diameter, worm_arc_radius : float or None
+        Diameter of the disc that grinds worm and hob (ZK, ZC), where it touches the reference cylinder, and radius of
+        its convex profile (ZC) [m].
     """
 
     centre_distance: float
@@ -79,6 +90,9 @@ class Drawing:
     hob_oversize: float
     hob_axial_shift: float
     hob_swivel: float | None = None
+    profile: Profile = "ZI"
+    worm_disc_diameter: float | None = None
+    worm_arc_radius: float | None = None
 
     @property
     def reference_diameter(self) -> float:
@@ -106,13 +120,18 @@ class Drawing:
         return atan(self.threads / self.diameter_factor)
 
     @property
+    def normal_pressure_angle(self) -> float:
+        """alpha_n at the worm's reference cylinder [rad]."""
+        return normal_pressure_angle(self.profile, self.pressure_angle, self.lead_angle)
+
+    @property
     def base_lead_angle(self) -> float:
-        """Lead angle on the worm's base cylinder [rad]."""
-        return helicoid.base_lead_angle(self.lead_angle, self.pressure_angle)
+        """Lead angle on the worm's base cylinder, that of the ZI worm of the same numbers [rad]."""
+        return helicoid.base_lead_angle(self.lead_angle, self.normal_pressure_angle)
 
     @property
     def base_radius(self) -> float:
-        """Radius of the worm's base cylinder [m]."""
+        """Radius of the worm's base cylinder, likewise [m]."""
         return helicoid.base_radius(self.lead, self.base_lead_angle)
 
     @property
@@ -138,13 +157,20 @@ class Drawing:
             threads=self.threads,
             tip_radius=self.worm_tip_diameter / 2,
             root_radius=self.worm_root_diameter / 2,
-            base_radius=self.base_radius,
+            base_radius=self._of_involutes(self.base_radius),
             axial_pitch=pi * self.module,
             lead=self.lead,
-            base_lead_angle=self.base_lead_angle,
+            base_lead_angle=self._of_involutes(self.base_lead_angle),
             tip_relief=ParabolicRelief(self.worm_tip_relief, self.worm_tip_relief_length),
             reference_radius=self.reference_diameter / 2,
             thickness=self.worm_thickness,
+            generator=self._generator(
+                self.lead,
+                self.lead_angle,
+                self.reference_diameter / 2,
+                (self.worm_root_diameter / 2, self.worm_tip_diameter / 2),
+            ),
+            profile=self.profile,
         )
 
     @property
@@ -169,41 +195,54 @@ class Drawing:
         diameter = self.reference_diameter + self.hob_oversize
         distance = self.centre_distance + self.hob_oversize / 2
         lead_angle = self.hob_lead_angle
-        base_angle = helicoid.base_lead_angle(lead_angle, self.pressure_angle)
+        base_angle = helicoid.base_lead_angle(lead_angle, self.normal_pressure_angle)
         # z m_n = z m_x cos(gamma) is the same of both
         lead = self.lead * cos(self.lead_angle) / cos(lead_angle)
         root = diameter / 2 - (1 + CLEARANCE) * self.module
+        root = min(root, distance - self.wheel_throat_diameter / 2)
+        tip = distance - self.wheel_root_diameter / 2
         return Hob(
-            tip_radius=distance - self.wheel_root_diameter / 2,
-            root_radius=min(root, distance - self.wheel_throat_diameter / 2),
-            base_radius=helicoid.base_radius(lead, base_angle),
+            tip_radius=tip,
+            root_radius=root,
+            base_radius=self._of_involutes(helicoid.base_radius(lead, base_angle)),
             lead=lead,
             axial_pitch=lead / self.threads,
-            base_lead_angle=base_angle,
+            base_lead_angle=self._of_involutes(base_angle),
             centre_distance=distance,
             swivel=self.normal_swivel if self.hob_swivel is None else self.hob_swivel,
             axial_shift=self.hob_axial_shift,
+            generator=self._generator(lead, lead_angle, diameter / 2, (root, tip)),
         )
 
+    def _of_involutes(self, value: float) -> float | None:
+        """A number that only ZI flanks have."""
+        return value if self.profile == "ZI" else None
 
-def off_involute(of: Drawing, profile: str) -> float:
-    """How far the flank of a worm of profile "ZA" or "ZN" is off the ZI flank of the same drawing [m].
-
-    Along the axis between root and tip, laid together on the reference cylinder.
-    """
-    thread = of.lead, of.lead_angle, of.pressure_angle
-    space = pi * of.module - of.worm_thickness
-    apex = of.reference_diameter / 2 - space * cos(of.lead_angle) / 2 / tan(of.pressure_angle)
-    drawn = straight_axial(*thread) if profile == "ZA" else straight_normal(*thread, apex)
-    radii = max(of.worm_root_diameter / 2, of.base_radius), of.worm_tip_diameter / 2
-    return apart(involute(*thread), drawn, of.reference_diameter / 2, radii)
+    def _generator(
+        self, lead: float, lead_angle: float, reference: float, radii: tuple[float, float]
+    ) -> ScrewGenerator | None:
+        """What sweeps the flank of worm or hob, which have one normal width of the space and one disc."""
+        space = (pi * self.module - self.worm_thickness) * cos(self.lead_angle)
+        thread = Thread(
+            module=self.module,
+            lead=lead,
+            lead_angle=lead_angle,
+            pressure_angle=self.normal_pressure_angle,
+            reference_radius=reference,
+            root_radius=radii[0],
+            tip_radius=radii[1],
+            space=space,
+            disc_diameter=self.worm_disc_diameter,
+            arc_radius=self.worm_arc_radius,
+        )
+        return generator_of(self.profile, thread)
 
 
 Known = Mapping[str, float]
 """Numbers of a drawing by their names in `Drawing`."""
 
 _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
-    "pressure_angle": (lambda of: pi / 9, "as of most ZI worms"),
+    "pressure_angle": (lambda of: pi / 9, "as of most worms"),
     "worm_tip_diameter": (
         lambda of: of["module"] * (of["diameter_factor"] + 2),
         "an addendum of one module",
@@ -246,19 +285,32 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
 }
 """Number of a drawing -> its usual value from those before it, and that in words."""
 
+_USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
+    "ZK": {"worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels")},
+    "ZC": {
+        "worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels"),
+        "worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7"),
+    },
+}
+"""Likewise for the profiles that a disc grinds."""
+
 
 def _mean_diameter(of: Known) -> float:
     """Diameter of the wheel at the worm's reference cylinder d_m2 = 2 a - d_m1 [m]."""
     return 2 * of["centre_distance"] - of["diameter_factor"] * of["module"]
 
 
-def completed(given: Mapping[str, float | None]) -> tuple[Drawing, tuple[str, ...]]:
+def completed(
+    given: Mapping[str, float | None], profile: Profile = "ZI"
+) -> tuple[Drawing, tuple[str, ...]]:
     """A drawing with usual values for what it does not give.
 
     Parameters
     ----------
     given : mapping
         Numbers by their names in `Drawing`, those that are left out None or absent.
+    profile : str
+        Form of the flanks.
 
     Returns
     -------
@@ -267,12 +319,13 @@ def completed(given: Mapping[str, float | None]) -> tuple[Drawing, tuple[str, ..
     """
     known = {name: value for name, value in given.items() if value is not None}
     assumed = []
-    for name, (rule, words) in _USUAL.items():
+    usual = _USUAL | _USUAL_OF.get(profile, {})
+    for name, (rule, words) in usual.items():
         if name in known:
             continue
         known[name] = rule(known)
         assumed.append(f"{key_of(name)} = {_shown(name, known[name])}, {words}")
-    return Drawing(**known), tuple(assumed)
+    return Drawing(**known, profile=profile), tuple(assumed)
 
 
 def key_of(name: str) -> str:

@@ -7,6 +7,10 @@ from collections.abc import Callable, Mapping
 from math import degrees, pi, radians
 
 from pyworm.drives.zi_worm.drawing import Drawing, key_of
+from pyworm.drives.zi_worm.profiles import Profile
+
+MOST_DISC = 1.0
+"""Largest diameter of a grinding disc [m]."""
 
 ROUNDING = 1e-3
 """Relative disagreement of a redundant length taken as rounding."""
@@ -28,6 +32,16 @@ MOST_SHIFT = 1.5
 
 LARGEST_OVERSIZE = 0.25
 """Largest oversize of a hob over the worm's reference diameter."""
+
+LEAST_OVERSIZE = 1e-3
+"""Least oversize of a hob of another profile than ZI, likewise: a smaller one leaves a contact along a line."""
+
+OF_PROFILES: dict[str, tuple[Profile, ...]] = {
+    "worm_base_diameter": ("ZI",),
+    "worm_disc_diameter": ("ZK", "ZC"),
+    "worm_arc_radius": ("ZC",),
+}
+"""Number of a drawing -> the profiles that have it."""
 
 DERIVED: dict[str, tuple[Callable[[Drawing], float], str]] = {
     "profile_shift": (
@@ -80,6 +94,20 @@ def check_given(given: Mapping[str, float | None]) -> None:
         )
 
 
+def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
+    """Refuse numbers of a grinding disc of a profile that has none, and a base cylinder of any but ZI.
+
+    Raises
+    ------
+    ValueError
+        If there is such a number.
+    """
+    for name, profiles in OF_PROFILES.items():
+        if given.get(name) is not None and profile not in profiles:
+            words = " and ".join(f'"{one}"' for one in profiles)
+            raise ValueError(f'{key_of(name)} belongs to profile {words}; profile is "{profile}"')
+
+
 def check_drawing(of: Drawing) -> None:
     """Refuse a drawing of which no worm gear can be made.
 
@@ -90,6 +118,7 @@ def check_drawing(of: Drawing) -> None:
     """
     _check_distance(of)
     _check_worm(of)
+    _check_disc(of)
     _check_wheel(of)
     _check_engagement(of)
     _check_hob(of)
@@ -182,6 +211,28 @@ def _check_worm(of: Drawing) -> None:
         )
 
 
+def _check_disc(of: Drawing) -> None:
+    """Refuse a grinding disc that is none, and one that leaves no flank."""
+    diameter, arc = of.worm_disc_diameter, of.worm_arc_radius
+    if diameter is not None and not of.reference_diameter <= diameter <= MOST_DISC:
+        raise ValueError(
+            f"worm.disc_diameter is {_mm(diameter)}; grinding discs are larger than the worm, "
+            f"{_mm(of.reference_diameter)}, and up to {_mm(MOST_DISC)}"
+        )
+    if arc is not None and not 3 * of.module <= arc <= 100 * of.module:
+        raise ValueError(
+            f"worm.arc_radius is {_mm(arc)}; the convex profile of the disc has 3 to 100 modules, as a rule 5 to 7, "
+            f"{_mm(5 * of.module)} to {_mm(7 * of.module)}"
+        )
+    for part, make in (("worm", lambda: of.worm), ("hob", lambda: of.hob)):
+        try:
+            make()
+        except ValueError as error:
+            raise ValueError(
+                f"worm.disc_diameter and worm.arc_radius do not fit: for the {part} {error}"
+            ) from error
+
+
 def _check_wheel(of: Drawing) -> None:
     """Refuse a wheel whose diameters do not follow each other, and a face that no worm spans."""
     mean = 2 * of.centre_distance - of.reference_diameter
@@ -270,6 +321,13 @@ def _check_hob(of: Drawing) -> None:
             f"hob.oversize is {_mm(of.hob_oversize)}; a hob smaller than the worm cuts a wheel that "
             "touches it at both ends of the face, it must be zero or more, as a rule 2 % of "
             f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
+        )
+    least = LEAST_OVERSIZE * of.reference_diameter
+    if of.profile != "ZI" and of.hob_oversize < least:
+        raise ValueError(
+            f"hob.oversize is {_mm(of.hob_oversize)}; of profile \"{of.profile}\" a contact at a point is computed, "
+            f"for which it must be {_mm(least)} or more, as a rule 2 % of worm.reference_diameter, "
+            f"{_mm(0.02 * of.reference_diameter)}"
         )
     if of.hob_oversize > largest:
         raise ValueError(

@@ -24,6 +24,7 @@ from pyworm.drives.zi_worm.load_sharing import Arms, Shaft, SharedLoad, Transmis
 from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.mesh_loss import worm_mesh_loss
 from pyworm.drives.zi_worm.mesh_springs import mesh_springs
+from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
@@ -125,7 +126,7 @@ class ZiWormDrive(ZiWormGears, Drive):
     def load_arm(self) -> float:
         """Torque on the wheel over the normal load of a tooth, without friction [m].
 
-        The same at every phase: the line of action is the same line in space.
+        In mid-mesh; of involute worms, whose line of action is one line in space, the same at every phase.
         """
         contact = self.contact(0.5)
         return float(abs(np.cross(contact.point, contact.normal)[1]))
@@ -145,30 +146,23 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def motions(self, contact: ToothContact) -> tuple[ToothMotion, ToothMotion]:
         """Surface velocities of worm and wheel relative to the contact point."""
-        worm_turn, wheel_turn = self._turns
+        worm_turn = self.rotation * self.worm_flank.axes[:, 2]
+        wheel_turn = self.rotation * -WHEEL_AXIS * self.cycle.speed_ratios(np.array([contact.phase]))
         worm_axis, wheel_axis = self.worm_flank.axis_point, np.zeros(3)
         return (
             ToothMotion(contact, contact.worm_height, worm_axis, worm_turn),
             ToothMotion(contact, contact.wheel_height, wheel_axis, wheel_turn),
         )
 
-    @property
-    def _turns(self) -> tuple[Array, Array]:
-        """Angular velocities of worm and wheel, each (3,) [rad/s]."""
-        wheel = np.array([0.0, -self.cycle.speed_ratio, 0.0])
-        return self.rotation * self.worm_flank.axes[:, 2], self.rotation * wheel
-
     def sliding(self, phases: Array) -> Array:
         """Velocity of the worm against the wheel at contact points [m/s], (3, phases)."""
-        point = self.cycle.points(phases)
-        worm_turn, wheel_turn = self._turns
-        on_worm = np.cross(worm_turn, point - self.worm_flank.axis_point[:, None], axisb=0, axisc=0)
-        return on_worm - np.cross(wheel_turn, point, axisb=0, axisc=0)
+        point, ratios = self.cycle.points(phases), self.cycle.speed_ratios(phases)
+        return self.rotation * (self.worm_flank.sweep(point) + ratios * across_axis(point))
 
     def arms(self, phases: Array) -> Arms:
         """Moment arms of the forces between the teeth at some phases."""
         point = self.cycle.points(phases)
-        normal = np.broadcast_to(-self.cycle.line.direction[:, None], point.shape)
+        normal = self.cycle.normals(phases)
         sliding = self.sliding(phases)
         sliding = sliding / np.linalg.norm(sliding, axis=0)
         on_worm = point - self.worm_flank.axis_point[:, None]
@@ -176,7 +170,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         def about(arm: Array, force: Array, axis: Array) -> Array:
             return axis @ np.cross(arm, force, axis=0)
 
-        worm_axis, wheel_axis = self.worm_flank.axes[:, 2], np.array([0.0, -1.0, 0.0])
+        worm_axis, wheel_axis = self.worm_flank.axes[:, 2], -WHEEL_AXIS
         return Arms(
             worm_normal=about(on_worm, normal, worm_axis),
             wheel_normal=about(point, normal, wheel_axis),
@@ -193,10 +187,10 @@ class ZiWormDrive(ZiWormGears, Drive):
             forces = np.where((phases >= 0) & (phases <= 1), self.load, 0.0)
             return SharedLoad(phases, forces, 0.0)
         ahead = self.cycle.transmission_error(phases)
-        arms = self.arms(phases).of(self.load.shaft, self.load.friction)
-        lever = self.wheel_flank.lever
+        arms = self.arms(phases)
+        torques = arms.of(self.load.shaft, self.load.friction)
         springs = None if self.load.sharing == "equal" else self.springs
-        return share(self.load, phases, arms, lever, ahead, springs)
+        return share(self.load, phases, torques, arms.wheel_normal, ahead, springs)
 
     def normal_load(self, phase: float) -> float:
         """Normal load of the tooth pair at a phase [N]; 0 where its neighbours carry all of it."""
@@ -214,7 +208,8 @@ class ZiWormDrive(ZiWormGears, Drive):
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
         whole = self.load.torque / float(self.arms(np.array([0.5])).of(self.load.shaft, 0.0)[0])
         teeth = self.wheel_flank, self.worm_tooth, self.wheel_tooth
-        return mesh_springs(*teeth, reduced_modulus(*self.bodies), whole, self.load.stiffness)
+        path = self.worm.threads, self.reference_radii
+        return mesh_springs(*teeth, *path, reduced_modulus(*self.bodies), whole, self.load.stiffness)
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""

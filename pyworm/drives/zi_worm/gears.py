@@ -12,10 +12,11 @@ import numpy as np
 from pyworm.drives.zi_worm.checks import check_gears
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
-from pyworm.drives.zi_worm.helicoid import Array, Helicoid
+from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
+from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.interference import Interference, deepest
 from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_cycle
-from pyworm.drives.zi_worm.meshing import WheelFlank, turned
+from pyworm.drives.zi_worm.meshing import turned
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.zi_worm.tooth_form import tooth_form_warnings
 from pyworm.drives.zi_worm.tooth_outline import ToothOutline, flank_outline
@@ -61,10 +62,23 @@ class ZiWormGears:
 
     @property
     def base_pitches(self) -> tuple[float, float]:
-        """Normal base pitches of the worm and of the hob, which is the wheel's [m]."""
-        screws = self.worm_flank, self.wheel_flank.hob
-        worm, hob = (2 * pi * screw.base_travel / self.worm.threads for screw in screws)
+        """Distance of neighbouring threads along the normal of the worm and of the hob, which is the wheel's [m].
+
+        On their reference cylinders; of involutes it is the base pitch, the same on all.
+        """
+        worm, hob = (
+            2 * pi * screw.normal_travel(radius) / self.worm.threads
+            for screw, radius in zip(
+                (self.worm_flank, self.wheel_flank.hob), self.reference_radii, strict=True
+            )
+        )
         return worm, hob
+
+    @property
+    def reference_radii(self) -> tuple[float, float]:
+        """Radii of the reference cylinders of worm and hob, which has its oversize more [m]."""
+        oversize = self.hob.centre_distance - self.centre_distance
+        return self.reference_radius, self.reference_radius + oversize
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -75,7 +89,7 @@ class ZiWormGears:
         """The warning about a hob of another base pitch than the worm's."""
         worm, hob = self.base_pitches
         apart = hob - worm
-        if abs(apart) <= PITCH_WARNED:
+        if abs(apart) <= PITCH_WARNED or self.worm.generator is not None:
             return ()
         return (
             f"hob.lead and hob.base_radius give a normal base pitch of {hob * 1e3:.4f} mm, "
@@ -116,18 +130,16 @@ class ZiWormGears:
         return self.centre_distance + self.assembly.centre_distance
 
     @cached_property
-    def worm_flank(self) -> Helicoid:
+    def worm_flank(self) -> WormSurface:
         """The worm's helicoid as assembled."""
         errors = self.assembly
         seat = self.axes_distance, errors.shaft_angle, errors.axial_shift
-        return Helicoid(self.worm.base_radius, self.worm.lead, *seat)
+        return worm_of(self.worm, self.reference_radius, seat)
 
     @cached_property
-    def wheel_flank(self) -> WheelFlank:
+    def wheel_flank(self) -> WheelSurface:
         """The flank that the hob cuts."""
-        hob = self.hob
-        seat = hob.centre_distance, hob.swivel, hob.axial_shift
-        return WheelFlank(Helicoid(hob.base_radius, hob.lead, *seat), self.ratio)
+        return wheel_of(self.hob, self.reference_radius, self.ratio)
 
     @cached_property
     def worm_tooth(self) -> WormTooth:
@@ -146,7 +158,10 @@ class ZiWormGears:
     @cached_property
     def cycle(self) -> MeshCycle:
         """The mesh cycle of one tooth pair."""
-        return find_mesh_cycle(self.worm_flank, self.wheel_flank, self.worm_tooth, self.wheel_tooth)
+        paths = contact_paths(
+            self.worm_flank, self.wheel_flank, self.worm.threads, self.reference_radii
+        )
+        return find_mesh_cycle(paths, self.ratio, self.worm_tooth, self.wheel_tooth)
 
     def gap(self, contact: ToothContact) -> ToothGap:
         """Undeformed gap over the contact's tangent plane."""
@@ -164,16 +179,16 @@ class ZiWormGears:
         return point[1], wheel_radius(point)
 
     @cached_property
-    def rim(self) -> tuple[Array, Array]:
-        """Generators and rolls of the wheel flank's outline [rad]: tip, face end, root, face end."""
+    def rim(self) -> Array:
+        """Parameters of the wheel flank's outline: tip, face end, root, face end."""
         return flank_outline(self.wheel_flank, self.wheel_tooth, self.within, OUTLINE_SIDE)
 
     @property
-    def within(self) -> tuple[float, float]:
-        """Generator and roll of a point of the wheel's flank within its outline [rad]."""
+    def within(self) -> tuple[float, ...]:
+        """Parameters of a point of the wheel's flank within its outline."""
         middle = self.cycle.contact(0.5)
-        theta, lag = middle.wheel_height.start
-        return theta, lag + middle.wheel_angle
+        *on_hob, lag = middle.wheel_height.start
+        return *on_hob, lag + middle.wheel_angle
 
     def tooth_outline(self, contact: ToothContact) -> ToothOutline:
         """Outline of the wheel tooth and path of contact seen along a contact's normal."""

@@ -17,17 +17,62 @@ from math import cos, sin
 
 import numpy as np
 
-Array = np.ndarray
-
-Components = tuple[Array | float, Array | float, Array | float]
-"""Components of vectors along X, Y and Z as separate arrays, cheaper at many places than one array."""
+from pyworm.formulas.involute_helicoid import axial_profile, normal_pressure_angle
+from pyworm.formulas.screw_generator import Array, Components
 
 Plane = tuple[Array | float, Components]
 """Distance from the wheel's centre, support [m], and unit normal of a plane normal . x = support."""
 
 
+class Seated:
+    """A screw at its place in the drive frame.
+
+    Attributes
+    ----------
+    screw : float
+        Advance per radian, lead / 2 pi [m].
+    start_radius : float
+        Radius at which its flank begins [m].
+    centre_distance : float
+        Distance of the axis from the wheel's axis [m].
+    swivel : float
+        Turn of the axis about X [rad]; positive adds to the lead angle that the wheel sees.
+    axial_shift : float
+        Shift of the axis along the wheel's axis Y [m].
+    """
+
+    screw: float
+    start_radius: float
+    centre_distance: float
+    swivel: float
+    axial_shift: float
+
+    @cached_property
+    def axis_point(self) -> Array:
+        """Intersection of the axis with the common perpendicular to the wheel's axis, (3,) [m]."""
+        return np.array([-self.centre_distance, self.axial_shift, 0.0])
+
+    @cached_property
+    def axes(self) -> Array:
+        """Columns: the screw's own x, y and z (its axis) directions in the drive frame, (3, 3)."""
+        upright, tilt = cos(self.swivel), sin(self.swivel)
+        return np.array([[1.0, 0.0, 0.0], [0.0, upright, -tilt], [0.0, tilt, upright]])
+
+    def sweep(self, point: Array) -> Array:
+        """Velocity of the turning screw at points (3, ...) [m] over its speed, (3, ...) [m]."""
+        axis = self.axis_point.reshape((3,) + (1,) * (np.ndim(point) - 1))
+        return np.cross(self.axes[:, 2], point - axis, axisb=0, axisc=0)
+
+    def radius(self, point: Array) -> Array:
+        """Distance of points (3, ...) from the screw's axis [m]."""
+        point = np.asarray(point)
+        own = np.tensordot(self.axes.T, point, 1)
+        at = self.axes.T @ self.axis_point
+        return np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)
+
+
 @dataclass(frozen=True)
-class Helicoid:
+class Helicoid(Seated):
     """A right-hand involute helicoid at its place in the drive frame.
 
     Attributes
@@ -68,16 +113,22 @@ class Helicoid:
         """
         return self.screw * float(np.cos(self.base_lead_angle))
 
-    @cached_property
-    def axis_point(self) -> Array:
-        """Intersection of the axis with the common perpendicular to the wheel's axis, (3,) [m]."""
-        return np.array([-self.centre_distance, self.axial_shift, 0.0])
+    @property
+    def start_radius(self) -> float:
+        """Radius at which the flank begins, the base cylinder's [m]."""
+        return self.base_radius
 
-    @cached_property
-    def axes(self) -> Array:
-        """Columns: the screw's own x, y and z (its axis) directions in the drive frame, (3, 3)."""
-        upright, tilt = cos(self.swivel), sin(self.swivel)
-        return np.array([[1.0, 0.0, 0.0], [0.0, upright, -tilt], [0.0, tilt, upright]])
+    def axial_profile(self, radius: float) -> float:
+        """Height [m] of the flank's section with a plane through the axis, over the radius [m]."""
+        return axial_profile(radius, self.base_radius, self.lead)
+
+    def normal_travel(self, radius: float) -> float:
+        """Advance of the flank along its normal per radian [m]: the same at every radius."""
+        return self.base_travel
+
+    def pressure_angle(self, radius: float) -> float:
+        """Normal pressure angle at a radius [rad]."""
+        return normal_pressure_angle(self.lead, self.base_radius, radius)
 
     def planes(self, theta: Array) -> tuple[Plane, Plane, Plane]:
         """The tangent plane of a generator at rotation angle 0 and its first two derivatives by theta.
@@ -141,10 +192,3 @@ class Helicoid:
         )
         at = self.axis_point.reshape((3,) + (1,) * theta.ndim)
         return at + np.tensordot(self.axes, own, 1)
-
-    def radius(self, point: Array) -> Array:
-        """Distance of points (3, ...) from the screw's axis [m]."""
-        point = np.asarray(point)
-        own = np.tensordot(self.axes.T, point, 1)
-        at = self.axes.T @ self.axis_point
-        return np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)

@@ -1,10 +1,10 @@
 """Sharing of the torque among the tooth pairs of a ZI worm drive.
 
 Worm and wheel are rigid except for their contacts and, if a stiffness is given, thread and tooth. The load
-turns the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. Every flank normal
-has the same lever about the wheel's axis, so the pair k approaches by
+turns the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. The normal of the pair
+k has lever_k about the wheel's axis (of involute worms all have the same), so it approaches by
 
-    delta_k = lever (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
+    delta_k = lever_k (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
 
 ahead_k being the transmission error of pair k, the angle of the wheel ahead of its ideal one if that pair
 alone led it without load, and lift_k the increase of the bodies' separation by its film under the same load.
@@ -123,7 +123,7 @@ def share(
     transmission: Transmission,
     phases: Array,
     arms: Array,
-    lever: float,
+    levers: Array,
     ahead: Array,
     springs: ToothSprings | None,
 ) -> SharedLoad:
@@ -137,8 +137,8 @@ def share(
         Phases of the pairs that may touch, (pairs,).
     arms : ndarray
         Torque for each normal load [m], (pairs,): `Arms.of`.
-    lever : float
-        Lever of every flank normal about the wheel's axis [m].
+    levers : ndarray
+        Levers of their normals about the wheel's axis [m], (pairs,).
     ahead : ndarray
         Transmission error if each pair alone led the wheel [rad], (pairs,).
     springs : ToothSprings or None
@@ -154,14 +154,14 @@ def share(
     lifts = transmission.lift(phases)
 
     def forces(turn: float) -> Array:
-        approaches = lever * (turn + ahead) + lifts
+        approaches = levers * (turn + ahead) + lifts
         return np.array([pair.load(of) for pair, of in zip(pairs, approaches, strict=True)])
 
-    first_touch = -float((ahead + lifts / lever).max())
+    first_touch = -float((ahead + lifts / levers).max())
 
     def excess(further: float) -> float:
         return float(np.sum(arms * forces(first_touch + further))) - transmission.torque
 
-    guess = float(springs.approaches[:, -1].min()) / lever
+    guess = float(springs.approaches[:, -1].min() / np.max(levers))
     turn = first_touch + rising_root(excess, guess)
     return SharedLoad(phases, forces(turn), turn)

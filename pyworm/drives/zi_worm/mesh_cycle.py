@@ -1,14 +1,17 @@
 """Unloaded tooth contact over the mesh cycle of one tooth pair."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
 import scipy
 
-from pyworm.drives.zi_worm.flank_height import FlankHeight, WheelPlanes, WormPlanes
-from pyworm.drives.zi_worm.helicoid import Array, Helicoid
-from pyworm.drives.zi_worm.meshing import LineOfAction, WheelFlank, across_axis, lines_of_action
+from pyworm.drives.zi_worm.contact_path import ContactPath, Touches
+from pyworm.drives.zi_worm.flank_height import FlankHeight
+from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.drives.zi_worm.meshing import across_axis
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
 
 FLAT = 1e-9
@@ -63,25 +66,22 @@ class ToothContact:
 
 @dataclass(frozen=True)
 class MeshCycle:
-    """The mesh cycle of one tooth pair: the part of the line of action that lies on both teeth.
+    """The mesh cycle of one tooth pair: the part of the path of contact that lies on both teeth.
 
     Attributes
     ----------
-    worm : Helicoid
-        The worm as assembled.
-    flank : WheelFlank
-        The wheel flank.
-    line : LineOfAction
+    path : ContactPath
         Path of the contact point.
+    ratio : float
+        Threads / teeth [-].
     begin, end : float
-        Place of the contact point on the line, from its foot, at phase 0 and 1 [m].
+        Places of the path at phase 0 and 1.
     begin_boundary, end_boundary : str
         The tooth boundaries at phase 0 and 1.
     """
 
-    worm: Helicoid
-    flank: WheelFlank
-    line: LineOfAction
+    path: ContactPath
+    ratio: float
     begin: float
     end: float
     begin_boundary: str
@@ -89,36 +89,52 @@ class MeshCycle:
 
     @property
     def speed_ratio(self) -> float:
-        """Wheel speed by worm speed while this tooth pair leads: worm base travel by wheel lever.
+        """Wheel speed by worm speed while this tooth pair leads, in the middle of its cycle."""
+        return float(self.speed_ratios(np.array([0.5]))[0])
 
-        Equals threads / teeth where worm and hob have the same normal base pitch.
+    def speed_ratios(self, phases: Array) -> Array:
+        """Wheel speed by worm speed at some phases while this tooth pair leads.
+
+        Their velocities along the common normal are the same. The ratio of an involute worm is that of its base
+        travel to the wheel's lever, at all phases.
         """
-        return self.worm.base_travel / self.flank.lever
+        at = self._touches(phases)
+        on_worm = np.sum(at.normal * at.travel, axis=0)
+        return on_worm / np.sum(-across_axis(at.point) * at.normal, axis=0)
 
-    @property
+    @cached_property
     def worm_rotation(self) -> float:
         """Rotation of the worm over the cycle [rad]."""
-        return (self.begin - self.end) / self.worm.base_travel
+        before, after = self.path.touches(np.array([self.begin, self.end])).worm_angle
+        return float(after - before)
 
     def angles(self, place: float) -> tuple[float, float]:
-        """Worm and wheel angle [rad] when the contact is at a place on the line [m]."""
-        line, hob = self.line, self.flank.hob
-        reach = float(line.direction @ (line.foot + place * line.direction))
-        worm = (self.worm.supports(line.worm_theta)[0] - reach) / self.worm.base_travel
-        roll = (hob.supports(line.hob_theta)[0] - reach) / self.flank.lever
-        return float(worm), float(roll) - line.lag
+        """Worm and wheel angle [rad] when the contact is at a place of the path."""
+        at = self.path.touches(np.array([place]))
+        return float(at.worm_angle[0]), float(at.wheel_angle[0])
+
+    def _touches(self, phases: Array) -> Touches:
+        return self.path.touches(self.begin + np.asarray(phases) * (self.end - self.begin))
 
     def points(self, phases: Array) -> Array:
         """The contact point at some phases, (3, phases) [m]."""
-        place = self.begin + np.asarray(phases) * (self.end - self.begin)
-        return self.line.foot[:, None] + self.line.direction[:, None] * place
+        return self._touches(phases).point
+
+    def normals(self, phases: Array) -> Array:
+        """The common normal from worm to wheel at some phases, (3, phases)."""
+        return self._touches(phases).normal
 
     def transmission_error(self, phases: Array) -> Array:
-        """Wheel angle ahead of the ideal if the pair at a phase leads [rad]: linear, zero at phase 0.5."""
-        middle = self.angles((self.begin + self.end) / 2)
-        end = self.angles(self.end)
-        half = end[1] - middle[1] - self.flank.ratio * (end[0] - middle[0])
-        return 2 * half * (np.asarray(phases) - 0.5)
+        """Wheel angle ahead of the ideal if the pair at a phase leads [rad], zero at phase 0.5; (phases,)."""
+        return self._ahead(self._touches(phases)) - self._ahead_in_middle
+
+    def _ahead(self, at: Touches) -> Array:
+        """Wheel angle ahead of threads / teeth times the worm's [rad], (phases,)."""
+        return at.wheel_angle - self.ratio * at.worm_angle
+
+    @cached_property
+    def _ahead_in_middle(self) -> float:
+        return float(self._ahead(self._touches(np.array([0.5])))[0])
 
     def contact(self, phase: float, speed: float = 0.0) -> ToothContact:
         """The contact at a phase.
@@ -130,98 +146,114 @@ class MeshCycle:
         speed : float
             Worm speed [rad/s].
         """
-        line = self.line
-        place = self.begin + phase * (self.end - self.begin)
-        point = line.foot + place * line.direction
-        worm_angle, wheel_angle = self.angles(place)
-        normal = -line.direction
-        worm_planes = WormPlanes(self.worm, worm_angle)
-        wheel_planes = WheelPlanes(self.flank, wheel_angle)
-        worm_start, wheel_start = (line.worm_theta,), (line.hob_theta, line.lag)
+        at = self._touches(np.array([phase]))
+        point, normal = at.point[:, 0], at.normal[:, 0]
+        flanks = (
+            (self.path.worm_surface(float(at.worm_angle[0])), at.worm_start),
+            (self.path.wheel_surface(float(at.wheel_angle[0])), at.wheel_start),
+        )
+
+        def heights(axes: Array) -> list[FlankHeight]:
+            return [
+                FlankHeight(surface, point, axes, tuple(map(float, start[:, 0])))
+                for surface, start in flanks
+            ]
+
         first = across_axis(normal)
         first = first / np.linalg.norm(first)
         axes = np.array([first, np.cross(normal, first), normal])
-        relative = (
-            FlankHeight(wheel_planes, point, axes, wheel_start).curvatures
-            - FlankHeight(worm_planes, point, axes, worm_start).curvatures
-        )
-        curvatures, directions = np.linalg.eigh(relative)
+        worm, wheel = (height.curvatures for height in heights(axes))
+        curvatures, directions = np.linalg.eigh(wheel - worm)
         x_axis = directions[:, 0] @ axes[:2]
-        sweep = np.cross(self.worm.axes[:, 2], point - self.worm.axis_point)
-        x_axis = x_axis * np.sign(x_axis @ sweep)
+        x_axis = x_axis * np.sign(x_axis @ self.path.worm.sweep(point))
         y_axis = np.cross(normal, x_axis)
-        axes = np.array([x_axis, y_axis, normal])
+        worm_height, wheel_height = heights(np.array([x_axis, y_axis, normal]))
         flat = abs(curvatures[0]) < FLAT * abs(curvatures[1])
         radii = (np.inf if flat else float(1 / curvatures[0])), float(1 / curvatures[1])
         return ToothContact(
             phase=phase,
-            worm_angle=worm_angle,
-            wheel_angle=wheel_angle,
-            transmission_error=float(self.transmission_error(phase)),
+            worm_angle=float(at.worm_angle[0]),
+            wheel_angle=float(at.wheel_angle[0]),
+            transmission_error=float(self._ahead(at)[0]) - self._ahead_in_middle,
             point=point,
             normal=normal,
             x_axis=x_axis,
             y_axis=y_axis,
             radii=radii,
-            # a plane of the worm moves along its normal by the base travel per radian
-            velocity=self.worm.base_travel * speed * normal,
-            worm_height=FlankHeight(worm_planes, point, axes, worm_start),
-            wheel_height=FlankHeight(wheel_planes, point, axes, wheel_start),
+            velocity=at.travel[:, 0] * speed,
+            worm_height=worm_height,
+            wheel_height=wheel_height,
         )
 
 
 def find_mesh_cycle(
-    worm: Helicoid, flank: WheelFlank, worm_tooth: WormTooth, wheel_tooth: WheelTooth
+    paths: Sequence[ContactPath], ratio: float, worm_tooth: WormTooth, wheel_tooth: WheelTooth
 ) -> MeshCycle:
     """Find the mesh cycle and its ends at the tooth boundaries.
+
+    Parameters
+    ----------
+    paths : sequence of ContactPath
+        Paths along which the flanks touch.
+    ratio : float
+        Threads / teeth [-].
+    worm_tooth, wheel_tooth : WormTooth, WheelTooth
+        Boundaries of the teeth.
 
     Raises
     ------
     ValueError
         If the flanks do not touch on the teeth, or interfere.
     """
-    cuts = False
-    cycles = []
-    for line in lines_of_action(worm, flank):
-
-        def margins(place: Array | float, line: LineOfAction = line) -> dict[str, Array]:
-            at = np.asarray(place)
-            spread = (3,) + (1,) * at.ndim
-            point = line.foot.reshape(spread) + line.direction.reshape(spread) * at
-            return {**worm_tooth.margins(point), **wheel_tooth.margins(point)}
-
-        def margin(place: Array | float, margins=margins) -> Array:
-            return np.min(np.stack(list(margins(place).values())), axis=0)
-
-        def boundary(place: float, margins=margins) -> str:
-            here = margins(place)
-            return min(here, key=lambda name: float(here[name]))
-
-        # the line leaves the worm's tip cylinder within a few tip radii of the worm's mid-plane
-        centre = -line.foot[2] / line.direction[2]
-        places = centre + np.linspace(-4, 4, 4001) * worm_tooth.tip_radius
-        inside = margin(places) > 0
-        edges = np.flatnonzero(inside[:-1] != inside[1:])
-        for low, high in pairwise(edges):
-            if not inside[low + 1]:
-                continue
-            end = scipy.optimize.brentq(margin, places[low], places[low + 1], xtol=1e-15)
-            begin = scipy.optimize.brentq(margin, places[high], places[high + 1], xtol=1e-15)
-            cycle = MeshCycle(worm, flank, line, begin, end, boundary(begin), boundary(end))
-            if all(min(cycle.contact(phase).radii) > 0 for phase in (0.0, 0.5, 1.0)):
-                cycles.append(cycle)
-            else:
-                cuts = True
+    found = [
+        cycle for path in paths for cycle in _on_teeth(path, ratio, worm_tooth, wheel_tooth)
+    ]
+    cycles = [
+        cycle
+        for cycle in found
+        if all(min(cycle.contact(phase).radii) > 0 for phase in (0.0, 0.5, 1.0))
+    ]
     if cycles:
         return max(cycles, key=lambda cycle: cycle.worm_rotation)
-    if cuts:
+    if found:
         raise ValueError(
             "hob: the wheel it cuts would interfere with the worm (a relative radius of curvature is "
             "negative); a hob at least as large as the worm, set up near the wheel's mid-plane, "
             "is needed"
         )
+    hob = wheel_tooth.hob
     raise ValueError(
-        f"hob.swivel and hob.axial_shift are {np.degrees(flank.hob.swivel):.4g} deg and "
-        f"{flank.hob.axial_shift * 1e3:.4g} mm, for which no common normal of worm and wheel lies on "
+        f"hob.swivel and hob.axial_shift are {np.degrees(hob.swivel):.4g} deg and "
+        f"{hob.axial_shift * 1e3:.4g} mm, for which no common normal of worm and wheel lies on "
         "the teeth; a set-up that brings the contact between the face ends is needed"
     )
+
+
+def _on_teeth(
+    path: ContactPath, ratio: float, worm_tooth: WormTooth, wheel_tooth: WheelTooth
+) -> Iterator[MeshCycle]:
+    """The parts of a path that lie on both teeth."""
+
+    def margins(places: Array) -> dict[str, Array]:
+        point = path.touches(places).point
+        return {**worm_tooth.margins(point), **wheel_tooth.margins(point)}
+
+    def margin(places: Array) -> Array:
+        return np.min(np.stack(list(margins(places).values())), axis=0)
+
+    def end(before: float, after: float) -> tuple[float, str]:
+        """Place and boundary between two places of which one is inside."""
+        place = scipy.optimize.brentq(
+            lambda place: float(margin(np.array([place]))[0]), before, after, xtol=1e-15
+        )
+        here = margins(np.array([place]))
+        return place, min(here, key=lambda name: float(here[name][0]))
+
+    places = path.search(worm_tooth.tip_radius)
+    inside = margin(places) > 0
+    edges = np.flatnonzero(inside[:-1] != inside[1:])
+    for first, last in pairwise(edges):
+        if inside[first + 1]:
+            begin, begin_boundary = end(places[first], places[first + 1])
+            finish, end_boundary = end(places[last], places[last + 1])
+            yield MeshCycle(path, ratio, begin, finish, begin_boundary, end_boundary)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyworm.drives.zi_worm.helicoid import Array, Helicoid
+from pyworm.drives.zi_worm.helicoid import Array, Seated
 
 
 def wheel_radius(point: Array) -> Array:
@@ -41,7 +41,7 @@ class WormTooth:
 
     Attributes
     ----------
-    worm : Helicoid
+    worm : Seated
         The worm flank and its axis.
     root_radius, tip_radius : float
         Radii of the cylinders [m].
@@ -49,7 +49,7 @@ class WormTooth:
         What is taken off towards the tip.
     """
 
-    worm: Helicoid
+    worm: Seated
     root_radius: float
     tip_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
@@ -57,10 +57,10 @@ class WormTooth:
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it.
 
-        The involute starts at the base cylinder, wherever the root lies.
+        The involute starts at the base cylinder, wherever the root lies, other flanks where they exist.
         """
         radius = self.worm.radius(point)
-        start = max(self.root_radius, self.worm.base_radius)
+        start = max(self.root_radius, self.worm.start_radius)
         return {"worm tip": self.tip_radius - radius, "worm root": radius - start}
 
     def taken_off(self, point: Array) -> Array:
@@ -82,7 +82,7 @@ class WheelTooth:
 
     Attributes
     ----------
-    hob : Helicoid
+    hob : Seated
         The seated hob.
     face_width, tip_radius, throat_radius : float
         Width along the axis, radius of the tip cylinder and smallest tip radius [m].
@@ -94,7 +94,7 @@ class WheelTooth:
         Radius of the throat's profile [m]; None where it is concentric with the hob.
     """
 
-    hob: Helicoid
+    hob: Seated
     face_width: float
     tip_radius: float
     throat_radius: float

@@ -12,7 +12,6 @@ import numpy as np
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.drives.zi_worm.tooth_outline import flank_places
-from pyworm.formulas.involute_helicoid import axial_thickness
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.gears import ZiWormGears
@@ -26,14 +25,12 @@ REACHED = 1e-5
 
 def worm_thickness(gears: "ZiWormGears", radius: float) -> float:
     """Axial thickness of the thread on a cylinder [m]; as usual half the pitch on the reference one."""
-    worm = gears.worm
-    return axial_thickness(
-        max(radius, worm.base_radius),
-        of=pi / 2 * gears.module if worm.thickness is None else worm.thickness,
-        at=gears.reference_radius,
-        base_radius=worm.base_radius,
-        lead=worm.lead,
+    flank, known = gears.worm_flank, gears.worm.thickness
+    reference = pi / 2 * gears.module if known is None else known
+    advance, at_reference = (
+        flank.axial_profile(max(at, flank.start_radius)) for at in (radius, gears.reference_radius)
     )
+    return reference - 2 * (advance - at_reference)
 
 
 def wheel_thickness(gears: "ZiWormGears") -> float:

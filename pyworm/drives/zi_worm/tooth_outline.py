@@ -3,9 +3,10 @@
 The hob cuts the flank with what it has within its tip cylinder: the flank ends where the tip has cut it,
 above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope itself
 ends at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that edge
-before its tip is undercut. Radius and place along the axis are a map of the flank's two parameters whose
-determinant vanishes at that edge and nowhere else, since no flank normal is perpendicular to the direction of
-the wheel's motion (its lever about the wheel's axis is the same everywhere).
+before its tip is undercut. Radius and place along the axis (and the hob's condition of cutting, where that is not
+solved in closed form) are a map of the flank's parameters whose determinant vanishes at that edge and nowhere
+else, since no flank normal is perpendicular to the direction of the wheel's motion: it has a lever about the
+wheel's axis.
 """
 
 from dataclasses import dataclass
@@ -14,8 +15,8 @@ from math import inf
 import numpy as np
 
 from pyworm.drives.zi_worm.helicoid import Array
-from pyworm.drives.zi_worm.meshing import WheelFlank
-from pyworm.drives.zi_worm.tooth import WheelTooth, wheel_radius
+from pyworm.drives.zi_worm.flanks import WheelSurface
+from pyworm.drives.zi_worm.tooth import WheelTooth
 
 FIRST_STEP = 0.125
 """First step along the way to the rim, as a fraction of it."""
@@ -29,7 +30,7 @@ ENDED = 1e-5
 MOST_STEPS, MOST_NEWTON = 64, 10
 
 LONGEST = 0.5
-"""Newton step of a parameter [rad] at which the iteration leaves the flank."""
+"""Newton step of a parameter at which the iteration leaves the flank."""
 
 
 @dataclass(frozen=True)
@@ -51,18 +52,18 @@ class ToothOutline:
 
 
 def flank_outline(
-    flank: WheelFlank, tooth: WheelTooth, start: tuple[float, float], count: int
-) -> tuple[Array, Array]:
-    """Generators and rolls of the closed outline of a wheel's flank, each (4 count + 1,) [rad].
+    flank: WheelSurface, tooth: WheelTooth, start: tuple[float, ...], count: int
+) -> Array:
+    """Parameters of the closed outline of a wheel's flank, (parameters, 4 count + 1).
 
     Parameters
     ----------
-    flank : WheelFlank
+    flank : WheelFlank or SweptWheel
         The flank.
     tooth : WheelTooth
         Its rim.
     start : tuple of float
-        Generator and roll of a point within the rim [rad].
+        Parameters of a point within the rim.
     count : int
         Points on each of the four sides.
     """
@@ -70,9 +71,9 @@ def flank_outline(
 
 
 def flank_places(
-    flank: WheelFlank, start: tuple[float, float], target: Array, hob_tip_radius: float = inf
-) -> tuple[Array, Array]:
-    """Generators and rolls [rad] of places on a wheel's flank, or of where it ends on the way to them.
+    flank: WheelSurface, start: tuple[float, ...], target: Array, hob_tip_radius: float = inf
+) -> Array:
+    """Parameters of places on a wheel's flank, or of where it ends on the way to them, (parameters, places).
 
     Parameters
     ----------
@@ -84,49 +85,36 @@ def flank_places(
         Radius of the hob's tip cylinder [m], infinite for the whole envelope.
     """
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
-    first, slope = _place(flank, q)
+    first, slope = flank.place(q)
+    # what the flank asks for beside radius and place along the axis is zero, the condition of cutting
+    aim = np.concatenate([target, np.zeros((len(first) - 2, target.shape[1]))])
     sign = np.sign(np.linalg.det(np.moveaxis(slope, -1, 0)))
     reach, step = np.zeros(target.shape[1]), np.full(target.shape[1], FIRST_STEP)
     for _ in range(MOST_STEPS):
         there = np.minimum(reach + step, 1.0)
-        tried, found = _at(flank, q, first + there * (target - first), sign)
+        tried, found = _at(flank, q, first + there * (aim - first), sign)
         found &= flank.hob.radius(flank.cut_point(*tried)) < hob_tip_radius
         q = np.where(found, tried, q)
         reach = np.where(found, there, reach)
         step = np.where(found, 2 * step, step / 2)
         if np.all((reach == 1) | (step < ENDED)):
             break
-    return q[0], q[1]
+    return q
 
 
-def _at(flank: WheelFlank, q: Array, aim: Array, sign: Array) -> tuple[Array, Array]:
+def _at(flank: WheelSurface, q: Array, aim: Array, sign: Array) -> tuple[Array, Array]:
     """Newton's method from parameters near a place, and whether it stayed on the same side of the edge."""
     near = np.ones(q.shape[1], dtype=bool)
     for _ in range(MOST_NEWTON):
-        place, slope = _place(flank, q)
-        (a, b), (c, d) = slope
-        determinant = a * d - b * c
+        place, slope = flank.place(q)
+        slope = np.moveaxis(slope, -1, 0)
+        determinant = np.linalg.det(slope)
         miss = place - aim
         found = (np.abs(miss).max(axis=0) < FOUND) & (determinant * sign > 0)
         if np.all(found | ~near):
             break
-        with np.errstate(divide="ignore", invalid="ignore"):
-            change = np.stack([d * miss[0] - b * miss[1], a * miss[1] - c * miss[0]]) / determinant
-        near &= np.abs(change).max(axis=0) < LONGEST  # false of nan, too
+        sound = np.where((determinant != 0)[:, None, None], slope, np.eye(len(place)))
+        change = np.linalg.solve(sound, miss.T[..., None])[..., 0].T
+        near &= (determinant != 0) & (np.abs(change).max(axis=0) < LONGEST)
         q = np.where(near & ~found, q - change, q)
     return q, found & near
-
-
-def _place(flank: WheelFlank, q: Array) -> tuple[Array, Array]:
-    """Radius and place along the axis, (2, points) [m], and derivatives by both parameters, (2, 2, points).
-
-    The derivatives are by complex step, exact to rounding.
-    """
-    tiny = 1e-30
-    columns = []
-    for part in (0, 1):
-        moved = q.astype(complex)
-        moved[part] += tiny * 1j
-        point = flank.cut_point(*moved)
-        columns.append(np.stack([wheel_radius(point), point[1]]))
-    return columns[0].real, np.stack([column.imag / tiny for column in columns], axis=1)

@@ -132,7 +132,7 @@ def test_gap_agrees_with_an_independent_evaluation(phase):
     contact = drive.contact(phase)
     gap = drive.gap(contact)
     hob = drive.wheel_flank.hob
-    line = drive.cycle.line
+    line = drive.cycle.path.line
     roll = line.lag + contact.wheel_angle
     cut = drive.wheel_flank.cut_point(line.hob_theta, roll)
     own = hob.axes.T @ (cut - hob.axis_point)

@@ -74,7 +74,7 @@ def test_shifting_the_hob_along_its_own_axis_only_turns_the_wheel():
 def test_contact_lies_on_both_flanks_with_one_normal():
     drive = sharif()
     for contact in drive.mesh_cycle(5):
-        line = drive.cycle.line
+        line = drive.cycle.path.line
         x, y, z = contact.point - drive.worm_flank.axis_point
         pressure = np.arccos(drive.worm.base_radius / np.hypot(x, y))
         polar = np.arctan2(y, x)
@@ -137,8 +137,8 @@ def test_worm_cut_wheel_touches_along_a_line():
     contact = drive.contact(0.5)
     assert contact.radii[0] == np.inf
     assert 0 < contact.radii[1] < 1
-    theta = drive.cycle.line.hob_theta + np.linspace(-0.35, 0.35, 51)
-    roll = drive.cycle.line.lag + contact.wheel_angle
+    theta = drive.cycle.path.line.hob_theta + np.linspace(-0.35, 0.35, 51)
+    roll = drive.cycle.path.line.lag + contact.wheel_angle
     line = drive.wheel_flank.point(theta, roll, contact.wheel_angle) - contact.point[:, None]
     x, y = contact.x_axis @ line, contact.y_axis @ line
     assert np.ptp(x) > 0.02
@@ -159,8 +159,8 @@ def test_calibrated_set_up_gives_the_published_radii():
 def test_a_shifted_worm_meets_the_flank_of_a_hob_shifted_the_other_way():
     """The hob's shift moves the whole flank along its axis, so only the difference of both counts."""
     shift = 0.1 * MM
-    moved = sharif(assembly=Assembly(axial_shift=shift)).cycle.line
-    recut = sharif(hob=changed(HOB, axial_shift=HOB.axial_shift - shift)).cycle.line
+    moved = sharif(assembly=Assembly(axial_shift=shift)).cycle.path.line
+    recut = sharif(hob=changed(HOB, axial_shift=HOB.axial_shift - shift)).cycle.path.line
     np.testing.assert_allclose(moved.direction, recut.direction, rtol=0, atol=1e-12)
     np.testing.assert_allclose(
         moved.foot, recut.foot + _foot_of_shift(recut.direction, shift), rtol=0, atol=1e-12

@@ -46,10 +46,10 @@ def test_the_pressure_angle_is_zero_on_and_within_the_base_cylinder():
 
 
 @pytest.mark.parametrize("radius", [RADIUS - MODULE, RADIUS + MODULE])
-def test_the_thickness_falls_by_twice_what_the_flank_advances(radius):
+def test_the_axial_profile_is_the_section_of_the_surface(radius):
     advance = on_cylinder(radius)[0][2] - on_cylinder(RADIUS)[0][2]
-    found = closed.axial_thickness(radius, of=7e-3, at=RADIUS, base_radius=BASE, lead=LEAD)
-    assert found == pytest.approx(7e-3 - 2 * advance, rel=1e-12)
+    found = closed.axial_profile(radius, BASE, LEAD) - closed.axial_profile(RADIUS, BASE, LEAD)
+    assert found == pytest.approx(advance, rel=1e-12)
 
 
 def test_base_pitch_is_that_of_the_tangent_planes():

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from pyworm.drives.zi_worm.helicoid import Helicoid
-from pyworm.formulas.ruled_helicoid import apart, involute, straight_axial, straight_normal
+from pyworm.formulas.ruled_helicoid import involute, straight_axial, straight_normal
+from pyworm.formulas.screw_generator import apart
 
 ANGLE, MODULE, THREADS, FACTOR = radians(20), 4e-3, 3, 9.0
 LEAD, LEAD_ANGLE, REFERENCE = pi * MODULE * THREADS, atan(THREADS / FACTOR), FACTOR * MODULE / 2
@@ -24,17 +25,17 @@ TURN, ACROSS = np.meshgrid(np.linspace(-2, 3, 7), np.linspace(12e-3, 24e-3, 9))
 def test_a_screw_carries_the_flank_into_itself(name):
     """x n_y - y n_x + p n_z = 0 of every helicoid."""
     flank = FLANKS[name]
-    (x, y, _), (nx, ny, nz) = flank.point(TURN, ACROSS), flank.normal(TURN, ACROSS)
+    (x, y, _), (nx, ny, nz) = flank.point(ACROSS, TURN), flank.normal(ACROSS, TURN)
     assert np.abs(x * ny - y * nx + flank.screw * nz).max() < 1e-12
 
 
 @pytest.mark.parametrize("name", FLANKS)
 def test_normals_are_across_both_directions_of_the_surface(name):
     flank, step = FLANKS[name], 1e-6
-    normal = flank.normal(TURN, ACROSS)
+    normal = flank.normal(ACROSS, TURN)
     for ahead, behind in (
-        (flank.point(TURN + step, ACROSS), flank.point(TURN - step, ACROSS)),
-        (flank.point(TURN, ACROSS + step), flank.point(TURN, ACROSS - step)),
+        (flank.point(ACROSS, TURN + step), flank.point(ACROSS, TURN - step)),
+        (flank.point(ACROSS + step, TURN), flank.point(ACROSS - step, TURN)),
     ):
         along = (ahead - behind) / np.linalg.norm(ahead - behind, axis=0)
         assert np.abs(np.sum(along * normal, axis=0)).max() < 1e-8
@@ -44,7 +45,7 @@ def test_the_involute_one_is_the_closed_form_to_a_nanometre():
     """The developable of the base helix: its points, found by turn and distance, lie on the other surface."""
     flank = FLANKS["ZI"]
     closed = Helicoid(flank.offset, LEAD, 0.0)
-    point = flank.point(TURN, -ACROSS)  # the flank that rises outwards
+    point = flank.point(ACROSS, TURN)
     other = closed.point(TURN, ACROSS / cos(closed.base_lead_angle))
     assert np.abs(point - other).max() < 1e-9
 
@@ -54,8 +55,8 @@ def test_the_axial_profile_is_the_section_of_the_surface(name):
     flank = FLANKS[name]
     radius = np.linspace(14e-3, 22e-3, 9)
     across = np.sqrt(radius**2 - flank.offset**2)
-    turn = np.arctan2(across, flank.offset)
-    point = flank.point(turn, across)
+    turn = -np.arctan2(across, flank.offset)
+    point = flank.point(across, turn)
     assert point[0] == pytest.approx(radius, rel=1e-12)
     assert np.abs(point[1]).max() < 1e-15
     assert point[2] == pytest.approx(flank.axial_profile(radius), rel=1e-12)
@@ -67,9 +68,9 @@ def test_the_line_of_a_normal_profile_lies_in_the_plane_normal_to_the_thread():
     apex = np.array([SPACE, 0.0, 0.0])
     thread = np.array([0.0, cos(LEAD_ANGLE), sin(LEAD_ANGLE)])
     across = np.sqrt(SPACE**2 - flank.offset**2)
-    turn = np.arctan2(across, flank.offset)
-    line = flank.point(np.full(5, turn), np.linspace(0, 30e-3, 5))
-    line[2] -= flank.point(turn, across)[2]  # the apex at height zero
+    turn = -np.arctan2(across, flank.offset)
+    line = flank.point(np.linspace(0, 30e-3, 5), np.full(5, turn))
+    line[2] -= flank.point(across, turn)[2]  # the apex at height zero
     off = thread @ (line - apex[:, None])
     assert np.abs(off).max() < 1e-15
     # and makes the pressure angle with that radius

@@ -1,0 +1,82 @@
+"""The flanks of worms and hobs by profile, from the numbers of a drawing (DIN 3975, ISO 1122-2)."""
+
+from dataclasses import dataclass
+from math import atan, cos, inf, pi, tan
+from typing import Literal
+
+from pyworm.formulas.disc_helicoid import Disc, DiscHelicoid
+from pyworm.formulas.ruled_helicoid import straight_axial, straight_normal
+from pyworm.formulas.screw_generator import ScrewGenerator
+
+Profile = Literal["ZA", "ZN", "ZI", "ZK", "ZC"]
+
+PROFILES: dict[Profile, str] = {
+    "ZA": "straight in the axial plane",
+    "ZN": "straight in the plane normal to the thread",
+    "ZI": "involute helicoid",
+    "ZK": "ground by a cone",
+    "ZC": "ground by a disc of convex profile",
+}
+"""Profiles of cylindrical worms, and what they are."""
+
+DISC_PROFILES = ("ZK", "ZC")
+"""Profiles that depend on the disc that grinds them."""
+
+BELOW_ROOT, ABOVE_TIP = 0.3, 0.4
+"""How far beyond root and tip a ground flank is found, over the axial module; contacts are sampled there too."""
+
+
+@dataclass(frozen=True)
+class Thread:
+    """Numbers that form a flank of a worm or a hob.
+
+    Attributes
+    ----------
+    module, lead, lead_angle : float
+        Axial module of the worm [m], advance in one turn [m] and lead angle on the reference cylinder [rad].
+    pressure_angle : float
+        In the normal section on the reference cylinder; of discs that of their profile [rad].
+    reference_radius, root_radius, tip_radius : float
+        Radii of its cylinders [m].
+    space : float
+        Normal width of the space between threads on the reference cylinder [m].
+    disc_diameter, arc_radius : float or None
+        Diameter of the disc where it touches the reference cylinder, and radius of its profile [m].
+    """
+
+    module: float
+    lead: float
+    lead_angle: float
+    pressure_angle: float
+    reference_radius: float
+    root_radius: float
+    tip_radius: float
+    space: float
+    disc_diameter: float | None = None
+    arc_radius: float | None = None
+
+
+def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:
+    """What sweeps the flank of a thread; None of ZI, which has closed forms.
+
+    Raises
+    ------
+    ValueError
+        A disc of this size leaves no such flank.
+    """
+    thread = of.lead, of.lead_angle, of.pressure_angle
+    if profile == "ZI":
+        return None
+    if profile == "ZA":
+        return straight_axial(*thread)
+    if profile == "ZN":
+        return straight_normal(*thread, of.reference_radius - of.space / 2 / tan(of.pressure_angle))
+    arc = inf if of.arc_radius is None else of.arc_radius
+    disc = Disc(of.disc_diameter / 2, of.space, of.pressure_angle, arc)
+    low, high = of.root_radius - BELOW_ROOT * of.module, of.tip_radius + ABOVE_TIP * of.module
+    return DiscHelicoid(disc, of.reference_radius, of.lead / (2 * pi), low, high)
+
+
+def normal_pressure_angle(profile: Profile, pressure_angle: float, lead_angle: float) -> float:
+    """Normal pressure angle of what a drawing gives, which of ZA is the angle in the axial plane."""
+    return atan(tan(pressure_angle) * cos(lead_angle)) if profile == "ZA" else pressure_angle
