@@ -1,4 +1,4 @@
-"""A case about a ZI worm drive."""
+"""A case about a worm drive, by its design table of a ZI worm."""
 
 from itertools import pairwise
 from math import inf, pi
@@ -170,7 +170,7 @@ class CoolingTable(Table):
 
 
 class WormDriveCase(RatedCase):
-    """What case files about a ZI worm drive share, be it given by its design table or its drawing.
+    """What case files about a worm drive share, be it given by its design table or its drawing.
 
     Their `[drive]` has `stiffness` and `assembly`, and makes a `design`.
     """
@@ -218,7 +218,7 @@ class WormDriveCase(RatedCase):
         return {table: keys for table, keys in left.items() if keys}
 
     def make_drive(self) -> ZiWormDrive:
-        """The drive of a case file about a ZI worm."""
+        """The drive of a case file about a worm."""
         oil, operation = self.oil.oil(), self.operation
         design = self.drive.design()
         bodies = design.seen(self.bodies.pair(oil))
@@ -263,7 +263,7 @@ def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
 
 
 def _transmission(tables: WormDriveCase, worm_speed: float, ratio: float) -> Transmission:
-    """What the teeth of a ZI worm drive share; with a power, the torque of the shaft that drives."""
+    """What the teeth of a worm drive share; with a power, the torque of the shaft that drives."""
     operation = tables.operation
     if operation.power is not None:
         shaft = operation.driver

@@ -1,12 +1,13 @@
 """Helicoids that a disc grinds, the flanks of ZK and ZC worms: the envelope of its surface in a screw motion.
 
 The disc's axis crosses the worm's at the distance r + R of their reference radii and is inclined to the
-transverse plane by the lead angle gamma there. Its profile is a straight line (ZK, a cone) or a convex arc (ZC,
-type C of ISO 1122-2, which makes a concave thread). A point of the disc with the radius rho, the height w along
-the disc's axis and the normal (s, c) along both lies on the envelope at the turn v of the disc where
-x n_y - y n_x + p n_z = 0 (F. L. Litvin and A. Fuentes, Gear Geometry and Applied Theory, 2004, chapter 19), here
+transverse plane by the lead angle gamma there. Its profile is a straight line (ZK, a cone) or a convex arc
+(ZC, type C of ISO 1122-2, which makes a concave thread). A point of the disc with the radius rho, the
+height w along the disc's axis and the normal (s, c) along both lies on the envelope at the turn v of the
+disc where x n_y - y n_x + p n_z = 0 (F. L. Litvin and A. Fuentes, Gear Geometry and Applied Theory, 2004,
+chapter 19), here
 
-    s [(r + R) cos(gamma) + p sin(gamma)] sin(v) + sin(gamma) (rho c - w s) cos(v) = sin(gamma) R c,          (1)
+    s [(r + R) cos(gamma) + p sin(gamma)] sin(v) + sin(gamma) (rho c - w s) cos(v) = sin(gamma) R c,   (1)
 
 of which the root near zero is closed form. Lengths in m, angles in rad.
 """
@@ -50,7 +51,7 @@ class Disc:
     arc_radius: float = inf
 
     def profile(self, along: Array) -> tuple[Array, Array, Array, Array]:
-        """Radius less that at the reference [m], height [m], and normal (s, c), at a way along the profile [m]."""
+        """Radius less the disc's [m], height [m], and normal (s, c), at a way along the profile [m]."""
         at = sin(self.pressure_angle), cos(self.pressure_angle)
         if self.arc_radius == inf:
             out, high = along * at[1], -along * at[0]
@@ -66,7 +67,7 @@ class Disc:
 
 @dataclass(frozen=True)
 class DiscHelicoid(ScrewGenerator):
-    """The right-hand helicoid that a disc grinds, about z, swept by its axial profile; its parameter is the radius.
+    """The right-hand helicoid that a disc grinds, swept by its axial profile; its parameter is the radius.
 
     Attributes
     ----------
@@ -182,4 +183,3 @@ def ground_by(
 ) -> DiscHelicoid:
     """The flank that a disc grinds on a worm with a reference radius [m], between two radii [m]."""
     return DiscHelicoid(disc, reference, lead / (2 * pi), *radii)
-

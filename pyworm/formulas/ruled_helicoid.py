@@ -16,7 +16,7 @@ from pyworm.formulas.screw_generator import Array, Components, ScrewGenerator
 
 @dataclass(frozen=True)
 class RuledHelicoid(ScrewGenerator):
-    """A right-hand ruled helicoid, about z; the line rises outwards, its parameter is the way across the axis.
+    """A right-hand ruled helicoid; the line rises outwards, its parameter is the way across the axis.
 
     Attributes
     ----------

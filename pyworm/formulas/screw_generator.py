@@ -4,8 +4,8 @@ Every helicoid is swept by a curve r0(u) that turns about z and advances by p pe
 
     r(u, turn) = R(turn) r0(u) + p turn ez,    N(u, turn) = R(turn) [r0' x (ez x r0 + p ez)],
 
-and x N_y - y N_x + p N_z = 0 (F. L. Litvin and A. Fuentes, Gear Geometry and Applied Theory, 2004, chapter 19).
-The flank rises outwards and its normal N points into the thread. Lengths in m, angles in rad.
+and x N_y - y N_x + p N_z = 0 (F. L. Litvin and A. Fuentes, Gear Geometry and Applied Theory, 2004, chapter
+19). The flank rises outwards and its normal N points into the thread. Lengths in m, angles in rad.
 """
 
 from abc import ABC, abstractmethod

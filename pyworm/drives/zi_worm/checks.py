@@ -1,4 +1,4 @@
-"""Checks of the input of a ZI worm drive; each refusal begins with the key that is wrong.
+"""Checks of the input of a worm drive; each refusal begins with the key that is wrong.
 
 Of the redundant entries of a design table the geometry uses the lead and the base radius; base lead angle and
 axial pitch must agree with them within a table's rounding.

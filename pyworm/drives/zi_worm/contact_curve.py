@@ -1,9 +1,10 @@
 """The path of contact of a worm of any profile and the wheel that a hob of its kind cuts.
 
-At a rotation angle of the worm the contact has six unknowns, u and turn on the worm, u, turn and lag on the wheel,
-and the wheel's angle, and six equations: the two points coincide, the two normals are parallel, and the hob cuts
-there. They are solved by Newton's method with derivatives by complex step, from one angle to the next, which
-begins over the line of centres on the reference cylinders. The places of this path are worm angles [rad].
+At a rotation angle of the worm the contact has six unknowns, u and turn on the worm, u, turn and lag on the
+wheel, and the wheel's angle, and six equations: the two points coincide, the two normals are parallel, and
+the hob cuts there. They are solved by Newton's method with derivatives by complex step, from one angle to
+the next, which begins over the line of centres on the reference cylinders. The places of this path are worm
+angles [rad].
 """
 
 from dataclasses import dataclass
@@ -179,7 +180,14 @@ class ContactCurve(ContactPath):
         return value[:, 0].real, slopes[:, :6], slopes[:, 6]
 
     def _equations(
-        self, u: Array, turn: Array, cut_u: Array, cut_turn: Array, lag: Array, wheel: Array, angle: Array
+        self,
+        u: Array,
+        turn: Array,
+        cut_u: Array,
+        cut_turn: Array,
+        lag: Array,
+        wheel: Array,
+        angle: Array,
     ) -> Array:
         """Distance of the points over the size, normal of the wheel along the worm's flank, and N . V."""
         on = self.worm.expanded(u, turn, angle)
@@ -192,7 +200,11 @@ class ContactCurve(ContactPath):
 
         point, normal, size = turned(cut.point), turned(cut.normal), self.worm.size
         rows = [(a - b) / size for a, b in zip(on.point, point, strict=True)]
-        rows += [dot(on.by_u, normal) / size**2, dot(on.by_turn, normal) / size**2, cut.miss / size**2]
+        rows += [
+            dot(on.by_u, normal) / size**2,
+            dot(on.by_turn, normal) / size**2,
+            cut.miss / size**2,
+        ]
         return np.stack(np.broadcast_arrays(*rows))
 
 

@@ -1,4 +1,4 @@
-"""A ZI worm drive as its drawing would have it, with what follows for mesh, hob and contact pattern."""
+"""A worm drive as its drawing would have it, with what follows for mesh, hob and contact pattern."""
 
 from math import atan2, cos, degrees
 from typing import TYPE_CHECKING

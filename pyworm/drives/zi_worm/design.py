@@ -1,4 +1,4 @@
-"""Design data of a ZI worm drive: worm, wheel, hob and their assembly."""
+"""Design data of a worm drive: worm, wheel, hob and their assembly."""
 
 from dataclasses import dataclass, replace
 from math import pi

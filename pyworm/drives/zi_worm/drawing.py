@@ -8,7 +8,7 @@ and tip relief have none, nor has the grinding disc of ZK and ZC: values of the 
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import atan, cos, degrees, pi, sqrt, tan
+from math import atan, cos, degrees, pi, sqrt
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.profiles import (
@@ -64,8 +64,8 @@ class Drawing:
     profile : str
         Form of the flanks.
     worm_disc_diameter, worm_arc_radius : float or None
-        Diameter of the disc that grinds worm and hob (ZK, ZC), where it touches the reference cylinder, and radius of
-        its convex profile (ZC) [m].
+        Diameter of the disc that grinds worm and hob (ZK, ZC), where it touches the reference cylinder, and
+        radius of its convex profile (ZC) [m].
     """
 
     centre_distance: float

@@ -34,7 +34,7 @@ LARGEST_OVERSIZE = 0.25
 """Largest oversize of a hob over the worm's reference diameter."""
 
 LEAST_OVERSIZE = 1e-3
-"""Least oversize of a hob of another profile than ZI, likewise: a smaller one leaves a contact along a line."""
+"""Least oversize of a hob of another profile than ZI, likewise: a smaller one leaves a line contact."""
 
 OF_PROFILES: dict[str, tuple[Profile, ...]] = {
     "worm_base_diameter": ("ZI",),
@@ -221,8 +221,8 @@ def _check_disc(of: Drawing) -> None:
         )
     if arc is not None and not 3 * of.module <= arc <= 100 * of.module:
         raise ValueError(
-            f"worm.arc_radius is {_mm(arc)}; the convex profile of the disc has 3 to 100 modules, as a rule 5 to 7, "
-            f"{_mm(5 * of.module)} to {_mm(7 * of.module)}"
+            f"worm.arc_radius is {_mm(arc)}; the disc's convex profile has 3 to 100 modules, as a rule 5 to "
+            f"7, {_mm(5 * of.module)} to {_mm(7 * of.module)}"
         )
     for part, make in (("worm", lambda: of.worm), ("hob", lambda: of.hob)):
         try:
@@ -325,7 +325,7 @@ def _check_hob(of: Drawing) -> None:
     least = LEAST_OVERSIZE * of.reference_diameter
     if of.profile != "ZI" and of.hob_oversize < least:
         raise ValueError(
-            f"hob.oversize is {_mm(of.hob_oversize)}; of profile \"{of.profile}\" a contact at a point is computed, "
+            f'hob.oversize is {_mm(of.hob_oversize)}; of profile "{of.profile}" point contacts are computed, '
             f"for which it must be {_mm(least)} or more, as a rule 2 % of worm.reference_diameter, "
             f"{_mm(0.02 * of.reference_diameter)}"
         )

@@ -1,4 +1,4 @@
-"""The ZI worm drive at an operating point: speeds and loads of its tooth contacts, and their scenes."""
+"""The worm drive at an operating point: speeds and loads of its tooth contacts, and their scenes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -41,7 +41,7 @@ MIRRORED = (
 
 @dataclass(frozen=True, kw_only=True)
 class ZiWormDrive(ZiWormGears, Drive):
-    """A ZI worm drive at one operating point.
+    """A worm drive at one operating point.
 
     Attributes
     ----------
@@ -147,7 +147,9 @@ class ZiWormDrive(ZiWormGears, Drive):
     def motions(self, contact: ToothContact) -> tuple[ToothMotion, ToothMotion]:
         """Surface velocities of worm and wheel relative to the contact point."""
         worm_turn = self.rotation * self.worm_flank.axes[:, 2]
-        wheel_turn = self.rotation * -WHEEL_AXIS * self.cycle.speed_ratios(np.array([contact.phase]))
+        wheel_turn = (
+            self.rotation * -WHEEL_AXIS * self.cycle.speed_ratios(np.array([contact.phase]))
+        )
         worm_axis, wheel_axis = self.worm_flank.axis_point, np.zeros(3)
         return (
             ToothMotion(contact, contact.worm_height, worm_axis, worm_turn),
@@ -209,7 +211,9 @@ class ZiWormDrive(ZiWormGears, Drive):
         whole = self.load.torque / float(self.arms(np.array([0.5])).of(self.load.shaft, 0.0)[0])
         teeth = self.wheel_flank, self.worm_tooth, self.wheel_tooth
         path = self.worm.threads, self.reference_radii
-        return mesh_springs(*teeth, *path, reduced_modulus(*self.bodies), whole, self.load.stiffness)
+        return mesh_springs(
+            *teeth, *path, reduced_modulus(*self.bodies), whole, self.load.stiffness
+        )
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""

@@ -18,8 +18,8 @@ from pyworm.drives.zi_worm.smooth_mesh import on_mesh
 EDGE = 0.1
 """Ratio of the determinant to that of the contact point at which a flank counts as ending.
 
-It falls to zero at the flank's edge of regression (of the involute the base helix), where curvature grows without
-bound; the flank is continued from a little before it."""
+It falls to zero at the flank's edge of regression (of the involute the base helix), where curvature grows
+without bound; the flank is continued from a little before it."""
 
 SETTLED = 1e-6
 """Newton step [rad] below which the height, whose error is the step's cube, is right to rounding."""
@@ -37,8 +37,8 @@ SPREAD = 0.01
 """Distance of these places, as the change of q from one to the next [rad]."""
 
 ENDED = 1e-8
-"""Accuracy of the flank's end: of the square of the determinant over the contact point's, and of its place on the
-ray from there as a fraction of its length."""
+"""Accuracy of the flank's end: of the square of the determinant over the contact point's, and of its place
+on the ray from there as a fraction of its length."""
 
 MOST_TRIES = 64
 """Largest number of places tried on a ray for the flank's end."""
@@ -55,6 +55,7 @@ TOLERANCE = 1e-12
 MOST_CACHED = 1_000_000
 """Number of points of a flank in the cache: a grid of the figures, the one before it, and samples of
 windows."""
+
 
 def _powers(x: Array, y: Array) -> Array:
     """Powers of x and y up to the second."""
@@ -131,8 +132,8 @@ class FlankHeight:
     def _settled(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
         """Height and q by Newton's method, and the margin to the flank's end; NaN where no plane is found.
 
-        The margin is the square of the determinant over the contact point's, less that of EDGE, or the fraction
-        of REACH, or what is left of the parameters, where that is less.
+        The margin is the square of the determinant over the contact point's, less that of EDGE, or the
+        fraction of REACH, or what is left of the parameters, where that is less.
         """
         for _ in range(MOST_STEPS):
             height, step, determinant = self.surface.newton(q, line, self.axes)

@@ -1,8 +1,8 @@
 """Flanks of any profile as points, for their heights over a tangent plane.
 
-The parameters q are solved for by Newton's method from the two places in the tangent plane and, of the wheel, from
-the hob's condition of cutting, N . V = 0 (`swept_wheel`). The height where the step h leads is that of the
-point less its slopes times the step, right to the step's square.
+The parameters q are solved for by Newton's method from the two places in the tangent plane and, of the
+wheel, from the hob's condition of cutting, N . V = 0 (`swept_wheel`). The height where the step h leads is
+that of the point less its slopes times the step, right to the step's square.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ import numpy as np
 from pyworm.drives.zi_worm.flank_surface import FlankSurface, dot
 from pyworm.drives.zi_worm.helicoid import Array, Components
 from pyworm.drives.zi_worm.swept_helicoid import SweptHelicoid
-from pyworm.drives.zi_worm.swept_wheel import Cut, SweptWheel, across
+from pyworm.drives.zi_worm.swept_wheel import Cut, SweptWheel
 
 
 def within(bounds: tuple[float, float], u: Array) -> Array:
@@ -82,7 +82,7 @@ class WheelPoints(FlankSurface):
     def newton(
         self, q: list[Array], line: Components, axes: Array
     ) -> tuple[Array, list[Array], Array]:
-        """Height where the step leads, step and the determinant of the ways and of the condition of cutting."""
+        """Height where the step leads, step and the determinant of the three equations."""
         cut, (ex, ey, ez) = self._cut(q, axes)
         rows = [[dot(way, axis) for way in cut.ways] for axis in (ex, ey)]
         off = [
@@ -90,9 +90,7 @@ class WheelPoints(FlankSurface):
             for seen, axis in zip((ex, ey, ez), axes, strict=True)
         ]
         step, determinant = _solved_three([*rows, list(cut.slopes)], [off[0], off[1], cut.miss])
-        height = off[2] - sum(
-            dot(way, ez) * part for way, part in zip(cut.ways, step, strict=True)
-        )
+        height = off[2] - sum(dot(way, ez) * part for way, part in zip(cut.ways, step, strict=True))
         return height, step, determinant
 
     def normals(self, q: list[Array]) -> tuple[Components, list[Components]]:

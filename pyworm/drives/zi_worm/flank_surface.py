@@ -19,8 +19,8 @@ def along(point: Components, way: Array | float, direction: Components) -> Compo
 class FlankSurface(ABC):
     """A flank by parameters q, one array each.
 
-    A line along the common normal ez is given by its point in the tangent plane, whose axes are ex and ey; `axes`
-    has the rows ex, ey, ez.
+    A line along the common normal ez is given by its point in the tangent plane, whose axes are ex and ey;
+    `axes` has the rows ex, ey, ez.
     """
 
     @abstractmethod
@@ -32,8 +32,8 @@ class FlankSurface(ABC):
         Returns
         -------
         tuple of ndarray, list of ndarray and ndarray
-            Height along the line where the step leads [m], right to the square of the step at least; the step to
-            be taken off q; and a determinant that vanishes at the flank's edge of regression.
+            Height along the line where the step leads [m], right to the square of the step at least; the
+            step to be taken off q; and a determinant that vanishes at the flank's edge of regression.
         """
 
     @abstractmethod
@@ -47,13 +47,11 @@ class FlankSurface(ABC):
         """Change of q along a direction of the tangent plane, at the flank's place on a line."""
 
     def margin(self, q: list[Array]) -> Array | float:
-        """What is left of the parameters to the end of the flank, over what is usual; one where it has no other end."""
+        """What is left of the parameters to the flank's end, one where they have none."""
         return 1.0
 
-    def tilt(
-        self, q: list[Array], direction: Components, ez: Array
-    ) -> tuple[Array, list[Array]]:
-        """Slope of the height along a direction of the tangent plane, and its derivatives by q at a fixed place."""
+    def tilt(self, q: list[Array], direction: Components, ez: Array) -> tuple[Array, list[Array]]:
+        """Slope of the height along a direction of the tangent plane, and its derivatives by q."""
         normal, swings = self.normals(q)
         lift = dot(normal, ez)
         slope = -dot(normal, direction) / lift

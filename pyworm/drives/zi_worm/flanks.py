@@ -1,4 +1,4 @@
-"""Flanks of worm and wheel by their design tables: involute helicoids in closed form, all others as points."""
+"""Flanks of worm and wheel by their design tables: involutes in closed form, all others as points."""
 
 from pyworm.drives.zi_worm.contact_curve import ContactCurve
 from pyworm.drives.zi_worm.contact_path import ContactPath

@@ -1,4 +1,4 @@
-"""Worm and wheel of a ZI drive as cut and assembled: flanks, tooth boundaries, mesh cycle.
+"""Worm and wheel of a drive as cut and assembled: flanks, tooth boundaries, mesh cycle.
 
 Lengths in m, angles in rad.
 """
@@ -11,8 +11,8 @@ import numpy as np
 
 from pyworm.drives.zi_worm.checks import check_gears
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
-from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
+from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.interference import Interference, deepest
 from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_cycle
@@ -33,7 +33,7 @@ PATH = np.linspace(0.0, 1.0, 21)
 
 @dataclass(frozen=True, kw_only=True)
 class ZiWormGears:
-    """A ZI worm and its wheel.
+    """A worm and its wheel.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class ZiWormGears:
 
     @property
     def base_pitches(self) -> tuple[float, float]:
-        """Distance of neighbouring threads along the normal of the worm and of the hob, which is the wheel's [m].
+        """Distance of neighbouring threads along the normal, of the worm and of the hob [m].
 
         On their reference cylinders; of involutes it is the base pitch, the same on all.
         """

@@ -14,6 +14,9 @@ FRACTIONS = (1.0, 0.95, 0.9, 0.85, 0.8, 0.7)
 At larger lead angles that one leaves so little crowning that the worm would cut in at an end of the face.
 """
 
+LEAST_CONCAVE_SHIFT = 0.4
+"""Profile shift of ZC worms below which it is the likely cause where worm and wheel do not fit."""
+
 
 @lru_cache(maxsize=4)
 def with_swivel(of: Drawing) -> tuple[Drawing, str]:
@@ -39,6 +42,12 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
             return tried, f"hob.swivel = {degrees(tried.hob_swivel):.4g} deg, {part}{at}{why}"
         depth = found.depth if depth is None else min(depth, found.depth)
     if depth is None:
+        if of.profile == "ZC" and of.profile_shift < LEAST_CONCAVE_SHIFT:
+            raise ValueError(
+                f"profile_shift is {of.profile_shift:.3g}, with which a concave worm and its wheel interfere "
+                'or do not touch; profile "ZC" has 0.5 to 1 as a rule, so that the pitch line lies near the '
+                "worm's tip; another centre_distance or number of teeth gives it"
+            )
         raise refusal
     last, first = (degrees(fraction * of.normal_swivel) for fraction in (FRACTIONS[-1], 1.0))
     raise ValueError(

@@ -1,10 +1,10 @@
-"""Sharing of the torque among the tooth pairs of a ZI worm drive.
+"""Sharing of the torque among the tooth pairs of a worm drive.
 
 Worm and wheel are rigid except for their contacts and, if a stiffness is given, thread and tooth. The load
-turns the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. The normal of the pair
-k has lever_k about the wheel's axis (of involute worms all have the same), so it approaches by
+turns the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. The normal of the
+pair k has lever_k about the wheel's axis (of involute worms all have the same), so it approaches by
 
-    delta_k = lever_k (Theta + ahead_k),     delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
+    delta_k = lever_k (Theta + ahead_k),    delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
 
 ahead_k being the transmission error of pair k, the angle of the wheel ahead of its ideal one if that pair
 alone led it without load, and lift_k the increase of the bodies' separation by its film under the same load.

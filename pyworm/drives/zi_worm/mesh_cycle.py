@@ -95,8 +95,8 @@ class MeshCycle:
     def speed_ratios(self, phases: Array) -> Array:
         """Wheel speed by worm speed at some phases while this tooth pair leads.
 
-        Their velocities along the common normal are the same. The ratio of an involute worm is that of its base
-        travel to the wheel's lever, at all phases.
+        Their velocities along the common normal are the same. The ratio of an involute worm is that of its
+        base travel to the wheel's lever, at all phases.
         """
         at = self._touches(phases)
         on_worm = np.sum(at.normal * at.travel, axis=0)
@@ -205,9 +205,7 @@ def find_mesh_cycle(
     ValueError
         If the flanks do not touch on the teeth, or interfere.
     """
-    found = [
-        cycle for path in paths for cycle in _on_teeth(path, ratio, worm_tooth, wheel_tooth)
-    ]
+    found = [cycle for path in paths for cycle in _on_teeth(path, ratio, worm_tooth, wheel_tooth)]
     cycles = [
         cycle
         for cycle in found

@@ -2,9 +2,9 @@
 
 from functools import lru_cache
 
+from pyworm.drives.zi_worm.flanks import WheelSurface, contact_paths
 from pyworm.drives.zi_worm.gap import ToothGap
 from pyworm.drives.zi_worm.mesh_cycle import find_mesh_cycle
-from pyworm.drives.zi_worm.flanks import WheelSurface, contact_paths
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
 from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
 

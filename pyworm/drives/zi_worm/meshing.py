@@ -84,7 +84,7 @@ class WheelFlank:
         return turned(self.hob.normals(theta)[0], np.asarray(roll) - wheel_angle)
 
     def place(self, q: Array) -> tuple[Array, Array]:
-        """Radius and place along the axis, (2, points) [m], and derivatives by theta and roll, (2, 2, points).
+        """Radius and place along the axis, (2, points) [m], derivatives by theta and roll, (2, 2, points).
 
         The derivatives are by complex step, exact to rounding.
         """

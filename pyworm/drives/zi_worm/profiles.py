@@ -23,7 +23,7 @@ DISC_PROFILES = ("ZK", "ZC")
 """Profiles that depend on the disc that grinds them."""
 
 BELOW_ROOT, ABOVE_TIP = 0.3, 0.4
-"""How far beyond root and tip a ground flank is found, over the axial module; contacts are sampled there too."""
+"""How far beyond root and tip a ground flank is found, over the axial module."""
 
 
 @dataclass(frozen=True)

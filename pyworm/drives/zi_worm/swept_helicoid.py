@@ -89,8 +89,7 @@ class SweptHelicoid(Seated):
         return self.generator.normal(u, -np.arctan2(y, x))
 
     def over_centres(self, radius: float) -> tuple[float, float, float]:
-        """u and turn of the point on a cylinder [m] over the line of centres, and the angle [rad] that puts it
-        into the mid-plane."""
+        """u and turn of the point on a cylinder [m] over the line of centres, its angle in the mid-plane."""
         u = float(self.generator.at_radius(radius))
         x, y, z = self.generator.curve(u)[0]
         turn = -float(np.arctan2(y, x))

@@ -1,7 +1,7 @@
 """The wheel flank that a hob of any profile cuts: the envelope of the hob's surface.
 
-While the hob turns by psi the wheel turns by roll = ratio psi. A point of the hob lies on the envelope where its
-normal has no part of the velocity of hob against wheel, by the roll,
+While the hob turns by psi the wheel turns by roll = ratio psi. A point of the hob lies on the envelope
+where its normal has no part of the velocity of hob against wheel, by the roll,
 
     N . V = 0,    V = Y x point - (p / ratio) hob axis,
 
@@ -102,7 +102,7 @@ class SweptWheel:
         return turned(normal, np.asarray(roll) - wheel_angle)
 
     def place(self, q: Array) -> tuple[Array, Array]:
-        """Radius, place along the axis and N . V over its size, (3, points), and derivatives by q, (3, 3, points)."""
+        """Radius, place along the axis and N . V over a length, (3, points); derivatives (3, 3, points)."""
         cut = self.cut(*q)
         x, y, z = cut.point
         radius = np.hypot(x, z)

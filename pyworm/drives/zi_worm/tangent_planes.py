@@ -1,8 +1,8 @@
 """Flanks of involute helicoids as families of tangent planes, for their heights over a tangent plane.
 
-Such a flank is an envelope of planes, so its height over a point (x, y) of the tangent plane is the stationary
-value, over the family's parameters q, of the height T(q) at which the plane q crosses the line through
-(x, y) along the common normal:
+Such a flank is an envelope of planes, so its height over a point (x, y) of the tangent plane is the
+stationary value, over the family's parameters q, of the height T(q) at which the plane q crosses the line
+through (x, y) along the common normal:
 
     T = (support(q) - normal(q) . (origin + x ex + y ey)) / B,     B = normal(q) . ez.
 
@@ -12,9 +12,9 @@ normal and support by q,
     T_i = (s_i - n_i . p) / B,     T_ij = (s_ij - n_ij . p) / B,
 
 the latter where T_i = 0, which is near enough for Newton's method.  Its step h also gives the stationary
-value itself, T - T_i h_i / 2, to the step's cube: the height is right to rounding where q is not yet.  The rates
-of q over the plane follow by implicit differentiation, q_x = -(T_ij)^-1 T_xj, with
-T_xi = -n_i . (ex + T_x ez) / B.
+value itself, T - T_i h_i / 2, to the step's cube: the height is right to rounding where q is not yet.  The
+rates of q over the plane follow by implicit differentiation, q_x = -(T_ij)^-1 T_xj, with T_xi = -n_i . (ex
++ T_x ez) / B.
 """
 
 from collections.abc import Sequence

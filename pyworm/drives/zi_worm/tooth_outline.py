@@ -1,12 +1,12 @@
 """Outline of the wheel's tooth: the rim of its flank, or the flank's own end where that comes first.
 
 The hob cuts the flank with what it has within its tip cylinder: the flank ends where the tip has cut it,
-above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope itself
-ends at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that edge
-before its tip is undercut. Radius and place along the axis (and the hob's condition of cutting, where that is not
-solved in closed form) are a map of the flank's parameters whose determinant vanishes at that edge and nowhere
-else, since no flank normal is perpendicular to the direction of the wheel's motion: it has a lever about the
-wheel's axis.
+above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope
+itself ends at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that
+edge before its tip is undercut. Radius and place along the axis (and the hob's condition of cutting, where
+that is not solved in closed form) are a map of the flank's parameters whose determinant vanishes at that
+edge and nowhere else, since no flank normal is perpendicular to the direction of the wheel's motion: it has
+a lever about the wheel's axis.
 """
 
 from dataclasses import dataclass
@@ -14,8 +14,8 @@ from math import inf
 
 import numpy as np
 
-from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.flanks import WheelSurface
+from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.tooth import WheelTooth
 
 FIRST_STEP = 0.125

@@ -1,0 +1,208 @@
+"""Worm drives of every profile: the general meshing against the closed form and a rolling simulation."""
+
+from dataclasses import replace
+from functools import cache
+from math import atan, cos, degrees, hypot, radians, tan
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq, minimize_scalar
+from zi_drives import sharif
+
+import pyworm
+from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.gears import ZiWormGears
+from pyworm.drives.zi_worm.hob_setting import drawn_gears
+from pyworm.formulas.ruled_helicoid import RuledHelicoid
+
+PROFILES = ("ZA", "ZN", "ZI", "ZK", "ZC")
+SHIFT = {"ZC": 0.5}
+
+
+@cache
+def drawing(profile):
+    """a = 100 mm, 2/41, m 4 mm, q 10; of ZC with the positive profile shift that it needs."""
+    shift = SHIFT.get(profile, -0.5)
+    of, _ = completed(
+        {
+            "centre_distance": 0.1 + (shift + 0.5) * 4e-3,
+            "threads": 2,
+            "teeth": 41,
+            "module": 4e-3,
+            "diameter_factor": 10.0,
+            "pressure_angle": radians(23 if profile == "ZC" else 20),
+            "face_width": 30e-3,
+            "hob_oversize": 1.6e-3,
+        },
+        profile,
+    )
+    return replace(of, hob_swivel=0.9 * of.normal_swivel)
+
+
+@cache
+def gears(profile):
+    return drawn_gears(drawing(profile))
+
+
+def swept(screw):
+    """An involute helicoid as the line that sweeps it."""
+    advance = screw.lead / (2 * np.pi)
+    line = RuledHelicoid(screw.base_radius, advance / screw.base_radius, advance)
+    return replace(screw, generator=line)
+
+
+def test_the_general_meshing_of_an_involute_drive_is_its_closed_form():
+    closed = gears("ZI")
+    general = ZiWormGears(
+        worm=swept(closed.worm),
+        wheel=closed.wheel,
+        hob=swept(closed.hob),
+        centre_distance=closed.centre_distance,
+    )
+    x, y = np.meshgrid(np.linspace(-0.012, 0.012, 33), np.linspace(-0.006, 0.006, 33))
+    assert general.cycle.worm_rotation == pytest.approx(closed.cycle.worm_rotation, rel=1e-9)
+    for phase in (0.0, 0.4, 1.0):
+        one, other = general.cycle.contact(phase, 100.0), closed.cycle.contact(phase, 100.0)
+        assert one.point == pytest.approx(other.point, abs=1e-12)
+        assert one.velocity == pytest.approx(other.velocity, abs=1e-9)
+        assert one.radii == pytest.approx(other.radii, rel=1e-9)
+        (gap, here), (expected, there) = general.gap(one)(x, y), closed.gap(other)(x, y)
+        assert here.mean() > 0.3 and np.mean(here == there) > 0.99
+        assert np.abs(gap - expected)[here & there].max() < 1e-12
+    rims = (of.tooth_outline(of.cycle.contact(0.4)) for of in (general, closed))
+    assert np.abs(np.subtract(*(rim.x for rim in rims))).max() < 1e-7
+    assert general.base_pitches == pytest.approx(closed.base_pitches, rel=1e-12)
+
+
+class Screw:
+    """A worm or a hob in the drive frame by its axial profile; a left-hand one stands in the mirror image."""
+
+    def __init__(self, flank, hand):
+        self.flank, self.hand = flank, hand
+        tilt = hand * flank.swivel
+        self.across = np.array([0.0, np.cos(tilt), np.sin(tilt)])
+        self.along = np.array([0.0, -np.sin(tilt), np.cos(tilt)])
+        self.middle = np.array([-flank.centre_distance, hand * flank.axial_shift, 0.0])
+
+    def into(self, point, angle):
+        """How far a point lies in the thread along the axis, the screw turned by an angle."""
+        x, y, z = point - self.middle
+        y, z = self.across[1] * y + self.across[2] * z, self.along[1] * y + self.along[2] * z
+        lead = self.flank.screw * (self.hand * np.arctan2(y, x) - angle)
+        return z - lead - self.flank.axial_profile(hypot(x, y))
+
+
+def simulated_gap(of, contact, x, y, hand):
+    """Gap by rolling: the wheel keeps what the hob does not reach at any angle; no normal is asked for."""
+    mirror = np.array([1.0, hand, 1.0])
+    worm, hob = Screw(of.worm_flank, hand), Screw(of.wheel_flank.hob, hand)
+
+    def place(height):
+        return mirror * (contact.point + np.array([x, y, height]) @ contact.axes)
+
+    def reached(screw, angle, turn):
+        def into(height):
+            px, py, pz = place(height)
+            c, s = np.cos(turn), np.sin(turn)
+            return screw.into(np.array([c * px + s * pz, py, c * pz - s * px]), angle)
+
+        return brentq(into, -1.5e-3, 1.5e-3, xtol=1e-15)
+
+    def cut(lag):
+        return -reached(hob, (contact.wheel_angle + lag) / of.ratio, -lag)
+
+    start = contact.wheel_height.start[-1]
+    bounds = start - 0.12, start + 0.12
+    found = minimize_scalar(cut, bounds=bounds, options={"xatol": 1e-9})
+    assert bounds[0] + 1e-3 < found.x < bounds[1] - 1e-3
+    return -found.fun - reached(worm, contact.worm_angle, 0.0)
+
+
+@pytest.mark.parametrize("hand", [1, -1], ids=["right", "left"])
+@pytest.mark.parametrize("profile", PROFILES)
+def test_the_gap_is_that_of_a_rolling_simulation(profile, hand):
+    of = gears(profile)
+    contact = of.cycle.contact(0.35)
+    for x, y in ((0.0, 0.0), (3e-3, 0.4e-3), (-4e-3, 0.8e-3), (1e-3, -1e-3)):
+        gap, covered = of.gap(contact)(x, y)
+        taken = of.worm.tip_relief.amount + of.wheel.tip_relief.amount
+        plain = contact.wheel_height.solve(x, y)[0] - contact.worm_height.solve(x, y)[0]
+        assert covered and plain <= gap <= plain + taken
+        assert plain == pytest.approx(simulated_gap(of, contact, x, y, hand), abs=1e-10)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_velocities_are_those_of_the_moving_contact(profile):
+    of, step, speed = gears(profile), 1e-4, 150.0
+    cycle = of.cycle
+    behind, contact, ahead = (cycle.contact(0.4 + part, speed) for part in (-step, 0.0, step))
+    time = (ahead.worm_angle - behind.worm_angle) / speed
+    assert contact.velocity == pytest.approx((ahead.point - behind.point) / time, abs=1e-5)
+    ratio = (ahead.wheel_angle - behind.wheel_angle) / (ahead.worm_angle - behind.worm_angle)
+    assert float(cycle.speed_ratios(np.array([0.4]))[0]) == pytest.approx(ratio, rel=1e-7)
+    assert abs(ratio / of.ratio - 1) < 1e-3
+    # neither flank moves through the other
+    worm = speed * of.worm_flank.sweep(contact.point) - contact.velocity
+    wheel = speed * ratio * np.cross([0.0, -1.0, 0.0], contact.point) - contact.velocity
+    assert abs(worm @ contact.normal) < 1e-10 * speed
+    assert abs(wheel @ contact.normal) < 1e-7 * speed
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_the_cycle_ends_at_boundaries_of_the_teeth_and_the_flanks_open_beside_it(profile):
+    of = gears(profile)
+    for phase in (0.0, 0.5, 1.0):
+        contact = of.cycle.contact(phase)
+        margins = of.worm_tooth.margins(contact.point) | of.wheel_tooth.margins(contact.point)
+        assert min(margins.values()) == pytest.approx(0, abs=1e-9) or phase == 0.5
+        assert contact.radii[0] > contact.radii[1] > 0
+    assert of.interference is None
+    error = of.cycle.transmission_error(np.linspace(0, 1, 5))
+    assert error[2] == 0 and np.abs(error).max() < 1e-4
+    outline = of.tooth_outline(of.cycle.contact(0.5))
+    assert 28e-3 < np.ptp(outline.x) < 36e-3 and 6e-3 < np.ptp(outline.y) < 14e-3
+    assert 1.4 < 1 / of.pitch < 2.2
+
+
+def test_a_concave_flank_has_larger_relative_radii_where_it_conforms():
+    """Across the contact, where ZC's film comes from, against the involute of the same numbers."""
+    plain = replace(drawing("ZC"), profile="ZI", worm_disc_diameter=None, worm_arc_radius=None)
+    involute, concave = drawn_gears(plain), gears("ZC")
+    across = [of.cycle.contact(0.2).radii[1] for of in (involute, concave)]
+    assert across[1] > 1.5 * across[0]
+
+
+def test_a_drawing_gives_the_axial_angle_of_za_and_the_normal_one_of_others():
+    for profile, expected in (("ZA", degrees(atan(tan(radians(20)) * cos(atan(0.2))))), ("ZI", 20)):
+        of = gears(profile)
+        found = degrees(of.worm_flank.pressure_angle(of.reference_radius))
+        assert found == pytest.approx(expected, rel=1e-12)
+    # a ground flank leaves its disc's angle a little
+    of = gears("ZK")
+    found = degrees(of.worm_flank.pressure_angle(of.reference_radius))
+    assert 1e-4 < abs(found - 20) < 0.1
+
+
+def test_a_concave_worm_runs_through_the_whole_chain():
+    """From a drawing to a film, with the torque of a wheel shared among its teeth."""
+    of, like = drawing("ZC"), sharif()
+    drive = ZiWormDrive(
+        worm=of.worm,
+        wheel=of.wheel,
+        hob=of.hob,
+        centre_distance=of.centre_distance,
+        speed=157.0,
+        load=2e3,
+        bodies=like.bodies,
+        oil=like.oil,
+    )
+    described = drive.described()
+    assert described["profile"] == "ZC" and "base_radius_m" not in described
+    assert drive.varied("assembly.axial_shift", 0.1e-3).contact(0.5).point[1] != pytest.approx(
+        drive.contact(0.5).point[1], abs=1e-4
+    )
+    scene = drive.scene(0.5)
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.3, effects="isothermal"))
+    assert solution.converged
+    assert 0.05e-6 < solution.figures.film_min.value < 2e-6
