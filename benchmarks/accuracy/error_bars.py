@@ -253,7 +253,7 @@ def by_scene(rows: list[dict]) -> list[list[str]]:
 def main() -> None:
     number, *seeds = (int(word) for word in sys.argv[1:] or ("15", "1", "2"))
     rows = saved()
-    for seed, kind, place in product(seeds, DRAWS, range(number)):
+    for seed, kind, place in product(seeds, EFFECTS, range(number)):
         scene = f"{kind}:{place} of {seed}"
         if any(row["scene"] == scene for row in rows):
             continue

@@ -61,7 +61,7 @@ def run(
     NothingSolvedError
         No scene has a solution.
     OSError
-        The result cannot be written.
+        The result cannot be written; what was solved is kept where that is possible.
     """
     store = Store(directory.absolute() / SCENES, fields=True)
     earlier = _solved_before(directory / RESULT_NAME, say)
@@ -75,7 +75,11 @@ def run(
     kept, unread = _collected(tasks, store, earlier, directory / RESULT_NAME)
     reasons = {key: reasons.get(key, why) for key, why in unread.items()}
     result = _result(case, tasks, kept, reasons)
-    result.save(directory / RESULT_NAME)
+    try:
+        result.save(directory / RESULT_NAME)
+    except OSError:
+        store.secure(missing)
+        raise
     store.drop(tasks)
     return result
 

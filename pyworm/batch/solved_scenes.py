@@ -51,6 +51,13 @@ class Store:
         with whole_file(file) as partial:
             partial.write_text(json.dumps(content, default=lambda item: item.item()))
 
+    def secure(self, tasks: Iterable[Task]) -> None:
+        """Write those solved here whose result cannot be written, as far as their files can be."""
+        for task in tasks:
+            if task.key in self._solved_here and not self.file(task).exists():
+                with suppress(OSError):
+                    self._solved_here[task.key].save(self.file(task))
+
     def holds(self, task: Task) -> bool:
         """Whether a task was solved and its file can be read."""
         try:

@@ -10,13 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyworm.batch.case_run import RESULT_NAME, SCENES, run
 from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.case.case import load
 from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED
-from pyworm.result.result import open_result
+from pyworm.result.result import Result, open_result
 
 TRACTION = Path(__file__).parents[3] / "cases" / "traction_steel.toml"
 RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--json")
@@ -193,3 +194,25 @@ def test_scenes_that_did_not_converge_are_stored(tmp_path, solved, fields):
     store.keep(task, replace(result, solutions=(nothing,)))
     assert store.missing([task]) == []
     assert not store.summary(task)["converged"]
+
+
+def test_the_only_scene_is_kept_where_its_result_cannot_be_written(tmp_path, monkeypatch, solved):
+    task, result = solved[0]
+    tasks, case = [task], task.case
+    with monkeypatch.context() as patched:
+        patched.setattr(Task, "solved", lambda task, progress=None: result)
+        save = Result.save
+
+        def full(result, path):
+            if path.name == RESULT_NAME:
+                raise OSError("no space left")
+            return save(result, path)
+
+        patched.setattr(Result, "save", full)
+        with pytest.raises(OSError, match="no space left"):
+            run(case, tasks, tmp_path)
+    assert [path.stem for path in (tmp_path / SCENES).iterdir()] == [task.key]
+    said = []
+    run(case, tasks, tmp_path, say=said.append)
+    assert said == [f"1 of 1 scenes were solved before, in {tmp_path}"]
+    assert [path.name for path in tmp_path.iterdir()] == [RESULT_NAME]
