@@ -13,7 +13,7 @@ from pydantic import BaseModel, ValidationError
 from pyworm.case.case_file import CaseTable, PublishedValue
 from pyworm.case.contact import GapCase, PointCase, contact_scene
 from pyworm.case.drive_case import DriveCase
-from pyworm.case.kinds import CASES, kind_model
+from pyworm.case.kinds import case_model, kind_model
 from pyworm.case.plausibility import doubts, require_possible
 from pyworm.case.ratings import RATING_TABLES
 from pyworm.case.unusual import unusual
@@ -331,7 +331,7 @@ def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
         raise CaseError("give either a [drive] or a [contact], one of the two")
     about = "drive" if "drive" in data else "contact"
     kind = getattr(checked(kind_model(about), data), about).kind
-    return checked(CASES[about][kind], data, context)
+    return checked(case_model(about, kind), data, context)
 
 
 def checked(model: type[BaseModel], data: dict[str, Any], context: str | None = None) -> Any:

@@ -1,6 +1,7 @@
 """Kinds of case files: one model for each table; text with units becomes SI.
 
-Each model checks the values of its own table only; the drive checks that worm, wheel and hob fit.
+Each model checks the values of its own table only; the drive checks that worm, wheel and hob fit. The models
+of drives are imported when their kind is asked for: most cases have one, and each brings its drive along.
 """
 
 from typing import Literal
@@ -10,24 +11,39 @@ from pydantic import BaseModel, create_model
 from pyworm.case.case_file import CaseTable
 from pyworm.case.contact import GapCase, LineCase, PointCase
 from pyworm.case.ratings import RatedCase
-from pyworm.case.worm import DrawnWormCase
 from pyworm.drives.kinds import KINDS, module_of
 
-CASES: dict[str, dict[str, type[CaseTable]]] = {
-    "drive": {"worm": DrawnWormCase}
-    | {kind: module_of(kind, "pyworm.case").CASE for kind in KINDS},
-    "contact": {"point-contact": PointCase, "line-contact": LineCase, "gap": GapCase},
+DRAWN = "worm"
+"""A worm drive by its drawing is no drive of its own kind: it becomes the design table of one."""
+
+CONTACTS: dict[str, type[CaseTable]] = {
+    "point-contact": PointCase,
+    "line-contact": LineCase,
+    "gap": GapCase,
 }
-"""Table of the subject of a case -> its kind -> the model of its file.
 
-A worm drive by its drawing is no drive of its own kind: it becomes the design table of one.
-"""
+SUBJECTS = {"drive": (DRAWN, *KINDS), "contact": tuple(CONTACTS)}
+"""Table of the subject of a case -> its kinds."""
 
-RATED = tuple(kind for kind, case in CASES["drive"].items() if issubclass(case, RatedCase))
-"""Kinds of drives whose case files may ask for ratings."""
+
+def case_model(about: str, kind: str) -> type[CaseTable]:
+    """Model of the case file about a kind of subject."""
+    if about == "contact":
+        return CONTACTS[kind]
+    if kind == DRAWN:
+        from pyworm.case.worm import DrawnWormCase
+
+        return DrawnWormCase
+    return module_of(kind, "pyworm.case").CASE
+
+
+def rated() -> tuple[str, ...]:
+    """Kinds of drives whose case files may ask for ratings."""
+    kinds = SUBJECTS["drive"]
+    return tuple(kind for kind in kinds if issubclass(case_model("drive", kind), RatedCase))
 
 
 def kind_model(about: str) -> type[BaseModel]:
     """Model of the part of a case file that holds its kind."""
-    kind = create_model("Kind", kind=(Literal[tuple(CASES[about])], ...))
+    kind = create_model("Kind", kind=(Literal[SUBJECTS[about]], ...))
     return create_model("KindCase", **{about: (kind, ...)})

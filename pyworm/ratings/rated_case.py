@@ -5,7 +5,7 @@ from functools import cached_property
 from pathlib import Path
 
 from pyworm.case.case import Case, case_of, checked
-from pyworm.case.kinds import RATED
+from pyworm.case.kinds import rated
 from pyworm.case.ratings import RATING_TABLES, RatedCase, RatingCase
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
@@ -126,7 +126,7 @@ def load_asked(path: str | Path) -> Asked:
 def asked_of(case: Case) -> Asked:
     """Requests for ratings of a solvable case; CaseError if nothing can be rated."""
     if not isinstance(case.tables, RatedCase):
-        kinds = ", ".join(f'"{kind}"' for kind in RATED)
+        kinds = ", ".join(f'"{kind}"' for kind in rated())
         raise CaseError(f"only drives of kind {kinds} and bearings are rated")
     return Asked(case.name, case.directory, case.tables, case.drive, case.warnings)
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from pyworm.case.case import Case, case_again
-from pyworm.case.kinds import RATED
+from pyworm.case.kinds import rated
 from pyworm.case.ratings import RatedCase
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.heating import heating_of
@@ -94,7 +94,7 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
     if case.drive is None:
         return (), ()
     if not isinstance(case.tables, RatedCase):
-        kinds = ", ".join(RATED)
+        kinds = ", ".join(rated())
         return (), (f"Gears, scuffing and bearings: only drives of kind {kinds} are rated.",)
     try:
         asked = asked_of(case)

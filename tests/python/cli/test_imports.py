@@ -8,7 +8,7 @@ import pytest
 
 CASES = Path(__file__).parents[3] / "cases"
 
-SLOW = ("dask", "matplotlib", "pandas", "scipy.optimize", "xarray")
+SLOW = ("dask", "matplotlib", "pandas", "pyworm.drives.zi_worm", "scipy.optimize", "xarray")
 
 PROGRAM = """
 import sys
@@ -36,7 +36,7 @@ def test_help_loads_none():
     ("name", "slow"), [("point_m20_l10", []), ("roller_ref", ["scipy.optimize"])]
 )
 def test_a_check_loads_neither_results_nor_pictures(name, slow):
-    """Shares of loads among rollers are roots that SciPy finds."""
+    """Nor drives of other kinds. Shares of loads among rollers are roots that SciPy finds."""
     assert loaded("check", str(CASES / f"{name}.toml")) == slow
 
 
