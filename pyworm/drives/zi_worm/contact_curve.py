@@ -61,10 +61,10 @@ class ContactCurve(ContactPath):
     reference_radii: tuple[float, float]
 
     def touches(self, places: Array) -> Touches:
-        """Contacts at worm angles."""
+        """Contacts at worm angles; beyond the path as far as it could be followed they go straight on."""
         places = np.asarray(places, float)
         known = np.clip(places, *self._nodes[[0, -1]])
-        unknown = self._spline(known) + self._spline(known, 1) * (places - known)
+        unknown = self._spline(known)
         for _ in range(2):
             miss, slopes, _ = self._residual(unknown, known)
             unknown = unknown - _solved(slopes, miss)

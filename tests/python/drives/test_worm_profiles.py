@@ -165,6 +165,19 @@ def test_the_cycle_ends_at_boundaries_of_the_teeth_and_the_flanks_open_beside_it
     assert 1.4 < 1 / of.pitch < 2.2
 
 
+def test_the_path_goes_straight_on_where_it_can_be_followed_no_farther():
+    """A loaded pair touches at an edge of its teeth beyond the unloaded mesh."""
+    path = gears("ZC").cycle.path
+    first = path.search(24e-3)[0]
+    before, end = (
+        path.touches(np.array([first - 0.5, first - 1e-6])),
+        path.touches(np.array([first])),
+    )
+    step = before.point - end.point
+    assert step == pytest.approx(end.travel * np.array([-0.5, -1e-6]), abs=1e-12)
+    assert np.linalg.norm(before.normal, axis=0) == pytest.approx(1, rel=1e-12)
+
+
 def test_a_concave_flank_has_larger_relative_radii_where_it_conforms():
     """Across the contact, where ZC's film comes from, against the involute of the same numbers."""
     plain = replace(drawing("ZC"), profile="ZI", worm_disc_diameter=None, worm_arc_radius=None)
