@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
 from pyworm.drives.zi_worm.load_sharing import SharedLoad
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.io.on_demand import xarray as xr
@@ -12,6 +13,9 @@ from pyworm.io.variables import describe
 from pyworm.scene.point import Gap
 
 KIND = "zi-worm"
+
+FLANKS = "driving", "other"
+"""The flank that the worm drives, and the other one, which drives when it turns the other way."""
 
 TOOTH_SAMPLES = 129
 """Number of points along each direction at which the gap is sampled over the whole tooth."""
@@ -46,6 +50,26 @@ def mesh_cycle_data(contacts: Iterable[Any]) -> "xr.Dataset":
             },
             coords={"phase": column("phase"), "axis": ["x", "y", "z"]},
             attrs={"drive": KIND},
+        )
+    )
+
+
+def pattern_data(patterns: Sequence[ContactPattern]) -> "xr.Dataset":
+    """The contact patterns of both `FLANKS` without load."""
+    dims = "marked_flank", "marking_height", "marking_face"
+    columns = {
+        "marking_place": np.stack([one.face for one in patterns]),
+        "marking_radius": np.stack([one.radius for one in patterns]),
+        "marking_separation": np.stack([one.separation for one in patterns]),
+    }
+    return describe(
+        xr.Dataset(
+            {name: (dims, values) for name, values in columns.items()}
+            | {
+                "marking_fraction": ("marked_flank", np.array([one.fraction() for one in patterns]))
+            },
+            coords={"marked_flank": list(FLANKS)},
+            attrs={"marking_thickness": THICKNESS},
         )
     )
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 
 if TYPE_CHECKING:
@@ -107,6 +108,8 @@ def _mesh(drive: "ZiWormDrive") -> Described:
     path = [drive.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
     faces, radii = np.transpose([drive.flank_place(of, 0.0, 0.0) for of in path])
     lead_angle = _lead_angle(drive.worm.lead, drive.reference_radius)
+    pattern = drive.patterns[0]
+    marked = pattern.along_face()
     return {
         "contact_ratio": drive.mean_teeth_in_contact,
         "mesh_begins_at": drive.cycle.begin_boundary,
@@ -117,4 +120,8 @@ def _mesh(drive: "ZiWormDrive") -> Described:
         "pattern_along_face_last_m": float(faces[2]),
         "sliding_speed_m_per_s": drive.reference_radius * drive.speed / cos(lead_angle),
         "wheel_torque_N_m": drive.wheel_torque,
+        "marking_thickness_m": THICKNESS,
+        "marking_fraction": pattern.fraction(),
+        "marking_along_face_first_m": marked[0],
+        "marking_along_face_last_m": marked[1],
     }

@@ -13,7 +13,12 @@ from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.mesh_past import Passing
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.zi_worm.checks import check_values
-from pyworm.drives.zi_worm.dataset import loaded_cycle_data, mesh_cycle_data, tooth_data
+from pyworm.drives.zi_worm.dataset import (
+    loaded_cycle_data,
+    mesh_cycle_data,
+    pattern_data,
+    tooth_data,
+)
 from pyworm.drives.zi_worm.described import described_drive
 from pyworm.drives.zi_worm.design import Hand
 from pyworm.drives.zi_worm.duty import worm_duty
@@ -252,7 +257,7 @@ class ZiWormDrive(ZiWormGears, Drive):
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle for the result, without load and with it."""
         beyond = BEYOND if isinstance(self.load, Transmission) else 0.0
-        parts = loaded_cycle_data(self, beyond), sensitivity_data(self)
+        parts = loaded_cycle_data(self, beyond), sensitivity_data(self), pattern_data(self.patterns)
         data = mesh_cycle_data(self.mesh_cycle())
         for part in parts:
             data = data.merge(part, combine_attrs="no_conflicts")

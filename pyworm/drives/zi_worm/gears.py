@@ -10,6 +10,7 @@ from math import degrees, pi
 import numpy as np
 
 from pyworm.drives.zi_worm.checks import check_gears
+from pyworm.drives.zi_worm.contact_pattern import ContactPattern, both_patterns
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
@@ -211,6 +212,11 @@ class ZiWormGears:
             lambda phase: self.gap(self.cycle.contact(phase)),
             lambda phase: self.tooth_outline(self.cycle.contact(phase)),
         )
+
+    @cached_property
+    def patterns(self) -> tuple[ContactPattern, ContactPattern]:
+        """Contact patterns without load, of the flank that the worm drives and of the other one."""
+        return both_patterns(self)
 
     @property
     def interference_words(self) -> str | None:

@@ -8,6 +8,7 @@ from matplotlib.ticker import LogLocator, NullLocator
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.zi_worm_flank import draw_flank
+from pyworm.plots.drives.zi_worm_pattern import draw_pattern
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import (
     KILO,
@@ -167,6 +168,7 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
 
 CYCLE_PICTURES = {
     "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
+    "contact_pattern": CyclePicture("Contact pattern without load", draw_pattern),
     "mesh_cycle_flank": CyclePicture("The wheel's flank after a mesh cycle", draw_flank),
 }
 """File name -> picture of the mesh cycle."""
