@@ -3,6 +3,8 @@
 import json
 from collections.abc import Mapping, Sequence
 
+from pyworm.formulas.worm_profiles import PROFILES
+
 ASKED = {
     "centre_distance": ("centre distance", "100 mm"),
     "threads": ("threads of the worm", "2"),
@@ -19,6 +21,7 @@ ASKED = {
 """Number of the drawing that has to be known -> what it is called, and an example."""
 
 OPTIONAL = {
+    "profile": ("form of the flanks, one of " + ", ".join(PROFILES), "ZI"),
     "pressure_angle": ("normal pressure angle", "20 deg"),
     "face_width": ("face width of the wheel", "30 mm"),
     "hand": ("hand of the threads", "right"),
@@ -75,9 +78,11 @@ def new_worm_text(answers: Mapping[str, str], title: str, taken: Sequence[str] =
 
 def _drive_rows(answers: Mapping[str, str]) -> list[str]:
     """Rows of `[drive]`, each with its comment."""
-    rows = ['kind = "worm"', 'profile = "ZI" # involute helicoid']
+    profile = answers.get("profile", "ZI")
+    what = PROFILES.get(profile, "form of the flanks")
+    rows = ['kind = "worm"', f"profile = {json.dumps(profile)} # {what}"]
     for key in (*ASKED, *OPTIONAL):
-        if key in answers and key not in _AFTER and key != "hob_oversize":
+        if key in answers and key not in (*_AFTER, "hob_oversize", "profile"):
             comment = f" # {_COMMENTS[key]}" if key in _COMMENTS else ""
             rows.append(f"{key} = {_toml(key, answers[key])}{comment}")
     return rows

@@ -83,6 +83,10 @@ class RollerDriveTable(Table):
     rollers: RollersTable
 
 
+POWERS = ("power", "worm_torque", "wheel_torque")
+"""Keys of `[operation]` of which one gives what the drive carries."""
+
+
 class RollerOperationTable(Table):
     """`[operation]`: how the drive runs, and which of its contacts are to be solved.
 
@@ -93,6 +97,7 @@ class RollerOperationTable(Table):
     worm_speed: units.Speed
     power: units.Power | None = None
     worm_torque: units.Torque | None = None
+    wheel_torque: units.Torque | None = None
     preload: units.Torque
     sharing: Sharing = "elastic"
     rolling: Spinning = "free"
@@ -102,13 +107,16 @@ class RollerOperationTable(Table):
 
     @model_validator(mode="after")
     def _one_power(self):
-        if (self.power is None) == (self.worm_torque is None):
-            raise ValueError("give either power or worm_torque, one of the two")
+        given = [name for name in POWERS if getattr(self, name) is not None]
+        if len(given) != 1:
+            but = f", not {' and '.join(given)}" if given else ""
+            raise ValueError(f"give one of {', '.join(POWERS)}{but}")
         return self
 
-    @property
-    def torque(self) -> float:
-        """Torque of the worm [N m]."""
+    def torque(self, ratio: float) -> float:
+        """Torque of the worm [N m]; of the wheel's without friction, by rollers over threads."""
+        if self.wheel_torque is not None:
+            return self.wheel_torque / ratio
         return self.worm_torque or self.power / self.worm_speed
 
 
@@ -160,7 +168,7 @@ class RollerWormCase(DriveCase):
             ),
             centre_distance=self.drive.centre_distance,
             speed=operation.worm_speed,
-            torque=operation.torque,
+            torque=operation.torque(rollers.count / worm.threads),
             preload=operation.preload,
             sharing=operation.sharing,
             rolling=operation.rolling,

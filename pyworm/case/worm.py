@@ -16,7 +16,7 @@ from pyworm.drives.zi_worm.drawing_checks import (
     check_redundant,
 )
 from pyworm.drives.zi_worm.hob_setting import with_swivel
-from pyworm.drives.zi_worm.profiles import PROFILES
+from pyworm.formulas.worm_profiles import PROFILES
 from pyworm.io import units
 
 KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)

@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from math import pi
 from typing import Literal
 
-from pyworm.drives.zi_worm.profiles import Profile
 from pyworm.drives.zi_worm.tooth import NO_RELIEF, ParabolicRelief
 from pyworm.formulas.screw_generator import ScrewGenerator
+from pyworm.formulas.worm_profiles import Profile
 from pyworm.materials.body import Body
 
 Hand = Literal["right", "left"]
@@ -35,7 +35,7 @@ class Worm:
     generator : ScrewGenerator or None
         What sweeps the flank of any other profile than ZI.
     profile : str
-        Form of the flank (`profiles.PROFILES`).
+        Form of the flank (`pyworm.formulas.worm_profiles`).
     """
 
     threads: int

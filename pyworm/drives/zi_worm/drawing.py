@@ -11,15 +11,15 @@ from dataclasses import dataclass
 from math import atan, cos, degrees, pi, sqrt
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
-from pyworm.drives.zi_worm.profiles import (
+from pyworm.drives.zi_worm.tooth import ParabolicRelief
+from pyworm.formulas import involute_helicoid as helicoid
+from pyworm.formulas.screw_generator import ScrewGenerator
+from pyworm.formulas.worm_profiles import (
     Profile,
     Thread,
     generator_of,
     normal_pressure_angle,
 )
-from pyworm.drives.zi_worm.tooth import ParabolicRelief
-from pyworm.formulas import involute_helicoid as helicoid
-from pyworm.formulas.screw_generator import ScrewGenerator
 
 CLEARANCE = 0.2
 """Usual clearance between tip and root over the axial module."""

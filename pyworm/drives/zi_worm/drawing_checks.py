@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from math import degrees, pi, radians
 
 from pyworm.drives.zi_worm.drawing import Drawing, key_of
-from pyworm.drives.zi_worm.profiles import Profile
+from pyworm.formulas.worm_profiles import Profile
 
 MOST_DISC = 1.0
 """Largest diameter of a grinding disc [m]."""

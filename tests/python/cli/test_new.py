@@ -47,6 +47,17 @@ def test_options_make_a_case(tmp_path, capsys):
     assert case.tables.operation.wheel_torque == 300
 
 
+def test_a_profile_may_be_asked_for(tmp_path, capsys):
+    path = tmp_path / "unit.toml"
+    assert main(words(path, profile="ZK")) == 0
+    text = path.read_text()
+    assert 'profile = "ZK" # ground by a cone' in text
+    assert '# disc_diameter = "500 mm" # as usual: as of new grinding wheels' in text
+    capsys.readouterr()
+    said = refusal(words(tmp_path / "other.toml", profile="ZX"), tmp_path, capsys)
+    assert 'drive.profile = "ZX"' in said and '"ZC"' in said
+
+
 def test_answers_make_the_same_case(tmp_path, capsys, monkeypatch):
     by_options, by_answers = tmp_path / "unit.toml", tmp_path / "asked.toml"
     main(words(by_options))

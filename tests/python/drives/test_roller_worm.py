@@ -67,6 +67,16 @@ def refused(tmp_path, text) -> str:
     return str(error.value)
 
 
+def test_a_torque_of_the_wheel_is_that_of_the_worm_over_the_ratio(case, tmp_path):
+    """By the balance of powers without friction, 35 rollers on one thread."""
+    wheel = 35 * 5e3 / (50 * np.pi)
+    path = tmp_path / "case.toml"
+    path.write_text(changed(('power = "5 kW"', f'wheel_torque = "{wheel} N m"')))
+    drive = pyworm.load(path).drive
+    assert drive.torque == pytest.approx(case.drive.torque, rel=1e-12)
+    assert drive.wheel_torque("left") == pytest.approx(wheel + 110, rel=1e-12)
+
+
 def test_scenes_come_in_the_order_of_travel(case):
     places = case.places()
     assert [place.section for place in places] == ["right"] * 27 + ["left"] * 27
@@ -230,7 +240,12 @@ def test_normal_forces_with_cosine_and_sine():
         ('outer_angle = "60 deg"', 'outer_angle = "5.3 deg"', "a larger angle is needed"),
         ('addendum = "6 mm"', 'addendum = "8 mm"', "drive.worm.addendum is 8 mm"),
         ("throat_coefficient = 0.4", "throat_coefficient = 2.5", "drive.worm.throat_coefficient"),
-        ('power = "5 kW"', "", "give either power or worm_torque"),
+        ('power = "5 kW"', "", "give one of power, worm_torque, wheel_torque"),
+        (
+            'power = "5 kW"',
+            'power = "5 kW"\nwheel_torque = "1 kN m"',
+            "wheel_torque, not power and wheel_torque",
+        ),
         ('rolling = "free"', 'rolling = "fast"', "operation.rolling"),
         ("stations = [0.1, 0.5, 0.9]", "", "drive.rollers.crown is missing"),
         ("stations = [0.1", "stations = [1.1", "operation.stations[0] = 1.1: must be at most 1"),
