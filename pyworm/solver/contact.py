@@ -6,6 +6,7 @@ reads figures and fields from the last one. `pyworm.solver.grid_sequence` decide
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from math import log2, sqrt
 from typing import Any, ClassVar
 
@@ -159,7 +160,11 @@ class ContactSolver(ABC):
 
     def refined(self, level: Level) -> tuple[Level, list[NewtonStep]]:
         """The level of half the spacing in the same window, from the present film or the dry contact."""
-        for guess in self._guesses(level):
+        guesses = list(self._guesses(level))
+        if self._rough is not None:
+            # asperities multiply what the film of an interpolated pressure is off by
+            guesses += [replace(guess, oil=None) for guess in guesses]
+        for guess in guesses:
             finer = self._continued(level, guess)
             if finer.film.balance.residual <= SENSELESS:
                 return finer, []
@@ -208,20 +213,32 @@ class ContactSolver(ABC):
         return [*steps, *softened], stresses
 
     def _roughened(self, level: Level) -> list[NewtonStep]:
-        """Newton steps from the film of smooth surfaces to that of rough ones, isothermal and Newtonian.
+        """Newton steps to the film of rough surfaces, isothermal and Newtonian.
 
-        They begin with the pressure of the smooth film left to the oil, and that of the asperities on top, at
-        a gap no less than that in which asperities alone would bear it. So the load is too large: where
-        asperities are too stiff Newton's steps descend their exponential from above, and from below they
-        would overshoot it.
+        They begin with the pressure of the smooth film left to the oil, and that of the asperities on top. So
+        the load is too large: where asperities are too stiff Newton's steps descend their exponential from
+        above, and from below they would overshoot it. But grids too coarse for a smooth film close it, and
+        asperities there would bear many times the load: the the dry contact is where they begin if it balances better.
         """
         smooth = level.state()
-        pressure = level.film.pressure
-        film = float(level.film.thickness().flat[pressure.argmax()])
-        lift = max(self._curves.gap_under(pressure.max()) - film, 0.0)
-        self._set_law(level, NEWTONIAN)
-        level.film.start(smooth.pressure, smooth.rigid_film + lift, smooth.oil)
+        film = float(level.film.thickness().flat[smooth.pressure.argmax()])
+
+        def imbalance(guess: InitialGuess) -> float:
+            self._set_law(level, NEWTONIAN)
+            return level.film.start(guess.pressure, guess.rigid_film, guess.oil).worst
+
+        guesses = [self._lifted(smooth, film), *self._dry_guesses(level)]
+        imbalance(min(guesses, key=imbalance))
         return lead(level, COARSE_TOLERANCE)
+
+    def _lifted(self, guess: InitialGuess, film: float) -> InitialGuess:
+        """A guess with this film under its largest pressure, lifted until asperities bear no more."""
+        lift = max(self._curves.gap_under(guess.pressure.max()) - film, 0.0)
+        return replace(guess, rigid_film=guess.rigid_film + lift)
+
+    def _dry_guesses(self, level: Level) -> list[InitialGuess]:
+        """The dry contact's pressure with the expected film, where it is known."""
+        return []
 
     def _heated(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
         """Newton steps from a sheared film to a heated one, and the factor of its stresses.

@@ -21,6 +21,7 @@ from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.point.level import (
     PointLevel,
     dry_contact,
+    dry_guess,
     first_level,
     guess_around,
     guess_on,
@@ -141,6 +142,9 @@ class PointContactSolver(ContactSolver):
         finer = next_level(scene, size, level, level.grid.finer(), level.state().finer())
         restart(scene, size, finer)
         return finer, self._add_shear_and_heat(finer)
+
+    def _dry_guesses(self, level: PointLevel) -> list[InitialGuess]:
+        return [self._lifted(dry_guess(self._scene, self._size, level), self._size.film)]
 
     def _warm(self, level: PointLevel, rise: Array | None) -> None:
         hertz = self._size.hertz

@@ -144,7 +144,13 @@ def next_level(
 
 
 def restart(scene: Scene, size: Scales, level: PointLevel) -> None:
-    """Restart a film from its dry contact lifted by the expected film.
+    """Restart a film from its dry contact lifted by the expected film (`dry_guess`)."""
+    guess = dry_guess(scene, size, level)
+    level.film.start(guess.pressure, guess.rigid_film)
+
+
+def dry_guess(scene: Scene, size: Scales, level: PointLevel) -> InitialGuess:
+    """Initial guess of a film: its dry contact lifted by the expected film.
 
     Pressure on the outline and beyond stays unchanged.
     """
@@ -158,7 +164,7 @@ def restart(scene: Scene, size: Scales, level: PointLevel) -> None:
     )
     pressure = level.film.pressure.copy(order="F")
     pressure[1:-1, 1:-1] = _with_trace(dry.pressure, level.covered)[1:-1, 1:-1]
-    level.film.start(pressure, size.film - dry.approach)
+    return InitialGuess(pressure, size.film - dry.approach)
 
 
 def same_grid(
