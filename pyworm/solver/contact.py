@@ -217,8 +217,8 @@ class ContactSolver(ABC):
 
         They begin with the pressure of the smooth film left to the oil, and that of the asperities on top. So
         the load is too large: where asperities are too stiff Newton's steps descend their exponential from
-        above, and from below they would overshoot it. But grids too coarse for a smooth film close it, and
-        asperities there would bear many times the load: the the dry contact is where they begin if it balances better.
+        above, and from below they would overshoot it. But on grids too coarse the smooth film closes, where
+        asperities would bear many times the load: they begin with the dry contact if that balances better.
         """
         smooth = level.state()
         film = float(level.film.thickness().flat[smooth.pressure.argmax()])

@@ -30,7 +30,7 @@ from pyworm.solver.stop_reason import ACCURATE
 
 
 @pytest.mark.parametrize(
-    "name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22", "rough:1"]
+    "name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22", "rough:1", "rough:106"]
 )
 def test_random_scenes_converge(tmp_path, name):
     kind, _, number = name.partition(":")
