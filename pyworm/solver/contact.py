@@ -160,11 +160,7 @@ class ContactSolver(ABC):
 
     def refined(self, level: Level) -> tuple[Level, list[NewtonStep]]:
         """The level of half the spacing in the same window, from the present film or the dry contact."""
-        guesses = list(self._guesses(level))
-        if self._rough is not None:
-            # asperities multiply what the film of an interpolated pressure is off by
-            guesses += [replace(guess, oil=None) for guess in guesses]
-        for guess in guesses:
+        for guess in self._guesses_of_both(level):
             finer = self._continued(level, guess)
             if finer.film.balance.residual <= SENSELESS:
                 return finer, []
@@ -174,6 +170,15 @@ class ContactSolver(ABC):
             if not finer.lost():
                 return finer, steps
         return self._begun_again(level)
+
+    def _guesses_of_both(self, level: Level) -> Iterator[InitialGuess]:
+        """Initial guesses by the oil's pressure, then, between rough surfaces, by the total pressure.
+
+        Asperities multiply what the film of an interpolated pressure is off by.
+        """
+        yield from self._guesses(level)
+        if self._rough is not None:
+            yield from (replace(guess, oil=None) for guess in self._guesses(level))
 
     def _add_shear_and_heat(self, level: Level) -> list[NewtonStep]:
         """Add shear, then heat, to the film of an isothermal Newtonian oil."""
