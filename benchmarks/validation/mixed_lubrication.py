@@ -213,7 +213,7 @@ def solved(name: str, case: Callable[[], Case], phase: float = 0.5) -> dict:
         "boundary": figures.friction_boundary.value,
         "share": figures.asperity_load_fraction.value,
         "lambda": solution.summary().get("lambda_central", float("nan")),
-        "mu_b": scene.oil.boundary_friction,
+        "mu_b": scene.boundary_friction,
         "converged": float(solution.converged),
     }
     save([*rows, row])

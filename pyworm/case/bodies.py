@@ -46,6 +46,7 @@ class BodyTable(Table):
     roughness_aspect: Annotated[float, Field(strict=True, ge=1 / 9, le=9)] | None = None
     lay: units.AngleOrZero | None = None
     hardness: units.Hardness | None = None
+    boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] | None = None
     surface: SurfaceTable | None = None
 
     @model_validator(mode="after")

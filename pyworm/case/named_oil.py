@@ -92,8 +92,9 @@ def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
         raise ValueError(
             "give either temperature or heat.inlet_temperature: a named oil enters at its temperature"
         )
-    whole = dict(table) | {"name": asked.name}
-    for key, own in _tables(named_oil(asked.name), asked.temperature).items():
+    named = named_oil(asked.name)
+    whole = {"boundary_friction": named.stock.boundary_friction, **table, "name": named.name}
+    for key, own in _tables(named, asked.temperature).items():
         given = table.get(key, {})
         if isinstance(given, dict) and "law" not in given:
             replaced = {_INSTEAD[one] for one in given if one in _INSTEAD}

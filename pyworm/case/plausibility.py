@@ -125,6 +125,7 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
     where = str(Place.of(scene))
     where = f" at {where}" if where else ""
     yield from _of_pressure(scene, pressure, where)
+    yield from _of_hardness(scene, pressure, where)
     if film > THICK * radius:
         possible = film <= radius
         yield Doubt(
@@ -175,3 +176,22 @@ def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Itera
             f"{fraction * softer / 1e9:.3g} GPa"
         )
     yield Doubt("pressure", pressure / usual, possible, sentence)
+
+
+def _of_hardness(scene: Scene | LineScene, pressure: float, where: str) -> Iterator[Doubt]:
+    """A doubt where the softer body yields as a whole, and its asperities could not bear the load.
+
+    Below two thirds of Hertz's largest pressure, the mean one of a point contact, even a dry contact of any
+    film's thickness would not balance the load.
+    """
+    yielding = [body.hardness for body in scene.bodies if body.hardness is not None]
+    if not yielding or pressure <= min(yielding):
+        return
+    softer = min(yielding)
+    yield Doubt(
+        "hardness",
+        pressure / softer,
+        2 / 3 * pressure <= softer,
+        f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}, more than the hardness "
+        f"of {softer / 1e9:.3g} GPa that the softer body has: it yields as a whole, not its asperities alone",
+    )

@@ -13,6 +13,7 @@ from pyworm.formulas.unit_factors import DEGREES_40, SQUARE_MILLIMETRE
 from pyworm.io import units
 from pyworm.io.input_error import CaseError
 from pyworm.io.toml import read_toml
+from pyworm.materials.oil import BOUNDARY_FRICTION
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
 
@@ -50,6 +51,8 @@ class BaseStock:
         Limiting stress over pressure [-], which also gives the Eyring stress; None where stresses are given.
     eyring_stress, limiting_stress : float or None
         Constant stresses [Pa]; None where the coefficient gives them.
+    boundary_friction : float
+        Friction coefficient of asperities of steel on steel or tin bronze [-].
     heat : dict of str to float
         Further constants of `pyworm.materials.thermal_properties.OilHeat`.
     grades : dict of int to tuple of float
@@ -72,6 +75,7 @@ class BaseStock:
     limiting_coefficient: float | None = None
     eyring_stress: float | None = None
     limiting_stress: float | None = None
+    boundary_friction: float = BOUNDARY_FRICTION
     heat: dict[str, float] = field(default_factory=dict)
     grades: dict[int, tuple[float, float]] = field(default_factory=dict)
     sources: dict[str, str] = field(default_factory=dict)
@@ -131,6 +135,7 @@ class StockTable(_Table):
     limiting_coefficient: _Fraction | None = None
     eyring_stress: units.Stress | None = None
     limiting_stress: units.Stress | None = None
+    boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
     heat: HeatCourseTable = HeatCourseTable()
 
     @model_validator(mode="after")

@@ -37,6 +37,8 @@ class Body:
         Angle of the lay from the surface's own motion through the contact [rad].
     hardness : float or None
         Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield.
+    boundary_friction_factor : float
+        Boundary friction of its asperities over that of steel or tin bronze under the same oil [-].
     topography : Topography or None
         Heights of the surface, in place of averages by the figures above; None where they are not known.
 
@@ -57,6 +59,7 @@ class Body:
     roughness_aspect: float = 1.0
     lay: float = 0.0
     hardness: float | None = None
+    boundary_friction_factor: float = 1.0
     topography: Topography | None = None
 
     def __post_init__(self) -> None:
@@ -80,6 +83,7 @@ _POSITIVE = {
     "roughness_slope": "",
     "roughness_aspect": "",
     "hardness": "Pa",
+    "boundary_friction_factor": "",
 }
 
 

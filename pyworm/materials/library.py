@@ -154,6 +154,7 @@ class NamedOil:
                 expansivity=float(self.expansivity(temperature)),
                 **stock.heat,
             ),
+            boundary_friction=stock.boundary_friction,
         )
 
 

@@ -25,6 +25,7 @@ class SolidTable(BaseModel):
     conductivity: units.Conductivity
     specific_heat: units.SpecificHeat
     hardness: units.Hardness
+    boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] = 1.0
     source: str
 
 

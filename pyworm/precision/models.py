@@ -71,11 +71,13 @@ def fidelities(
         (isothermal, scene, "isothermal"),
     ][0 if point else 1 :]
     if scene.oil.flow is not None:
-        cold = "all,-film-heating,-surface-heating"
+        cold = "all,-roughness,-film-heating,-surface-heating"
         wanted.append(("+ rheology", scene, cold))
     if scene.oil.heat is not None:
-        wanted.append(("+ surface heat", conducting(scene), "all,-viscosity-across"))
-        wanted.append(("+ film heat", scene, "all"))
+        wanted.append(("+ surface heat", conducting(scene), "all,-roughness,-viscosity-across"))
+        wanted.append(("+ film heat", scene, "all,-roughness"))
+    if scene.composite_roughness is not None:
+        wanted.append(("+ roughness", scene, "all"))
     models: list[Fidelity] = []
     lacking: dict[str, str] = {}
     for name, of, words in wanted:

@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf
+from math import inf, prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -102,6 +102,12 @@ class Contact(ABC):
     def composite_roughness(self) -> float | None:
         """Composite root mean square height of both surfaces [m]; None if it is not known."""
         return composite_roughness(*self.bodies)
+
+    @property
+    def boundary_friction(self) -> float:
+        """Friction coefficient of the bodies' asperities in contact under the oil [-]."""
+        factor = prod(body.boundary_friction_factor for body in self.bodies)
+        return factor * self.oil.boundary_friction
 
     @property
     def rough_pair(self) -> "RoughPair | TopographyPair | None":

@@ -338,7 +338,7 @@ class ContactSolver(ABC):
             law, self._model.levels, self._scene.sliding_at(*level.grid.mesh()), slip_step
         )
         if self._curves is not None:
-            level.film.roughen(self._curves, self._scene.oil.boundary_friction)
+            level.film.roughen(self._curves, self._scene.boundary_friction)
 
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""
@@ -374,7 +374,7 @@ class ContactSolver(ABC):
 
     def uncertainties(self, level: Level) -> dict[str, float]:
         """Relative uncertainty of each figure of a converged film between rough surfaces."""
-        return roughness_uncertainty(level, self._rough, self._scene.oil.boundary_friction)
+        return roughness_uncertainty(level, self._rough, self._scene.boundary_friction)
 
     def _dry(self, level: Level) -> DryContact | None:
         """The dry contact on the grid of a level; None where it is Hertz's in closed form."""

@@ -43,8 +43,8 @@ def _of_boundary_friction(prediction: Prediction) -> float:
     borne = exp(scene.rough_pair.curves().at_thickness(prediction.film_central)[0])
     share = min(borne / prediction.pressure_mean, 1.0)
     fluid = prediction.heat / (prediction.sliding * prediction.pressure_mean)
-    boundary = share * scene.oil.boundary_friction
-    return share * abs(scene.oil.boundary_friction - fluid) / (boundary + (1 - share) * fluid)
+    boundary = share * scene.boundary_friction
+    return share * abs(scene.boundary_friction - fluid) / (boundary + (1 - share) * fluid)
 
 
 ROUGHNESS = Effect(

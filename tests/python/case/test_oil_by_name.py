@@ -47,6 +47,13 @@ def test_any_spelling_of_the_name_becomes_the_oil_s_own():
     assert table.heat.inlet_temperature == pytest.approx(333.15)
 
 
+def test_boundary_friction_is_the_base_stock_s_unless_it_is_given():
+    rubbing = [oil(name=f"{base} VG 220").boundary_friction for base in ("mineral", "PAO", "PAG")]
+    assert rubbing == sorted(rubbing, reverse=True)
+    assert all(0.08 < one < 0.12 for one in rubbing)
+    assert oil(boundary_friction=0.07).boundary_friction == 0.07
+
+
 def test_a_table_with_its_law_stands_as_it_is():
     whole, other = oil(), oil(shear={"law": "newtonian"})
     assert other.flow == FlowLaw("newtonian")

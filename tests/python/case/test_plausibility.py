@@ -76,6 +76,13 @@ def case(base, old, new):
             ["drive.face_width", '10 um and 5 m, such as "60 mm"', "30 mm"],
         ),
         ("zi", '"30 um"', '"30 mm"', ["drive.worm.tip_relief", '5 mm, such as "20 um"', "30 um"]),
+        # yielding
+        (
+            "oil",
+            '"0.05 um"',
+            '"0.05 um"\nhardness = "50 MPa"',
+            ["0.807 GPa by", "yields as a whole"],
+        ),
         ("zi", 'length = "4 mm"', 'length = "40 mm"', ["tip_relief_length is 40 mm", "18.98 mm"]),
     ],
 )
@@ -97,6 +104,12 @@ def test_impossible_contacts_are_refused(base, old, new, sentences):
         ("zi", '"4 kN m"', '"600000 N m"', ["2.73 GPa by Hertz at phase", "bronze", "up to 1 GPa"]),
         ("pair", "0.51 um", "40 um", ["pinion.roughness", "1 nm and 5 um", '"40 uin"?']),
         ("pair", '"14 mm"', '"3 m"', ["drive.face_width", "1 mm and 1.5 m", 'mean "3 mm"?']),
+        (
+            "oil",
+            '"0.05 um"',
+            '"0.05 um"\nhardness = "0.6 GPa"',
+            ["hardness of 0.6 GPa", "as a whole"],
+        ),
         ("point", '"60 degC"', '"353 degC"', ["oil.heat.inlet_temperature", 'you mean "353 K"?']),
         ("point", "210 GPa", "210 MPa", ["body_1.youngs_modulus and bodies.body_2", '"210 GPa"?']),
         ("point", '"2 m/s"', '"2000 m/s"', ["motion.mean_velocity[0]", "at most 300 m/s"]),

@@ -31,6 +31,16 @@ def test_reduced_moduli_with_a_steel_worm_are_those_of_the_standard(name, standa
     assert reduced_modulus(worm, wheel) / 1e6 == pytest.approx(standard, rel=1e-4)
 
 
+@pytest.mark.parametrize(("wheel", "at_rest"), [("CuAl10Fe5Ni5", 0.15), ("GJS", 0.18)])
+def test_boundary_friction_stands_to_tin_bronze_s_as_friction_at_rest(wheel, at_rest):
+    """0.13 of tin bronze at rest, of DIN 3996 as others copied it."""
+    frictions = [
+        bodies(wheel=f'material = "{name}"').scene(phase=0.5).boundary_friction
+        for name in ("CuSn12Ni2", wheel)
+    ]
+    assert frictions[1] / frictions[0] == pytest.approx(at_rest / 0.13, rel=5e-3)
+
+
 def _as_written(name):
     name = solids.named_material(name)
     return solids.constants(name) | {"aliases": [], "source": solids.source(name)}

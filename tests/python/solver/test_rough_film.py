@@ -158,5 +158,5 @@ def test_newton_steps_of_heated_mixed_films(lambda_ratio):
         figures["friction_fluid"] + figures["friction_boundary"]
     )
     # asperities outside the contact bear load, too; their friction belongs to it no more than the oil's there
-    boundary = scene.oil.boundary_friction * figures["asperity_load_fraction"]
+    boundary = scene.boundary_friction * figures["asperity_load_fraction"]
     assert 0.9 * boundary < figures["friction_boundary"] <= boundary

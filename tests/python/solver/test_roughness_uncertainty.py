@@ -45,7 +45,7 @@ def solved_anew(level, varied):
     lead(level, 1e-8)
     assert level.film.balance.worst <= 1e-6
     figures = level.read().figures
-    level.film.roughen(pair.curves(), level.scene.oil.boundary_friction)
+    level.film.roughen(pair.curves(), level.scene.boundary_friction)
     level.film.set_rise(found.rise)
     level.film.start(found.pressure, found.rigid_film, found.oil)
     return figures
