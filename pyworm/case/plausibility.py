@@ -192,6 +192,7 @@ def _of_hardness(scene: Scene | LineScene, pressure: float, where: str) -> Itera
         "hardness",
         pressure / softer,
         2 / 3 * pressure <= softer,
-        f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}, more than the hardness "
-        f"of {softer / 1e9:.3g} GPa that the softer body has: it yields as a whole, not its asperities alone",
+        f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}, more than the "
+        f"hardness of {softer / 1e9:.3g} GPa of the softer body: it yields as a whole, not in its "
+        "asperities alone",
     )

@@ -3,6 +3,13 @@
 import signal
 
 import pytest
+from hypothesis import HealthCheck, settings
+
+from pyworm.report.page.content import Picture
+
+# a busy machine is no failure: examples count, not the time in which they are drawn
+settings.register_profile("pyworm", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("pyworm")
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -11,3 +18,11 @@ def interrupts():
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Pictures of report pages are not drawn, for tests of what is written beside them."""
+    monkeypatch.setattr(
+        "pyworm.report.page.pictures._drawn", lambda caption, draw: Picture(caption, b"")
+    )

@@ -86,6 +86,8 @@ def test_without_a_converged_phase_only_closed_forms_are_rated(case):
     assert "simulated_m" not in films.summary()["minimum film"]
 
 
+@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("bad", [(0.9,), PHASES], ids=["one", "all"])
 def test_rate_and_report_name_it_and_succeed(case, tmp_path, monkeypatch, capsys, bad):
     monkeypatch.chdir(tmp_path)

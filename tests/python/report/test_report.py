@@ -282,6 +282,8 @@ def test_inputs_are_in_workshop_units(increaser):
     assert not re.search(r"\d um\b|degC", text)
 
 
+@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("undrawn")
 def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
     text = (CASES / "zi_sharif_2001.toml").read_text()
     for old, new in (
@@ -319,6 +321,7 @@ def test_scenes_that_did_not_converge_are_shown_first():
     assert text.count('<td class="no">') == 1
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_contacts_without_a_drive_are_reported_too():
     """A gap's file need not be found again."""
     report = build_report(result_of("gap_example", [make_solution("gap_example")]))

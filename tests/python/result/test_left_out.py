@@ -165,6 +165,7 @@ def test_tables_begin_with_what_was_left_out_and_head_friction_as_if_smooth(case
     assert "\n" not in plain.title and "Friction coefficient" in plain.columns[0].cells
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_pictures_and_reports_show_what_was_left_out(rough):
     assert WORDS.replace(" %", "\N{NO-BREAK SPACE}%") in heading("case", rough.solutions[0])
     report = build_report(rough)
