@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from math import inf, isfinite
+from statistics import mean
 from time import perf_counter
 
 from pyworm.io.format import duration
@@ -225,11 +226,11 @@ class _Study:
     def _references(self, complete: Curve, window: Curve) -> dict[str, Reference]:
         """The limits of the most complete model, corrected for the error of the window.
 
-        A window of twice the reach leaves a known fraction s of the error, which is therefore the change over
-        1 - s; half of it is taken as its uncertainty.
+        That is a known multiple of the change in a window of twice the reach; half of it is taken as its
+        uncertainty.
         """
         model = self._complete
-        ratios = SOLVERS[type(model.scene)](model.scene, model.plan).convergence.wider_ratios
+        multiples = SOLVERS[type(model.scene)](model.scene, model.plan).convergence.window
         pairs = [
             (here, wider)
             for here, wider in zip(complete.points, window.points, strict=False)
@@ -243,7 +244,7 @@ class _Study:
             by_window = 0.0
             if pairs:
                 here, wider = pairs[-1]
-                by_window = (wider.figures[figure] - here.figures[figure]) / (1 - ratios[figure])
+                by_window = mean(multiples[figure]) * (wider.figures[figure] - here.figures[figure])
             value = complete.limits[figure].value + by_window
             size = abs(value)
             if figure == "temperature_max_film" and beta > 0:

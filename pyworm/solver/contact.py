@@ -117,6 +117,13 @@ class ContactSolver(ABC):
             steps += further
         return level, steps
 
+    def cut_off(self, narrow: Level, wider: Level) -> dict[str, float]:
+        """Parts of friction and loss in a wider window that a narrower one cuts off, relative; empty if none.
+
+        Empty as well where the wider one does not hold the whole contact.
+        """
+        return {}
+
     @staticmethod
     def _refinements_between(coarse: Level, fine: Level) -> int:
         """Number of halvings from the spacing of one level to that of another."""

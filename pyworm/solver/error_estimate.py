@@ -66,16 +66,14 @@ class Convergence:
         Highest credible order of convergence of each figure with the spacing.
     left : mapping
         Error of each figure that is extrapolated, over its change between the only two grids.
-    window_limits : mapping
-        Window error of each figure over its change when the reach of the window (in gap) doubles.
-    wider_ratios : mapping
-        Fraction of the window error that remains when the reach doubles.
+    window : mapping
+        Least and largest change of each figure from a window to an endless one, over its change when the
+        reach of the window (in gap) doubles.
     """
 
     orders: Mapping[str, float]
     left: Mapping[str, float]
-    window_limits: Mapping[str, float]
-    wider_ratios: Mapping[str, float]
+    window: Mapping[str, tuple[float, float]]
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
@@ -171,25 +169,6 @@ def peak_errors(reading: Reading) -> dict[str, float]:
     if unresolved(reading) is not None:
         errors["pressure_max"] = np.inf
     return errors
-
-
-def domain_errors(
-    this: Reading, wider: Reading, limits: Mapping[str, float], algebra: Mapping[str, float]
-) -> dict[str, float]:
-    """Relative window error of each figure, from a window of twice the reach.
-
-    Parameters
-    ----------
-    this, wider : Reading
-        Figures in both windows.
-    limits : mapping
-        Error over the change (`Convergence.window_limits`).
-    algebra : mapping
-        Relative algebraic error of each figure in both windows together, which may hide a change as
-        large.
-    """
-    changes = change(wider, this)
-    return {name: limits[name] * of + algebra[name] for name, of in changes.items()}
 
 
 FIRST_CHANGE = 0.5

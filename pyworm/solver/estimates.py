@@ -19,13 +19,14 @@ from pyworm.solver.level import Level
 from pyworm.solver.newton import Settled
 from pyworm.solver.solution import Estimate
 from pyworm.solver.stop_reason import film_is_sound
+from pyworm.solver.window_limit import WindowLimit
 
 
 def estimates(
     solver: ContactSolver,
     level: Level,
     readings: Sequence[Reading],
-    window_errors: Mapping[str, float],
+    window: Mapping[str, WindowLimit],
     settled: Settled,
     plan: Plan,
     approximations: Mapping[str, float],
@@ -41,9 +42,9 @@ def estimates(
         The film on the last grid.
     readings : sequence of Reading
         Figures on grids of halving spacing, this one last.
-    window_errors : mapping
-        Relative window error of each figure; empty where no wider window was solved: it is infinite then, and
-        none of the bars' if the plan has no wider window.
+    window : mapping
+        What an endless window adds to each figure; empty where no wider window was solved: the window error
+        is infinite then, and none of the bars' if the plan has no wider window.
     settled : Settled
         Figures and algebraic errors on the last grid.
     plan : Plan
@@ -59,13 +60,14 @@ def estimates(
     reasons = {"pressure_max": unresolved(settled.reading)}
     if not film_is_sound(level, settled, plan):
         grid = dict.fromkeys(grid, np.inf)
-    window = np.inf if plan.wider_grids else 0.0
+    unknown = WindowLimit(0.0, np.inf if plan.wider_grids else 0.0)
+    window = {name: window.get(name, unknown) for name in limits}
     conduction = level.conduction_errors()
     found = {
         name: Estimate(
-            solver.origins.get(name, 0.0) + limits[name].value,
+            solver.origins.get(name, 0.0) + limits[name].value + window[name].rest * abs(value),
             grid[name],
-            window_errors.get(name, window),
+            window[name].error,
             settled.algebra[name],
             conduction.get(name, 0.0) + approximations.get(name, 0.0),
             reasons.get(name),

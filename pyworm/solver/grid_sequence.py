@@ -16,7 +16,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.contact import ContactSolver
 from pyworm.solver.convergence_history import convergence_history
-from pyworm.solver.error_estimate import Reading, domain_errors
+from pyworm.solver.error_estimate import Reading
 from pyworm.solver.estimates import estimates
 from pyworm.solver.level import Level
 from pyworm.solver.line.contact import LineContactSolver
@@ -29,6 +29,7 @@ from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import TELLING, film_is_sound, is_converged, stop_reason
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient import transient
+from pyworm.solver.window_limit import WindowLimit, in_this_window, in_wider_window
 
 SOLVERS: dict[type, type[ContactSolver]] = {
     Scene: PointContactSolver,
@@ -73,7 +74,7 @@ class GridSequence:
         self._scene, self._plan, self._progress = scene, plan, progress
         self._stopwatch = stopwatch
         self._readings: list[Reading] = []
-        self._window_errors: dict[str, float] = {}
+        self._window: dict[str, WindowLimit] = {}
         self._uncertainties: dict[str, float] = {}
         self._steps: list[NewtonStep] = []
         self._unsettled = self._refinements = 0
@@ -133,7 +134,7 @@ class GridSequence:
         if film_is_sound(self._level, self._settled, plan):
             if plan.model.rough and not self._uncertainties:
                 self._uncertainties = self._solver.uncertainties(self._level)
-            if reason is None and plan.wider_grids and not self._window_errors:
+            if reason is None and plan.wider_grids and not self._window:
                 reason = self._compare_windows()
         return reason or stop_reason(
             self._level, self._settled, self._estimates(), self._unsettled, plan
@@ -198,21 +199,22 @@ class GridSequence:
             return _lack_of_memory(error)
         if not film_is_sound(wider, settled, plan):
             return None if self._refinements < MOST_RETRIES else NO_WIDER_FILM
+        here = self._settled.reading
         algebra = {name: of + settled.algebra[name] for name, of in self._settled.algebra.items()}
-        figures = self._settled.reading.figures
-        errors = domain_errors(
-            self._settled.reading, settled.reading, solver.convergence.window_limits, algebra
+        pair = here, settled.reading, solver.convergence, algebra
+        cut_off = solver.cut_off(self._level, wider)
+        near, far = in_this_window(*pair), in_wider_window(*pair, cut_off)
+        worst_near, worst_far = (
+            plan.aim.worst({name: of.error for name, of in limits.items()}, here.figures)
+            for limits in (near, far)
         )
-        left = solver.convergence.wider_ratios
-        wider_errors = {name: left[name] * error for name, error in errors.items()}
         may_refine = self._level.grid.finer().nodes <= plan.largest_grid
-        too_large = plan.aim.worst(wider_errors, figures) > plan.accuracy
-        if too_large and may_refine and self._refinements < MOST_RETRIES:
+        if worst_far > plan.accuracy and may_refine and self._refinements < MOST_RETRIES:
             return None  # to be compared on the next grid, which resolves the film better
-        if plan.aim.worst(errors, figures) > DOMAIN_FRACTION * plan.accuracy:
-            errors = wider_errors
+        self._window = near
+        if cut_off or worst_near > DOMAIN_FRACTION * plan.accuracy:
+            self._window = far
             self._level, self._settled, self._readings = wider, settled, [settled.reading]
-        self._window_errors = errors
         return None
 
     def _in_wider_window(self) -> tuple[Level, Settled]:
@@ -254,7 +256,7 @@ class GridSequence:
             self._solver,
             self._level,
             self._readings,
-            self._window_errors,
+            self._window,
             self._settled,
             self._plan,
             self._approximations(),

@@ -32,6 +32,9 @@ farther out is sheared too, but its friction falls with the gap alone, so that t
 the bodies. Where surfaces move in opposite directions its temperature is that of a recirculation that depends
 on the window."""
 
+RUBBED = ("friction_coefficient", "power_loss", "friction_boundary")
+"""Figures that are sums over the contact."""
+
 STILL = 1e-30
 """Sliding speed [m/s] that has no direction."""
 
@@ -152,8 +155,17 @@ class Level(ABC):
             pressure_max,
             at,
             {},
-            self._rough_figures(self._shear_figures()) | self._temperatures(),
+            self._sheared(self.contact()) | self._temperatures(),
         )
+
+    def rubbed(self, nodes: Array) -> dict[str, float]:
+        """Friction and loss, as far as they are known, of those nodes of the contact that are among some."""
+        found = self._sheared(self.contact() & nodes)
+        return {name: found[name] for name in RUBBED if name in found}
+
+    def _sheared(self, within: Array) -> dict[str, float]:
+        """Figures of the shear of the film and of its asperities at some nodes."""
+        return self._rough_figures(self._shear_figures(within), within)
 
     def peaks(self, reading: Reading) -> dict[str, Peak]:
         """Resolution, on the grid, of the largest values that were read in the film's present state."""
@@ -209,11 +221,10 @@ class Level(ABC):
             (slopes,) if pressure.ndim == 1 else slopes,
         )
 
-    def _shear_figures(self) -> dict[str, float]:
+    def _shear_figures(self, within: Array) -> dict[str, float]:
         shear = self._shear()
         if shear is None:
             return {}
-        within = self.contact()
         return {
             "friction_coefficient": self._friction(shear.stress, within),
             "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
@@ -230,15 +241,14 @@ class Level(ABC):
         friction = -float(np.dot(force, sliding)) / speed if speed > 0 else 0.0
         return friction / self.scene.load
 
-    def _rough_figures(self, shear: dict[str, float]) -> dict[str, float]:
-        """Figures of asperities, and those of the film's `shear` with what asperities add."""
+    def _rough_figures(self, shear: dict[str, float], within: Array) -> dict[str, float]:
+        """Figures of asperities, and those of the film's `shear` with what asperities add at some nodes."""
         if not self.film.rough:
             return shear
         borne = float(self.film.asperities().pressure.sum()) * self.grid.cell
         share = {"asperity_load_fraction": borne / self.scene.load}
         if not shear:
             return share
-        within = self.contact()
         stress, heat = self.rubbing()
         boundary = self._friction(stress, within)
         whole = {

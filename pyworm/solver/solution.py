@@ -20,8 +20,8 @@ class Estimate:
     Attributes
     ----------
     value : float
-        The figure in SI units, extrapolated to infinitely fine grids where it can be
-        (`pyworm.solver.grid_limit`).
+        The figure in SI units, extrapolated to infinitely fine grids and an endless window where it can be
+        (`pyworm.solver.grid_limit`, `pyworm.solver.window_limit`).
     grid : float
         Discretisation error, from grids of halving spacing [-].
     domain : float
@@ -35,7 +35,8 @@ class Estimate:
     reason : str or None
         Reason why this figure alone has an infinite error bar.
     on_grid : float or None
-        The figure on the finest grid, to which the fields belong; None where it is not known apart.
+        The figure on the finest grid in its window, to which the fields belong; None where it is not known
+        apart.
     model : float or None
         Relative uncertainty by the assumptions of averaged roughness
         (`pyworm.solver.roughness_uncertainty`), no part of `error`; None where roughness was not simulated.

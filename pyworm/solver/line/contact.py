@@ -53,14 +53,12 @@ ORDERS = {
 # spike lies at the centre: 0.54. Behind a spike films and temperatures are not regular.
 LEFT = dict.fromkeys(("film_central", "friction_coefficient", "power_loss"), 0.6)
 
-# A window's error falls with the square of its reach. In 400 random scenes it was 1.1 to 1.7 times what
-# doubling that changes, and 0.1 to 0.4 of it was left (90 % of them; 1 / (1 - 2^-2) = 1.33 and 0.25).
-CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, 1.7), dict.fromkeys(ORDERS, 0.4))
+# A window's error falls with the square of its reach: 1 / (1 - 2^-2) = 1.33. In 400 random scenes it was 1.1
+# to 1.7 times what doubling that changes (90 % of them).
+CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.0, 1.7)))
 
-# That of a film that warms falls with the reach itself, or up to its power 1.4: 1 / (1 - 2^-1) = 2 and 0.5.
-HEATED_CONVERGENCE = Convergence(
-    ORDERS, LEFT, dict.fromkeys(ORDERS, 2.0), dict.fromkeys(ORDERS, 0.5)
-)
+# That of a film that warms falls with the reach itself, or up to its power 1.4: 1 / (1 - 2^-1) = 2 and 1.61.
+HEATED_CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.3, 2.0)))
 
 
 class LineContactSolver(ContactSolver):

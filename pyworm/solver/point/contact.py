@@ -14,7 +14,7 @@ from pyworm.scene.entrainment_continuation import FRACTIONS_LEFT, with_auxiliary
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 from pyworm.solver import figures
-from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
+from pyworm.solver.contact import COARSE_TOLERANCE, CONTINUATION_STEPS, ContactSolver
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
@@ -49,14 +49,13 @@ LEFT = {
 }
 
 # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
-# measured against a reach 15 times larger, under light loads (M 0.5 to 2) up to 2.1; 2^-1.5 is left when the
-# reach is doubled. Oil warms long before the contact: of the temperatures' error 0.45 to 0.6 were left then
-# (against a reach 8 times larger), most where they rise by little.
+# measured against a reach 15 times larger, under light loads (M 0.5 to 2) up to 2.1. Oil warms long before
+# the contact: of the temperatures' error 0.4 to 0.6 are left when the reach is doubled (against a reach 8
+# times larger), most where they rise by little.
 CONVERGENCE = Convergence(
     ORDERS,
     LEFT,
-    window_limits=dict.fromkeys(ALL, 2.1) | dict.fromkeys(HEAT_FIGURES, 2.5),
-    wider_ratios=dict.fromkeys(ALL, 0.35) | dict.fromkeys(HEAT_FIGURES, 0.6),
+    window=dict.fromkeys(ALL, (1.3, 2.1)) | dict.fromkeys(HEAT_FIGURES, (1.6, 2.5)),
 )
 
 
@@ -94,11 +93,20 @@ class PointContactSolver(ContactSolver):
         level.film.start(guess.pressure, guess.rigid_film)
         self._shear_and_warm(level, guess)
         # what the windows differ by is of the order of the tolerance, and heat converges slowly
-        steps += lead(level, self._plan.tolerance / 10)
+        steps += lead(level, self._plan.tolerance / 10, most=CONTINUATION_STEPS)
         if not level.lost():
             return level, steps
         level, further = super().in_wider_window(grids, narrow)
         return level, steps + further
+
+    def cut_off(self, narrow: PointLevel, wider: PointLevel) -> dict[str, float]:
+        """Parts of friction and loss in a wider window that a narrower one cuts off."""
+        if not narrow.contact_is_cut() or wider.contact_is_cut():
+            return {}
+        beyond = np.ones(wider.grid.shape, dtype=bool)
+        beyond[wider.grid.nodes_of(narrow.grid)] = False
+        whole = wider.read().figures
+        return {name: of / abs(whole[name]) for name, of in wider.rubbed(beyond).items() if of}
 
     def _begun(self, grids: Sequence[Grid]) -> tuple[PointLevel, list[NewtonStep]]:
         """Solve the windows for a Newtonian oil of one temperature; the last of them is not solved yet."""

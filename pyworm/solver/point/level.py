@@ -47,6 +47,12 @@ class PointLevel(Level):
     load: float
     coarser: InitialGuess | None = None
 
+    def contact_is_cut(self) -> bool:
+        """Whether the contact goes on to the outline of the window, beside which pressure is given."""
+        inner = np.zeros(self.grid.shape, dtype=bool)
+        inner[2:-2, 2:-2] = True
+        return bool((self.contact() & ~inner).any())
+
     def conduction_errors(self) -> dict[str, float]:
         """Relative error of the temperatures by the models of the bodies' conduction."""
         if not self.film.heated:

@@ -12,7 +12,6 @@ from pyworm.solver.error_estimate import (
     Peak,
     Reading,
     algebra_errors,
-    domain_errors,
     grid_errors,
     hot_spike,
     peak_errors,
@@ -150,15 +149,6 @@ def test_no_grid_is_refined_for_a_spike_that_the_largest_one_does_not_resolve():
     assert stays(2.1, 65**2 - 1)
     assert not stays(8.1, 17**2)
     assert not spike_stays(reading(1.0), grid, 17**2)
-
-
-def test_the_window_error_is_a_multiple_of_the_change_in_a_wider_one():
-    none = dict.fromkeys(FIGURES, 0.0)
-    limits = dict.fromkeys(FIGURES, 1.5)
-    errors = domain_errors(reading(1.0), reading(1.1), limits, none)
-    assert errors["film_min"] == pytest.approx(0.15)
-    errors = domain_errors(reading(1.0), reading(1.1), limits, none | {"film_min": 0.02})
-    assert errors["film_min"] == pytest.approx(0.17)
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,7 @@ from pyworm.planning.target import FIGURES
 from pyworm.solver.error_estimate import Convergence, Peak, Reading, grid_errors
 from pyworm.solver.grid_limit import LEAST_LEFT, grid_limits
 
-CONVERGENCE = Convergence(
-    dict.fromkeys(FIGURES, 2.0), {"film_min": 0.5, "film_central": 0.1}, {}, {}
-)
+CONVERGENCE = Convergence(dict.fromkeys(FIGURES, 2.0), {"film_min": 0.5, "film_central": 0.1}, {})
 
 
 def readings(*films, central=None, pressures=None):

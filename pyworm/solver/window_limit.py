@@ -1,0 +1,75 @@
+"""Figures in the limit of endless windows, and their window errors."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pyworm.solver.error_estimate import Convergence, Reading, changes
+
+
+@dataclass(frozen=True)
+class WindowLimit:
+    """What an endless window adds to a figure.
+
+    Attributes
+    ----------
+    rest : float
+        Change of the figure from this window to an endless one, relative to its size; 0 where it is not
+        extrapolated [-].
+    error : float
+        Relative error by the window that is left [-].
+    """
+
+    rest: float
+    error: float
+
+
+def in_this_window(
+    this: Reading, wider: Reading, convergence: Convergence, algebra: Mapping[str, float]
+) -> dict[str, WindowLimit]:
+    """What an endless window adds to each figure in a window, from one of twice the reach.
+
+    Parameters
+    ----------
+    this, wider : Reading
+        Figures in both windows, on grids of one spacing.
+    convergence : Convergence
+        How figures change with the reach, and which are extrapolated.
+    algebra : mapping
+        Relative algebraic error of each figure in both windows together, which may hide a change as large.
+    """
+    return _limits(changes(this, wider), convergence, algebra, seen=0.0)
+
+
+def in_wider_window(
+    this: Reading,
+    wider: Reading,
+    convergence: Convergence,
+    algebra: Mapping[str, float],
+    cut_off: Mapping[str, float],
+) -> dict[str, WindowLimit]:
+    """What an endless window adds to each figure in the wider of two windows (`in_this_window`).
+
+    `cut_off` is the part of some figures, relative, by which the narrower window cuts the contact off and the
+    wider one does not: that is no sign of more to come.
+    """
+    change = {name: of - cut_off.get(name, 0.0) for name, of in changes(this, wider).items()}
+    return _limits(change, convergence, algebra, seen=1.0)
+
+
+def _limits(
+    changed: Mapping[str, float],
+    convergence: Convergence,
+    algebra: Mapping[str, float],
+    seen: float,
+) -> dict[str, WindowLimit]:
+    """The limits, where a part of the change from one window to the other is `seen` in the figure."""
+    limits = {}
+    for name, change in changed.items():
+        least, most = convergence.window[name]
+        if name in convergence.left:
+            middle, half = (least + most) / 2, (most - least) / 2
+            error = half * abs(change) + most * algebra[name]
+            limits[name] = WindowLimit((middle - seen) * change, error)
+        else:
+            limits[name] = WindowLimit(0.0, (most - seen) * abs(change) + algebra[name])
+    return limits
