@@ -1,12 +1,20 @@
-"""The film of a narrow window as the initial guess in a wider one."""
+"""The film of a narrow window as the initial guess in a wider one, and what the narrow one cuts off."""
 
+from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
+import pyworm
 from pyworm.planning.grid import Grid
 from pyworm.solver.level import InitialGuess
+from pyworm.solver.newton import lead
+from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.point.level import guess_around
+
+TRACTION = Path(__file__).parents[3] / "cases" / "traction_steel.toml"
 
 
 def test_the_film_of_a_grid_that_the_wider_one_does_not_hold_is_taken_where_both_are():
@@ -22,3 +30,27 @@ def test_the_film_of_a_grid_that_the_wider_one_does_not_hold_is_taken_where_both
     assert guess.rigid_film == 2.0
     np.testing.assert_array_equal(guess.pressure[3:10, 4:9], 2.0)
     assert (guess.pressure == 1.0).sum() == 13 * 9 - 7 * 5
+
+
+def test_friction_that_a_window_cuts_off_is_that_of_the_contact_beyond_it():
+    scene = pyworm.load(TRACTION).scene(slide_roll_ratio=0.5)
+    plan = pyworm.plan(scene, 0.3, "isothermal,shear-thinning")
+    solver = PointContactSolver(plan.simplified(scene), plan)
+    wide, _ = solver.begin(plan.grids)
+    lead(wide, plan.tolerance)
+    assert not wide.contact_is_cut()
+
+    grid = wide.grid
+    half = replace(grid, nx=round(-grid.west / grid.dx) + 1)  # up to the middle of the contact
+    west = SimpleNamespace(contact_is_cut=lambda: True, grid=half)
+    cut = solver.cut_off(west, wide)
+    inside = np.zeros(grid.shape, dtype=bool)
+    inside[: half.nx] = True
+    whole, rest = wide.read().figures, wide.rubbed(inside)
+    assert cut.keys() == rest.keys() == {"friction_coefficient", "power_loss"}
+    for name, part in cut.items():
+        assert 0.3 < part < 0.7
+        assert part + rest[name] / whole[name] == pytest.approx(1.0)
+
+    assert solver.cut_off(wide, wide) == {}
+    assert solver.cut_off(west, west) == {}
