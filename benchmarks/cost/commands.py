@@ -40,7 +40,7 @@ def processor_time(python: str, command: Command) -> float:
     before = getrusage(RUSAGE_CHILDREN)
     with TemporaryDirectory() as directory:
         run(
-            [python, "-m", "pyworm.cli", *command.arguments.split(), "--out", directory],
+            [python, "-P", "-m", "pyworm.cli", *command.arguments.split(), "--out", directory],
             stdout=DEVNULL,
             stderr=DEVNULL,
             check=False,
