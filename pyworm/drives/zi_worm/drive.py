@@ -256,12 +256,15 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle for the result, without load and with it."""
-        beyond = BEYOND if isinstance(self.load, Transmission) else 0.0
-        parts = loaded_cycle_data(self, beyond), sensitivity_data(self), pattern_data(self.patterns)
+        parts = self.loaded_cycle(), sensitivity_data(self), pattern_data(self.patterns)
         data = mesh_cycle_data(self.mesh_cycle())
         for part in parts:
             data = data.merge(part, combine_attrs="no_conflicts")
         return data
+
+    def loaded_cycle(self) -> "xr.Dataset":
+        """Loads, levers and speeds of a tooth pair over its cycle under load, a part of the cycle's data."""
+        return loaded_cycle_data(self, BEYOND if isinstance(self.load, Transmission) else 0.0)
 
     def varied(self, name: str, change: float) -> "ZiWormDrive":
         """The drive with a difference in one entry of a table, "assembly.axial_shift" or "hob.swivel".

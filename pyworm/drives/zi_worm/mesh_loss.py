@@ -23,7 +23,7 @@ def worm_mesh_loss(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> Mes
 def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
     if len(contacts) < FEWEST_PHASES:
         return None
-    loss = cycle_loss(drive.cycle_data(), sorted(contacts, key=lambda one: one.phase))
+    loss = cycle_loss(drive.loaded_cycle(), sorted(contacts, key=lambda one: one.phase))
     driven = loss.worm_torque * drive.speed
     return MeshLoss(
         power=driven if drive.driver == "worm" else driven + loss.power,
