@@ -1,5 +1,7 @@
 """A case about a worm drive by the numbers of its drawing."""
 
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, model_validator
@@ -7,7 +9,7 @@ from pydantic import AfterValidator, model_validator
 from pyworm.case.table import Count, Number, PositiveNumber, Table
 from pyworm.case.zi_worm import AssemblyTable, WormDriveCase
 from pyworm.drives.zi_worm.design import Design, Hand
-from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.drawing import Drawing, completed
 from pyworm.drives.zi_worm.drawing_checks import (
     DERIVED,
     check_drawing,
@@ -15,11 +17,15 @@ from pyworm.drives.zi_worm.drawing_checks import (
     check_profile,
     check_redundant,
 )
+from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.hob_setting import with_swivel
 from pyworm.formulas.worm_profiles import PROFILES
 from pyworm.io import units
 
 KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)
+
+LIFE = (1.0, 0.75, 0.5, 0.25)
+"""Parts of its oversize that a hob has left as it is reground."""
 
 GLOBOID = ("globoid", "double-enveloping", "Hindley")
 
@@ -82,6 +88,7 @@ class DrawnHobTable(_Drawn):
 
     oversize: units.Offset | None = None
     reference_diameter: units.Length | None = None
+    centre_distance: units.Length | None = None
     swivel: units.Tilt | None = None
     axial_shift: units.Offset | None = None
 
@@ -125,6 +132,27 @@ class DrawnWormDriveTable(Table):
         ValueError
             No worm gear can be made so; the sentence begins with the key at fault.
         """
+        return self._made(*self._drawing())
+
+    def reground(self, part: float) -> tuple[float, Design]:
+        """The oversize [m] of a hob of which a part is left, and the design, the hob set up as usual.
+
+        Raises
+        ------
+        ValueError
+            As of `design`.
+        """
+        drawing, taken = self._drawing()
+        smaller = replace(
+            drawing,
+            hob_oversize=part * drawing.hob_oversize,
+            hob_swivel=None if part < 1 else drawing.hob_swivel,
+            hob_centre_distance=None if part < 1 else drawing.hob_centre_distance,
+        )
+        return smaller.hob_oversize, self._made(smaller, taken)
+
+    def _drawing(self) -> tuple[Drawing, tuple[str, ...]]:
+        """The complete drawing, and what was taken as usual."""
         given = self._numbers() | {"diameter_factor": self._diameter_factor()}
         if given["hob_oversize"] is None and self.hob.reference_diameter is not None:
             worm = given["diameter_factor"] * self.module
@@ -135,6 +163,10 @@ class DrawnWormDriveTable(Table):
         drawing, taken = completed(own, self.profile)
         check_redundant(drawing, given)
         check_drawing(drawing)
+        return drawing, taken
+
+    def _made(self, drawing: Drawing, taken: tuple[str, ...]) -> Design:
+        """Worm, wheel and hob of a drawing, the hob's swivel found where it is not given."""
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
             taken = *taken, swivel
@@ -168,6 +200,16 @@ class DrawnWormCase(WormDriveCase):
     """A case file about a worm drive by its drawing."""
 
     drive: DrawnWormDriveTable
+
+    def reground_drives(self, drive: ZiWormDrive) -> Iterator[tuple[float, ZiWormDrive]]:
+        """Oversizes [m] of the hob over its life, and the drive with what it cuts, where that meshes."""
+        for part in LIFE:
+            try:
+                oversize, design = self.drive.reground(part)
+            except ValueError:
+                continue
+            parts = {"worm": design.worm, "wheel": design.wheel, "hob": design.hob}
+            yield oversize, replace(drive, **parts)
 
 
 CASE = DrawnWormCase

@@ -1,5 +1,6 @@
 """A case about a worm drive, by its design table of a ZI worm."""
 
+from collections.abc import Iterable
 from itertools import pairwise
 from math import inf, pi
 from typing import Annotated, Any, Literal
@@ -216,6 +217,10 @@ class WormDriveCase(RatedCase):
             if getattr(self, table) is not None
         }
         return {table: keys for table, keys in left.items() if keys}
+
+    def reground_drives(self, drive: ZiWormDrive) -> Iterable[tuple[float, ZiWormDrive]]:
+        """Drives of the hob over its life; none of a design table, which does not tell how it is reground."""
+        return ()
 
     def make_drive(self) -> ZiWormDrive:
         """The drive of a case file about a worm."""

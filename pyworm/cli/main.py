@@ -19,6 +19,7 @@ from pyworm.cli.precision import add_precision
 from pyworm.cli.rate import add_rate
 from pyworm.cli.report import add_report
 from pyworm.cli.run import add_run
+from pyworm.cli.setup import add_setup
 from pyworm.cli.shared import BAD_INPUT, FAILED, end_with
 from pyworm.cli.stopping import exit_code
 from pyworm.cli.surface import add_surface
@@ -87,6 +88,7 @@ def _parser() -> argparse.ArgumentParser:
         add_report,
         add_rate,
         add_oil,
+        add_setup,
         add_surface,
         add_doctor,
     ):

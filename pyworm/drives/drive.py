@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from pyworm.drives.duty import Duty
+from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.io.on_demand import xarray as xr
@@ -68,6 +69,16 @@ class Drive(ABC):
         return Misalignment(
             "How misalignment changes the contacts of this drive is not known in closed form."
         )
+
+    def hob_setup(self, wanted: dict[str, float]) -> HobSetup | None:
+        """The hob's set-up and the one for a wanted contact pattern; None where no hob cuts a wheel.
+
+        Parameters
+        ----------
+        wanted : dict
+            `face`, the middle of the marked part [m], `size`, the part of the flank [-], both or none.
+        """
+        return None
 
     def described(self) -> dict[str, float | str]:
         """Computed geometry and kinematics, in order; keys end in the SI unit, angles in `_deg`."""

@@ -55,7 +55,7 @@ class ContactPattern:
     separation: Array
 
     @cached_property
-    def _area(self) -> Array:
+    def area(self) -> Array:
         """Area of the flank for each place, seen along the wheel's tangent [m2]."""
         wide = np.gradient(self.face, axis=1)
         return np.abs(wide * np.gradient(self.radius, axis=0))
@@ -67,7 +67,7 @@ class ContactPattern:
     def fraction(self, thickness: float = THICKNESS) -> float:
         """Part of the flank that is marked [-]."""
         known = np.isfinite(self.separation)
-        return float(self._area[self.marked(thickness)].sum() / self._area[known].sum())
+        return float(self.area[self.marked(thickness)].sum() / self.area[known].sum())
 
     def along_face(self, thickness: float = THICKNESS) -> tuple[float, float]:
         """Ends of the marked part along the face [m]; the line of zero separation is always marked."""

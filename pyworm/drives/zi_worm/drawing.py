@@ -59,6 +59,8 @@ class Drawing:
         Reference diameter of the hob beyond the worm's [m].
     hob_axial_shift : float
         Shift of the hob along the wheel's axis [m].
+    hob_centre_distance : float or None
+        Distance of hob and wheel axes [m]; None: so that both have the same pitch point.
     hob_swivel : float or None
         Turn of the hob's axis [rad]; None: so that hob and worm have the same normal in the pitch point.
     profile : str
@@ -89,6 +91,7 @@ class Drawing:
     wheel_tip_relief_length: float
     hob_oversize: float
     hob_axial_shift: float
+    hob_centre_distance: float | None = None
     hob_swivel: float | None = None
     profile: Profile = "ZI"
     worm_disc_diameter: float | None = None
@@ -193,7 +196,7 @@ class Drawing:
         So both have the same normal base pitch. Its tip cuts the wheel's root.
         """
         diameter = self.reference_diameter + self.hob_oversize
-        distance = self.centre_distance + self.hob_oversize / 2
+        distance = self.hob_centre_distance or self.centre_distance + self.hob_oversize / 2
         lead_angle = self.hob_lead_angle
         base_angle = helicoid.base_lead_angle(lead_angle, self.normal_pressure_angle)
         # z m_n = z m_x cos(gamma) is the same of both

@@ -334,3 +334,10 @@ def _check_hob(of: Drawing) -> None:
             f"hob.oversize is {_mm(of.hob_oversize)}; it is the hob's reference diameter beyond the worm's "
             f"{_mm(of.reference_diameter)}, at most {_mm(largest)}"
         )
+    usual = of.centre_distance + of.hob_oversize / 2
+    if abs((of.hob_centre_distance or usual) - usual) > of.module / 2:
+        raise ValueError(
+            f"hob.centre_distance is {_mm(of.hob_centre_distance)}; it is the distance of the hob's "
+            f"axis from the wheel's, within half a module of {_mm(usual)}, centre_distance and half of "
+            "hob.oversize"
+        )

@@ -9,6 +9,7 @@ import numpy as np
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
+from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.mesh_past import Passing
 from pyworm.drives.misalignment import Misalignment
@@ -32,6 +33,7 @@ from pyworm.drives.zi_worm.mesh_springs import mesh_springs
 from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
+from pyworm.drives.zi_worm.setting import set_up
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
@@ -281,6 +283,10 @@ class ZiWormDrive(ZiWormGears, Drive):
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
         return worm_mesh_loss(self, contacts)
+
+    def hob_setup(self, wanted: dict[str, float]) -> HobSetup:
+        """The hob's set-up, and the one found for a wanted contact pattern."""
+        return set_up(self, wanted)
 
     def described(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""

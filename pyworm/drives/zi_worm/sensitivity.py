@@ -42,7 +42,7 @@ def sensitivity_data(drive: Any) -> "xr.Dataset":
         The drive; the middle of each row is the drive itself.
     """
     load = drive.normal_load(0.5)
-    own = _contact(drive, load)
+    own = mid_mesh_contact(drive, load)
     rows = []
     for name, error in ERRORS.items():
         row = []
@@ -51,7 +51,7 @@ def sensitivity_data(drive: Any) -> "xr.Dataset":
                 row.append(own)
                 continue
             try:
-                row.append(_contact(drive.varied(name, side * error), load))
+                row.append(mid_mesh_contact(drive.varied(name, side * error), load))
             except ValueError:  # no contact on the teeth, or teeth that jam
                 row.append(dict.fromkeys(CONTACT, nan))
         rows.append(row)
@@ -72,8 +72,11 @@ def sensitivity_data(drive: Any) -> "xr.Dataset":
     )
 
 
-def _contact(drive: Any, load: float) -> dict[str, float]:
-    """The contact at mid-mesh: centre of the dry pressure, film by formula."""
+def mid_mesh_contact(drive: Any, load: float) -> dict[str, float]:
+    """The contact at mid-mesh under a load [N]: the variables `CONTACT`.
+
+    Place and pressure are those of the dry contact, the film is by formula.
+    """
     contact = drive.contact(0.5)
     modulus = reduced_modulus(*drive.bodies)
     placed = placed_gap(drive.gap(contact), contact.radii, load, modulus, drive.wheel.face_width)

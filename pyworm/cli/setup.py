@@ -1,0 +1,117 @@
+"""pyworm setup: the hob's set-up for a wanted contact pattern, and what regrinding the hob does."""
+
+import argparse
+from pathlib import Path
+
+from pyworm.case.case import load
+from pyworm.cli.arguments import add_json
+from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, warn_of_unusual
+from pyworm.drives.hob_setup import Row
+from pyworm.io.input_error import CaseError
+from pyworm.io.json import print_json
+from pyworm.io.quantity import SHARE, Kind, parse
+from pyworm.io.terminal import put, say
+
+PLACE = Kind("a place along the face", "m", "2 mm", sign="any", possible=("1e-24 m", "5 m"))
+
+COLUMNS = {
+    "hob_oversize_m": ("Hob's oversize, mm", 1e3, ".3f"),
+    "hob_swivel_deg": ("Hob's swivel, °", 1.0, ".4f"),
+    "hob_axial_shift_m": ("Hob's shift along the wheel's axis, mm", 1e3, ".3f"),
+    "hob_centre_distance_m": ("Hob's centre distance, mm", 1e3, ".3f"),
+    "marking_face_m": ("Middle of the marked part along the face, mm", 1e3, ".1f"),
+    "marking_fraction": ("Marked part of the flank, %", 100.0, ".1f"),
+    "contact_ratio": ("Contact ratio", 1.0, ".2f"),
+    "radius_long_m": ("Long radius at mid-mesh, mm", 1e3, ".0f"),
+    "radius_short_m": ("Short radius at mid-mesh, mm", 1e3, ".1f"),
+    "dry_pressure_max_Pa": ("Largest dry pressure, MPa", 1e-6, ".0f"),
+    "formula_film_m": ("Central film by formula, µm", 1e6, ".3f"),
+}
+"""Key -> its words, the factor to the shown unit, and the format."""
+
+
+def add_setup(commands: argparse._SubParsersAction) -> None:
+    """Add the command `setup`."""
+    setup = commands.add_parser(
+        "setup", help="the hob's set-up for a wanted contact pattern, and the hob's life"
+    )
+    setup.add_argument("case", type=Path, metavar="CASE.toml")
+    setup.add_argument(
+        "--place",
+        help='wanted middle of the pattern along the face, "2 mm", positive to the leaving side',
+    )
+    setup.add_argument("--size", help='wanted part of the flank that is marked, "30%%"')
+    add_json(setup)
+    setup.set_defaults(command=_setup)
+
+
+def _setup(options: argparse.Namespace) -> int:
+    wanted = _wanted(options)
+    case = load(options.case)
+    made = None if case.drive is None else case.drive.hob_setup(wanted)
+    if made is None:
+        raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
+    warn_of_unusual(case)
+    rows = {"now": made.now} | ({} if made.found is None else {"found": made.found})
+    life = [
+        drive.hob_setup({}).now | {"hob_oversize_m": size}
+        for size, drive in case.tables.reground_drives(case.drive)
+    ]
+    if options.json:
+        content = {"case": case.name, "wanted": wanted, "reached": made.reached, **rows}
+        print_json(content | {"hob_life": life})
+    else:
+        _print(rows, life)
+    if not made.reached:
+        say(
+            "warning: no set-up near the present one has that pattern without the worm cutting into the "
+            "wheel; the nearest is shown"
+        )
+    return CONVERGED if made.reached else NOT_CONVERGED
+
+
+def _wanted(options: argparse.Namespace) -> dict[str, float]:
+    """What is asked of the pattern, as `found_setting` takes it."""
+    wanted = {}
+    for name, option, kind in (("face", "place", PLACE), ("size", "size", SHARE)):
+        text = getattr(options, option)
+        if text is None:
+            continue
+        try:
+            wanted[name] = parse(text, kind)
+        except ValueError as error:
+            raise CaseError(f"--{option} {text}: {error}") from None
+    if not 0 < wanted.get("size", 0.5) < 1:
+        raise CaseError(f"--size {options.size}: must lie between 0 and 100 %")
+    return wanted
+
+
+def _print(rows: dict[str, Row], life: list[Row]) -> None:
+    """Tables of the set-ups, and of the hob's life."""
+    from rich.table import Table
+
+    from pyworm.io.console import Console
+
+    def shown(title: str, columns: dict[str, Row]) -> None:
+        table = Table(title=title, title_justify="left")
+        table.add_column("")
+        for name in columns:
+            table.add_column(name, justify="right")
+        for key, (words, factor, form) in COLUMNS.items():
+            if any(key in row for row in columns.values()):
+                table.add_row(words, *(f"{row[key] * factor:{form}}" for row in columns.values()))
+        Console().print(table)
+
+    shown("Set-up of the hob", rows)
+    if "found" in rows:
+        found = rows["found"]
+        put(
+            f'\n[drive.hob]\nswivel = "{found["hob_swivel_deg"]:.5f} deg"\n'
+            f'axial_shift = "{found["hob_axial_shift_m"] * 1e3:.4f} mm"\n'
+            f'centre_distance = "{found["hob_centre_distance_m"] * 1e3:.4f} mm"\n'
+        )
+    if life:
+        shown(
+            "The hob over its life, swivelled anew after each regrinding",
+            {f"{row['hob_oversize_m'] / life[0]['hob_oversize_m']:.0%}": row for row in life},
+        )

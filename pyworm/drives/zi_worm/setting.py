@@ -1,0 +1,176 @@
+"""The hob's set-up for a wanted contact pattern: swivel, shift along the wheel's axis, centre distance.
+
+Shift and swivel move the pattern along the face, a smaller centre distance widens it until the worm cuts in.
+The least changes by which place and size are the wanted ones are found by Newton's method with differences,
+on the pattern without load (`contact_pattern`), its edge blurred so that place and size change smoothly.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import degrees, radians
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.hob_setup import HobSetup, Row
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern, contact_pattern
+from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.drives.zi_worm.sensitivity import mid_mesh_contact
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.drive import ZiWormDrive
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+BLUR = 0.2
+"""Width of the blurred edge over the thickness of the compound."""
+
+USUAL_CHANGES = {"swivel": radians(0.1), "axial_shift": 0.3e-3, "centre_distance": 0.2e-3}
+"""Entry of the set-up -> a change that shops make as a rule [rad], [m]: the unit of changes here."""
+
+DIFFERENCE = 0.1
+"""Change by which the effect of an entry is found, in usual ones."""
+
+TOLERANCES = {"face": 0.1e-3, "size": 0.005}
+"""Misses of the wanted place [m] and size [-] that are no misses any more."""
+
+MOST_STEPS = 12
+
+Change = dict[str, float]
+"""Entry of the set-up -> its change in usual ones."""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What is marked of a flank.
+
+    Attributes
+    ----------
+    face : float
+        Middle of the marked part along the face [m], positive to the leaving side.
+    size : float
+        Part of the flank that is marked [-].
+    """
+
+    face: float
+    size: float
+
+
+def mark_of(pattern: ContactPattern, thickness: float = THICKNESS) -> Mark:
+    """Middle and size of a pattern marked by compound of a thickness [m], its edge blurred."""
+    depth = (thickness - np.nan_to_num(pattern.separation, nan=np.inf)) / (BLUR * thickness)
+    weight = pattern.area / (1 + np.exp(-np.clip(depth, -50.0, 50.0)))
+    known = pattern.area[np.isfinite(pattern.separation)].sum()
+    return Mark(float((weight * pattern.face).sum() / weight.sum()), float(weight.sum() / known))
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A set-up of the hob and its pattern.
+
+    Attributes
+    ----------
+    gears : ZiWormGears
+        Worm and wheel with that set-up; a drive where one was given.
+    mark : Mark
+        Its pattern.
+    reached : bool
+        Whether the pattern is the wanted one.
+    """
+
+    gears: "ZiWormGears"
+    mark: Mark
+    reached: bool
+
+
+Misses = Callable[[Setting], Array]
+"""What a set-up misses of what is wanted, in tolerances."""
+
+
+def found_setting(gears: "ZiWormGears", wanted: dict[str, float]) -> Setting:
+    """The set-up nearest to the present one whose pattern has a wanted place, or size, or both.
+
+    Parameters
+    ----------
+    gears : ZiWormGears
+        Worm and wheel, or their drive, as they are.
+    wanted : dict
+        `face` [m], `size` [-], or both, as in `Mark`.
+    """
+
+    def misses(of: Setting) -> Array:
+        return np.array(
+            [(getattr(of.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
+        )
+
+    now = Setting(gears, mark_of(contact_pattern(gears)), reached=False)
+    for _ in range(MOST_STEPS):
+        if np.abs(misses(now)).max() <= 1:
+            return replace(now, reached=True)
+        better = _nearer(now, _newton_step(now, misses), misses)
+        if better is None:
+            break
+        now = better
+    return now
+
+
+def _newton_step(now: Setting, misses: Misses) -> Change:
+    """The least change of the set-up by which the misses would vanish if they were linear in it."""
+    missed = misses(now)
+    columns = []
+    for entry in USUAL_CHANGES:
+        aside = ((step, _changed(now, {entry: step})) for step in (DIFFERENCE, -DIFFERENCE))
+        step, beside = next(((s, one) for s, one in aside if one is not None), (1.0, now))
+        columns.append((misses(beside) - missed) / step)
+    change = -np.linalg.lstsq(np.array(columns).T, missed, rcond=None)[0]
+    change /= max(1.0, np.abs(change).max())
+    return dict(zip(USUAL_CHANGES, change, strict=True))
+
+
+def _nearer(now: Setting, change: Change, misses: Misses) -> Setting | None:
+    """The set-up a part of the change away that misses by less, the worm not cutting in; None without."""
+    least = np.linalg.norm(misses(now))
+    for part in (1.0, 0.5, 0.25, 0.1):
+        tried = _changed(now, {entry: part * by for entry, by in change.items()})
+        if tried is None or not np.linalg.norm(misses(tried)) < least:
+            continue
+        if tried.gears.interference is None:
+            return tried
+    return None
+
+
+def _changed(now: Setting, change: Change) -> Setting | None:
+    """A changed set-up; None where worm and wheel do not touch."""
+    hob = now.gears.hob
+    entries = {
+        entry: getattr(hob, entry) + by * USUAL_CHANGES[entry] for entry, by in change.items()
+    }
+    try:
+        made = replace(now.gears, hob=replace(hob, **entries))
+        return Setting(made, mark_of(contact_pattern(made)), reached=False)
+    except ValueError:
+        return None
+
+
+def set_up(drive: "ZiWormDrive", wanted: dict[str, float]) -> HobSetup:
+    """The hob's set-up of a drive, and the one found for a wanted pattern; arguments of `found_setting`."""
+    if not wanted:
+        return HobSetup(_row(drive))
+    found = found_setting(drive, wanted)
+    return HobSetup(_row(drive), _row(found.gears), found.reached)
+
+
+def _row(drive: "ZiWormDrive") -> Row:
+    hob, mark = drive.hob, mark_of(contact_pattern(drive))
+    contact = mid_mesh_contact(drive, drive.normal_load(0.5))
+    return {
+        "hob_swivel_deg": degrees(hob.swivel),
+        "hob_axial_shift_m": hob.axial_shift,
+        "hob_centre_distance_m": hob.centre_distance,
+        "marking_face_m": mark.face,
+        "marking_fraction": mark.size,
+        "contact_ratio": contact["contact_ratio"],
+        "radius_long_m": contact["radius_long"],
+        "radius_short_m": contact["radius_short"],
+        "dry_pressure_max_Pa": contact["dry_pressure_max"],
+        "formula_film_m": contact["formula_film"],
+    }

@@ -1,0 +1,78 @@
+"""The hob's set-up for a wanted contact pattern."""
+
+import json
+from pathlib import Path
+
+import pytest
+from refusals import refusal
+
+import pyworm
+from pyworm.cli.main import main
+from pyworm.drives.zi_worm import setting
+from pyworm.drives.zi_worm.contact_pattern import contact_pattern
+from pyworm.drives.zi_worm.setting import TOLERANCES, found_setting, mark_of
+
+CASES = Path(__file__).parents[3] / "cases"
+DRAWING = (CASES / "worm_drawing.toml").read_text()
+
+
+@pytest.fixture(scope="module")
+def drive():
+    return pyworm.load(CASES / "worm_drawing.toml").drive
+
+
+def test_the_blurred_mark_is_that_of_the_compound(drive):
+    pattern = contact_pattern(drive)
+    assert mark_of(pattern).size == pytest.approx(pattern.fraction(), rel=0.05)
+    first, last = pattern.along_face()
+    assert first < mark_of(pattern).face < last
+
+
+def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
+    monkeypatch.setattr(setting, "MOST_STEPS", 1)
+    before = mark_of(contact_pattern(drive))
+    found = found_setting(drive, {"size": 0.9})
+    assert not found.reached
+    assert before.size < found.mark.size < 0.9
+    assert found.gears.interference is None
+
+
+def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
+    """Its life is a larger mark from one regrinding to the next; larger contacts, smaller pressures."""
+    monkeypatch.setattr("pyworm.case.worm.LIFE", (1.0, 0.5))
+    path = CASES / "worm_drawing.toml"
+    assert main(["setup", str(path), "--place", "-0.5 mm", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    found, life = told["found"], told["hob_life"]
+    assert told["reached"] and abs(found["marking_face_m"] + 0.5e-3) <= TOLERANCES["face"]
+    hob = "\n".join(
+        (
+            f'swivel = "{found["hob_swivel_deg"]!r} deg"',
+            f'axial_shift = "{found["hob_axial_shift_m"]!r} m"',
+            f'centre_distance = "{found["hob_centre_distance_m"]!r} m"',
+        )
+    )
+    (tmp_path / "set.toml").write_text(DRAWING.replace("[drive.hob]", f"[drive.hob]\n{hob}", 1))
+    mark = mark_of(contact_pattern(pyworm.load(tmp_path / "set.toml").drive))
+    assert mark.face == pytest.approx(found["marking_face_m"], abs=5e-5)
+    assert mark.size == pytest.approx(found["marking_fraction"], rel=0.02)
+    sizes, pressures = (
+        [row[key] for row in life] for key in ("marking_fraction", "dry_pressure_max_Pa")
+    )
+    assert sizes == sorted(sizes) and pressures == sorted(pressures, reverse=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "sentence"),
+    [
+        ("roller_ref", ["--place", "1mm"], "has no hob that could be set up"),
+        (
+            "worm_drawing",
+            ["--place", "2"],
+            "--place 2: must be a place along the face with its unit",
+        ),
+        ("worm_drawing", ["--size", "150%"], "--size 150%: must lie between 0 and 100 %"),
+    ],
+)
+def test_what_cannot_be_set_up_is_refused(tmp_path, capsys, name, options, sentence):
+    assert sentence in refusal(["setup", str(CASES / f"{name}.toml"), *options], tmp_path, capsys)
