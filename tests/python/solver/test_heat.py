@@ -181,7 +181,7 @@ def test_bulk_temperatures_apart(hot):
 
 def test_opposite_sliding_has_a_film_by_heat_alone():
     """Mirrored bodies, no entrainment: two side lobes, both surfaces equally hot (Guo, Yang and Qu 2001)."""
-    solution = solved(pyworm.load(CASES / "opposite_sliding.toml").scene(), accuracy=0.1)
+    solution = solved(pyworm.load(CASES / "opposite_sliding.toml").scene(), accuracy=0.2)
     figures, film = solution.figures, solution.fields.film
     assert figures.film_min.value > 20e-9
     assert figures.temperature_max_body_1.value == pytest.approx(
