@@ -87,7 +87,6 @@ def test_without_a_converged_phase_only_closed_forms_are_rated(case):
 
 
 @pytest.mark.usefixtures("undrawn")
-@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("bad", [(0.9,), PHASES], ids=["one", "all"])
 def test_rate_and_report_name_it_and_succeed(case, tmp_path, monkeypatch, capsys, bad):
     monkeypatch.chdir(tmp_path)
@@ -106,6 +105,7 @@ def test_rate_and_report_name_it_and_succeed(case, tmp_path, monkeypatch, capsys
         assert nonsense not in page, nonsense
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_report_shows_a_gap_where_figures_would_be(case, torn):
     report = build_report(torn)
     sections = {section.title: section for section in report.sections}

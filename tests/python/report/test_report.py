@@ -283,7 +283,6 @@ def test_inputs_are_in_workshop_units(increaser):
 
 
 @pytest.mark.usefixtures("undrawn")
-@pytest.mark.usefixtures("undrawn")
 def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
     text = (CASES / "zi_sharif_2001.toml").read_text()
     for old, new in (
@@ -308,6 +307,7 @@ def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
     assert err == f"pyworm: warning: {told}\n"
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_scenes_that_did_not_converge_are_shown_first():
     solution = make_solution("point_m20_l10", converged=False)
     failed = {"phase 0.9": "no contact"}

@@ -68,7 +68,6 @@ def test_a_renamed_copy_is_taken(kept, capsys, command):
 
 
 @pytest.mark.usefixtures("undrawn")
-@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[0])
 def test_a_changed_case_is_taken_anyway_with_a_warning(kept, capsys, command):
     Path("case.toml").write_text(changed(TEXT, ('"14 kN"', '"15 kN"')))
@@ -78,6 +77,7 @@ def test_a_changed_case_is_taken_anyway_with_a_warning(kept, capsys, command):
     assert "operation.load is 15 kN, was 14 kN" in told
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_report_takes_the_ratings_of_the_case(kept, capsys):
     """What is only rated may change: the life that is wanted, say."""
     Path("case.toml").write_text(changed(TEXT, ('"25000 h"', '"20000 h"')))
