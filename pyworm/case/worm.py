@@ -1,8 +1,7 @@
 """A case about a worm drive by the numbers of its drawing."""
 
-from collections.abc import Iterator
 from dataclasses import replace
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, model_validator
 
@@ -201,15 +200,18 @@ class DrawnWormCase(WormDriveCase):
 
     drive: DrawnWormDriveTable
 
-    def reground_drives(self, drive: ZiWormDrive) -> Iterator[tuple[float, ZiWormDrive]]:
-        """Oversizes [m] of the hob over its life, and the drive with what it cuts, where that meshes."""
-        for part in LIFE:
-            try:
-                oversize, design = self.drive.reground(part)
-            except ValueError:
-                continue
-            parts = {"worm": design.worm, "wheel": design.wheel, "hob": design.hob}
-            yield oversize, replace(drive, **parts)
+    hob_life: ClassVar[tuple[float, ...]] = LIFE
+
+    def reground_drive(self, drive: ZiWormDrive, part: float) -> tuple[float, ZiWormDrive]:
+        """Oversize [m] of a hob of which a part is left, and the drive with the wheel that it cuts.
+
+        Raises
+        ------
+        ValueError
+            It cuts none that meshes.
+        """
+        oversize, design = self.drive.reground(part)
+        return oversize, replace(drive, worm=design.worm, wheel=design.wheel, hob=design.hob)
 
 
 CASE = DrawnWormCase

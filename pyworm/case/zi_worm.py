@@ -1,9 +1,8 @@
 """A case about a worm drive, by its design table of a ZI worm."""
 
-from collections.abc import Iterable
 from itertools import pairwise
 from math import inf, pi
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -176,6 +175,9 @@ class WormDriveCase(RatedCase):
     Their `[drive]` has `stiffness` and `assembly`, and makes a `design`.
     """
 
+    hob_life: ClassVar[tuple[float, ...]] = ()
+    """Parts of the hob's oversize left over its life; a design table does not tell how it is reground."""
+
     drive: Table
     operation: OperationTable
     bodies: WormBodies
@@ -217,10 +219,6 @@ class WormDriveCase(RatedCase):
             if getattr(self, table) is not None
         }
         return {table: keys for table, keys in left.items() if keys}
-
-    def reground_drives(self, drive: ZiWormDrive) -> Iterable[tuple[float, ZiWormDrive]]:
-        """Drives of the hob over its life; none of a design table, which does not tell how it is reground."""
-        return ()
 
     def make_drive(self) -> ZiWormDrive:
         """The drive of a case file about a worm."""

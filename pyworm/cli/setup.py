@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from pyworm.case.case import load
+from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_json
 from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, warn_of_unusual
 from pyworm.drives.hob_setup import Row
@@ -53,10 +53,7 @@ def _setup(options: argparse.Namespace) -> int:
         raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
     warn_of_unusual(case)
     rows = {"now": made.now} | ({} if made.found is None else {"found": made.found})
-    life = [
-        drive.hob_setup({}).now | {"hob_oversize_m": size}
-        for size, drive in case.tables.reground_drives(case.drive)
-    ]
+    life = _life(case)
     if options.json:
         content = {"case": case.name, "wanted": wanted, "reached": made.reached, **rows}
         print_json(content | {"hob_life": life})
@@ -68,6 +65,18 @@ def _setup(options: argparse.Namespace) -> int:
             "wheel; the nearest is shown"
         )
     return CONVERGED if made.reached else NOT_CONVERGED
+
+
+def _life(case: Case) -> list[Row]:
+    """What the hob cuts as it is reground; a part of its oversize that cuts no wheel is told."""
+    rows = []
+    for part in case.tables.hob_life:
+        try:
+            oversize, drive = case.tables.reground_drive(case.drive, part)
+            rows.append(drive.hob_setup({}).now | {"hob_oversize_m": oversize})
+        except ValueError as error:
+            say(f"warning: a hob with {part:.0%} of its oversize left is not shown: {error}")
+    return rows
 
 
 def _wanted(options: argparse.Namespace) -> dict[str, float]:
@@ -113,5 +122,5 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
     if life:
         shown(
             "The hob over its life, swivelled anew after each regrinding",
-            {f"{row['hob_oversize_m'] / life[0]['hob_oversize_m']:.0%}": row for row in life},
+            {f"{row['hob_oversize_m'] * 1e3:.3g} mm left": row for row in life},
         )

@@ -33,8 +33,8 @@ from pyworm.drives.zi_worm.mesh_springs import mesh_springs
 from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
-from pyworm.drives.zi_worm.setting import set_up
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
+from pyworm.drives.zi_worm.wanted_pattern import set_up
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil

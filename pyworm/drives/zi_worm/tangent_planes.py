@@ -17,6 +17,7 @@ rates of q over the plane follow by implicit differentiation, q_x = -(T_ij)^-1 T
 + T_x ez) / B.
 """
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -33,9 +34,9 @@ Family = tuple[Plane, list[Plane], list[Plane]]
 class PlaneFamily(FlankSurface):
     """A flank that is an envelope of planes, with a `Family` at the parameters q."""
 
+    @abstractmethod
     def at(self, q: Sequence[Array]) -> Family:
         """The planes of parameters q."""
-        raise NotImplementedError
 
     def newton(
         self, q: list[Array], line: Components, axes: Array

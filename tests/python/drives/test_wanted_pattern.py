@@ -8,9 +8,9 @@ from refusals import refusal
 
 import pyworm
 from pyworm.cli.main import main
-from pyworm.drives.zi_worm import setting
+from pyworm.drives.zi_worm import wanted_pattern
 from pyworm.drives.zi_worm.contact_pattern import contact_pattern
-from pyworm.drives.zi_worm.setting import TOLERANCES, found_setting, mark_of
+from pyworm.drives.zi_worm.wanted_pattern import TOLERANCES, found_setting, mark_of
 
 CASES = Path(__file__).parents[3] / "cases"
 DRAWING = (CASES / "worm_drawing.toml").read_text()
@@ -29,7 +29,7 @@ def test_the_blurred_mark_is_that_of_the_compound(drive):
 
 
 def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
-    monkeypatch.setattr(setting, "MOST_STEPS", 1)
+    monkeypatch.setattr(wanted_pattern, "MOST_STEPS", 1)
     before = mark_of(contact_pattern(drive))
     found = found_setting(drive, {"size": 0.9})
     assert not found.reached
@@ -39,7 +39,7 @@ def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
 
 def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
     """Its life is a larger mark from one regrinding to the next; larger contacts, smaller pressures."""
-    monkeypatch.setattr("pyworm.case.worm.LIFE", (1.0, 0.5))
+    monkeypatch.setattr("pyworm.case.worm.DrawnWormCase.hob_life", (1.0, 0.5))
     path = CASES / "worm_drawing.toml"
     assert main(["setup", str(path), "--place", "-0.5 mm", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
