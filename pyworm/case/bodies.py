@@ -1,20 +1,17 @@
 """`[bodies]`: the solids of a contact."""
 
-from math import pi, sqrt
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from pyworm.case.surface import SurfaceTable, texture_of
 from pyworm.case.table import Table
+from pyworm.formulas.rough_contact import RQ_OVER_RA
 from pyworm.io import units
 from pyworm.materials import solids
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.materials.topography import Topography
-
-RQ_OVER_RA = sqrt(pi / 2)
-"""Root mean square over arithmetic mean of heights spread normally."""
 
 
 def _finish(text: str) -> str:

@@ -12,6 +12,7 @@ from pydantic import BaseModel, ValidationError
 
 from pyworm.case.case_file import CaseTable, PublishedValue
 from pyworm.case.contact import GapCase, PointCase, contact_scene
+from pyworm.case.deviation_file import with_deviations
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.kinds import case_model, kind_model
 from pyworm.case.plausibility import doubts, require_possible
@@ -82,6 +83,12 @@ class Case:
     def published(self) -> dict[str, PublishedValue]:
         """Numbers that the source prints, by name."""
         return self.tables.published
+
+    @property
+    def body_names(self) -> tuple[str, str]:
+        """What the bodies of its contacts are called: worm and wheel of a worm drive."""
+        first, second = type(self.tables.bodies).model_fields
+        return first.replace("_", " "), second.replace("_", " ")
 
     @property
     def effects(self) -> str:
@@ -286,6 +293,7 @@ def load(path: str | Path) -> Case:
 
 def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The completely checked case of a case file's content; CaseError as of `load`."""
+    data = with_deviations(data, directory)
     case = Case(name, directory, _tables(data))
     for body, surface in case.tables.bodies.surfaces.items():
         surface.lie_in(directory)

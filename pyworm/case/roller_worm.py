@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
-from pyworm.case.drive_case import DriveCase
+from pyworm.case.ratings import RatedCase
 from pyworm.case.table import Count, NumberOrZero, Phase, PositiveNumber, Table
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.drive import RollerWormDrive
@@ -98,7 +98,7 @@ class RollerOperationTable(Table):
     power: units.Power | None = None
     worm_torque: units.Torque | None = None
     wheel_torque: units.Torque | None = None
-    preload: units.Torque
+    preload: units.TorqueOrZero
     sharing: Sharing = "elastic"
     rolling: Spinning = "free"
     sections: Annotated[tuple[SectionName, ...], Field(min_length=1)] = ("right", "left")
@@ -113,6 +113,15 @@ class RollerOperationTable(Table):
             raise ValueError(f"give one of {', '.join(POWERS)}{but}")
         return self
 
+    @model_validator(mode="after")
+    def _loaded_sections(self):
+        if self.preload == 0 and "right" in self.sections:
+            raise ValueError(
+                'sections has "right", the idling section, which carries no load where preload is 0; give '
+                'sections = ["left"], or a preload'
+            )
+        return self
+
     def torque(self, ratio: float) -> float:
         """Torque of the worm [N m]; of the wheel's without friction, by rollers over threads."""
         if self.wheel_torque is not None:
@@ -120,7 +129,7 @@ class RollerOperationTable(Table):
         return self.worm_torque or self.power / self.worm_speed
 
 
-class RollerWormCase(DriveCase):
+class RollerWormCase(RatedCase):
     """A case file about a roller enveloping worm drive."""
 
     drive: RollerDriveTable

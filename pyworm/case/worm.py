@@ -6,7 +6,13 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import AfterValidator, model_validator
 
 from pyworm.case.table import Count, Number, PositiveNumber, Table
-from pyworm.case.zi_worm import AssemblyTable, WormDriveCase
+from pyworm.case.zi_worm import (
+    AssemblyTable,
+    DeviationTable,
+    ShaftTable,
+    WormDriveCase,
+    deviations_of,
+)
 from pyworm.drives.zi_worm.design import Design, Hand
 from pyworm.drives.zi_worm.drawing import Drawing, completed
 from pyworm.drives.zi_worm.drawing_checks import (
@@ -80,6 +86,7 @@ class DrawnWheelTable(_Drawn):
     tip_relief: units.Relief | None = None
     tip_relief_length: units.LengthOrZero | None = None
     reference_diameter: units.Length | None = None
+    deviations: DeviationTable | None = None
 
 
 class DrawnHobTable(_Drawn):
@@ -112,6 +119,7 @@ class DrawnWormDriveTable(Table):
     wheel: DrawnWheelTable = DrawnWheelTable()
     hob: DrawnHobTable = DrawnHobTable()
     assembly: AssemblyTable = AssemblyTable()
+    shaft: ShaftTable | None = None
 
     @model_validator(mode="after")
     def _one_size_of_the_worm(self):
@@ -169,9 +177,8 @@ class DrawnWormDriveTable(Table):
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
             taken = *taken, swivel
-        return Design(
-            drawing.worm, drawing.wheel, drawing.hob, drawing.centre_distance, self.hand, taken
-        )
+        wheel = replace(drawing.wheel, **deviations_of(self.wheel))
+        return Design(drawing.worm, wheel, drawing.hob, drawing.centre_distance, self.hand, taken)
 
     def _numbers(self) -> dict[str, Any]:
         """Numbers of the drawing by their names in `Drawing`, and those that follow from others."""
@@ -183,7 +190,9 @@ class DrawnWormDriveTable(Table):
             )
         }
         for part in ("worm", "wheel", "hob"):
-            numbers |= {f"{part}_{key}": value for key, value in getattr(self, part)}
+            table = dict(getattr(self, part))
+            table.pop("deviations", None)
+            numbers |= {f"{part}_{key}": value for key, value in table.items()}
         return numbers
 
     def _diameter_factor(self) -> float:

@@ -9,13 +9,15 @@ from pydantic import Field, model_validator
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.drive_case import LOADS
 from pyworm.case.ratings import RatedCase, WormRatingTable
-from pyworm.case.table import Count, Phase, PositiveNumber, Table
+from pyworm.case.table import Count, Phase, PositiveNumber, Table, Text
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.zi_worm import tooth
 from pyworm.drives.zi_worm.design import Assembly, Design, Hob, Wheel, Worm
+from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
 from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
+from pyworm.drives.zi_worm.worm_shaft import WormShaft
 from pyworm.io import units
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
@@ -52,6 +54,19 @@ class WormTable(_Helicoid, _Relieved):
     threads: Count
 
 
+class DeviationTable(Table):
+    """What a file of deviations holds, in SI; stored with the case, so that it is the case again."""
+
+    file: Text
+    face: tuple[float, ...]
+    radius: tuple[float, ...]
+    deviation: tuple[tuple[float, ...], ...]
+
+    def deviations(self) -> FlankDeviations:
+        """The deviations."""
+        return FlankDeviations(self.face, self.radius, self.deviation)
+
+
 class WheelTable(_Relieved):
     """`[drive.wheel]`."""
 
@@ -59,6 +74,7 @@ class WheelTable(_Relieved):
     face_width: units.FaceWidth
     tip_radius: units.Length
     throat_radius: units.Length
+    deviations: DeviationTable | None = None
 
 
 class HobTable(_Helicoid):
@@ -77,6 +93,19 @@ class AssemblyTable(Table):
     shaft_angle: units.Tilt = 0.0
 
 
+class ShaftTable(Table):
+    """`[drive.shaft]`: the worm's shaft between its bearings, which bends."""
+
+    bearing_span: units.Length
+    bearing_offset: units.Offset = 0.0
+    diameter: units.Length | None = None
+    bearing_stiffness: units.Stiffness = inf
+
+    def shaft(self) -> WormShaft:
+        """The shaft."""
+        return WormShaft(**dict(self))
+
+
 class ZiWormTable(Table):
     """`[drive]`, kind = "zi-worm"."""
 
@@ -87,12 +116,13 @@ class ZiWormTable(Table):
     wheel: WheelTable
     hob: HobTable
     assembly: AssemblyTable = AssemblyTable()
+    shaft: ShaftTable | None = None
 
     def design(self) -> Design:
         """Worm, wheel and hob as the table has them."""
         return Design(
             worm=Worm(**_relieved(self.worm)),
-            wheel=Wheel(**_relieved(self.wheel)),
+            wheel=Wheel(**_relieved(self.wheel) | deviations_of(self.wheel)),
             hob=Hob(**dict(self.hob)),
             centre_distance=self.centre_distance,
         )
@@ -172,7 +202,7 @@ class CoolingTable(Table):
 class WormDriveCase(RatedCase):
     """What case files about a worm drive share, be it given by its design table or its drawing.
 
-    Their `[drive]` has `stiffness` and `assembly`, and makes a `design`.
+    Their `[drive]` has `stiffness`, `assembly` and `shaft`, and makes a `design`.
     """
 
     hob_life: ClassVar[tuple[float, ...]] = ()
@@ -249,6 +279,7 @@ class WormDriveCase(RatedCase):
             driver=operation.driver,
             hand=design.hand,
             taken=design.taken,
+            shaft=None if self.drive.shaft is None else self.drive.shaft.shaft(),
         )
 
 
@@ -256,6 +287,11 @@ class ZiWormCase(WormDriveCase):
     """A case file about a ZI worm drive by its design table."""
 
     drive: ZiWormTable
+
+
+def deviations_of(wheel: Table) -> dict[str, FlankDeviations | None]:
+    """The deviations of a wheel's flank, as its design table has them."""
+    return {"deviations": wheel.deviations and wheel.deviations.deviations()}
 
 
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:

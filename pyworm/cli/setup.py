@@ -1,6 +1,7 @@
-"""pyworm setup: the hob's set-up for a wanted contact pattern, and what regrinding the hob does."""
+"""pyworm setup: the hob's set-up for a wanted contact pattern, its regrinding, and the wheel's shim."""
 
 import argparse
+from math import isnan
 from pathlib import Path
 
 from pyworm.case.case import Case, load
@@ -33,7 +34,8 @@ COLUMNS = {
 def add_setup(commands: argparse._SubParsersAction) -> None:
     """Add the command `setup`."""
     setup = commands.add_parser(
-        "setup", help="the hob's set-up for a wanted contact pattern, and the hob's life"
+        "setup",
+        help="the hob's set-up for a wanted contact pattern, its life, and the wheel's shim",
     )
     setup.add_argument("case", type=Path, metavar="CASE.toml")
     setup.add_argument(
@@ -41,6 +43,14 @@ def add_setup(commands: argparse._SubParsersAction) -> None:
         help='wanted middle of the pattern along the face, "2 mm", positive to the leaving side',
     )
     setup.add_argument("--size", help='wanted part of the flank that is marked, "30%%"')
+    setup.add_argument(
+        "--shim",
+        nargs="?",
+        const="",
+        metavar="PLACE",
+        help="instead of it the shim under the wheel that brings the pattern back to where it is without "
+        'errors of the assembly, or to a place, "2 mm"',
+    )
     add_json(setup)
     setup.set_defaults(command=_setup)
 
@@ -48,6 +58,8 @@ def add_setup(commands: argparse._SubParsersAction) -> None:
 def _setup(options: argparse.Namespace) -> int:
     wanted = _wanted(options)
     case = load(options.case)
+    if options.shim is not None:
+        return _shim(case, options, wanted.get("shim"))
     made = None if case.drive is None else case.drive.hob_setup(wanted)
     if made is None:
         raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
@@ -67,6 +79,40 @@ def _setup(options: argparse.Namespace) -> int:
     return CONVERGED if made.reached else NOT_CONVERGED
 
 
+def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
+    """The shim under the wheel, told to a fitter."""
+    if options.place or options.size:
+        raise CaseError(
+            "--shim moves the wheel that is cut; leave out --place and --size, which set the hob"
+        )
+    shim = None if case.drive is None else case.drive.wheel_shim(wanted)
+    if shim is None:
+        raise CaseError(f"{options.case}: has no wheel that a shim could move; give a worm drive")
+    if options.json:
+        content = {f"{key}_m": value for key, value in vars(shim).items() if key != "reached"}
+        print_json({"case": case.name, "reached": shim.reached, "shim": content})
+    else:
+        side = "leaving" if shim.shift > 0 else "entering"
+        put(f"Shift the wheel {abs(shim.shift) * 1e3:.3f} mm to the {side} side.")
+        for flank, before, after in (
+            ("driven flank", shim.before, shim.after),
+            ("other flank", shim.other_before, shim.other_after),
+        ):
+            if isnan(before) or isnan(after):
+                put(
+                    f"The {flank} touches on no tooth {'without' if isnan(before) else 'with'} the shim."
+                )
+                continue
+            put(
+                f"Middle of the marked part of the {flank}: from {before * 1e3:+.2f} mm to "
+                f"{after * 1e3:+.2f} mm along the face, + towards the leaving side."
+            )
+        put(f"Wanted on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
+    if not shim.reached:
+        say("warning: no shim brings the pattern there; the nearest that was found is shown")
+    return CONVERGED if shim.reached else NOT_CONVERGED
+
+
 def _life(case: Case) -> list[Row]:
     """What the hob cuts as it is reground; a part of its oversize that cuts no wheel is told."""
     rows = []
@@ -80,11 +126,15 @@ def _life(case: Case) -> list[Row]:
 
 
 def _wanted(options: argparse.Namespace) -> dict[str, float]:
-    """What is asked of the pattern, as `found_setting` takes it."""
+    """What is asked of the pattern: `face` and `size` as `found_setting` takes them, `shim` a place [m]."""
     wanted = {}
-    for name, option, kind in (("face", "place", PLACE), ("size", "size", SHARE)):
+    for name, option, kind in (
+        ("face", "place", PLACE),
+        ("size", "size", SHARE),
+        ("shim", "shim", PLACE),
+    ):
         text = getattr(options, option)
-        if text is None:
+        if not text:
             continue
         try:
             wanted[name] = parse(text, kind)

@@ -4,11 +4,12 @@ from dataclasses import dataclass
 from math import atan, cos, inf, pi, tan
 from typing import Literal
 
+from pyworm.formulas.axial_arc import axial_arc
 from pyworm.formulas.disc_helicoid import Disc, DiscHelicoid
 from pyworm.formulas.ruled_helicoid import straight_axial, straight_normal
 from pyworm.formulas.screw_generator import ScrewGenerator
 
-Profile = Literal["ZA", "ZN", "ZI", "ZK", "ZC"]
+Profile = Literal["ZA", "ZN", "ZI", "ZK", "ZC", "ZC2"]
 
 PROFILES: dict[Profile, str] = {
     "ZA": "straight in the axial plane",
@@ -16,14 +17,18 @@ PROFILES: dict[Profile, str] = {
     "ZI": "involute helicoid",
     "ZK": "ground by a cone",
     "ZC": "ground by a disc of convex profile",
+    "ZC2": "a concave arc in the axial plane",
 }
 """Profiles of cylindrical worms, and what they are."""
+
+CONCAVE_PROFILES = ("ZC", "ZC2")
+"""Profiles of concave worms, which need a positive profile shift."""
 
 DISC_PROFILES = ("ZK", "ZC")
 """Profiles that depend on the disc that grinds them."""
 
 BELOW_ROOT, ABOVE_TIP = 0.3, 0.4
-"""How far beyond root and tip a ground flank is found, over the axial module."""
+"""How far beyond root and tip a curved flank is found, over the axial module."""
 
 
 @dataclass(frozen=True)
@@ -71,9 +76,11 @@ def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:
         return straight_axial(*thread)
     if profile == "ZN":
         return straight_normal(*thread, of.reference_radius - of.space / 2 / tan(of.pressure_angle))
+    low, high = of.root_radius - BELOW_ROOT * of.module, of.tip_radius + ABOVE_TIP * of.module
+    if profile == "ZC2":
+        return axial_arc(*thread, of.reference_radius, of.arc_radius, (low, high))
     arc = inf if of.arc_radius is None else of.arc_radius
     disc = Disc(of.disc_diameter / 2, of.space, of.pressure_angle, arc)
-    low, high = of.root_radius - BELOW_ROOT * of.module, of.tip_radius + ABOVE_TIP * of.module
     return DiscHelicoid(disc, of.reference_radius, of.lead / (2 * pi), low, high)
 
 

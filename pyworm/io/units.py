@@ -74,9 +74,12 @@ Angle = quantity("an angle", "rad", "27.5 deg", **_TURN)
 AngleOrZero = quantity("an angle", "rad", "12 deg", sign="not negative", **_TURN)
 Tilt = quantity("an angle", "rad", "-0.4 deg", "any", **_TURN)
 
-Torque = quantity(
-    "a torque", "N m", "30 N m", possible=("1e-9 N m", "1e9 N m"), usual=("1 N mm", "100 kN m")
-)
+_TWIST = {
+    "possible": ("1e-9 N m", "1e9 N m"),
+    "usual": ("1 N mm", "100 kN m"),
+}
+Torque = quantity("a torque", "N m", "30 N m", **_TWIST)
+TorqueOrZero = quantity("a torque", "N m", "30 N m", "not negative", **_TWIST)
 Stiffness = quantity(
     "a stiffness",
     "N/m",

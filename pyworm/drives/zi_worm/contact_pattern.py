@@ -6,6 +6,7 @@ another one leads the wheel: the ease-off, a wheel that the worm itself cuts has
 thickness is pressed off, or marked, where the separation is less (as shops judge patterns, with some 6 um).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ import numpy as np
 
 from pyworm.drives.zi_worm.gap import surface_points
 from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.drives.zi_worm.tooth_outline import flank_places
 
@@ -33,6 +35,12 @@ Between two of them the contact moves by some 0.2 mm, which leaves 0.2 um of gap
 
 NEAR = 1e-3
 """Distance from the worm's cylinders [m] within which a place may lie over its flank."""
+
+FINER = 17
+"""Places along each side of the flank, and again between its nearest ones, at which it may touch first."""
+
+STRIDE = 3
+"""One of so many `PHASES` for which that place is found; it moves slowly."""
 
 REACHED = 1e-6
 """Distance from its place below which a place of the flank is found [m]."""
@@ -65,9 +73,9 @@ class ContactPattern:
         return self.separation <= thickness
 
     def fraction(self, thickness: float = THICKNESS) -> float:
-        """Part of the flank that is marked [-]."""
-        known = np.isfinite(self.separation)
-        return float(self.area[self.marked(thickness)].sum() / self.area[known].sum())
+        """Part of the flank that is marked [-]; 0 where nothing is met."""
+        known = float(self.area[np.isfinite(self.separation)].sum())
+        return float(self.area[self.marked(thickness)].sum()) / known if known else 0.0
 
     def along_face(self, thickness: float = THICKNESS) -> tuple[float, float]:
         """Ends of the marked part along the face [m]; the line of zero separation is always marked."""
@@ -75,9 +83,35 @@ class ContactPattern:
         return float(face.min()), float(face.max())
 
 
-def contact_pattern(gears: "ZiWormGears") -> ContactPattern:
-    """The pattern of the flank that the worm drives."""
-    tooth, flank, cycle = gears.wheel_tooth, gears.wheel_flank, gears.cycle
+@dataclass(frozen=True)
+class FlankGrid:
+    """Places of a wheel's flank, whatever worm it meets.
+
+    Attributes
+    ----------
+    face, radius : ndarray
+        Places along the face from its middle, and distances from the wheel's axis [m], (height, face).
+    q : ndarray
+        Parameters of the flank there, (parameters, places).
+    found : ndarray
+        Whether the flank reaches there, (places,).
+    """
+
+    face: Array
+    radius: Array
+    q: Array
+    found: Array
+
+    def pattern(self, least: Array) -> ContactPattern:
+        """The pattern of places by their least separations [m], infinite where none was met, (places,)."""
+        known = self.found & np.isfinite(least)
+        separation = np.where(known, np.maximum(least, 0.0), np.nan)
+        return ContactPattern(self.face, self.radius, separation.reshape(self.face.shape))
+
+
+def flank_grid(gears: "ZiWormGears") -> FlankGrid:
+    """Places between tip and root, from one end of the face to the other."""
+    tooth, flank = gears.wheel_tooth, gears.wheel_flank
     half = gears.wheel.face_width / 2
     face, part = np.meshgrid(
         np.linspace(-half, half, FACE_PLACES), np.linspace(0.0, 1.0, HEIGHT_PLACES)
@@ -88,38 +122,80 @@ def contact_pattern(gears: "ZiWormGears") -> ContactPattern:
     q = flank_places(flank, gears.within, target, gears.hob.tip_radius)
     cut = flank.cut_point(*q)
     found = np.abs(np.stack([wheel_radius(cut), cut[1]]) - target).max(axis=0) < REACHED
-    least = np.full(found.shape, np.inf)
-    behind = _behind(gears)
-    for phase, lag in zip(PHASES, behind, strict=True):
-        contact = cycle.contact(float(phase))
-        point = flank.point(*q, contact.wheel_angle)
-        near = np.flatnonzero(_inside(gears, point) > -NEAR)
-        point = point[:, near]
-        x, y, height = contact.axes @ (point - contact.point[:, None])
-        worm, _, exists = contact.worm_height.solve(x, y)
-        on_worm = surface_points(contact, x, y, worm)
-        gap = height - worm + gears.worm_tooth.taken_off(on_worm) + tooth.taken_off(point) + lag
-        touched = exists & (_inside(gears, on_worm) > 0)
-        least[near] = np.where(touched, np.minimum(least[near], gap), least[near])
-    separation = np.where(found & np.isfinite(least), np.maximum(least, 0.0), np.nan)
-    return ContactPattern(face, radius, separation.reshape(face.shape))
+    return FlankGrid(face, radius, q, found)
 
 
-def both_patterns(gears: "ZiWormGears") -> tuple[ContactPattern, ContactPattern]:
+@dataclass(frozen=True)
+class Met:
+    """Places of a flank that lie over the worm's at an instant.
+
+    Attributes
+    ----------
+    which : ndarray
+        Their numbers in the grid, (met,).
+    x, y : ndarray
+        Places in the contact's tangent plane [m], (met,).
+    gap : ndarray
+        Gap along the common normal with both reliefs [m], (met,).
+    """
+
+    which: Array
+    x: Array
+    y: Array
+    gap: Array
+
+
+def met(gears: "ZiWormGears", grid: FlankGrid, contact: ToothContact) -> Met:
+    """The places of a grid that lie over the worm's flank at a contact."""
+    point = gears.wheel_flank.point(*grid.q, contact.wheel_angle)
+    near = np.flatnonzero(_inside(gears, point) > -NEAR)
+    point = point[:, near]
+    x, y, height = contact.axes @ (point - contact.point[:, None])
+    worm, _, exists = contact.worm_height.solve(x, y)
+    on_worm = surface_points(contact, x, y, worm)
+    gap = height - worm + gears.worm_tooth.taken_off(on_worm) + gears.wheel_tooth.taken_off(point)
+    over = exists & (_inside(gears, on_worm) > 0)
+    return Met(near[over], x[over], y[over], gap[over])
+
+
+def contact_pattern(gears: "ZiWormGears", grid: FlankGrid) -> ContactPattern:
+    """The pattern without load of the flank that the worm drives, at places of its wheel."""
+    least = np.full(grid.found.shape, np.inf)
+    for phase, lag in zip(PHASES, _behind(gears), strict=True):
+        at = met(gears, grid, gears.cycle.contact(float(phase)))
+        least[at.which] = np.minimum(least[at.which], at.gap + lag)
+    return grid.pattern(least)
+
+
+PatternOf = Callable[["ZiWormGears", FlankGrid], ContactPattern]
+"""Gears and places of their wheel -> the pattern of the flank that the worm drives."""
+
+
+def both_flanks(
+    gears: "ZiWormGears", pattern_of: PatternOf, like: "ZiWormGears | None" = None
+) -> tuple[ContactPattern, ContactPattern]:
     """The patterns of the flank that the worm drives and of the wheel's other one.
 
-    That is the first one turned by half a turn about X, by which shifts along the wheel's axis change their
-    sign, and so do places along the face.
+    The other one is the first one of `turned` gears, with places along the face of the opposite sign; it has
+    no known separation where a shift for one direction of drive leaves no contact in the other one.
+
+    Parameters
+    ----------
+    gears : ZiWormGears
+        The gears.
+    pattern_of : callable
+        Finds a pattern.
+    like : ZiWormGears or None
+        Gears with the same wheel, at whose places it is found; None for those of the gears.
     """
-    own = turned = contact_pattern(gears)
-    if gears.hob.axial_shift or gears.assembly.axial_shift:
-        changed = replace(
-            gears,
-            hob=replace(gears.hob, axial_shift=-gears.hob.axial_shift),
-            assembly=replace(gears.assembly, axial_shift=-gears.assembly.axial_shift),
-        )
-        turned = contact_pattern(changed)
-    parts = (-turned.face, turned.radius, turned.separation)
+    like = gears if like is None else like
+    own = pattern_of(gears, like.flank_grid)
+    try:
+        turned = gears.turned
+        other = own if turned is gears else pattern_of(turned, like.turned.flank_grid)
+    except ValueError:
+        other = replace(own, separation=np.full(own.face.shape, np.nan))
+    parts = (-other.face, other.radius, other.separation)
     return own, ContactPattern(*(part[:, ::-1] for part in parts))
 
 
@@ -129,16 +205,42 @@ def _inside(gears: "ZiWormGears", point: Array) -> Array:
 
 
 def _behind(gears: "ZiWormGears") -> Array:
-    """How far a pair stands back along its normal at `PHASES` while the leading one holds the wheel [m]."""
+    """How far a pair stands back along its normal at `PHASES` while the leading one holds the wheel [m].
+
+    Where the flank has deviations a pair leads, or is led, by the place that touches first.
+    """
     cycle, pitch = gears.cycle, gears.pitch
+    point, normal = cycle.points(PHASES), cycle.normals(PHASES)
+    lever = np.abs(point[0] * normal[2] - point[2] * normal[0])
+    late = _first_gaps(gears) / lever
     own = cycle.transmission_error(PHASES)
-    leading = np.where((PHASES >= 0) & (PHASES <= 1), own, -np.inf)
+    leading = np.where((PHASES >= 0) & (PHASES <= 1), own - late, -np.inf)
     most = int((PHASES[-1] - PHASES[0]) / pitch) + 1
     for step in range(-most, most + 1):
         phases = PHASES + step * pitch
         on_teeth = (phases >= 0) & (phases <= 1)
-        ahead = cycle.transmission_error(np.clip(phases, 0, 1))
+        ahead = cycle.transmission_error(np.clip(phases, 0, 1)) - np.interp(phases, PHASES, late)
         leading = np.where(on_teeth, np.maximum(leading, ahead), leading)
-    point, normal = cycle.points(PHASES), cycle.normals(PHASES)
-    lever = point[0] * normal[2] - point[2] * normal[0]
-    return np.where(np.isfinite(leading), np.abs(lever) * (leading - own), np.inf)
+    return np.where(np.isfinite(leading), lever * (leading - own), np.inf)
+
+
+def _first_gaps(gears: "ZiWormGears") -> Array:
+    """Least gap of the flanks at `PHASES` [m]; zero, at the contact point, where there are no deviations."""
+    if gears.wheel.deviations is None:
+        return np.zeros(PHASES.size)
+    least = []
+    sides = gears.wheel.face_width / 2, 2 * gears.module
+    for phase in PHASES[::STRIDE]:
+        gap = gears.gap(gears.cycle.contact(float(phase)))
+        place = 0.0, 0.0
+        for part in (1.0, 2 / FINER):
+            x, y = (
+                at + part * side * np.linspace(-1, 1, FINER)
+                for at, side in zip(place, sides, strict=True)
+            )
+            opening, covered = gap(*np.meshgrid(x, y, indexing="ij"))
+            opening = np.where(covered, opening, np.inf)
+            i, j = np.unravel_index(np.argmin(opening), opening.shape)
+            place = x[i], y[j]
+        least.append(opening[i, j])
+    return np.interp(PHASES, PHASES[::STRIDE], least)

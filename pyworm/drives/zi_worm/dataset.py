@@ -54,20 +54,25 @@ def mesh_cycle_data(contacts: Iterable[Any]) -> "xr.Dataset":
     )
 
 
-def pattern_data(patterns: Sequence[ContactPattern]) -> "xr.Dataset":
-    """The contact patterns of both `FLANKS` without load."""
+def pattern_data(
+    patterns: Sequence[ContactPattern], loaded: Sequence[ContactPattern]
+) -> "xr.Dataset":
+    """The contact patterns of both `FLANKS`, without load and under it."""
     dims = "marked_flank", "marking_height", "marking_face"
     columns = {
         "marking_place": np.stack([one.face for one in patterns]),
         "marking_radius": np.stack([one.radius for one in patterns]),
         "marking_separation": np.stack([one.separation for one in patterns]),
+        "loaded_separation": np.stack([one.separation for one in loaded]),
+    }
+    parts = {
+        "marking_fraction": np.array([one.fraction() for one in patterns]),
+        "loaded_marking_fraction": np.array([one.fraction() for one in loaded]),
     }
     return describe(
         xr.Dataset(
             {name: (dims, values) for name, values in columns.items()}
-            | {
-                "marking_fraction": ("marked_flank", np.array([one.fraction() for one in patterns]))
-            },
+            | {name: ("marked_flank", values) for name, values in parts.items()},
             coords={"marked_flank": list(FLANKS)},
             attrs={"marking_thickness": THICKNESS},
         )

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pyworm.drives.zi_worm.contact_pattern import THICKNESS
+from pyworm.drives.zi_worm.design import AS_DESIGNED
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
+from pyworm.formulas.worm_standard import deflection_limit
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
@@ -16,7 +18,15 @@ Described = dict[str, float | str]
 
 def described_drive(drive: "ZiWormDrive") -> Described:
     """Geometry of worm, wheel and hob, and the mesh, of a drive as assembled; keys end in their unit."""
-    return _gear(drive) | _worm(drive) | _wheel(drive) | _hob(drive) | _mesh(drive)
+    return (
+        _gear(drive)
+        | _worm(drive)
+        | _wheel(drive)
+        | _hob(drive)
+        | _mesh(drive)
+        | _shaft(drive)
+        | _pattern(drive)
+    )
 
 
 def _gear(drive: "ZiWormDrive") -> Described:
@@ -108,8 +118,6 @@ def _mesh(drive: "ZiWormDrive") -> Described:
     path = [drive.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
     faces, radii = np.transpose([drive.flank_place(of, 0.0, 0.0) for of in path])
     lead_angle = _lead_angle(drive.worm.lead, drive.reference_radius)
-    pattern = drive.patterns[0]
-    marked = pattern.along_face()
     return {
         "contact_ratio": drive.mean_teeth_in_contact,
         "mesh_begins_at": drive.cycle.begin_boundary,
@@ -120,8 +128,39 @@ def _mesh(drive: "ZiWormDrive") -> Described:
         "pattern_along_face_last_m": float(faces[2]),
         "sliding_speed_m_per_s": drive.reference_radius * drive.speed / cos(lead_angle),
         "wheel_torque_N_m": drive.wheel_torque,
-        "marking_thickness_m": THICKNESS,
-        "marking_fraction": pattern.fraction(),
-        "marking_along_face_first_m": marked[0],
-        "marking_along_face_last_m": marked[1],
     }
+
+
+def _shaft(drive: "ZiWormDrive") -> Described:
+    """The bent shaft of the worm and the forces of its bearings."""
+    bent = drive.bent
+    if bent is None:
+        return {}
+    return {
+        "shaft_deflection_m": bent.deflection,
+        "shaft_deflection_limit_m": deflection_limit(drive.module),
+        "shaft_deflection_away_m": bent.away,
+        "shaft_deflection_to_leaving_side_m": bent.along,
+        "shaft_tilt_deg": degrees(bent.tilt),
+        "worm_thrust_N": float(bent.force[2]),
+        "bearing_force_N": bent.reactions[0],
+        "bearing_force_of_thrust_side_N": bent.reactions[1],
+    }
+
+
+def _pattern(drive: "ZiWormDrive") -> Described:
+    """What compound marks without load and under it, and the shim for errors of the assembly."""
+    about: Described = {"marking_thickness_m": THICKNESS}
+    for name, pattern in (
+        ("marking", drive.driven_pattern),
+        ("loaded_marking", drive.loaded_patterns[0]),
+    ):
+        first, last = pattern.along_face()
+        about |= {
+            f"{name}_fraction": pattern.fraction(),
+            f"{name}_along_face_first_m": first,
+            f"{name}_along_face_last_m": last,
+        }
+    if drive.assembly != AS_DESIGNED:
+        about["wheel_shim_to_leaving_side_m"] = drive.wheel_shim(None).shift
+    return about

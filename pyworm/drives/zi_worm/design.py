@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from math import pi
 from typing import Literal
 
+from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.tooth import NO_RELIEF, ParabolicRelief
 from pyworm.formulas.screw_generator import ScrewGenerator
 from pyworm.formulas.worm_profiles import Profile
@@ -68,6 +69,8 @@ class Wheel:
         Radius of the throat's profile [m]; None where it is concentric with the hob.
     backlash : float or None
         Circumferential backlash on the reference circle [m], where it is known.
+    deviations : FlankDeviations or None
+        Of the flank that the worm drives from the one that the hob cuts; None where none are known.
     """
 
     teeth: int
@@ -77,6 +80,7 @@ class Wheel:
     tip_relief: ParabolicRelief = NO_RELIEF
     groove_radius: float | None = None
     backlash: float | None = None
+    deviations: FlankDeviations | None = None
 
 
 @dataclass(frozen=True)

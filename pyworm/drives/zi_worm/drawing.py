@@ -275,10 +275,13 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
         lambda of: 2 * of["module"] * (0.5 + sqrt(of["diameter_factor"] + 1)),
         "2 m (0.5 + sqrt(q + 1))",
     ),
-    "backlash": (lambda of: 0.03 * of["module"], "0.03 modules"),
-    "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, as of tips run in"),
+    "backlash": (lambda of: 0.03 * of["module"], "0.03 modules, assumed without a source"),
+    "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, assumed without a source"),
     "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
-    "wheel_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, as of tips run in"),
+    "wheel_tip_relief": (
+        lambda of: 0.004 * of["module"],
+        "0.004 modules, assumed without a source",
+    ),
     "wheel_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
     "hob_oversize": (
         lambda of: 0.02 * of["module"] * of["diameter_factor"],
@@ -294,8 +297,9 @@ _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
         "worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels"),
         "worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7"),
     },
+    "ZC2": {"worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7")},
 }
-"""Likewise for the profiles that a disc grinds."""
+"""Likewise for the profiles with a disc or an arc."""
 
 
 def _mean_diameter(of: Known) -> float:

@@ -39,7 +39,7 @@ LEAST_OVERSIZE = 1e-3
 OF_PROFILES: dict[str, tuple[Profile, ...]] = {
     "worm_base_diameter": ("ZI",),
     "worm_disc_diameter": ("ZK", "ZC"),
-    "worm_arc_radius": ("ZC",),
+    "worm_arc_radius": ("ZC", "ZC2"),
 }
 """Number of a drawing -> the profiles that have it."""
 
@@ -212,7 +212,7 @@ def _check_worm(of: Drawing) -> None:
 
 
 def _check_disc(of: Drawing) -> None:
-    """Refuse a grinding disc that is none, and one that leaves no flank."""
+    """Refuse a grinding disc that is none, and a disc or an arc that leaves no flank."""
     diameter, arc = of.worm_disc_diameter, of.worm_arc_radius
     if diameter is not None and not of.reference_diameter <= diameter <= MOST_DISC:
         raise ValueError(
@@ -221,15 +221,18 @@ def _check_disc(of: Drawing) -> None:
         )
     if arc is not None and not 3 * of.module <= arc <= 100 * of.module:
         raise ValueError(
-            f"worm.arc_radius is {_mm(arc)}; the disc's convex profile has 3 to 100 modules, as a rule 5 to "
+            f"worm.arc_radius is {_mm(arc)}; the arc has 3 to 100 modules, as a rule 5 to "
             f"7, {_mm(5 * of.module)} to {_mm(7 * of.module)}"
         )
     for part, make in (("worm", lambda: of.worm), ("hob", lambda: of.hob)):
         try:
             make()
         except ValueError as error:
+            numbers = (
+                "worm.arc_radius" if diameter is None else "worm.disc_diameter and worm.arc_radius"
+            )
             raise ValueError(
-                f"worm.disc_diameter and worm.arc_radius do not fit: for the {part} {error}"
+                f"{numbers} and pressure_angle do not fit: for the {part} {error}"
             ) from error
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from math import floor, pi
+from typing import Any
 
 import numpy as np
 
@@ -11,9 +12,11 @@ from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
-from pyworm.drives.mesh_past import Passing
 from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.shim import Shim
+from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.zi_worm.checks import check_values
+from pyworm.drives.zi_worm.contact_pattern import ContactPattern, both_flanks
 from pyworm.drives.zi_worm.dataset import (
     loaded_cycle_data,
     mesh_cycle_data,
@@ -21,20 +24,23 @@ from pyworm.drives.zi_worm.dataset import (
     tooth_data,
 )
 from pyworm.drives.zi_worm.described import described_drive
-from pyworm.drives.zi_worm.design import Hand
+from pyworm.drives.zi_worm.design import Assembly, Hand
 from pyworm.drives.zi_worm.duty import worm_duty
 from pyworm.drives.zi_worm.gap import ToothMotion
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.load_sharing import Arms, Shaft, SharedLoad, Transmission, share
+from pyworm.drives.zi_worm.loaded_pattern import loaded_pattern
 from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.mesh_loss import worm_mesh_loss
 from pyworm.drives.zi_worm.mesh_springs import mesh_springs
 from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
+from pyworm.drives.zi_worm.shim import found_shim
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
 from pyworm.drives.zi_worm.wanted_pattern import set_up
+from pyworm.drives.zi_worm.worm_shaft import BentShaft, WormShaft, bent_shaft
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
@@ -66,6 +72,8 @@ class ZiWormDrive(ZiWormGears, Drive):
         Hand of the threads; a left-hand drive is computed as its right-hand mirror image.
     taken : tuple of str
         Usual values that were taken where none was given, a sentence each that begins with the key.
+    shaft : WormShaft or None
+        The worm's shaft between its bearings, which bends under the load; None if rigid.
     """
 
     body_names = "worm", "wheel"
@@ -78,6 +86,7 @@ class ZiWormDrive(ZiWormGears, Drive):
     driver: Shaft = "worm"
     hand: Hand = "right"
     taken: tuple[str, ...] = ()
+    shaft: WormShaft | None = None
 
     def __post_init__(self) -> None:
         given = {} if isinstance(self.load, Transmission) else {"load": self.load}
@@ -101,11 +110,69 @@ class ZiWormDrive(ZiWormGears, Drive):
             )
         return (
             made,
-            "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for the "
-            "contact itself.",
+            self._bending,
+            *self._deviating,
             *((MIRRORED,) if self.hand == "left" else ()),
             *(f"Taken as usual: drive.{one}." for one in self.taken),
         )
+
+    @property
+    def _bending(self) -> str:
+        """What bends, as an assumption."""
+        if self.bent is None:
+            return (
+                "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for "
+                "the contact itself."
+            )
+        bent = self.bent
+        return (
+            f"The worm's shaft bends {bent.deflection * 1e6:.3g} µm at the mesh under its mean forces, "
+            f"{bent.away * 1e6:.3g} µm of it away from the wheel, and tilts by {bent.tilt * 1e3:.3g} mrad; "
+            "contacts are those of the mesh so displaced. The wheel's shaft and teeth do not bend, but for "
+            "the contact itself."
+        )
+
+    @property
+    def _deviating(self) -> tuple[str, ...]:
+        """Where deviations of the wheel's flank hold, as an assumption; empty without any."""
+        deviations = self.wheel.deviations
+        if deviations is None:
+            return ()
+        return (
+            f"The file's deviations differ by {deviations.spread * 1e6:.3g} µm over the driven flank of "
+            "each tooth of the wheel; its other flank is as the hob cuts it.",
+        )
+
+    @cached_property
+    def rigid(self) -> "ZiWormDrive":
+        """The drive with a shaft that does not bend."""
+        return self if self.shaft is None else replace(self, shaft=None)
+
+    @cached_property
+    def bent(self) -> BentShaft | None:
+        """The worm's shaft under the load; None of a rigid one."""
+        return None if self.shaft is None else bent_shaft(self.rigid, self.shaft)
+
+    @property
+    def mounted(self) -> Assembly:
+        """Where the worm runs under the load: errors of the assembly with those of the bent shaft."""
+        return self.assembly if self.bent is None else self.bent.assembly(self.assembly)
+
+    def turned_parts(self) -> dict[str, Any]:
+        """What half a turn about X changes, by its names."""
+        parts = super().turned_parts()
+        offset = self.shaft is not None and self.shaft.bearing_offset
+        return parts | {"shaft": self.shaft.turned} if offset else parts
+
+    @cached_property
+    def driven_pattern(self) -> ContactPattern:
+        """Contact pattern without load of the flank that the worm drives; nothing bends."""
+        return super().driven_pattern if self.shaft is None else self.rigid.driven_pattern
+
+    @cached_property
+    def patterns(self) -> tuple[ContactPattern, ContactPattern]:
+        """Contact patterns without load of both flanks; nothing bends."""
+        return super().patterns if self.shaft is None else self.rigid.patterns
 
     @property
     def rotation(self) -> float:
@@ -213,6 +280,11 @@ class ZiWormDrive(ZiWormGears, Drive):
         return replace(self, load=replace(self.load, lifts=()))
 
     @cached_property
+    def loaded_patterns(self) -> tuple[ContactPattern, ContactPattern]:
+        """Contact patterns under the load, of the flank that the worm drives and of the other one."""
+        return both_flanks(self, loaded_pattern)
+
+    @cached_property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
         whole = self.load.torque / float(self.arms(np.array([0.5])).of(self.load.shaft, 0.0)[0])
@@ -224,7 +296,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return Passing(self._scene, phase, self.phases_per_second, self._axes).scene()
+        return ToothLife(self._scene, self.phases_per_second, self._axes).at(phase)
 
     def _axes(self, phase: float) -> Array:
         return self.contact(phase).axes
@@ -258,7 +330,11 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle for the result, without load and with it."""
-        parts = self.loaded_cycle(), sensitivity_data(self), pattern_data(self.patterns)
+        parts = (
+            self.loaded_cycle(),
+            sensitivity_data(self),
+            pattern_data(self.patterns, self.loaded_patterns),
+        )
         data = mesh_cycle_data(self.mesh_cycle())
         for part in parts:
             data = data.merge(part, combine_attrs="no_conflicts")
@@ -287,6 +363,10 @@ class ZiWormDrive(ZiWormGears, Drive):
     def hob_setup(self, wanted: dict[str, float]) -> HobSetup:
         """The hob's set-up, and the one found for a wanted contact pattern."""
         return set_up(self, wanted)
+
+    def wheel_shim(self, wanted: float | None) -> Shim:
+        """The shim under the wheel for a place of the pattern without load; of no errors where None."""
+        return found_shim(self.rigid, wanted)
 
     def described(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""

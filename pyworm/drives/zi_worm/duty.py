@@ -51,6 +51,7 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
         reduced_modulus=reduced_modulus(*drive.bodies),
         roughness=roughness,
         driver=drive.driver,
+        deflection=None if drive.bent is None else drive.bent.deflection,
         words=(
             f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, "
             f"{reference}; profile shift of the wheel {shift:.3f}; {torque}.",

@@ -3,14 +3,21 @@
 Lengths in m, angles in rad.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees, pi
+from typing import Any, Self
 
 import numpy as np
 
 from pyworm.drives.zi_worm.checks import check_gears
-from pyworm.drives.zi_worm.contact_pattern import ContactPattern, both_patterns
+from pyworm.drives.zi_worm.contact_pattern import (
+    ContactPattern,
+    FlankGrid,
+    both_flanks,
+    contact_pattern,
+    flank_grid,
+)
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
@@ -126,14 +133,19 @@ class ZiWormGears:
         return 2 * pi / self.worm.threads / abs(self.cycle.worm_rotation)
 
     @property
+    def mounted(self) -> Assembly:
+        """Where the worm runs: the errors of the assembly, of a drive with what its shaft bends."""
+        return self.assembly
+
+    @property
     def axes_distance(self) -> float:
         """Distance of worm and wheel axes as assembled [m]."""
-        return self.centre_distance + self.assembly.centre_distance
+        return self.centre_distance + self.mounted.centre_distance
 
     @cached_property
     def worm_flank(self) -> WormSurface:
         """The worm's helicoid as assembled."""
-        errors = self.assembly
+        errors = self.mounted
         seat = self.axes_distance, errors.shaft_angle, errors.axial_shift
         return worm_of(self.worm, self.reference_radius, seat)
 
@@ -153,8 +165,8 @@ class ZiWormGears:
         """Boundaries of the wheel's tooth."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
-        relief, groove = wheel.tip_relief, wheel.groove_radius
-        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, relief, groove)
+        shape = wheel.tip_relief, wheel.groove_radius, wheel.deviations
+        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, *shape)
 
     @cached_property
     def cycle(self) -> MeshCycle:
@@ -214,9 +226,40 @@ class ZiWormGears:
         )
 
     @cached_property
+    def flank_grid(self) -> FlankGrid:
+        """Places of the wheel's flank at which patterns are found."""
+        return flank_grid(self)
+
+    @cached_property
+    def driven_pattern(self) -> ContactPattern:
+        """Contact pattern without load of the flank that the worm drives."""
+        return contact_pattern(self, self.flank_grid)
+
+    @cached_property
     def patterns(self) -> tuple[ContactPattern, ContactPattern]:
         """Contact patterns without load, of the flank that the worm drives and of the other one."""
-        return both_patterns(self)
+        return both_flanks(self, contact_pattern)
+
+    @cached_property
+    def turned(self) -> Self:
+        """The gears turned by half a turn about X, whose driven flank is the other one of these.
+
+        Shifts along the wheel's axis change their sign by that; without any they are the same.
+        """
+        changes = self.turned_parts()
+        return replace(self, **changes) if changes else self
+
+    def turned_parts(self) -> dict[str, Any]:
+        """What half a turn about X changes, by its names; deviations are those of the driven flank only."""
+        parts = (("hob", self.hob), ("assembly", self.assembly))
+        changes = {
+            name: replace(part, axial_shift=-part.axial_shift)
+            for name, part in parts
+            if part.axial_shift
+        }
+        if self.wheel.deviations is not None:
+            changes["wheel"] = replace(self.wheel, deviations=None)
+        return changes
 
     @property
     def interference_words(self) -> str | None:

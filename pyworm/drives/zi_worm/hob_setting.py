@@ -7,6 +7,7 @@ from math import degrees
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly
 from pyworm.drives.zi_worm.drawing import Drawing
 from pyworm.drives.zi_worm.gears import ZiWormGears
+from pyworm.formulas.worm_profiles import CONCAVE_PROFILES
 
 FRACTIONS = (1.0, 0.95, 0.9, 0.85, 0.8, 0.7)
 """Swivels that are tried, over the one by which hob and worm have the same normal in the pitch point.
@@ -42,11 +43,11 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
             return tried, f"hob.swivel = {degrees(tried.hob_swivel):.4g} deg, {part}{at}{why}"
         depth = found.depth if depth is None else min(depth, found.depth)
     if depth is None:
-        if of.profile == "ZC" and of.profile_shift < LEAST_CONCAVE_SHIFT:
+        if of.profile in CONCAVE_PROFILES and of.profile_shift < LEAST_CONCAVE_SHIFT:
             raise ValueError(
                 f"profile_shift is {of.profile_shift:.3g}, with which a concave worm and its wheel interfere "
-                'or do not touch; profile "ZC" has 0.5 to 1 as a rule, so that the pitch line lies near the '
-                "worm's tip; another centre_distance or number of teeth gives it"
+                f'or do not touch; profile "{of.profile}" has 0.5 to 1 as a rule, so that the pitch line is '
+                "near the worm's tip; another centre_distance or number of teeth gives it"
             )
         raise refusal
     last, first = (degrees(fraction * of.normal_swivel) for fraction in (FRACTIONS[-1], 1.0))

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.helicoid import Array, Seated
 
 
@@ -92,6 +93,8 @@ class WheelTooth:
         What is taken off towards tip and throat.
     groove_radius : float or None
         Radius of the throat's profile [m]; None where it is concentric with the hob.
+    deviations : FlankDeviations or None
+        Of the flank from the one that the hob cuts.
     """
 
     hob: Seated
@@ -101,13 +104,17 @@ class WheelTooth:
     hob_tip_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
     groove_radius: float | None = None
+    deviations: FlankDeviations | None = None
 
     def taken_off(self, point: Array) -> Array:
-        """What is taken off the hobbed flank at its points (3, ...) [m]."""
-        if self.tip_relief == NO_RELIEF:
-            return np.zeros(point.shape[1:])
-        margins = self.margins(point)
-        return self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
+        """What the flank is below the highest place of the hobbed one, at its points (3, ...) [m]."""
+        off = np.zeros(point.shape[1:])
+        if self.tip_relief != NO_RELIEF:
+            margins = self.margins(point)
+            off = self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
+        if self.deviations is None:
+            return off
+        return off + self.deviations.taken_off(point[1], wheel_radius(point))
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it."""

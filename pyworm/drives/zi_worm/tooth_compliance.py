@@ -38,6 +38,10 @@ HALF_SIDES = 1.7, 2.2
 
 DRY_TOLERANCE = 1e-4
 
+CROSSED = 10e-6
+"""Depth [m] beyond which flanks that cross are none: continued from where their contact can be followed no
+farther, as of concave worms beyond their mesh cycle."""
+
 
 @dataclass(frozen=True)
 class ToothSprings:
@@ -131,10 +135,10 @@ def tooth_springs(
     for phase in SPRING_PHASES:
         radii = radii_at(float(np.clip(phase, 0, 1)))
         placed = placed_gap(gap_at(float(phase)), radii, whole_load, reduced_modulus, longest)
-        if placed is None:
+        if placed is None or (least := float(placed.gap[placed.covered].min())) < -CROSSED:
             continue
         phases.append(phase)
-        separations.append(max(float(placed.gap[placed.covered].min()), 0.0))
+        separations.append(max(least, 0.0))
         pressure = placed.covered.astype(float)
         row = []
         for load in loads[::-1]:
@@ -171,7 +175,12 @@ class PlacedGap:
 
 
 def placed_gap(
-    gap: Gap, radii: tuple[float, float], load: float, reduced_modulus: float, longest: float
+    gap: Gap,
+    radii: tuple[float, float],
+    load: float,
+    reduced_modulus: float,
+    longest: float,
+    cells: tuple[int, int] = CELLS,
 ) -> PlacedGap | None:
     """The gap about its least under a load [N], arguments as of `tooth_springs`; None without teeth."""
     size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
@@ -184,7 +193,7 @@ def placed_gap(
     if not covered.any():
         return None
     i, j = np.unravel_index(np.argmin(np.where(covered, height, inf)), height.shape)
-    x, y = _window((x[i], y[j]), sides, CELLS)
+    x, y = _window((x[i], y[j]), sides, cells)
     return PlacedGap(x, y, *gap(*np.meshgrid(x, y, indexing="ij")))
 
 

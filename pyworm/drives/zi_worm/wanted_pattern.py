@@ -7,13 +7,13 @@ on the pattern without load (`contact_pattern`), its edge blurred so that place 
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import degrees, radians
+from math import degrees, nan, radians
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyworm.drives.hob_setup import HobSetup, Row
-from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern, contact_pattern
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.sensitivity import mid_mesh_contact
 
@@ -56,7 +56,9 @@ class Mark:
 
 
 def mark_of(pattern: ContactPattern, thickness: float = THICKNESS) -> Mark:
-    """Middle and size of a pattern marked by compound of a thickness [m], its edge blurred."""
+    """Middle and size of a pattern marked by compound of a thickness [m], its edge blurred; NaN of none."""
+    if not np.isfinite(pattern.separation).any():
+        return Mark(nan, nan)
     depth = (thickness - np.nan_to_num(pattern.separation, nan=np.inf)) / (BLUR * thickness)
     weight = pattern.area / (1 + np.exp(-np.clip(depth, -50.0, 50.0)))
     known = pattern.area[np.isfinite(pattern.separation)].sum()
@@ -102,7 +104,7 @@ def found_setting(gears: "ZiWormGears", wanted: dict[str, float]) -> Setting:
             [(getattr(of.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
         )
 
-    now = Setting(gears, mark_of(contact_pattern(gears)), reached=False)
+    now = Setting(gears, mark_of(gears.driven_pattern), reached=False)
     for _ in range(MOST_STEPS):
         if np.abs(misses(now)).max() <= 1:
             return replace(now, reached=True)
@@ -146,7 +148,7 @@ def _changed(now: Setting, change: Change) -> Setting | None:
     }
     try:
         made = replace(now.gears, hob=replace(hob, **entries))
-        return Setting(made, mark_of(contact_pattern(made)), reached=False)
+        return Setting(made, mark_of(made.driven_pattern), reached=False)
     except ValueError:
         return None
 
@@ -160,7 +162,7 @@ def set_up(drive: "ZiWormDrive", wanted: dict[str, float]) -> HobSetup:
 
 
 def _row(drive: "ZiWormDrive") -> Row:
-    hob, mark = drive.hob, mark_of(contact_pattern(drive))
+    hob, mark = drive.hob, mark_of(drive.driven_pattern)
     contact = mid_mesh_contact(drive, drive.normal_load(0.5))
     return {
         "hob_swivel_deg": degrees(hob.swivel),

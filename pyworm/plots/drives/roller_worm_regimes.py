@@ -46,7 +46,7 @@ def _draw_films(axes: Axes, middle) -> None:
         angle = np.degrees(way["wheel_angle"])
         for number, (name, style) in enumerate(zip(SHORT, (":", "-.", "--", "-"), strict=True)):
             film = way["film_by_regime"].sel(regime=name) * MICRO
-            label = SHORT[name] if section == "left" else None
+            label = SHORT[name].replace("\n", " ") if section == "left" else None
             axes.plot(angle, film, style, color="0.25", lw=1.2, label=label)
             holds = way["regime_number"] == number
             axes.plot(angle.where(holds), film.where(holds), lw=4, alpha=0.6, color="tab:green")

@@ -55,7 +55,7 @@ def draw_cycle(result: Result) -> Figure:
         draw(panel, what)
     for panel in axes:
         panel.grid(True, color="0.9")
-    axes[-1].set_xlabel("phase of the mesh cycle")
+    axes[-1].set_xlabel("phase of the mesh cycle, 0 where the teeth meet, 1 where they part")
     return figure
 
 
@@ -66,8 +66,10 @@ def _draw_transmission_error(axes: Axes, cycle: "xr.Dataset") -> None:
 
 def _draw_radii(axes: Axes, cycle: "xr.Dataset") -> None:
     """Both radii, whose ratio is large, on a logarithmic scale."""
-    for name, colour in (("radius_x", "tab:blue"), ("radius_y", "tab:orange")):
-        label = f"along {name[-1]}"
+    for name, label, colour in (
+        ("radius_x", "along the contact (x)", "tab:blue"),
+        ("radius_y", "across it (y)", "tab:orange"),
+    ):
         axes.semilogy(cycle["phase"], cycle[name] * MILLI, color=colour, label=label)
     axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.yaxis.set_major_formatter("{x:g}")
@@ -105,7 +107,7 @@ def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
 
 
 def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
-    draw_largest_temperatures(axes, [one.phase for one in heated], heated)
+    draw_largest_temperatures(axes, [one.phase for one in heated], heated, ("worm", "wheel"))
 
 
 def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
@@ -168,7 +170,7 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
 
 CYCLE_PICTURES = {
     "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
-    "contact_pattern": CyclePicture("Contact pattern without load", draw_pattern),
+    "contact_pattern": CyclePicture("Contact pattern", draw_pattern),
     "mesh_cycle_flank": CyclePicture("The wheel's flank after a mesh cycle", draw_flank),
 }
 """File name -> picture of the mesh cycle."""

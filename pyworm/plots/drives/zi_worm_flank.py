@@ -8,6 +8,7 @@ from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
+from pyworm.plots.drives.flank_sides import name_sides
 from pyworm.plots.layout import MEGA, MICRO, MILLI, new_figure, result_heading
 from pyworm.result.flank_map import FAILURE, flank_map
 from pyworm.result.result import Result
@@ -79,6 +80,9 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
         at = [float(np.interp(mark, cycle["phase"], values)) for values in (face, radius)]
         axes.plot(*at, "o", color="white", mec="black", ms=4)
         axes.annotate(f"{mark:g}", at, xytext=(5, 4), textcoords="offset points", fontsize=7)
+    name_sides(axes, cycle.attrs.get("driver", "worm") == "worm", root=0.12)
+    low, high = axes.get_xlim()
+    axes.set_xlim(low - 0.06 * (high - low), high + 0.06 * (high - low))
     axes.set_aspect("equal")
     axes.set_xlabel("along the face / mm")
     axes.set_ylabel("distance from the wheel's axis / mm")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from zi_drives import coarse_springs
 
 from pyworm.case.case import case_again, case_of
 from pyworm.cli.main import main
@@ -16,6 +17,14 @@ from pyworm.ratings.rated_case import asked_of, ratings
 
 ROOT = Path(__file__).parents[3]
 TEXT = (ROOT / "cases/worm_drawing.toml").read_text()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def coarse():
+    """Fewer dry contacts for the load sharing."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_springs(patch)
+        yield
 
 
 def drawn(*changes: tuple[str, str]):
@@ -247,6 +256,10 @@ REFUSED = [
     ([('"ZI"', '"ZC"'), in_table("worm", 'arc_radius = "12 mm"')],
      "drive.worm.disc_diameter and worm.arc_radius", "leaves no flank"),
     ([('"ZI"', '"ZC"')], "drive.profile_shift is -0.5", "0.5 to 1"),
+    ([('"ZI"', '"ZC2"'), ('"20 deg"', '"12 deg"'), in_table("worm", 'arc_radius = "14 mm"')],
+     "drive.worm.arc_radius and pressure_angle do not fit", "the flank from 14 mm to 25.6 mm"),
+    ([('"ZI"', '"ZC2"'), in_table("worm", 'disc_diameter = "500 mm"')],
+     "drive.worm.disc_diameter belongs to", '"ZK" and "ZC"'),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
 ]  # fmt: skip
 

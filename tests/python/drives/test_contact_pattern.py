@@ -1,15 +1,21 @@
-"""The contact pattern without load, as a marking compound shows it."""
+"""The contact pattern without load and under it, as a marking compound shows it, and its shim."""
 
 from dataclasses import replace
 from math import radians
 
 import numpy as np
 import pytest
-from zi_drives import HOB, changed, conjugate, sharif
+from zi_drives import HOB, changed, coarse_patterns, conjugate, sharif
 
-from pyworm.drives.zi_worm.contact_pattern import both_patterns, contact_pattern
+from pyworm.drives.zi_worm import loaded_pattern as loaded
+from pyworm.drives.zi_worm.contact_pattern import both_flanks, contact_pattern
 from pyworm.drives.zi_worm.dataset import pattern_data
 from pyworm.drives.zi_worm.design import Assembly
+from pyworm.drives.zi_worm.loaded_pattern import deflection, loaded_pattern
+from pyworm.drives.zi_worm.shim import found_shim
+from pyworm.drives.zi_worm.tooth_compliance import PlacedGap
+from pyworm.formulas.hertz import hertz
+from pyworm.materials.body import reduced_modulus
 from pyworm.plots.drives.zi_worm_pattern import draw_pattern
 from pyworm.result.result import Result
 
@@ -21,7 +27,7 @@ def drive():
 
 @pytest.fixture(scope="module")
 def pattern(drive):
-    return contact_pattern(drive)
+    return drive.driven_pattern
 
 
 def middle(pattern):
@@ -69,17 +75,17 @@ def test_the_separation_is_that_of_a_place_followed_by_hand(drive, pattern):
 def test_errors_of_the_assembly_move_the_pattern_as_they_move_the_contact(drive, pattern):
     tilted = replace(drive, assembly=Assembly(shaft_angle=radians(-0.05)))
     moved = tilted.contact(0.5).point[1] - drive.contact(0.5).point[1]
-    shifted = middle(contact_pattern(tilted)) - middle(pattern)
+    shifted = middle(tilted.driven_pattern) - middle(pattern)
     assert moved > 2e-3 and shifted == pytest.approx(moved, rel=0.6)
 
 
-def test_the_other_flank_is_the_mirror_image_but_for_shifts():
+def test_the_other_flank_is_the_mirror_image_but_for_shifts(coarse):
     centred = sharif(hob=changed(HOB, axial_shift=0.0))
     own, other = centred.patterns
     np.testing.assert_array_equal(own.separation, other.separation[:, ::-1])
     np.testing.assert_array_equal(own.face, -other.face[:, ::-1])
     # a worm too far to the leaving side of one flank is too far to the entering side of the other
-    shifted = both_patterns(replace(centred, assembly=Assembly(axial_shift=0.1e-3)))
+    shifted = both_flanks(replace(centred, assembly=Assembly(axial_shift=0.1e-3)), contact_pattern)
     moves = [
         middle(after) - middle(before) for after, before in zip(shifted, (own, other), strict=True)
     ]
@@ -87,7 +93,7 @@ def test_the_other_flank_is_the_mirror_image_but_for_shifts():
 
 
 def test_the_picture_names_the_sides_of_the_flank(pattern):
-    cycle = pattern_data((pattern, pattern))
+    cycle = pattern_data((pattern, pattern), (pattern, pattern))
     cycle.attrs |= {"driver": "worm", "drive": "zi-worm"}
     figure = draw_pattern(Result("drive", {}, (), cycle, {}))
     said = [[text.get_text() for text in axes.texts] for axes in figure.axes]
@@ -100,3 +106,55 @@ def test_the_picture_names_the_sides_of_the_flank(pattern):
     assert places[0] > 0.9 and places[1] < 0.1
     assert "marked" in figure.axes[0].get_title()
     assert draw_pattern(Result("drive", {}, (), cycle.drop_vars("marking_separation"), {})) is None
+
+
+def test_the_deflection_in_and_beyond_a_window_is_that_of_hertz():
+    """Johnson, Contact Mechanics, equations 3.41a and 3.42a; with E' = 2 E*."""
+    radius, peak, modulus = 1e-3, 1e9, 2e11
+    x = np.linspace(-1.5e-3, 1.5e-3, 97)
+    off = np.hypot(*np.meshgrid(x, x, indexing="ij"))
+    pressure = peak * np.sqrt(np.maximum(1 - (off / radius) ** 2, 0))
+    placed = PlacedGap(x, x, np.zeros(off.shape), np.ones(off.shape, bool))
+    r = np.array([0.3e-3, 0.8e-3, 1.2e-3, 1.8e-3, 4e-3])
+    found = deflection(placed, pressure, modulus, 0.6 * r, 0.8 * r)
+    a_r = np.minimum(radius / r, 1.0)
+    beyond = (2 * radius**2 - r**2) * np.arcsin(a_r) + r**2 * a_r * np.sqrt(1 - a_r**2)
+    expected = peak / (modulus * radius) * beyond
+    np.testing.assert_allclose(found, expected, rtol=0.01)
+
+
+@pytest.fixture
+def coarse(monkeypatch):
+    """Fewer places and phases."""
+    coarse_patterns(monkeypatch)
+
+
+def test_a_load_widens_the_pattern_by_what_the_flanks_yield(coarse, monkeypatch):
+    monkeypatch.setattr(loaded, "PHASES", np.linspace(0, 1, 15))
+    bare = sharif().driven_pattern
+    light, heavy = (
+        loaded_pattern(of, of.flank_grid) for of in (sharif(load=1.0), sharif(load=14e3))
+    )
+    assert bare.fraction() < heavy.fraction() < bare.fraction(50e-6)
+    # hardly loaded it is the pattern without load, but for the pitch error that sets a pair back there
+    near = bare.separation < 30e-6
+    near[[0, 1, -2, -1]] = False  # reached beyond the mesh cycle, where a given load is not borne
+    np.testing.assert_allclose(light.separation[near], bare.separation[near], atol=6e-6)
+    reached = np.isfinite(light.separation) & (light.separation < 1e-3)
+    approach = light.separation[reached] - heavy.separation[reached]
+    assert np.all(approach > -1e-7)
+    # far from the contact the flanks come nearer by what they yield there, some 20 um under 14 kN
+    far = light.separation[reached] > 60e-6
+    assert 5e-6 < approach[far].min() and approach[far].max() < 40e-6
+    # beside it they yield, too: what is nearer than they approach does not all touch
+    of = sharif()
+    dry = hertz(*of.contact(0.5).radii, of.load, reduced_modulus(*of.bodies))
+    beside = (light.separation > 0.75 * dry.approach) & (light.separation < dry.approach)
+    assert np.mean(heavy.separation[beside] > 0.5e-6) > 0.7
+
+
+def test_a_shim_takes_a_shift_of_the_worm_back(drive, coarse):
+    shim = found_shim(sharif(assembly=Assembly(axial_shift=0.1e-3)))
+    assert shim.reached and shim.before > shim.wanted + 1e-3
+    assert shim.shift == pytest.approx(0.1e-3, abs=0.01e-3)
+    assert shim.other_before - shim.other_after > 1e-3

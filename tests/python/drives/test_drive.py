@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
+from roller_sections import coarse_cycle
+from zi_drives import coarse_patterns
 
 import pyworm
 from pyworm.drives.drive import Drive
@@ -42,7 +44,9 @@ def test_a_shipped_drive_is_rated_as_what_its_duty_is(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_its_cycle_names_its_kind_and_its_bodies_are_two(kind):
+def test_its_cycle_names_its_kind_and_its_bodies_are_two(kind, monkeypatch):
+    coarse_patterns(monkeypatch)
+    coarse_cycle(monkeypatch)
     drive = pyworm.load(CASES / f"{SHIPPED[kind][0]}.toml").drive
     assert drive.cycle_data().attrs["drive"] == kind
     assert len(set(drive.body_names)) == 2

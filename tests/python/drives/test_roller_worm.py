@@ -10,10 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rich.console import Console
+from roller_sections import coarse_cycle
 
 import pyworm
 from pyworm.case.case import Case
 from pyworm.cli.main import main
+from pyworm.drives.mesh_loss import ContactLoss
 from pyworm.drives.roller_worm.film_formulas import closed_films
 from pyworm.formulas.film import dowson_higginson, line_groups
 from pyworm.formulas.roller_enveloping import (
@@ -25,7 +27,9 @@ from pyworm.formulas.roller_enveloping import (
 )
 from pyworm.io.input_error import CaseError
 from pyworm.plots.drives.roller_worm import CYCLE_PICTURES
+from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.report.console.drives.roller_worm import ends_table
+from pyworm.report.console.mesh_cycle import loss_sentence
 from pyworm.result.result import Result
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -117,13 +121,13 @@ def test_a_roller_s_past_is_that_of_earlier_phases(case):
     """Half a phase is half of the 55 degrees at 4.488 rad/s; the film rises all along the left section."""
     scene = case.scene(section="left", phase=0.5, station=0.5)
     seconds = 0.01 * np.radians(55) / (1500 * pi / 30 / 35)
-    then = scene.past.before(seconds).contact
+    then = scene.past.before(seconds)
     films = case.drive.state("left", 0.49, [0.5]).films
     assert then.phase == pytest.approx(0.49)
     assert line_scales(then).film == pytest.approx(float(films.central[0]), rel=0.05)
     assert line_scales(then).film < line_scales(scene).film
     right = case.scene(section="right", phase=0.5, station=0.5)
-    assert line_scales(right.past.before(seconds).contact).film > line_scales(right).film
+    assert line_scales(right.past.before(seconds)).film > line_scales(right).film
 
 
 def test_without_stations_the_contact_line_is_solved_with_its_ends():
@@ -134,7 +138,8 @@ def test_without_stations_the_contact_line_is_solved_with_its_ends():
     assert list(covered) == [True, True, False]
 
 
-def test_the_command_prints_section_and_phase_of_every_scene(tmp_path, capsys):
+def test_the_command_prints_section_and_phase_of_every_scene(tmp_path, capsys, monkeypatch):
+    coarse_cycle(monkeypatch)
     path = CASES / "roller_ref.toml"
     options = ["--phase", "0", "1", "--station", "0.5", "--json", "--out", str(tmp_path / "out")]
     assert main(["run", str(path), *options]) == 0
@@ -255,10 +260,52 @@ def test_normal_forces_with_cosine_and_sine():
             'effects = "most": most is none of auto, all',
         ),
         ('length = "14 mm"', 'length = "14 mm"\nshape = "cone"', "give a half_angle"),
+        ('preload = "110 N m"', 'preload = "0 N m"', 'operation: sections has "right", the idling'),
+        ('preload = "110 N m"', 'preload = "-1 N m"', "operation.preload"),
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(tmp_path, old, new, sentence):
     assert sentence in refused(tmp_path, changed((old, new)))
+
+
+def losses(section, phases, **others):
+    """Contacts that each lose 2 W, of a friction of 0.02 under 100 N."""
+    return [
+        ContactLoss(phase, 100.0, 0.02, 2.0, 0.01, section=section, **others) for phase in phases
+    ]
+
+
+def test_the_loss_is_that_of_all_rollers_in_mesh(case):
+    """A section has 55 of 360 degrees, and 35 rollers stand round the wheel."""
+    phases = 0.1, 0.5, 0.9
+    both = losses("right", phases) + losses("left", phases)
+    loss = case.drive.mesh_loss(both)
+    assert loss.loss == pytest.approx(2 * 2.0 * 55 / 360 * 35)
+    assert loss.power == pytest.approx(5e3) and loss.friction == pytest.approx(0.02)
+    assert loss.efficiency == pytest.approx(1 - loss.loss / 5e3)
+    assert case.drive.mesh_loss(both[:3]) is None and case.drive.mesh_loss(both[:-1]) is None
+    # where the idling section is not braced it neither carries nor loses anything
+    loose = replace(case.drive, preload=0.0)
+    assert loose.mesh_loss(both[3:]).loss == pytest.approx(loss.loss / 2)
+    line = loose.state("left", 0.5, [0.5]).length
+    along = [one for at in (0.1, 0.5, 0.9) for one in losses("left", [0.5], station=at)]
+    spread = loose.mesh_loss(losses("left", [0.0, 1.0]) + along)
+    assert spread.loss == pytest.approx(55 / 360 * 35 * 2.0 * (1 + line) / 2, rel=1e-3)
+    assert "efficiency" in loss_sentence(spread).lower()
+
+
+def test_a_section_without_preload_touches_without_load(case):
+    loose = replace(case.drive, preload=0.0)
+    state = loose.state("right", 0.5, [0.5])
+    assert state.force == 0 and np.isnan(state.films.minimum).all()
+    assert loose.shared("left", 0.5).forces.max() > 1e3
+
+
+def test_films_of_a_drive_that_no_standard_covers_are_rated(case):
+    asked = asked_of(case)
+    made = ratings(asked)
+    assert [one.key for one in made] == ["films"]
+    assert any("no standard that is known here covers" in one for one in not_rated(asked, made))
 
 
 def test_free_rollers_need_a_flow_law(tmp_path):

@@ -1,19 +1,29 @@
 """The hob's set-up for a wanted contact pattern."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 from refusals import refusal
+from zi_drives import coarse_patterns, coarse_springs
 
 import pyworm
 from pyworm.cli.main import main
 from pyworm.drives.zi_worm import wanted_pattern
-from pyworm.drives.zi_worm.contact_pattern import contact_pattern
 from pyworm.drives.zi_worm.wanted_pattern import TOLERANCES, found_setting, mark_of
 
 CASES = Path(__file__).parents[3] / "cases"
 DRAWING = (CASES / "worm_drawing.toml").read_text()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def coarse():
+    """Fewer places, phases and loads: a set-up is looked for at many."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_patterns(patch)
+        coarse_springs(patch)
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +32,7 @@ def drive():
 
 
 def test_the_blurred_mark_is_that_of_the_compound(drive):
-    pattern = contact_pattern(drive)
+    pattern = drive.driven_pattern
     assert mark_of(pattern).size == pytest.approx(pattern.fraction(), rel=0.05)
     first, last = pattern.along_face()
     assert first < mark_of(pattern).face < last
@@ -30,7 +40,7 @@ def test_the_blurred_mark_is_that_of_the_compound(drive):
 
 def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
     monkeypatch.setattr(wanted_pattern, "MOST_STEPS", 1)
-    before = mark_of(contact_pattern(drive))
+    before = mark_of(drive.driven_pattern)
     found = found_setting(drive, {"size": 0.9})
     assert not found.reached
     assert before.size < found.mark.size < 0.9
@@ -53,13 +63,27 @@ def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
         )
     )
     (tmp_path / "set.toml").write_text(DRAWING.replace("[drive.hob]", f"[drive.hob]\n{hob}", 1))
-    mark = mark_of(contact_pattern(pyworm.load(tmp_path / "set.toml").drive))
+    mark = mark_of(pyworm.load(tmp_path / "set.toml").drive.driven_pattern)
     assert mark.face == pytest.approx(found["marking_face_m"], abs=5e-5)
     assert mark.size == pytest.approx(found["marking_fraction"], rel=0.02)
     sizes, pressures = (
         [row[key] for row in life] for key in ("marking_fraction", "dry_pressure_max_Pa")
     )
     assert sizes == sorted(sizes) and pressures == sorted(pressures, reverse=True)
+
+
+def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypatch):
+    """A worm shifted to the entering side, where the other flank would touch on no tooth."""
+    monkeypatch.setattr("pyworm.drives.zi_worm.shim.MOST_STEPS", 1)
+    path = tmp_path / "shifted.toml"
+    text = (CASES / "zi_sharif_2001.toml").read_text()
+    path.write_text(text + '\n[drive.assembly]\naxial_shift = "-0.05 mm"\n')
+    assert main(["setup", str(path), "--shim", "40 mm"]) == 3
+    told = capsys.readouterr()
+    assert re.search(r"Shift the wheel 0\.500 mm to the entering side\.", told.out)
+    assert "The other flank touches on no tooth with the shim." in told.out
+    assert "Wanted on the driven flank: +40.00 mm" in told.out
+    assert "no shim brings the pattern there" in told.err
 
 
 @pytest.mark.parametrize(
@@ -72,6 +96,8 @@ def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
             "--place 2: must be a place along the face with its unit",
         ),
         ("worm_drawing", ["--size", "150%"], "--size 150%: must lie between 0 and 100 %"),
+        ("worm_drawing", ["--shim", "--size", "30%"], "leave out --place and --size"),
+        ("spur_pair", ["--shim"], "has no wheel that a shim could move; give a worm drive"),
     ],
 )
 def test_what_cannot_be_set_up_is_refused(tmp_path, capsys, name, options, sentence):

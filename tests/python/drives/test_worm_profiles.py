@@ -16,8 +16,8 @@ from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.hob_setting import drawn_gears
 from pyworm.formulas.ruled_helicoid import RuledHelicoid
 
-PROFILES = ("ZA", "ZN", "ZI", "ZK", "ZC")
-SHIFT = {"ZC": 0.5}
+PROFILES = ("ZA", "ZN", "ZI", "ZK", "ZC", "ZC2")
+SHIFT = {"ZC": 0.5, "ZC2": 0.5}
 
 
 @cache
@@ -31,7 +31,7 @@ def drawing(profile):
             "teeth": 41,
             "module": 4e-3,
             "diameter_factor": 10.0,
-            "pressure_angle": radians(23 if profile == "ZC" else 20),
+            "pressure_angle": radians(23 if profile in SHIFT else 20),
             "face_width": 30e-3,
             "hob_oversize": 1.6e-3,
         },

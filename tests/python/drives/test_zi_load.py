@@ -191,16 +191,18 @@ def test_a_driven_worm_has_the_motions_reversed(drive):
     forward, back = drive.scene(0.4), replace(drive, driver="wheel").scene(0.4)
     for one, other in zip(forward.motions, back.motions, strict=True):
         np.testing.assert_allclose(np.array(one(2e-3, 1e-3)), -np.array(other(2e-3, 1e-3)))
-    assert forward.past.before(1e-3).contact.phase < 0.4 < back.past.before(1e-3).contact.phase
+    assert forward.past.before(1e-3).phase < 0.4 < back.past.before(1e-3).phase
     assert back.past.seconds == pytest.approx(forward.past.seconds * 0.6 / 0.4)
 
 
-def test_the_x_axis_of_an_earlier_contact_is_turned_by_its_angle(drive):
-    then = drive.scene(0.4).past.before(1e-3)
+def test_the_x_axis_of_an_earlier_contact_is_turned_by_the_turning_since(drive):
+    past = drive.scene(0.4).past
+    seconds = 1e-3
     x, y, _ = drive.contact(0.4).axes
-    x_then = drive.contact(then.contact.phase).axes[0]
-    assert 0.01 < abs(then.angle) < 0.1
-    assert x_then @ (np.cos(then.angle) * x + np.sin(then.angle) * y) > 1 - 1e-4
+    x_then = drive.contact(past.before(seconds).phase).axes[0]
+    angle = -seconds * past.life.turning(past.seconds - seconds / 2)
+    assert 0.01 < abs(angle) < 0.1
+    assert x_then @ (np.cos(angle) * x + np.sin(angle) * y) > 1 - 1e-4
 
 
 def test_dry_contacts_are_solved_once_for_equal_teeth(monkeypatch):

@@ -1,0 +1,81 @@
+"""The shim under the wheel's bearing that brings a pattern moved by errors of assembly back to its place.
+
+Moving the wheel along its axis is what a fitter can do. It is the opposite shift of the worm. The contact
+point at mid-mesh moves nearly as the marked part does, so that its way by the shift is the first slope of the
+secant method for the middle of the marked part.
+"""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from pyworm.drives.shim import Shim
+from pyworm.drives.zi_worm.contact_pattern import ContactPattern, both_flanks, contact_pattern
+from pyworm.drives.zi_worm.design import AS_DESIGNED
+from pyworm.drives.zi_worm.wanted_pattern import TOLERANCES, mark_of
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+DIFFERENCE = 0.02e-3
+"""Shift of the wheel for the first slope [m]."""
+
+LONGEST = 0.5e-3
+"""Longest step of a shift [m]."""
+
+MOST_STEPS = 10
+
+
+def found_shim(gears: "ZiWormGears", wanted: float | None = None) -> Shim:
+    """The shim for a place of the pattern.
+
+    Parameters
+    ----------
+    gears : ZiWormGears
+        Worm and wheel with their errors of assembly.
+    wanted : float or None
+        Wanted middle of the marked part along the face [m]; None for that without errors of assembly.
+    """
+
+    def middle(pattern: ContactPattern) -> float:
+        return mark_of(pattern).face
+
+    def at(shift: float) -> float | None:
+        try:
+            return middle(contact_pattern(shimmed(gears, shift), gears.flank_grid))
+        except ValueError:  # worm and wheel do not touch
+            return None
+
+    before = middle(gears.patterns[0])
+    if wanted is None:
+        wanted = middle(contact_pattern(replace(gears, assembly=AS_DESIGNED), gears.flank_grid))
+    shift, face, slope = 0.0, before, _slope(gears)
+    for _ in range(MOST_STEPS):
+        if abs(face - wanted) <= TOLERANCES["face"]:
+            break
+        step = max(-LONGEST, min(LONGEST, (wanted - face) / slope))
+        tried = at(shift + step)
+        if tried is None:
+            break
+        slope = (tried - face) / step or slope
+        shift, face = shift + step, tried
+    return Shim(
+        shift=shift,
+        wanted=wanted,
+        before=before,
+        after=face,
+        other_before=middle(gears.patterns[1]),
+        other_after=middle(both_flanks(shimmed(gears, shift), contact_pattern, gears)[1]),
+        reached=abs(face - wanted) <= TOLERANCES["face"],
+    )
+
+
+def shimmed(gears: "ZiWormGears", shift: float) -> "ZiWormGears":
+    """The gears with the wheel shifted along its axis [m]."""
+    assembly = gears.assembly
+    return replace(gears, assembly=replace(assembly, axial_shift=assembly.axial_shift - shift))
+
+
+def _slope(gears: "ZiWormGears") -> float:
+    """Way of the contact at mid-mesh along the face by the shift of the wheel."""
+    ends = [shimmed(gears, side * DIFFERENCE).cycle.contact(0.5).point[1] for side in (-1, 1)]
+    return float(ends[1] - ends[0]) / (2 * DIFFERENCE)

@@ -1,0 +1,157 @@
+"""The worm's shaft between its bearings: how the forces of the mesh bend it, and what that does to the mesh.
+
+All teeth in mesh act as one force in mid-mesh, whose direction hardly changes over a mesh cycle: the torque
+over its arm along the common normal, and friction along the sliding. The shaft is round and uniform, its
+bearings are simple supports (`pyworm.formulas.beam`). At the mesh it moves away from the wheel, along the
+wheel's axis, and tilts: errors of the assembly under load. A tilt towards the wheel turns the wheel and has
+no other influence of first order.
+"""
+
+from dataclasses import dataclass
+from math import hypot, inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.zi_worm.design import Assembly
+from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.formulas.beam import bending, second_moment
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.drive import ZiWormDrive
+
+LARGEST = 0.1
+"""Deflection over the module above which worm and wheel no longer mesh as designed."""
+
+
+@dataclass(frozen=True)
+class WormShaft:
+    """The worm's shaft and its bearings.
+
+    Attributes
+    ----------
+    bearing_span : float
+        Distance of the bearings [m].
+    bearing_offset : float
+        Middle of the bearings from the wheel's mid-plane along the worm's axis [m], positive to where the
+        driving worm's thrust acts.
+    diameter : float or None
+        Of a uniform shaft that bends as much [m]; None for the worm's root diameter.
+    bearing_stiffness : float
+        Radial stiffness of each bearing with its seat [N/m]; infinite if rigid.
+
+    Raises
+    ------
+    ValueError
+        If the mesh does not lie between the bearings.
+    """
+
+    bearing_span: float
+    bearing_offset: float = 0.0
+    diameter: float | None = None
+    bearing_stiffness: float = inf
+
+    def __post_init__(self) -> None:
+        half = self.bearing_span / 2
+        if abs(self.bearing_offset) >= half:
+            raise ValueError(
+                f"shaft.bearing_offset is {self.bearing_offset * 1e3:.4g} mm; it must be less than half of "
+                f"bearing_span, {half * 1e3:.4g} mm, so that the mesh lies between the bearings; overhung "
+                "worms are not computed"
+            )
+
+    @property
+    def turned(self) -> "WormShaft":
+        """The shaft turned by half a turn about the line of centres."""
+        return WormShaft(
+            self.bearing_span, -self.bearing_offset, self.diameter, self.bearing_stiffness
+        )
+
+
+@dataclass(frozen=True)
+class BentShaft:
+    """The worm's shaft under load.
+
+    Attributes
+    ----------
+    force : ndarray
+        Force of the wheel's teeth on the worm in the drive frame, (3,) [N].
+    away, along : float
+        Deflection at the mesh away from the wheel, and along the wheel's axis to the leaving side [m].
+    tilt : float
+        Turn of the worm's axis about the line of centres, as `Assembly.shaft_angle` [rad].
+    reactions : tuple of float
+        Radial force of each bearing [N], first the one that the driving worm's thrust leads away from.
+    """
+
+    force: Array
+    away: float
+    along: float
+    tilt: float
+    reactions: tuple[float, float]
+
+    @property
+    def deflection(self) -> float:
+        """Deflection at the mesh in its own direction [m]."""
+        return hypot(self.away, self.along)
+
+    def assembly(self, before: Assembly) -> Assembly:
+        """Errors of the assembly with those of the bent shaft."""
+        return Assembly(
+            before.centre_distance + self.away,
+            before.axial_shift + self.along,
+            before.shaft_angle + self.tilt,
+        )
+
+
+def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
+    """The shaft under the forces of a drive whose own shaft is rigid.
+
+    Raises
+    ------
+    ValueError
+        If it bends by more than a tenth of the module.
+    """
+    point, force = mesh_force(drive)
+    arm = point - drive.worm_flank.axis_point
+    before = shaft.bearing_span / 2 - shaft.bearing_offset + arm[2]
+    beyond = shaft.bearing_span - before
+    diameter = 2 * drive.worm.root_radius if shaft.diameter is None else shaft.diameter
+    rigidity = drive.bodies[0].youngs_modulus * second_moment(diameter)
+    radial, lateral = (
+        bending(
+            force[side],
+            -arm[side] * force[2],
+            before,
+            beyond,
+            rigidity,
+            shaft.bearing_stiffness,
+        )
+        for side in (0, 1)
+    )
+    bent = BentShaft(
+        force=force,
+        away=float(-radial.deflection),
+        # the shift of the worm is that of its axis in the wheel's mid-plane
+        along=float(lateral.deflection - lateral.slope * arm[2]),
+        tilt=float(-lateral.slope),
+        reactions=tuple(map(hypot, radial.reactions, lateral.reactions)),
+    )
+    if bent.deflection > LARGEST * drive.module:
+        raise ValueError(
+            f"shaft.bearing_span is {shaft.bearing_span * 1e3:.4g} mm and shaft.diameter "
+            f"{diameter * 1e3:.4g} mm, which bends {bent.deflection * 1e3:.2g} mm under the load; a shorter "
+            f"or thicker shaft is needed, worms of this module may bend "
+            f"{LARGEST * drive.module * 1e3:.2g} mm at most"
+        )
+    return bent
+
+
+def mesh_force(drive: "ZiWormDrive") -> tuple[Array, Array]:
+    """Where the teeth in mesh act on the worm [m] and with which force [N], each (3,) in the drive frame."""
+    middle = np.array([0.5])
+    point, normal = drive.cycle.points(middle)[:, 0], drive.cycle.normals(middle)[:, 0]
+    sliding = drive.sliding(middle)[:, 0]
+    wheel = float(drive.arms(middle).of("wheel", drive.friction)[0])
+    load = drive.wheel_torque / wheel
+    return point, -load * (normal + drive.friction * sliding / np.linalg.norm(sliding))

@@ -1,0 +1,68 @@
+"""A straight round shaft on two simple supports, loaded at one place between them."""
+
+from dataclasses import dataclass
+from math import inf, pi
+
+
+@dataclass(frozen=True)
+class Bending:
+    """A shaft at the place of its load, in one plane.
+
+    Attributes
+    ----------
+    deflection, slope : float
+        Deflection along the force [m], and its derivative along the shaft [rad].
+    reactions : tuple of float
+        Forces of the two supports on the shaft, along the same direction [N].
+    """
+
+    deflection: float
+    slope: float
+    reactions: tuple[float, float]
+
+
+def second_moment(diameter: float) -> float:
+    """Second moment of area of a round section of a diameter [m], pi d^4 / 64 [m4]."""
+    return pi * diameter**4 / 64
+
+
+def bending(
+    force: float,
+    moment: float,
+    before: float,
+    beyond: float,
+    rigidity: float,
+    stiffness: float = inf,
+) -> Bending:
+    """Bending of a uniform shaft by a force and a moment at one place between its supports.
+
+    With a and b before and beyond the load and L = a + b, a force F and a moment M that turns towards larger
+    slopes give there
+
+        w = (F a^2 b^2 + M a b (b - a)) / (3 E I L),   w' = (F a b (b - a) + M (a^2 - a b + b^2)) / (3 E I L)
+
+    (Bernoulli and Euler; J. E. Shigley and C. R. Mischke, Mechanical Engineering Design, 1989, table A-9,
+    cases 6 and 8). Supports that yield move the shaft as a rigid one besides.
+
+    Parameters
+    ----------
+    force, moment : float
+        F [N] and M [N m].
+    before, beyond : float
+        a and b, positive [m].
+    rigidity : float
+        E I [N m2].
+    stiffness : float
+        Of each support [N/m]; infinite if rigid.
+    """
+    span = before + beyond
+    crossed = before * beyond * (beyond - before)
+    deflection = force * before**2 * beyond**2 + moment * crossed
+    slope = force * crossed + moment * (before**2 - before * beyond + beyond**2)
+    last = -(force * before + moment) / span
+    first = -force - last
+    sunk, rise = -first / stiffness, (first - last) / stiffness / span
+    flexible = 3 * rigidity * span
+    return Bending(
+        deflection / flexible + sunk + rise * before, slope / flexible + rise, (first, last)
+    )

@@ -1,0 +1,108 @@
+"""The worm's shaft bends under the forces of the mesh, which moves the mesh."""
+
+import tomllib
+from dataclasses import replace
+from math import atan, cos, radians, tan
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from zi_drives import coarse_springs
+
+from pyworm.case.case import case_of
+from pyworm.drives.zi_worm.worm_shaft import WormShaft, mesh_force
+from pyworm.formulas.worm_standard import deflection_limit
+from pyworm.io.input_error import CaseError
+from pyworm.ratings.worm_verdict import failures
+
+CASES = Path(__file__).parents[3] / "cases"
+TEXT = (CASES / "worm_drawing.toml").read_text()
+
+
+def drive_with(shaft: str):
+    """The shipped drawing under 600 N m with a table of its shaft."""
+    text = TEXT.replace("300 Nm", "600 Nm").replace(
+        "[operation]", f"[drive.shaft]\n{shaft}\n[operation]"
+    )
+    return case_of(tomllib.loads(text), "drawn", CASES).drive
+
+
+@pytest.fixture(scope="module", autouse=True)
+def coarse():
+    """Fewer dry contacts for the load sharing."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_springs(patch)
+        yield
+
+
+@pytest.fixture(scope="module")
+def drive():
+    return drive_with('bearing_span = "180 mm"\nbearing_stiffness = "20 N/um"\ndiameter = "35 mm"')
+
+
+def test_a_shaft_in_the_middle_bends_as_the_standard_has_it(drive):
+    """Its coefficient, 2e-6 l^3 / d^4 with F in N and lengths in mm, is that of steel in mid-span."""
+    bent = replace(drive, shaft=WormShaft(0.18, diameter=35e-3)).bent
+    force = 600 / drive.wheel_reference_radius
+    lead, friction = atan(0.2), drive.friction
+    across = np.hypot(tan(lead + atan(friction)), tan(radians(20)) / cos(lead))
+    standard = 2e-6 * 180**3 * force * across / 35**4 * 1e-3
+    assert bent.deflection == pytest.approx(standard, rel=0.08)
+    assert bent.force[2] == pytest.approx(force, rel=0.03)
+    assert deflection_limit(4e-3) == pytest.approx(0.08e-3)
+
+
+def test_the_shaft_yields_to_the_radial_force_and_its_bearings_carry_it(drive):
+    _, force = mesh_force(drive.rigid)
+    rigid, soft = (
+        replace(drive, shaft=replace(drive.shaft, bearing_stiffness=of)).bent
+        for of in (np.inf, 20e6)
+    )
+    assert force[0] < 0 and rigid.away > 0 and np.sign(rigid.along) == np.sign(force[1])
+    assert soft.away - rigid.away == pytest.approx(-force[0] / 40e6, rel=0.03)
+    assert np.hypot(*force[:2]) < sum(rigid.reactions)
+    # nearer to the bearing of the thrust the shaft tilts, and that bearing carries more
+    aside = replace(drive, shaft=WormShaft(0.18, bearing_offset=-0.04)).bent
+    assert abs(aside.tilt) > 3 * abs(rigid.tilt) and aside.reactions[1] > rigid.reactions[1]
+
+
+def test_the_mesh_shares_its_load_where_the_bent_shaft_has_it(drive):
+    """As with the same displacements as errors of the assembly, and not as without them."""
+    phases = 0.1, 0.4, 0.9
+    bent, rigid = ([of.normal_load(phase) for phase in phases] for of in (drive, drive.rigid))
+    displaced = replace(drive.rigid, assembly=drive.mounted)
+    assert bent == pytest.approx([displaced.normal_load(phase) for phase in phases], rel=1e-9)
+    assert max(abs(np.array(bent) / rigid - 1)) > 0.01
+    np.testing.assert_array_equal(drive.driven_pattern.face, drive.rigid.driven_pattern.face)
+    assert drive.driven_pattern is drive.rigid.driven_pattern
+    assert drive.turned is drive
+    assert "bends" in drive.assumptions[1] and "do not bend" in drive.rigid.assumptions[1]
+
+
+@pytest.mark.parametrize(
+    ("shaft", "right"),
+    [
+        (
+            'bearing_span = "180 mm"\nbearing_offset = "95 mm"',
+            "drive.shaft.bearing_offset is 95 mm; it must be less",
+        ),
+        ('bearing_span = "180 mm"\ndiameter = "15.2 mm"', "shaft.diameter 15.2 mm, which bends 0."),
+        ('diameter = "30 mm"', "drive.shaft.bearing_span is missing"),
+    ],
+)
+def test_shafts_that_do_not_carry_the_worm_are_refused(shaft, right):
+    with pytest.raises(CaseError) as refused:
+        drive_with(shaft).bent  # noqa: B018
+    assert right in str(refused.value)
+
+
+def test_the_standard_rates_the_deflection(drive):
+    assert drive.duty().deflection == drive.bent.deflection
+    duty = replace(drive.duty(), deflection=0.1e-3)
+    assert duty.deflection_safety == pytest.approx(0.8)
+    unrated = SimpleNamespace(wear_depth=None, pitting_safety=None, temperature_safety=None)
+    assert failures(duty, unrated) == (
+        "Safety of deflection of 0.8 is below 1: the worm's shaft bends 100 µm.",
+    )
+    assert failures(replace(duty, deflection=None), unrated) == ()
