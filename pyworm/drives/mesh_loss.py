@@ -22,6 +22,10 @@ class ContactLoss:
         Relative numerical error bar of the power lost [-].
     model : float or None
         Its relative uncertainty by the model of roughness [-]; None where roughness was not simulated.
+    section : str or None
+        Section of a worm that has two.
+    station : float or None
+        Place along a contact line, 0 to 1; None where the contact is solved as a whole.
     """
 
     phase: float
@@ -30,6 +34,8 @@ class ContactLoss:
     power: float
     error: float
     model: float | None = None
+    section: str | None = None
+    station: float | None = None
 
 
 @dataclass(frozen=True)
@@ -63,6 +69,18 @@ class MeshLoss:
     def efficiency(self) -> float:
         """Efficiency of the teeth alone [-]."""
         return 1 - self.loss / self.power
+
+    def summary(self) -> dict[str, float | str | None]:
+        """The figures, units in the keys."""
+        return {
+            "power_W": self.power,
+            "power_loss_W": self.loss,
+            "friction": self.friction,
+            "efficiency": self.efficiency,
+            "relative_error": self.error,
+            "relative_model_error": self.model,
+            "words": self.words,
+        }
 
 
 def largest_model(contacts: Sequence[ContactLoss]) -> float | None:

@@ -44,6 +44,8 @@ class Asked:
         Its drive, if it has one that can be rated.
     warnings : tuple of str
         What is unusual in it, as `Case.warnings`.
+    places : tuple of Place
+        Contacts of the drive that it lists.
     """
 
     name: str
@@ -51,6 +53,7 @@ class Asked:
     tables: RatedCase | RatingCase
     drive: Drive | None = None
     warnings: tuple[str, ...] = ()
+    places: tuple[Place, ...] = ()
 
     @property
     def rated_as(self) -> type[Duty] | None:
@@ -79,7 +82,7 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
     if result is not None:
         solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
         return asked.drive.scene(**Place.of(solution).given), solution
-    scenes = [asked.drive.scene(phase) for phase in asked.tables.operation.phases]
+    scenes = [asked.drive.scene(**place.given) for place in asked.places]
     return min(scenes, key=lambda scene: predicted(scene).film_central), None
 
 
@@ -93,7 +96,7 @@ def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
         prediction = predicted(scene)
         films = prediction.film_central, prediction.film_min
         at_worst = judged((), 0.0, films, scene.composite_roughness)
-        return replace(at_worst, contacts=len(asked.tables.operation.phases))
+        return replace(at_worst, contacts=len(asked.places))
     table = getattr(asked.tables, "worm_rating", None)
     if table is None:
         return LeftOut()
@@ -128,7 +131,7 @@ def asked_of(case: Case) -> Asked:
     if not isinstance(case.tables, RatedCase):
         kinds = ", ".join(f'"{kind}"' for kind in rated())
         raise CaseError(f"only drives of kind {kinds} and bearings are rated")
-    return Asked(case.name, case.directory, case.tables, case.drive, case.warnings)
+    return Asked(case.name, case.directory, case.tables, case.drive, case.warnings, case.places())
 
 
 def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
@@ -194,6 +197,8 @@ def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
         left.append("Pitting and tooth root strength: no formulas of them are known here.")
         if asked.duty.friction is None:
             left.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
+    if asked.drive is not None and asked.rated_as is None:
+        left.append("Teeth or rollers: no standard that is known here covers this kind of drive.")
     if not asked.tables.bearings:
         left.append("Bearings: the case has no [bearings.NAME].")
     return tuple(left)

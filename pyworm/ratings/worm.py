@@ -140,8 +140,8 @@ def rate_worm_table(
         columns=("standard", SIMULATION) if simulated else ("standard",),
         figures=tuple(figures),
         words=tuple(words),
-        failed=failures(duty.gear, rated),
-        not_rated=left_unrated(table, rated),
+        failed=failures(duty, rated),
+        not_rated=left_unrated(table, duty, rated),
         left_out=of_all(result.solutions) if simulated else LeftOut(),
     )
 
@@ -181,6 +181,8 @@ def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
         ("wear_limit_m", "Wear allowed", worn and duty.gear.wear_limit, 1e6, "µm"),
         ("wear_safety", "Safety against wear S_W", rated.wear_safety, 1.0, ""),
         ("temperature_safety", "Safety of temperature S_T", rated.temperature_safety, 1.0, ""),
+        ("shaft_deflection_m", "Deflection of the worm's shaft", duty.deflection, 1e6, "µm"),
+        ("deflection_safety", "Safety of deflection S_delta", duty.deflection_safety, 1.0, ""),
     ]
 
 

@@ -3,11 +3,12 @@
 from math import atan, degrees
 
 from pyworm.case.ratings import WormRatingTable
+from pyworm.drives.duty import WormDuty
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormRating
 
 NEVER_RATED = (
-    "Tooth root strength, worm deflection: no formulas of the standards are known here.",
+    "Tooth root strength: no formulas of the standards are known here.",
     "Scuffing: the closed forms are those of steel on steel, a worm gear has a bronze wheel.",
 )
 """What no case can ask of a worm gear."""
@@ -39,9 +40,9 @@ def locking(gear: WormGear, rated: WormRating) -> str:
     )
 
 
-def failures(gear: WormGear, rated: WormRating) -> tuple[str, ...]:
+def failures(duty: WormDuty, rated: WormRating) -> tuple[str, ...]:
     """Why a worm gear fails its rating; empty where every safety that is rated is above 1."""
-    failed = []
+    failed, gear = [], duty.gear
     depth, thickness = rated.wear_depth, gear.tooth_thickness
     if depth is not None and depth >= thickness:
         failed.append(
@@ -57,10 +58,15 @@ def failures(gear: WormGear, rated: WormRating) -> tuple[str, ...]:
         failed.append(f"Safety against pitting of {rated.pitting_safety:.3g} is below 1.")
     if rated.temperature_safety is not None and rated.temperature_safety < 1:
         failed.append(f"Safety of temperature of {rated.temperature_safety:.3g} is below 1.")
+    if duty.deflection_safety is not None and duty.deflection_safety < 1:
+        failed.append(
+            f"Safety of deflection of {duty.deflection_safety:.3g} is below 1: the worm's shaft bends "
+            f"{duty.deflection * 1e6:.3g} µm."
+        )
     return tuple(failed)
 
 
-def left_unrated(table: WormRatingTable, rated: WormRating) -> tuple[str, ...]:
+def left_unrated(table: WormRatingTable, duty: WormDuty, rated: WormRating) -> tuple[str, ...]:
     """Ratings of a worm gear that are left out, each with the missing data."""
     missing = {
         key: f"worm_rating.{key} is missing"
@@ -75,4 +81,6 @@ def left_unrated(table: WormRatingTable, rated: WormRating) -> tuple[str, ...]:
         left.append(f"Wear: {missing.get('life', NO_WEAR)}.")
     if rated.temperature_safety is None:
         left.append(f"Temperature: {missing['temperature_limit']}.")
+    if duty.deflection is None:
+        left.append("Deflection of the worm's shaft: no [drive.shaft] gives its bearings.")
     return (*left, *NEVER_RATED)

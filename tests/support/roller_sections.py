@@ -2,6 +2,9 @@
 
 from math import radians
 
+import numpy as np
+
+from pyworm.drives.roller_worm import dataset
 from pyworm.drives.roller_worm.envelope import RollerEnvelope
 from pyworm.drives.roller_worm.profile import RollerProfile
 from pyworm.drives.roller_worm.section import WormSection
@@ -34,3 +37,10 @@ def section(name="left", outer=60.0, inner=5.0, **options):
     ends = (inner, outer) if name == "left" else (-outer, -inner)
     first, last = (radians(end) for end in ends)
     return WormSection(name, envelope(flank=flank, **options), first, last, -6e-3, 6e-3, ROLLERS)
+
+
+def coarse_cycle(monkeypatch) -> None:
+    """Fewer phases and design values for the data of a cycle, in tests that do not ask for them."""
+    monkeypatch.setattr(dataset, "PHASES", np.linspace(0.0, 1.0, 3))
+    monkeypatch.setattr(dataset, "TILTS", np.zeros(1))
+    monkeypatch.setattr(dataset, "VARIED", {name: np.ones(1) for name in dataset.VARIED})

@@ -13,7 +13,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from pyworm.drives.drive import Drive
-from pyworm.drives.mesh_past import Passing
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.checks import check_drive
 from pyworm.drives.roller_worm.dataset import roller_cycle_data
@@ -22,6 +22,7 @@ from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelop
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
 from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
 from pyworm.drives.roller_worm.load_sharing import Compliance, SharedLoad, share, slices
+from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
 from pyworm.drives.roller_worm.motion import (
     FilmTraction,
     LineMotion,
@@ -30,6 +31,7 @@ from pyworm.drives.roller_worm.motion import (
     roller_speed,
 )
 from pyworm.drives.roller_worm.section import WormSection
+from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body
@@ -90,7 +92,7 @@ class RollerWormDrive(Drive):
         Torque of the worm [N m].
     preload : float
         Torque about the wheel's axis by which the sections are braced against each other, the only torque
-        of the idling one [N m].
+        of the idling one [N m]; 0 where that one touches without load.
     sharing : str
         "elastic" or "equal" (`pyworm.drives.roller_worm.load_sharing`).
     rolling : str
@@ -264,7 +266,7 @@ class RollerWormDrive(Drive):
             if station is None
             else partial(self._station, section, station=station)
         )
-        return Passing(at, phase, self.wheel_speed / (part.last - part.first)).scene()
+        return ToothLife(at, self.wheel_speed / (part.last - part.first)).at(phase)
 
     def _station(self, section: str, phase: float, station: float) -> LineScene:
         """The line contact at a fraction of a contact line."""
@@ -321,6 +323,10 @@ class RollerWormDrive(Drive):
             phase=phase,
             section=section,
         )
+
+    def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+        """Loss of all rollers in mesh; None for too few phases of a section that carries load."""
+        return roller_mesh_loss(self, contacts)
 
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle of both sections for the result."""

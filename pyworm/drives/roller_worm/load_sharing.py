@@ -170,7 +170,7 @@ def share(
     wheel_angle : float
         Wheel angle of one roller [rad]; the others are a pitch apart.
     torque : float
-        Absolute torque between worm section and wheel, about the wheel's axis [N m].
+        Absolute torque between worm section and wheel, about the wheel's axis [N m]; 0 leaves no load.
     sharing : str
         "elastic", or "equal": the same load for each length everywhere.
     """
@@ -182,6 +182,8 @@ def share(
         uniform = torque / float(np.sum(arm * lengths))
         return SharedLoad(section, compliance, angles, 0.0, none, uniform, length, uniform * length)
     shared = SharedLoad(section, compliance, angles, 0.0, none, None, length, none)
+    if torque == 0:
+        return shared
 
     def settled(turn: float, yielding: Array) -> tuple[Array, Array]:
         """Loads of the slices, and deflection of pin and thread, at Theta."""

@@ -25,7 +25,7 @@ from pyworm.case.case import checked
 from pyworm.case.ratings import BearingTable, RatingCase
 from pyworm.cli.main import main
 from pyworm.ratings.bearing import bearing_life
-from pyworm.ratings.rated_case import Asked, asked_of, ratings
+from pyworm.ratings.rated_case import asked_of, ratings
 from pyworm.ratings.worm import standard_rating, worm_duty_of_table
 from pyworm.result.result import Result
 
@@ -536,7 +536,10 @@ def test_wrong_ratings_are_refused_in_one_sentence(refuse, text, old, new, sente
 
 def test_rate_names_missing_data(refuse):
     sphere = (CASES / "point_m20_l10.toml").read_text()
-    assert 'drives of kind "worm", "zi-worm", "gear-pair" and bearings are rated' in refuse(sphere)
+    assert (
+        'drives of kind "worm", "zi-worm", "gear-pair", "roller-worm" and bearings are rated'
+        in refuse(sphere)
+    )
     assert "[drive], [bearings.NAME] or [worm_gear]" in refuse('title = "?"\nsource = "?"')
     plain = WORM[: WORM.index("[worm_rating]")]
     assert "give [worm_rating] or [bearings.NAME]" in refuse(plain)
@@ -558,7 +561,7 @@ def test_gears_of_unknown_flanks_are_rated_without_them():
     case = pyworm.load(CASES / "errichello_speed_increaser.toml")
     bodies = tuple(replace(body, roughness=None) for body in case.drive.bodies)
     unknown = replace(case.drive, surfaces=None, bodies=bodies)
-    teeth, _, films = ratings(Asked(case.name, case.directory, case.tables, unknown))
+    teeth, _, films = ratings(replace(asked_of(case), drive=unknown))
     known = teeth.summary()["closed form"]
     assert {"film_min_m", "hertz_pressure_Pa", "loss_factor"} <= set(known)
     assert not {"specific_film", "friction", "contact_temperature_C"} & set(known)

@@ -1,0 +1,65 @@
+"""Loss between worm and rollers, by the friction of some contacts of both sections.
+
+The phase runs in proportion to the wheel's angle, so that a section of the angle S with rollers a pitch apart
+loses on average S / pitch times the mean over the phase of what one roller loses. Between the solved phases
+it is interpolated, beyond the last ones constant; likewise between stations along a contact line.
+"""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
+
+if TYPE_CHECKING:
+    from pyworm.drives.roller_worm.drive import RollerWormDrive
+
+FEWEST_PHASES = 3
+"""Least number of solved phases of each section that carries load."""
+
+SAMPLES = np.linspace(0.0, 1.0, 201)
+"""Fractions at which what is interpolated is averaged."""
+
+
+def roller_mesh_loss(drive: "RollerWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+    """Loss of all rollers in mesh; None for too few phases of a section that carries load."""
+    loss = 0.0
+    for name, section in drive.sections.items():
+        if drive.wheel_torque(name) == 0:
+            continue
+        here = [one for one in contacts if one.section == name]
+        phases = sorted({one.phase for one in here})
+        if len(phases) < FEWEST_PHASES:
+            return None
+        of_a_roller = [
+            _of_a_roller(drive, [one for one in here if one.phase == phase]) for phase in phases
+        ]
+        in_mesh = abs(section.last - section.first) * drive.rollers.count / (2 * np.pi)
+        loss += in_mesh * _mean(phases, of_a_roller)
+    braced = ", braced by the preload" if drive.preload else ""
+    return MeshLoss(
+        power=drive.torque * drive.speed,
+        loss=loss,
+        friction=float(
+            np.average([one.friction for one in contacts], weights=[one.load for one in contacts])
+        ),
+        error=max(one.error for one in contacts),
+        words=f"of all rollers in mesh with the thread{braced}; their pins, the bearings and what the oil "
+        "drags are not in it",
+        model=largest_model(contacts),
+    )
+
+
+def _of_a_roller(drive: "RollerWormDrive", contacts: Sequence[ContactLoss]) -> float:
+    """Power that a roller loses at a phase [W], from its whole contact or from stations of its line."""
+    if contacts[0].station is None:
+        return contacts[0].power
+    line = drive.state(contacts[0].section, contacts[0].phase, [0.5])
+    along = sorted((one.station, one.power) for one in contacts)
+    return line.length * _mean(*zip(*along, strict=True))
+
+
+def _mean(places: Sequence[float], values: Sequence[float]) -> float:
+    """Mean from 0 to 1 of values interpolated between places."""
+    return float(np.trapezoid(np.interp(SAMPLES, places, values), SAMPLES))
