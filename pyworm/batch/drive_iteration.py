@@ -5,8 +5,8 @@ each other, the temperatures of its oil and bodies from the loss between the tee
 films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `STRIDE`-th phase, lifts at an accuracy of `GLANCE` and in one window: all
-that is solved last is solved in two.
+temperatures are found with every `STRIDE`-th phase, lifts at an accuracy of `GLANCE` and in one window, both
+of steady films: all that is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence
@@ -72,7 +72,8 @@ def run_balanced(
         case = case.with_found(earlier)
     else:
         if "cooling" in open_:
-            case, _, _ = search.settle(case, every(STRIDE, tasks), how, WARM_PASSES)
+            some = [steady(task) for task in every(STRIDE, tasks)]
+            case, _, _ = search.settle(case, some, how, WARM_PASSES)
         if "lifts" in open_.get("operation", ()) and search.accuracy < GLANCE:
             case = search.glance(case, tasks, how)
     case, result, tasks = search.settle(case, tasks, how, PASSES)
@@ -90,7 +91,7 @@ class _Search:
     def glance(self, case: Case, tasks: Sequence[Task], how: tuple) -> Case:
         """The case with the values found by films of lower accuracy."""
         less = {"accuracy": GLANCE, "wider_window": False}
-        tasks = [replace(task, case=case, **less) for task in tasks]
+        tasks = [replace(steady(task), case=case, **less) for task in tasks]
         return self._next(case, run(case, tasks, *how), [])
 
     def settle(
@@ -149,6 +150,15 @@ class _Search:
             if misses > WARMTH:
                 return False
         return load_change(case, new, cycle.phases) <= LOAD_SHARE * self.accuracy
+
+
+def steady(task: Task) -> Task:
+    """The task without films in motion, which move loads and losses by less than is sought."""
+    first, *others = task.effects.split(",")
+    if first not in ("auto", "all", "isothermal"):
+        return task
+    kept = [name for name in others if name.strip() != "squeeze"]
+    return replace(task, effects=",".join([first, *kept, "-squeeze"]))
 
 
 def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:

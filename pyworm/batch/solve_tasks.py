@@ -1,12 +1,13 @@
 """Many scenes, each solved by itself.
 
-None waits for, or starts from, another: any order and any number of processes gives the same solutions to the
-last bit.
+None starts from another: any order and any number of processes gives the same solutions to the last bit.
+Films in motion are solved first, since many scenes share them.
 """
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future, as_completed
 
+from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.batch.workers import WorkerDiedError
@@ -40,6 +41,7 @@ def solve_all(
         Key of each task that has no solution, and the reason.
     """
     tell = progress or (lambda message, share: None)
+    solve_lives(tasks, store.directory, executor, tell)
     reasons = {}
     if executor is None:
         for position, task in enumerate(tasks):
@@ -51,6 +53,7 @@ def solve_all(
         for done, future in enumerate(as_completed(futures), 1):
             reasons[futures[future].key] = _reason(future, futures[future], store)
             tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
+    drop_rates(tasks, store.directory)
     return {task.key: reasons[task.key] for task in tasks if reasons[task.key] is not None}
 
 
@@ -62,7 +65,7 @@ def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -
     try:
         if store.holds(task):
             return None
-        store.keep(task, task.solved(progress))
+        store.keep(task, task.solved(progress, rates_for(task, store.directory)))
     except KernelError as error:
         return str(error)
     except Exception as error:

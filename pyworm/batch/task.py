@@ -15,6 +15,7 @@ from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
+from pyworm.solver.transient.transient import Rates
 
 KEY_LENGTH = 24
 """Hexadecimal digits of a key: 96 bits, so that no two of any number of scenes ever share one."""
@@ -83,12 +84,12 @@ class Task:
         given = tuple(getattr(self, part.name) for part in fields(self))
         return Task, given, {"plan": self.plan} if "plan" in vars(self) else None
 
-    def solved(self, progress: Progress | None = None) -> Result:
+    def solved(self, progress: Progress | None = None, rates: Rates | None = None) -> Result:
         """Solve the scene.
 
         Parameters
         ----------
-        progress : callable, optional
+        progress, rates
             As of `pyworm.solve`.
 
         Raises
@@ -96,7 +97,7 @@ class Task:
         KernelError
             The kernel gave it up.
         """
-        solution = solve(self.scene, self.plan, progress=progress)
+        solution = solve(self.scene, self.plan, progress, rates)
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)
             solution = solution.changed(fields=solution.fields.merge(beside))

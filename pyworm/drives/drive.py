@@ -8,7 +8,9 @@ from pyworm.drives.duty import Duty
 from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.shim import Shim
 from pyworm.io.on_demand import xarray as xr
+from pyworm.scene.contact import BODIES
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -30,7 +32,7 @@ class Drive(ABC):
         Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`.
     """
 
-    body_names: ClassVar[tuple[str, str]] = ("body 1", "body 2")
+    body_names: ClassVar[tuple[str, str]] = BODIES
     rated_as: ClassVar[type[Duty] | None] = None
     assumptions: tuple[str, ...] = ("The load of each contact is that of the drive.",)
     warnings: tuple[str, ...] = ()
@@ -77,6 +79,16 @@ class Drive(ABC):
         ----------
         wanted : dict
             `face`, the middle of the marked part [m], `size`, the part of the flank [-], both or none.
+        """
+        return None
+
+    def wheel_shim(self, wanted: float | None) -> Shim | None:
+        """The shift of the wheel for a place of the contact pattern; None where that is not known.
+
+        Parameters
+        ----------
+        wanted : float or None
+            Middle of the marked part along the face [m]; None for that without errors of assembly.
         """
         return None
 

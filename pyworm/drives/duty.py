@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.formulas.wear_distress import composite_roughness
 from pyworm.formulas.worm_gear import WormGear
+from pyworm.formulas.worm_standard import deflection_limit
 
 Array = np.ndarray
 
@@ -31,6 +32,8 @@ class WormDuty:
         Driving member, "worm" or "wheel".
     words : tuple of str
         Derivation, in sentences.
+    deflection : float or None
+        Deflection of the worm's shaft at the mesh [m]; None where its bearings are not known.
     """
 
     gear: WormGear
@@ -40,6 +43,14 @@ class WormDuty:
     roughness: tuple[float, float]
     driver: Literal["worm", "wheel"] = "worm"
     words: tuple[str, ...] = ()
+    deflection: float | None = None
+
+    @property
+    def deflection_safety(self) -> float | None:
+        """Largest deflection that the standard allows over that of the shaft, S_delta [-]; None likewise."""
+        if not self.deflection:
+            return None
+        return deflection_limit(self.gear.module) / self.deflection
 
     @property
     def composite_roughness(self) -> float:

@@ -85,14 +85,18 @@ THICKENING, THICKENING_POWER = 10.0, 0.7
 STIFF, STIFF_POWER = 15.0, 2.5
 """Moes' L above which the linear systems of heated steps take more iterations, and the exponent of L."""
 
-TIME_STEPS = (10, 24, 58)
-"""Time steps of the first transient solve of a film, and of those on finer grids (`solver.transient`)."""
+STEPS_A_TRANSIT: dict[Kind, int] = {"point": 12, "line": 48}
+"""Time steps of a transit of oil in the first transient solve of a life; each further one doubles them
+(`solver.transient.march`)."""
 
-TRANSIENT_STEPS: dict[Kind, float] = {"point": 5.0, "line": 1.5}
+REFINEMENTS = 2
+"""Transient solves of a life, each with half the spacing and half the time step of the one before."""
+
+TRANSITS_BEFORE = 4.0
+"""Transits that a part of a life has, on average, before one of its contacts."""
+
+STEPS_OF_INSTANT = 2.0
 """Newton steps of each time step."""
-
-FINEST_TRANSIENT = 0.06
-"""Accuracy from which on the last of these transient solves is likely."""
 
 AUXILIARY_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
 """Newton steps of a film carried by heat alone."""
@@ -118,6 +122,22 @@ class Stage:
 
 
 @dataclass(frozen=True)
+class Instants:
+    """Time steps of a transient solve.
+
+    Attributes
+    ----------
+    nodes : float
+        Number of nodes of its grid.
+    count : float
+        Number of time steps.
+    """
+
+    nodes: float
+    count: float
+
+
+@dataclass(frozen=True)
 class Work:
     """Expected work of a solve, grid by grid.
 
@@ -131,12 +151,15 @@ class Work:
         Expected number of nodes for an error of `WORTHLESS`.
     in_vain : bool
         Whether that number exceeds the largest grid so far that no grid is refined.
+    past : tuple of Instants
+        Transient solves of its past, which contacts of one life share; empty of a steady film.
     """
 
     kind: Kind
     stages: tuple[Stage, ...]
     needed: float = 0.0
     in_vain: bool = False
+    past: tuple[Instants, ...] = ()
 
     @property
     def finest(self) -> float:
@@ -240,22 +263,24 @@ def expected_work(
         stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
         stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
-    transients = TIME_STEPS[: len(TIME_STEPS) - (accuracy > FINEST_TRANSIENT)] if moving else ()
-    for level, time_steps in enumerate(transients):
-        count = stiffness * TRANSIENT_STEPS[kind] * time_steps
-        nodes = nests[0][-1] * growth ** (level - (kind == "point"))
-        stages.append(Stage(nodes, count * (not full), count * full))
+    past = tuple(
+        Instants(
+            nests[0][-1] * growth ** (refinement + (1 if kind == "line" else -1)),
+            TRANSITS_BEFORE * (STEPS_A_TRANSIT[kind] << refinement),
+        )
+        for refinement in range(REFINEMENTS * moving)
+    )
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
     least = _halvings(change / max(accuracy, WORTHLESS))
     needed = nests[0][-1] * growth**least
     if least > most + IN_VAIN:
-        return Work(kind, tuple(stages), needed, in_vain=True)
+        return Work(kind, tuple(stages), needed, in_vain=True, past=past)
     halvings = min(most, _halvings(change / accuracy))
     for number in range(int(halvings)):
         # the last grid is as fine as likely
         nodes = nests[0][-1] * growth ** (halvings - int(halvings) + number + 1)
         stages.append(Stage(nodes, cold * steps.finer * (not full), stiffness * steps.finer * full))
-    return Work(kind, tuple(stages), needed)
+    return Work(kind, tuple(stages), needed, past=past)
 
 
 def _halvings(change: float) -> float:

@@ -200,6 +200,13 @@ def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGri
     return PLANS[type(scene)](scene, plan.accuracy, plan.model).grids
 
 
+def effects_for(scene: Scene | LineScene, plan: Plan, prediction: Prediction) -> frozenset[str]:
+    """Names of the effects that a plan's accuracy calls for in another scene."""
+    how = scene, plan.accuracy, plan.quantities, prediction, plan.asked
+    judged = _judged(*how, frozenset(), frozenset(plan.excluded))
+    return frozenset(judgement.name for judgement in judged if judgement.on)
+
+
 def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
     """The figures of the quantities asked for that the model has."""
     figures = {

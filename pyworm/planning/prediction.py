@@ -91,8 +91,13 @@ class Prediction:
     @cached_property
     def before(self) -> "Prediction | None":
         """Prediction of the contact that time (`age`) ago; None before the mesh cycle began."""
-        then = self.scene.past.back([self.age]) if self.age > 0 else []
-        return predicted(then[0].contact) if then else None
+        if not self.age > 0:
+            return None
+        try:
+            then = self.scene.past.before(self.age)
+        except ValueError:
+            return None
+        return predicted(then)
 
     @property
     def oil(self) -> Oil:

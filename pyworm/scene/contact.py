@@ -11,7 +11,7 @@ import numpy as np
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds
 from pyworm.materials.rough_surfaces import RoughPair, rough_pair
-from pyworm.scene.past import Past
+from pyworm.scene.life import Past
 
 if TYPE_CHECKING:
     from pyworm.surfaces.topography_pair import TopographyPair
@@ -20,6 +20,9 @@ Array = np.ndarray
 
 SAME = 0.01
 """Largest relative difference between the radii of a contact and those of its gap."""
+
+BODIES = "body 1", "body 2"
+"""What the bodies of a contact are called where nothing names them."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +48,7 @@ class Contact(ABC):
     section, station : str or None, float or None
         Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
     past : Past or None
-        The contact at earlier times, as the drive turns; None where nothing changes.
+        Its present in its life, as the drive turns; None where nothing changes.
     rigid : bool
         Whether the bodies are rigid under the film.
     smooth : bool

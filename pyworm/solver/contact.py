@@ -130,11 +130,12 @@ class ContactSolver(ABC):
         return round(log2(coarse.grid.spacing[0] / fine.grid.spacing[0]))
 
     @abstractmethod
-    def at_next_time(self, earlier: Sequence[Level], fraction: float) -> Level:
-        """Extrapolate the film from levels at earlier times on the same grid, the latest first.
+    def on_grid(self, grid: Any, guess: InitialGuess) -> Level:
+        """The film on a grid of its own from an initial guess, with shear and heat."""
 
-        `fraction` is the time since the latest over that between it and the one before.
-        """
+    @abstractmethod
+    def with_rate(self, level: Level) -> Level:
+        """The film of a level with this solver's transient term."""
 
     @abstractmethod
     def warm_started(self, level: Level) -> tuple[Level, list[NewtonStep]]:

@@ -14,28 +14,20 @@ from pyworm.planning.plan import Plan
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.contact import ContactSolver
 from pyworm.solver.convergence_history import convergence_history
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.estimates import estimates
+from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.memory import NoMemoryError, shortage
 from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
-from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
 from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import TELLING, film_is_sound, is_converged, stop_reason
 from pyworm.solver.timing import Stopwatch
-from pyworm.solver.transient import transient
+from pyworm.solver.transient.transient import Rates, transient
 from pyworm.solver.window_limit import WindowLimit, in_this_window, in_wider_window
-
-SOLVERS: dict[type, type[ContactSolver]] = {
-    Scene: PointContactSolver,
-    LineScene: LineContactSolver,
-}
-"""Solver of each kind of contact, by its scene."""
 
 DOMAIN_FRACTION = 0.25
 """Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
@@ -58,6 +50,8 @@ class GridSequence:
         The contact.
     plan : Plan
         Its plan.
+    rates : Rates or None
+        Rates of change of rho h at present; None of a steady film.
     progress : callable
         Called with a message and the fraction of the work that is done.
     stopwatch : Stopwatch
@@ -69,9 +63,15 @@ class GridSequence:
     """
 
     def __init__(
-        self, scene: Scene | LineScene, plan: Plan, progress: Progress, stopwatch: Stopwatch
+        self,
+        scene: Scene | LineScene,
+        plan: Plan,
+        rates: Rates | None,
+        progress: Progress,
+        stopwatch: Stopwatch,
     ):
         self._scene, self._plan, self._progress = scene, plan, progress
+        self._rates = rates
         self._stopwatch = stopwatch
         self._readings: list[Reading] = []
         self._window: dict[str, WindowLimit] = {}
@@ -82,14 +82,14 @@ class GridSequence:
     def begin(self, warm_start: Level | None) -> Level:
         """Settle the film on the first grid of the figures and return it there.
 
-        A transient contact is integrated in time before. `warm_start` is the film on the same grid, solved
-        with fewer effects.
+        `warm_start` is the film on the same grid, solved with fewer effects.
         """
         scene, plan = self._scene, self._plan
         self.check_memory(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes))
         solver_type = SOLVERS[type(scene)]
-        self._tell("first grids" if scene.past is None else "its past", 0.0)
-        self._transient = None if scene.past is None else transient(scene, plan, solver_type)
+        self._tell("first grids", 0.0)
+        rates = self._rates
+        self._transient = rates and transient(scene, plan, rates)
         self._solver = solver_type(scene, plan, self._transient and self._transient.rate)
         if self._transient is not None:
             self._level = self._transient.level

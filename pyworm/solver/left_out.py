@@ -6,9 +6,18 @@ include none of these effects.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import inf, sqrt
 from typing import Any, Self
 
-from pyworm.formulas.lubrication import BY_SEVERITY, Lubrication, lubrication
+from pyworm.formulas.lubrication import (
+    BY_SEVERITY,
+    Lubrication,
+    full_film_roughness,
+    lubrication,
+)
+from pyworm.formulas.rough_contact import RQ_OVER_RA
+from pyworm.io.number_with_unit import parse_in
+from pyworm.materials.solids import usual_roughness
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
@@ -25,6 +34,12 @@ CARRYING = ("mixed", "boundary")
 
 SHARE, SHARE_MODEL_ERROR = "asperity_load_fraction", "asperity_load_fraction_model_error"
 """Share of the load that asperities carry, and its relative uncertainty by the model of roughness."""
+
+MIXED_ABOVE = "mixed_above_roughness_m"
+"""Composite roughness above which lubrication would be mixed, where no roughness is given."""
+
+USUAL = "ground"
+"""Finish whose usual roughness is shown beside it."""
 
 AS_IF_SMOOTH = "as if smooth"
 """Qualifier of friction, loss and efficiency where roughness carries load."""
@@ -51,6 +66,9 @@ class LeftOut:
         Share of the load that asperities carry; None where it is not simulated, or not known yet.
     asperity_load_fraction_model_error : float or None
         Its relative uncertainty by the model of roughness; None likewise.
+    mixed_above_roughness_m : float or None
+        Composite roughness [m] above which lubrication would be mixed; None where a roughness is given, or
+        the film not known.
     """
 
     influence: dict[str, float] = field(default_factory=dict)
@@ -61,6 +79,7 @@ class LeftOut:
     rough: bool = False
     asperity_load_fraction: float | None = None
     asperity_load_fraction_model_error: float | None = None
+    mixed_above_roughness_m: float | None = None
 
     @property
     def as_if_smooth(self) -> bool:
@@ -83,7 +102,9 @@ class LeftOut:
 
     @property
     def sentence(self) -> str:
-        """The regime of lubrication in one sentence; empty of separated surfaces or where it is not known."""
+        """The regime of lubrication in one sentence, or why it is not judged; empty of separated surfaces."""
+        if self.mixed_above_roughness_m is not None:
+            return self._not_judged
         if self.lubrication not in CARRYING:
             return ""
         which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
@@ -91,6 +112,18 @@ class LeftOut:
         return (
             f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
             f"least film {self.lambda_min:.2g} times the composite roughness){end}."
+        )
+
+    @property
+    def _not_judged(self) -> str:
+        """What is not known without a roughness, and which one would matter, in words."""
+        at = "" if self.contacts == 1 else f" in the worst of {self.contacts} contacts"
+        usual, _ = parse_in(usual_roughness(USUAL), "um")
+        return (
+            "Roughness is not given: figures are those of smooth surfaces, and lubrication is not judged. "
+            f"Above a composite roughness of {self.mixed_above_roughness_m * 1e6:.2g} µm (Rq) it would be "
+            f"mixed{at}; two {USUAL} surfaces of Ra {usual:.2g} µm have "
+            f"{sqrt(2) * RQ_OVER_RA * usual:.2g} µm."
         )
 
     @property
@@ -114,17 +147,19 @@ class LeftOut:
     def read(cls, summary: Mapping[str, Any]) -> Self:
         """Read from the object that `summary` made."""
         given = {
-            name: summary[name] for name in (*LAMBDAS, SHARE, SHARE_MODEL_ERROR) if name in summary
+            name: summary[name]
+            for name in (*LAMBDAS, SHARE, SHARE_MODEL_ERROR, MIXED_ABOVE)
+            if name in summary
         }
         return cls(dict(summary["left_out"]), summary["lubrication"], rough=SHARE in given, **given)
 
     def summary(self) -> dict[str, Any]:
-        """Influences and lubrication as an object for JSON; without a roughness no lambda."""
-        lambdas = {name: getattr(self, name) for name in LAMBDAS}
+        """Influences and lubrication as an object for JSON; without a roughness that of a full film."""
+        known = {name: getattr(self, name) for name in (*LAMBDAS, MIXED_ABOVE)}
         return {
             "left_out": self.influence,
             "lubrication": self.lubrication,
-            **{name: value for name, value in lambdas.items() if value is not None},
+            **{name: value for name, value in known.items() if value is not None},
         }
 
 
@@ -173,6 +208,9 @@ def judged(
         rough=any(effect.on for effect in effects if effect.name == "roughness"),
         asperity_load_fraction=share,
         asperity_load_fraction_model_error=uncertainty,
+        mixed_above_roughness_m=full_film_roughness(*films)
+        if films and roughness is None
+        else None,
     )
 
 
@@ -192,10 +230,18 @@ def worst(several: Sequence[LeftOut]) -> LeftOut:
     for one in several:
         for name, fraction in one.influence.items():
             influence[name] = max(fraction, influence.get(name, 0.0))
-    at = max(
-        several, key=lambda one: (BY_SEVERITY.index(one.lubrication), -(one.lambda_central or 0.0))
-    )
+    at = max(several, key=_severity)
     return replace(at, influence=_largest_first(influence), contacts=len(several))
+
+
+def _severity(one: LeftOut) -> tuple[float, float, float]:
+    """Numbers that rise with the severity of lubrication."""
+    bearable = one.mixed_above_roughness_m
+    return (
+        BY_SEVERITY.index(one.lubrication),
+        -(one.lambda_central or 0.0),
+        -inf if bearable is None else -bearable,
+    )
 
 
 def _largest_first(influence: Mapping[str, float]) -> dict[str, float]:

@@ -81,18 +81,6 @@ class InitialGuess:
             None if self.oil is None else np.maximum(kernel.prolong(self.oil[window]), 0.0),
         )
 
-    def onward(self, before: "InitialGuess", fraction: float) -> "InitialGuess":
-        """Extrapolate linearly, by a fraction of the way from the state before."""
-        moved = self.pressure + fraction * np.where(
-            self.pressure > 0, self.pressure - before.pressure, 0.0
-        )
-        return InitialGuess(
-            np.maximum(moved, 0.0),
-            self.rigid_film + fraction * (self.rigid_film - before.rigid_film),
-            None if self.rise is None else self.rise + fraction * (self.rise - before.rise),
-            self.oil,
-        )
-
     def beyond(self, coarser: "InitialGuess") -> "InitialGuess":
         """Extrapolate to half the spacing at second order from the coarser state (Richardson)."""
         pressure = (

@@ -1,8 +1,8 @@
 """Uncertainty of figures by the assumptions of averaged roughness, to first order.
 
 Each assumption is changed by a small part of its uncertainty at the converged film. A Newton step from
-there, a linear solve with the film's own Jacobian, shows how every figure follows, of a heated film a second
-one with its temperature; nothing is solved anew. Assumptions are independent of each other, so that their
+there, a linear solve with the film's own Jacobian, shows how every figure follows, of a heated film some more
+with its temperature; nothing is solved anew. Assumptions are independent of each other, so that their
 changes add by squares.
 """
 
@@ -19,9 +19,9 @@ PART = 0.1
 FORCING = 1e-2
 """Residual of a linear solve over its right-hand side."""
 
-ENOUGH, MOST_STEPS = 5e-4, 8
-"""Residual of a film that has followed a change, and the most Newton steps to it: one or two, more only where
-asperities carry nearly all the load."""
+ENOUGH, WARMED, MOST_STEPS = 5e-4, 2e-3, 12
+"""Residual and last change of temperature, over its largest rise, of a film that has followed a change, and
+the most Newton steps to it: one to three, more only where asperities carry much of the load."""
 
 SHEARED = ("friction_coefficient", "power_loss")
 """Figures with the shear of the oil between rough walls, whose own factors are left out."""
@@ -44,30 +44,29 @@ def roughness_uncertainty(
         Friction coefficient of asperities in contact [-].
     """
     converged, figures = level.state(), level.read().figures
-    changes: dict[str, dict[str, float]] = {}
-    for name, varied in variations(pair, boundary_friction, PART):
+    changes = []
+    for _, varied in variations(pair, boundary_friction, PART, level.film.thickness()):
         level.film.roughen(varied.curves, varied.boundary_friction)
         _start(level, converged)
         followed = _follow(level)
         after = level.read().figures
-        found = {key: _whole(of, after[key]) if followed else inf for key, of in figures.items()}
-        changes[name] = {key: max(of, changes.get(name, found)[key]) for key, of in found.items()}
+        changes.append(
+            {key: _whole(of, after[key]) if followed else inf for key, of in figures.items()}
+        )
     level.film.roughen(pair.curves(), boundary_friction)
     _start(level, converged)
     if level.film.heated:
         newton_step(level)  # its heat flows are those of the last sweep
     stress = _of_stress(figures, pair.height)
-    return {
-        key: hypot(*(of[key] for of in changes.values()), stress.get(key, 0.0)) for key in figures
-    }
+    return {key: hypot(*(of[key] for of in changes), stress.get(key, 0.0)) for key in figures}
 
 
 def _follow(level: Level) -> bool:
     """Make Newton steps until the film has followed the change; returns whether it has."""
-    for steps in range(1, MOST_STEPS + 1):
+    for _ in range(MOST_STEPS):
         if newton_step(level, FORCING) is None:
             return False
-        if steps > level.film.heated and level.film.balance.residual <= ENOUGH:
+        if level.film.balance.within(ENOUGH, WARMED):
             return True
     return False
 

@@ -9,9 +9,15 @@ from pyworm.scene.point import Scene
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
 from pyworm.solver.timing import Stopwatch
+from pyworm.solver.transient.transient import Rates, rates_at_present
 
 
-def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None) -> Solution:
+def solve(
+    scene: Scene | LineScene,
+    plan: Plan,
+    progress: Progress | None = None,
+    rates: Rates | None = None,
+) -> Solution:
     """Solve a scene for its film.
 
     Parameters
@@ -22,6 +28,8 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
         Its plan, by `pyworm.plan`.
     progress : callable, optional
         Called with what is being done and the fraction of the work that is done, 0 to 1.
+    rates : Rates, optional
+        Rates of change of its film where it changes as oil passes; by default they are found first.
 
     Returns
     -------
@@ -39,7 +47,12 @@ def solve(scene: Scene | LineScene, plan: Plan, progress: Progress | None = None
     report = _rising(progress)
     stopwatch, warm_start = Stopwatch(), None
     while True:
-        sequence = GridSequence(plan.simplified(scene), plan, report, stopwatch)
+        simple = plan.simplified(scene)
+        if simple.past is not None and rates is None:
+            report(f"{scene.name}: its past", 0.0)
+            rates = rates_at_present(scene, plan)
+        moving = None if simple.past is None else rates
+        sequence = GridSequence(simple, plan, moving, report, stopwatch)
         warm_start = sequence.begin(warm_start)
         # the first grid tells what the closed forms missed, before finer ones cost their time
         updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)

@@ -17,7 +17,7 @@ class Deadly(Task):
     def __reduce__(self):
         return Deadly, super().__reduce__()[1]
 
-    def solved(self, progress=None):
+    def solved(self, *how):
         os.kill(os.getpid(), signal.SIGKILL)
 
 

@@ -27,8 +27,8 @@ from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
 from pyworm.drives.gear_pair.mesh_loss import gear_mesh_loss
 from pyworm.drives.gear_pair.misalignment import gear_misalignment
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
-from pyworm.drives.mesh_past import Passing
 from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
@@ -201,7 +201,7 @@ class GearPairDrive(Drive):
         """
         at = self._line if self.contact == "line" else self._point
         base_speed = self.pinion_speed * self.teeth.cylinders[0].base
-        return Passing(at, phase, base_speed / self.teeth.path_length).scene()
+        return ToothLife(at, base_speed / self.teeth.path_length).at(phase)
 
     def _line(self, phase: float) -> LineScene:
         contact = self.contacts(phase)

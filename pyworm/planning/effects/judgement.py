@@ -120,13 +120,11 @@ def _settled(
 
 
 def simplified(scene: Contact, on: frozenset[str]) -> Contact:
-    """The contact, and its past, without the effects that are off."""
+    """The contact without the effects that are off."""
     for effect in EFFECTS:
         if effect.without is not None and effect.name not in on:
             scene = effect.without(scene)
-    if scene.past is None:
-        return scene
-    return replace(scene, past=scene.past.map(lambda then: simplified(then, on)))
+    return scene
 
 
 def _needed(allowed: float) -> str:

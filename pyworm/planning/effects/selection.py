@@ -38,7 +38,12 @@ def words(text: str) -> tuple[str, ...]:
     names = tuple(part.strip() for part in text.split(","))
     if names[0] == "auto":
         for word in names[1:]:
-            if word not in ONLY_NAMED and word not in {f"-{name}" for name in SIMULATED}:
+            name = word.removeprefix("-")
+            if word.startswith("-") and name not in SIMULATED:
+                raise ValueError(
+                    f"{name or 'nothing'} after a minus is none of {', '.join(SIMULATED)}"
+                )
+            if word == name and word not in ONLY_NAMED:
                 raise ValueError(
                     f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} and "
                     "effects after a minus beside it and chooses all else by the accuracy"

@@ -21,12 +21,12 @@ from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.planning.effects.judgement import simplified
-from pyworm.planning.expected_work import Kind, Work
+from pyworm.planning.expected_work import STEPS_OF_INSTANT, Kind, Work
 from pyworm.planning.model import Model
 from pyworm.planning.plan import Plan, plan
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
-from pyworm.solver.grid_sequence import SOLVERS
+from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import settle
 from pyworm.solver.timing import convolution_seconds
 
@@ -102,7 +102,7 @@ class Calibration:
     convolutions: dict[Kind, tuple[tuple[float, float], tuple[float, float]]]
 
     def seconds(self, work: Work, model: Model) -> float:
-        """Expected processor time of the work, without the sampling of the scene [s]."""
+        """Expected processor time of the work, without its past and the sampling of the scene [s]."""
         cold = self.cold[work.kind]
         full = self._full(work.kind, model)
         return sum(
@@ -110,6 +110,14 @@ class Calibration:
             + cold.steps(stage.cold, stage.nodes)
             + full.steps(stage.full, stage.nodes)
             for stage in work.stages
+        )
+
+    def past_seconds(self, work: Work, model: Model) -> float:
+        """Expected processor time of the transient solves of its past, without the sampling [s]."""
+        full = self._full(work.kind, model)
+        return sum(
+            one.count * full.entry(one.nodes) + full.steps(STEPS_OF_INSTANT * one.count, one.nodes)
+            for one in work.past
         )
 
     def _full(self, kind: Kind, model: Model) -> Pace:

@@ -15,7 +15,7 @@ from pyworm.scene.scales import line_scales
 from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, TransientTerm
-from pyworm.solver.line.level import LineLevel, first_level, next_level
+from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
 from pyworm.solver.newton import NewtonStep, lead
 
 SUPPLIES = 2
@@ -87,9 +87,15 @@ class LineContactSolver(ContactSolver):
             steps += further
         return level, steps
 
-    def at_next_time(self, earlier: Sequence[LineLevel], fraction: float) -> LineLevel:
-        """Start from the latest of the films at earlier times, on the same grid."""
-        return self._supplied(earlier[0])
+    def on_grid(self, grid: LineGrid, guess: InitialGuess) -> LineLevel:
+        """The film on a grid from an initial guess, with shear and heat and the far field of that guess."""
+        level = lone_level(self._scene, self._size, grid, guess, self._transient_term)
+        self._shear_and_warm(level, guess)
+        return level
+
+    def with_rate(self, level: LineLevel) -> LineLevel:
+        """The film of a level with this solver's transient term."""
+        return self._supplied(level)
 
     def warm_started(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
         """Start the film from that of a level on the same grid."""

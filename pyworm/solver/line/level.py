@@ -10,7 +10,7 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 from pyworm.solver.level import FLOOR, TRACE, InitialGuess, Level, TransientTerm
-from pyworm.solver.line.far_field import line_far_field
+from pyworm.solver.line.far_field import LineFarField, line_far_field
 
 SMOOTHINGS = 2
 """Number of times that Hertz's pressure is averaged over neighbouring nodes for an initial guess.
@@ -60,6 +60,32 @@ def next_level(
 ) -> LineLevel:
     """A grid with the film of an initial guess, without heat; its far field is that of the level before."""
     beyond = line_far_field(scene, before.grid, before.film.pressure, before.film.thickness())
+    return _supplied(scene, size, grid, guess, beyond, term)
+
+
+def lone_level(
+    scene: LineScene,
+    size: LineScales,
+    grid: LineGrid,
+    guess: InitialGuess,
+    term: TransientTerm | None,
+) -> LineLevel:
+    """A grid with the film of an initial guess, without heat; its far field is that of the guess."""
+    level = _level(scene, size, grid, scene.load, term)
+    level.film.start(np.where(level.covered, guess.pressure, 0.0), guess.rigid_film)
+    beyond = line_far_field(scene, grid, level.film.pressure, level.film.thickness())
+    return _supplied(scene, size, grid, guess, beyond, term)
+
+
+def _supplied(
+    scene: LineScene,
+    size: LineScales,
+    grid: LineGrid,
+    guess: InitialGuess,
+    beyond: LineFarField,
+    term: TransientTerm | None,
+) -> LineLevel:
+    """A grid with the film of an initial guess and a far field."""
     # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
     load = scene.load - beyond.load + beyond.pressure * grid.dx / 2
     level = _level(scene, size, grid, load, term)

@@ -25,6 +25,7 @@ from pyworm.solver.point.level import (
     first_level,
     guess_around,
     guess_on,
+    lone_level,
     next_level,
     restart,
     same_grid,
@@ -120,14 +121,16 @@ class PointContactSolver(ContactSolver):
                 restart(scene, size, level)
         return level, steps
 
-    def at_next_time(self, earlier: Sequence[PointLevel], fraction: float) -> PointLevel:
-        """Extrapolate the film from the last two of the levels at earlier times, on the same grid."""
-        guess, *before = (level.state() for level in earlier[:2])
-        if before:
-            guess = guess.onward(*before, fraction)
-        again = same_grid(self._scene, self._size, earlier[0], self._transient_term)
-        again.film.start(np.where(again.covered, guess.pressure, 0.0), guess.rigid_film)
-        self._shear_and_warm(again, guess)
+    def on_grid(self, grid: Grid, guess: InitialGuess) -> PointLevel:
+        """The film on a grid from an initial guess, with shear and heat, without pressure around it."""
+        level = lone_level(self._scene, self._size, grid, guess, self._transient_term)
+        self._shear_and_warm(level, guess)
+        return level
+
+    def with_rate(self, level: PointLevel) -> PointLevel:
+        """The film of a level with this solver's transient term, on the same grid."""
+        again = same_grid(self._scene, self._size, level, self._transient_term)
+        self._shear_and_warm(again, level.state())
         return again
 
     def warm_started(self, level: PointLevel) -> tuple[PointLevel, list[NewtonStep]]:

@@ -95,6 +95,17 @@ def first_level(
     return level
 
 
+def lone_level(
+    scene: Scene, size: Scales, grid: Grid, guess: InitialGuess, term: TransientTerm | None
+) -> PointLevel:
+    """A grid with the film of an initial guess, without heat and without pressure around it."""
+    level = _level(scene, size, grid, 0.0, scene.load, term)
+    pressure = np.zeros(grid.shape, order="F")
+    pressure[1:-1, 1:-1] = np.where(level.covered, guess.pressure, 0.0)[1:-1, 1:-1]
+    level.film.start(pressure, guess.rigid_film)
+    return level
+
+
 def _with_trace(pressure: Array, covered: Array) -> Array:
     """A dry pressure with a small pressure wherever both surfaces exist (`TRACE`)."""
     return pressure + np.where(covered, TRACE * pressure.max(), 0.0)

@@ -24,6 +24,8 @@ from pyworm.scene.index import Place
 
 pytest.importorskip("distributed")
 
+pytestmark = pytest.mark.long
+
 CASES = Path(__file__).parents[3] / "cases"
 
 SWEEP = f"""
@@ -149,9 +151,7 @@ def test_lost_workers_are_reported_and_waited_for_until_an_interrupt(cluster, tm
         "the same command continues from there\n"
     )
     process.terminate()
-    sent = time.monotonic()
     assert process.communicate(timeout=60)[1].startswith("pyworm: stopped")
-    assert time.monotonic() - sent < 2
     assert process.returncode == 143
 
 

@@ -164,6 +164,7 @@ def sound_files(tmp_path_factory):
     return fuzz_results.bases(tmp_path_factory.mktemp("sound"), ("traction_steel", "sweep"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("place", [0, 1], ids=["result", "sweep"])
 def test_a_mutated_file_is_used_or_refused_in_one_sentence(tmp_path, sound_files, place):
     found = [fuzz_results.met([sound_files[place]], number, tmp_path) for number in range(25)]

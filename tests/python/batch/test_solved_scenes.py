@@ -95,7 +95,7 @@ def test_a_damaged_scene_is_solved_again(tmp_path, solved, monkeypatch, fields, 
     assert store.missing([first, second]) == []
     damage(store.file(first), store.file(second))
     assert store.missing([first, second]) == [first]
-    monkeypatch.setattr(Task, "solved", lambda task, progress=None: results[task.key])
+    monkeypatch.setattr(Task, "solved", lambda task, *how: results[task.key])
     assert solve_all([first], store) == {}
     assert store.missing([first, second]) == []
     assert store.summary(first) == sound
@@ -200,7 +200,7 @@ def test_the_only_scene_is_kept_where_its_result_cannot_be_written(tmp_path, mon
     task, result = solved[0]
     tasks, case = [task], task.case
     with monkeypatch.context() as patched:
-        patched.setattr(Task, "solved", lambda task, progress=None: result)
+        patched.setattr(Task, "solved", lambda task, *how: result)
         save = Result.save
 
         def full(result, path):

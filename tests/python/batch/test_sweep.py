@@ -303,10 +303,10 @@ def test_a_longer_sweep_solves_what_is_new_and_keeps_fields_if_asked(solved, tmp
 def test_a_scene_without_solution_is_a_row_with_its_reason(tmp_path, capsys, monkeypatch):
     solve = pyworm.batch.task.solve
 
-    def half(scene, plan, progress):
+    def half(scene, plan, *how):
         if scene.load > 150e3:
             raise KernelError(2)
-        return solve(scene, plan, progress)
+        return solve(scene, plan, *how)
 
     monkeypatch.setattr("pyworm.batch.task.solve", half)
     path = written(tmp_path, LINE)

@@ -179,6 +179,7 @@ def test_bulk_temperatures_apart(hot):
     assert figures.film_central.value < hot.figures.film_central.value
 
 
+@pytest.mark.long
 def test_opposite_sliding_has_a_film_by_heat_alone():
     """Mirrored bodies, no entrainment: two side lobes, both surfaces equally hot (Guo, Yang and Qu 2001)."""
     solution = solved(pyworm.load(CASES / "opposite_sliding.toml").scene(), accuracy=0.2)

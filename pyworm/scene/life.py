@@ -1,0 +1,64 @@
+"""The life of a contact: its states from its first touch to its last."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
+
+Contact = TypeVar("Contact")
+
+INSTANT = 1e-5
+"""Part of a life over which the turning of its axes is differenced."""
+
+
+def unturned(seconds: float) -> np.ndarray:
+    """Axes of contacts whose axes do not turn."""
+    return np.eye(3)
+
+
+@dataclass(frozen=True)
+class Life(Generic[Contact]):
+    """The states of a contact from its first touch to its last.
+
+    Attributes
+    ----------
+    duration : float
+        Time from the first touch to the last [s].
+    at : callable
+        Time since the first touch [s] -> the contact then, in axes that move with the contact point;
+        ValueError where it carries no load.
+    axes_at : callable
+        Time -> x, y and normal of the tangent plane, as rows in a frame at rest.
+    """
+
+    duration: float
+    at: Callable[[float], Contact]
+    axes_at: Callable[[float], np.ndarray] = unturned
+
+    def turning(self, seconds: float) -> float:
+        """Angular velocity of the axes about the normal [rad/s], positive from x to y."""
+        before = max(seconds - INSTANT * self.duration, 0.0)
+        after = min(seconds + INSTANT * self.duration, self.duration)
+        x_before, x_after = self.axes_at(before)[0], self.axes_at(after)[0]
+        return float((x_after - x_before) @ self.axes_at(seconds)[1]) / (after - before)
+
+
+@dataclass(frozen=True)
+class Past(Generic[Contact]):
+    """The present of a contact in its life.
+
+    Attributes
+    ----------
+    life : Life
+        Its life.
+    seconds : float
+        Time since the first touch [s].
+    """
+
+    life: Life[Contact]
+    seconds: float
+
+    def before(self, seconds: float) -> Contact:
+        """The contact some time before the present [s]; ValueError where it carried no load."""
+        return self.life.at(self.seconds - seconds)

@@ -1,0 +1,222 @@
+"""The course of a life: time in transits of the oil, and grids that fit the contact at every time."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, exp, log
+
+import numpy as np
+import scipy
+
+from pyworm.planning.expected_work import STEPS_A_TRANSIT, Kind
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.plan import Plan, effects_for, first_grids_of, planned
+from pyworm.planning.prediction import Prediction, predicted
+from pyworm.scene.contact import Contact
+from pyworm.scene.life import Life
+from pyworm.solver.transient.moving_grid import MeshMotion, Stretching, velocity
+
+KNOTS = 17
+"""Times of a life at which its contact is predicted."""
+
+STRIDE = 2
+"""Every which of these has its window drawn."""
+
+LIGHT = 0.05
+"""Load, over the largest, below which a contact does not count for the size of the grids: under light loads
+windows are wide, and films thick."""
+
+DEGREE = 4
+"""Degree of the polynomials in time that the logarithm of the grids' spacing follows."""
+
+LEAST_TRANSITS = 4.0
+"""Transits that a life counts at least, where oil hardly moves."""
+
+COMMON = 0.6
+"""Share of the knots whose windows the grid covers on each side."""
+
+COARSENING: dict[Kind, float] = {"point": 2.0, "line": 0.5}
+"""Spacing of the first transient solve over that of the plan's first grid; nodes of lines cost next to
+nothing."""
+
+CELLS = 8
+"""Cells of the coarsest grid to either side of the contact point come in multiples of half of this."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """Pace, grids and plan of a life.
+
+    Attributes
+    ----------
+    life : Life
+        The life.
+    plan : Plan
+        One plan for the whole life: effects that any of its knots calls for.
+    begin, end : float
+        First and last time under load [s].
+    largest : Prediction
+        Prediction of the contact with the thickest film of those that count.
+    sides : tuple
+        Cells of the coarsest grid before and behind the contact point along each direction.
+    """
+
+    life: Life
+    plan: Plan
+    begin: float
+    end: float
+    largest: Prediction
+    sides: tuple[tuple[int, int], ...]
+    _log_spacing: tuple[np.polynomial.Polynomial, ...]
+    _transits: "scipy.interpolate.PPoly"
+
+    def transits(self, seconds: float) -> float:
+        """Transits of oil through the contact from the first time under load to another."""
+        return float(self._transits(seconds) - self._transits(self.begin))
+
+    def place(self, seconds: float) -> float:
+        """Transits from the first time under load to another, not before it."""
+        return max(self.transits(seconds), 0.0)
+
+    def instant(self, transits: float) -> float:
+        """Time [s] at which so many transits have passed."""
+        if transits >= self.transits(self.end):
+            return self.end
+        return float(
+            scipy.optimize.brentq(lambda t: self.transits(t) - transits, self.begin, self.end)
+        )
+
+    def grid(self, seconds: float, refinement: int) -> Grid | LineGrid:
+        """The grid at a time, its spacing halved some times."""
+        steps = [exp(log_spacing(seconds)) / 2**refinement for log_spacing in self._log_spacing]
+        spans = [(before << refinement, behind << refinement) for before, behind in self.sides]
+        if len(steps) == 1:
+            ((dx,), ((before, behind),)) = steps, spans
+            return LineGrid(dx, -before, before + behind + 1)
+        (dx, dy), ((west, east), (south, north)) = steps, spans
+        return Grid(-west * dx, -south * dy, dx, dy, west + east + 1, south + north + 1)
+
+    def step(self, refinement: int) -> float:
+        """Time step [transits], halved with the spacing."""
+        return 1 / (STEPS_A_TRANSIT[self.plan.work.kind] << refinement)
+
+    def mesh(self, seconds: float) -> MeshMotion | Stretching:
+        """Velocity of the grid's nodes at a time."""
+        growth = tuple(float(of.deriv()(seconds)) for of in self._log_spacing)
+        return velocity(self.grid(self.begin, 0), growth, self.life.turning(seconds))
+
+
+def course_of(life: Life, plan: Plan) -> Course:
+    """The course of a life under the plan of one of its contacts.
+
+    Raises
+    ------
+    ValueError
+        If it carries no load, or load without motion, at all of its knots.
+    """
+    times, contacts = _loaded(life)
+    heaviest = max(contact.load for contact in contacts)
+    counted = [
+        (seconds, contact, of)
+        for seconds, contact in zip(times, contacts, strict=True)
+        if contact.load >= LIGHT * heaviest and (of := _predicted(contact)) is not None
+    ]
+    if not counted:
+        raise ValueError("its surfaces carry no load in motion")
+    at, of_all, predictions = zip(*counted, strict=True)
+    whole = _whole_plan(of_all, predictions, plan)
+    some = slice(None, None, STRIDE)  # windows cost more than predictions
+    grids = [first_grids_of(whole.simplified(contact), whole)[-1] for contact in of_all[some]]
+    coarsening = COARSENING[whole.work.kind]
+    return Course(
+        life,
+        whole,
+        times[0],
+        times[-1],
+        max(predictions, key=lambda one: one.film_central),
+        _sides(grids, coarsening),
+        _spacings(at[some], grids, coarsening),
+        _pace(at, predictions, life.duration),
+    )
+
+
+def _loaded(life: Life) -> tuple[list[float], list[Contact]]:
+    """Times and contacts of a life, without those that carry no load."""
+    found = []
+    for seconds in np.linspace(0.0, life.duration, KNOTS):
+        try:
+            found.append((float(seconds), life.at(float(seconds))))
+        except ValueError:
+            continue
+    if not found:
+        raise ValueError("its surfaces carry no load at any time")
+    times, contacts = zip(*found, strict=True)
+    return list(times), list(contacts)
+
+
+def _predicted(contact: Contact) -> Prediction | None:
+    """Prediction of a contact; None where its surfaces do not move."""
+    try:
+        return predicted(contact)
+    except ValueError:
+        return None
+
+
+def _whole_plan(contacts: Sequence[Contact], predictions: Sequence[Prediction], plan: Plan) -> Plan:
+    """A plan for the contact in the middle with the effects that any of some calls for.
+
+    It depends on the accuracy and the choice of effects alone, and is the same for all contacts of a life.
+    """
+    called = frozenset().union(
+        *(effects_for(one, plan, of) for one, of in zip(contacts, predictions, strict=True))
+    )
+    middle = len(contacts) // 2
+    return planned(
+        contacts[middle],
+        plan.accuracy,
+        plan.quantities,
+        predictions[middle],
+        plan.asked,
+        called,
+        frozenset(plan.excluded),
+    )
+
+
+def _sides(grids: Sequence[Grid | LineGrid], coarsening: float) -> tuple[tuple[int, int], ...]:
+    """Cells before and behind the contact point that hold the windows of most of some grids."""
+    sides = []
+    for direction in range(len(grids[0].spacing)):
+        before, behind = [], []
+        for grid in grids:
+            places = (grid.x, grid.y)[direction] if isinstance(grid, Grid) else grid.x
+            step = grid.spacing[direction] * coarsening
+            before.append(-places[0] / step)
+            behind.append(places[-1] / step)
+        half = CELLS // 2
+        ends = [half * ceil(np.quantile(side, COMMON) / half) for side in (before, behind)]
+        ends[1] += sum(ends) % CELLS
+        sides.append(tuple(ends))
+    return tuple(sides)
+
+
+def _spacings(
+    times: Sequence[float], grids: Sequence[Grid | LineGrid], coarsening: float
+) -> tuple[np.polynomial.Polynomial, ...]:
+    """Logarithm of the spacing along each direction over time, smooth."""
+    degree = min(DEGREE, len(times) - 1)
+    return tuple(
+        np.polynomial.Polynomial.fit(
+            times, [log(coarsening * grid.spacing[direction]) for grid in grids], degree
+        )
+        for direction in range(len(grids[0].spacing))
+    )
+
+
+def _pace(
+    times: Sequence[float], predictions: Sequence[Prediction], duration: float
+) -> "scipy.interpolate.PPoly":
+    """Transits over time; the integral of the inverse of the transit time."""
+    paces = [max(1 / of.transit, LEAST_TRANSITS / duration) for of in predictions]
+    if len(times) == 1:
+        times, paces = [0.0, duration], [*paces, *paces]
+    return scipy.interpolate.PchipInterpolator(times, paces).antiderivative()

@@ -1,0 +1,268 @@
+"""One transient solve through a part of a contact's life.
+
+The Reynolds equation with d(rho h)/dt is integrated by backward differences of variable step (BDF, third
+order; Hairer, Norsett and Wanner 1993, section III.5) on a grid that moves with the contact. The films of all
+instants of that part, and the rates of change that films on other grids take, follow from it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pyworm.kernel.core import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.plan import first_grids_of
+from pyworm.scene.contact import Array
+from pyworm.solver.kinds import SOLVERS
+from pyworm.solver.level import InitialGuess, Level
+from pyworm.solver.memory import shortage
+from pyworm.solver.newton import lead, newton_step
+from pyworm.solver.transient.course import Course
+from pyworm.solver.transient.differences import weights
+from pyworm.solver.transient.moving_grid import at_places, seen_from, slopes
+
+ORDER = 3
+"""Order of the backward differences: at second order, notches that an edge leaves in the film and that travel
+with the oil need four times as many time steps."""
+
+AROUND = 3
+"""Instants to either side of a wanted time near which films are interpolated in time. What Newton's iteration
+left in each of them would be noise in a rate of change from the nearest four."""
+
+TOLERANCE = 0.06
+"""Residual of the films over the square of the time step in transits: half the step halves what Newton's
+iteration leaves in a rate of change."""
+
+WARMING = 1e-2
+"""Last change of their temperatures over the largest rise; heat is quasi-steady and keeps no errors."""
+
+LOST = 1e-2
+"""Residual above which the film of an instant is lost."""
+
+MOST_STEPS = 15
+"""Largest number of Newton steps of an instant whose film begins with the extrapolated ones."""
+
+
+class LostError(Exception):
+    """No converged film at some time; the message gives the time and the reason."""
+
+
+@dataclass(frozen=True)
+class RateOfChange:
+    """d(rho h)/dt of a film at one time at places that move with the contact point, in its own axes.
+
+    Attributes
+    ----------
+    grid : Grid or LineGrid
+        The grid on which it was found.
+    rate : numpy.ndarray
+        Rate of change at its nodes [m/s].
+    """
+
+    grid: Grid | LineGrid
+    rate: Array
+
+    def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
+        """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
+        return 0.0, at_places(self.grid, self.rate, grid)
+
+
+@dataclass(frozen=True)
+class _Backwards:
+    """d(rho h)/dt on the moving grid's own nodes, a `solver.level.TransientTerm`."""
+
+    implicit: float
+    explicit: Array
+
+    def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
+        return self.implicit, self.explicit
+
+
+@dataclass(frozen=True)
+class _Instant:
+    """The film at one time."""
+
+    seconds: float
+    content: Array
+    state: InitialGuess
+
+
+@dataclass(frozen=True)
+class March:
+    """What a transient solve through a part of a life found.
+
+    Attributes
+    ----------
+    rates : dict
+        Time [s] -> `RateOfChange` there.
+    figures : tuple of (float, dict)
+        Times [s] and the figures of the film on the moving grid at each.
+    newton_steps : int
+        Newton steps of all instants.
+    """
+
+    rates: dict[float, RateOfChange]
+    figures: tuple[tuple[float, dict[str, float]], ...]
+    newton_steps: int
+
+
+def march(
+    course: Course,
+    refinement: int,
+    begin: float,
+    wanted: Sequence[float],
+) -> March:
+    """Integrate a contact's film in time.
+
+    Parameters
+    ----------
+    course : Course
+        Grids and pace of its life.
+    refinement : int
+        Halvings of the spacing and of the time step.
+    begin : float
+        Where it begins, with a steady film [transits].
+    wanted : sequence of float
+        Times at which the rate of change is wanted [s], later than that.
+
+    Raises
+    ------
+    LostError
+        No film was found at some time.
+    """
+    short = shortage(course.grid(course.begin, refinement), course.plan.model)
+    if short is not None:
+        raise LostError(short)
+    instants = _instants(course, refinement, begin, max(wanted))
+    stencils = {at: _nearest(instants, at) for at in wanted}
+    needed = {seconds for stencil in stencils.values() for seconds in stencil}
+    contents: dict[float, Array] = {}
+    figures, steps = [], 0
+    before: list[_Instant] = []
+    for seconds in instants:
+        try:
+            level, taken = _level_at(course, refinement, seconds, before)
+        except KernelError as error:
+            if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
+                raise
+            raise LostError(f"{_failed(seconds)}: {error}") from error
+        if not level.film.balance.worst <= LOST:
+            raise LostError(_failed(seconds))
+        steps += taken
+        film, density, _ = level.film.fields()
+        now = _Instant(seconds, density * film, level.state())
+        before = [now, *before[: ORDER - 1]]
+        figures.append((seconds, level.read().figures))
+        if seconds in needed:
+            contents[seconds] = now.content
+    rates = {
+        at: _rate_at(course, refinement, at, stencil, [contents[seconds] for seconds in stencil])
+        for at, stencil in stencils.items()
+    }
+    return March(rates, tuple(figures), steps)
+
+
+def _instants(course: Course, refinement: int, begin: float, last: float) -> list[float]:
+    """Times of the march [s], up to `AROUND` steps after the last that is wanted."""
+    step = course.step(refinement)
+    whole = course.transits(course.end)
+    count = int((course.transits(last) - begin) / step) + 1 + AROUND
+    places = [begin + step * number for number in range(count + 1)]
+    return [course.instant(place) for place in places if place < whole - step / 2] + [
+        course.end
+    ] * (places[-1] >= whole - step / 2)
+
+
+def _nearest(instants: Sequence[float], at: float) -> list[float]:
+    """The instants around a time, as many to either side where there are."""
+    count = 2 * AROUND
+    first = int(np.searchsorted(instants, at)) - AROUND
+    first = min(max(first, 0), max(len(instants) - count, 0))
+    return list(instants[first : first + count])
+
+
+def _level_at(
+    course: Course,
+    refinement: int,
+    seconds: float,
+    before: Sequence[_Instant],
+) -> tuple[Level, int]:
+    """The film at a time, from those at earlier times, the latest first, and its Newton steps."""
+    grid = course.grid(seconds, refinement)
+    contact = course.plan.simplified(replace(course.life.at(seconds), past=None))
+    solver_type = SOLVERS[type(contact)]
+    step = course.step(refinement)
+    tolerances = TOLERANCE * step**2, WARMING
+    if not before:
+        steady = solver_type(contact, course.plan)
+        level, _ = steady.begin(first_grids_of(contact, course.plan))
+        level = steady.on_grid(grid, _moved(level, grid))
+        return level, len(lead(level, *tolerances))
+    mesh = course.mesh(seconds)
+    _, (implicit, *earlier) = weights([seconds, *(one.seconds for one in before)], seconds)
+    explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
+    term = _Backwards(implicit + mesh.divergence, explicit)
+    solver = solver_type(seen_from(contact, mesh), course.plan, term)
+    level = solver.on_grid(grid, _extrapolated(before, seconds))
+    # one at least: a film that is only extrapolated would follow no equation until it is far from it
+    first = [newton_step(level)]
+    steps = [*first, *lead(level, *tolerances, most=MOST_STEPS)]
+    if level.film.balance.worst <= LOST:
+        return level, len(steps)
+    level, _ = solver_type(contact, course.plan).begin(first_grids_of(contact, course.plan))
+    level = solver.on_grid(grid, _moved(level, grid))
+    steps += lead(level, *tolerances)
+    return level, len(steps)
+
+
+def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
+    """The film of a level as an initial guess on another grid in the same axes."""
+    state = level.state()
+
+    def there(field: Array) -> Array:
+        return at_places(level.grid, field, grid)
+
+    rise = None
+    if state.rise is not None:
+        rise = np.stack([there(one) for one in np.moveaxis(state.rise, -1, 0)], axis=-1)
+    pressure, oil = (np.maximum(there(of), 0.0) for of in (state.pressure, state.oil))
+    return InitialGuess(pressure, state.rigid_film, rise, oil)
+
+
+def _extrapolated(before: Sequence[_Instant], seconds: float) -> InitialGuess:
+    """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
+
+    Temperatures are the latest: those of far nodes settle slowly, and extrapolated they run away.
+    """
+    latest = before[0].state
+    of, _ = weights([one.seconds for one in before], seconds)
+
+    def onward(name: str) -> Array:
+        return sum(
+            weight * getattr(one.state, name) for weight, one in zip(of, before, strict=True)
+        )
+
+    pressure = np.where(latest.pressure > 0, np.maximum(onward("pressure"), 0.0), 0.0)
+    oil = np.where(latest.oil > 0, np.maximum(onward("oil"), 0.0), 0.0)
+    return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)
+
+
+def _rate_at(
+    course: Course, refinement: int, at: float, times: Sequence[float], contents: Sequence[Array]
+) -> RateOfChange:
+    """Rate of change at a time, by interpolation in time; equation 1 of `moving_grid`."""
+    grid, mesh = course.grid(at, refinement), course.mesh(at)
+    of_value, of_rate = weights(times, at)
+    content = sum(weight * one for weight, one in zip(of_value, contents, strict=True))
+    at_node = sum(weight * one for weight, one in zip(of_rate, contents, strict=True))
+    carried = sum(
+        component * slope
+        for component, slope in zip(mesh(*grid.mesh()), slopes(grid, content), strict=True)
+    )
+    return RateOfChange(grid, at_node - carried)
+
+
+def _failed(seconds: float) -> str:
+    return f"the transient solve found no converged film {seconds:.3g} s after the first touch"

@@ -1,0 +1,139 @@
+"""A grid that moves with a contact: it turns with its axes and breathes with its size.
+
+Its nodes have the velocity
+
+    w = (x d ln dx/dt - Omega y, y d ln dy/dt + Omega x),
+
+Omega being the turning of the axes. Then
+
+    d(rho h)/dt at a place = d(rho h)/dt at a node - w . grad(rho h),                                   (1)
+
+so that the Reynolds equation on it has the entrainment less w and, with the divergence of w,
+
+    d(rho h)/dt at a node + rho h div w + div(rho h (um - w)) - div(rho h^3 / (12 eta) grad p) = 0.     (2)
+
+Nothing is turned or interpolated from one time to the next (arbitrary Lagrangian-Eulerian form; Hirt, Amsden
+and Cook 1974, J. Comput. Phys. 14, 227-253).
+"""
+
+from dataclasses import dataclass
+from functools import singledispatch
+
+import numpy as np
+import scipy
+
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.scene.contact import Array
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+
+@dataclass(frozen=True)
+class MeshMotion:
+    """Velocity of a moving grid's nodes at one time.
+
+    Attributes
+    ----------
+    growth_x, growth_y : float
+        Rates of growth of the spacings, d ln dx/dt and d ln dy/dt [1/s].
+    turning : float
+        Angular velocity of the axes [rad/s].
+    """
+
+    growth_x: float
+    growth_y: float
+    turning: float
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Velocity components [m/s] at (x, y)."""
+        return self.growth_x * x - self.turning * y, self.growth_y * y + self.turning * x
+
+    @property
+    def divergence(self) -> float:
+        """Divergence of the velocity [1/s]."""
+        return self.growth_x + self.growth_y
+
+
+@dataclass(frozen=True)
+class Stretching:
+    """Velocity of the nodes of a moving grid along a line at one time.
+
+    Attributes
+    ----------
+    growth : float
+        Rate of growth of the spacing, d ln dx/dt [1/s].
+    """
+
+    growth: float
+
+    def __call__(self, x: Array) -> tuple[Array]:
+        """Velocity [m/s] at x."""
+        return (self.growth * x,)
+
+    @property
+    def divergence(self) -> float:
+        """Divergence of the velocity [1/s]."""
+        return self.growth
+
+
+@dataclass(frozen=True, kw_only=True)
+class _SeenScene(Scene):
+    """A point contact whose entrainment is that relative to a moving grid."""
+
+    mesh: MeshMotion
+
+    def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
+        u, v = super().entrainment_at(x, y)
+        w_x, w_y = self.mesh(x, y)
+        return u - w_x, v - w_y
+
+
+@dataclass(frozen=True, kw_only=True)
+class _SeenLineScene(LineScene):
+    """A line contact whose entrainment is that relative to a moving grid."""
+
+    mesh: Stretching
+
+    def entrainment_at(self, x: Array) -> tuple[Array]:
+        (u,), (w,) = super().entrainment_at(x), self.mesh(x)
+        return (u - w,)
+
+
+@singledispatch
+def seen_from(scene: Scene, mesh: MeshMotion) -> Scene:
+    """A contact whose entrainment is that relative to a moving grid; sliding and heat stay as they are."""
+    return _SeenScene(**vars(scene), mesh=mesh)
+
+
+@seen_from.register
+def _(scene: LineScene, mesh: Stretching) -> LineScene:
+    return _SeenLineScene(**vars(scene), mesh=mesh)
+
+
+@singledispatch
+def velocity(grid: Grid, growth: tuple[float, ...], turning: float) -> MeshMotion:
+    """Velocity of the nodes of a grid whose spacings grow at some rates [1/s] and whose axes turn [rad/s]."""
+    return MeshMotion(*growth, turning)
+
+
+@velocity.register
+def _(grid: LineGrid, growth: tuple[float, ...], turning: float) -> Stretching:
+    return Stretching(*growth)
+
+
+def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Array:
+    """A field at the nodes of another grid in the same axes; beyond its own grid it is constant."""
+    if isinstance(grid, LineGrid):
+        spline = scipy.interpolate.CubicSpline(grid.x, field)
+        return spline(np.clip(other.x, grid.x[0], grid.x[-1]))
+    spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, field)
+    return spline(other.x, other.y)
+
+
+def slopes(grid: Grid | LineGrid, field: Array) -> tuple[Array, ...]:
+    """Slopes of a field along each direction of its grid."""
+    if isinstance(grid, LineGrid):
+        return (scipy.interpolate.CubicSpline(grid.x, field)(grid.x, 1),)
+    spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, field)
+    return spline(grid.x, grid.y, dx=1), spline(grid.x, grid.y, dy=1)

@@ -1,0 +1,198 @@
+"""The transient term of a contact that changes while oil passes through it.
+
+The Reynolds equation has d(rho h)/dt. Oil under pressure at present entered the contact some time ago, under
+other load, curvature and edges, and its film is that of its entry. One transient solve (`march`) goes through
+the life of the contact and gives the rate of change at any time of it, which the films on all grids of the
+figures take. It is made twice, the second time with half the spacing and half the time step; what that
+changes tells its error.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil, inf
+
+from pyworm.planning.expected_work import REFINEMENTS, Kind
+from pyworm.planning.plan import Plan
+from pyworm.planning.prediction import predicted
+from pyworm.planning.target import FILMS
+from pyworm.scene.life import Life, Past
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.error_estimate import Reading, change
+from pyworm.solver.kinds import SOLVERS
+from pyworm.solver.level import Level
+from pyworm.solver.newton import ALGEBRA_FRACTION, settle
+from pyworm.solver.transient.course import Course, course_of
+from pyworm.solver.transient.march import LostError, RateOfChange, march
+
+WARM_UP = 2.0
+"""Transits before the first wanted time at which a solve of a later part of a life begins, from a steady
+film."""
+
+PART = 3.5
+"""Most transits of a part of a life whose films are wanted, so that several processes may work on a life."""
+
+LONGEST, RECENT = 30.0, 6.0
+"""Transits of the present contact from which on a life is not solved as a whole, and how many of them are
+then before the present."""
+
+LEFT: dict[Kind, float] = {"point": 0.5, "line": 1.0}
+"""Error of the figures by the last rate of change, over the largest of what they and the films change with it
+from the one before. At second order a third of that is left; where a kink of the load or an edge passes, the
+order is lower, and where the load of a gear pair jumps, it is one."""
+
+
+MOST = 0.7
+"""Most error by it, over the accuracy asked for; the rest is left to grid, window and algebra."""
+
+SHARE: dict[Kind, float] = {"point": 0.1, "line": 0.02}
+"""Least error by it, over what films in motion differ from steady ones, up to `COUNTED`; those of lines have
+finer grids and steps. A still finer solve moved the least film at five phases of `cases/zi_drive.toml` by 0.2
+to 1.4 %, up to 11 % of that difference where the last two agreed by chance."""
+
+COUNTED = 0.15
+"""Largest such difference that counts."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a life that one transient solve goes through.
+
+    Attributes
+    ----------
+    begin, first, last : float
+        Where the solve begins, and from where to where its films are wanted [transits].
+    """
+
+    begin: float
+    first: float
+    last: float
+
+    def holds(self, place: float) -> bool:
+        """Whether the film of a place is wanted of it [transits]."""
+        return self.first <= place < self.last
+
+
+def parts_of(course: Course) -> tuple[Part, ...]:
+    """The parts of a life."""
+    whole = course.transits(course.end)
+    count = max(1, ceil((whole - WARM_UP) / PART))
+    length = (whole - WARM_UP) / count
+    firsts = [WARM_UP + length * number for number in range(1, count)]
+    return tuple(
+        Part(max(first - WARM_UP, 0.0), first, last)
+        for first, last in pairwise((0.0, *firsts, inf))
+    )
+
+
+def recent(scene: Scene | LineScene) -> Past:
+    """The past of a contact, without what is so long ago that it is forgotten."""
+    past = scene.past
+    transit = predicted(scene).transit
+    if past.life.duration <= LONGEST * transit:
+        return past
+    start = max(past.seconds - RECENT * transit, 0.0)
+    end = min(past.seconds + transit, past.life.duration)
+    life = Life(
+        end - start,
+        lambda seconds: past.life.at(start + seconds),
+        lambda seconds: past.life.axes_at(start + seconds),
+    )
+    return Past(life, past.seconds - start)
+
+
+def part_at(course: Course, seconds: float) -> Part:
+    """The part of a life that a time [s] belongs to."""
+    return next(part for part in parts_of(course) if part.holds(course.place(seconds)))
+
+
+@dataclass(frozen=True)
+class Rates:
+    """Rates of change at one time, one of each refinement, or the reason why there are none.
+
+    Attributes
+    ----------
+    found : tuple of RateOfChange
+        The rates, the finest last.
+    flaw : str or None
+        Reason why a film before was not found.
+    """
+
+    found: tuple[RateOfChange, ...]
+    flaw: str | None = None
+
+
+@dataclass(frozen=True)
+class Transient:
+    """The transient term of a contact at present.
+
+    Attributes
+    ----------
+    rate : RateOfChange or None
+        d(rho h)/dt at present; None where a film at an earlier time was not found.
+    level : Level
+        The film with that rate, on the plan's first grid of the figures.
+    errors : dict
+        Relative error of its figures by grids and time steps of the transient solve.
+    flaw : str or None
+        Reason why the rate is not to be trusted.
+    """
+
+    rate: RateOfChange | None
+    level: Level
+    errors: dict[str, float]
+    flaw: str | None
+
+
+def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
+    """Rates of change of a contact at present, by transient solves of the part of its life before."""
+    past = recent(scene)
+    try:
+        course = course_of(past.life, plan)
+        begin = part_at(course, past.seconds).begin
+        marches = [
+            march(course, refinement, begin, [past.seconds]) for refinement in range(REFINEMENTS)
+        ]
+    except (LostError, ValueError) as reason:  # of no contact in motion, or of a film
+        return Rates((), str(reason))
+    return Rates(tuple(one.rates[past.seconds] for one in marches))
+
+
+def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
+    """The film of a contact with the rate of change of transient solves, and the error of its figures.
+
+    Parameters
+    ----------
+    scene : Scene or LineScene
+        The contact.
+    plan : Plan
+        Its plan.
+    rates : Rates
+        The rates.
+    """
+    solver_type = SOLVERS[type(scene)]
+    level, _ = solver_type(scene, plan).begin(plan.grids)
+    if rates.flaw is not None:
+        return Transient(None, level, dict.fromkeys(level.read().figures, inf), rates.flaw)
+    readings: list[Reading] = []
+    for rate in (None, *rates.found):
+        if rate is not None:
+            level = solver_type(scene, plan, rate).with_rate(level)
+        # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
+        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        readings.append(settled.reading)
+    steady, coarse, fine = readings
+    moved, squeezed = change(coarse, fine), change(steady, fine)
+    films = max(moved[name] for name in FILMS)
+    errors = {
+        name: max(
+            LEFT[plan.work.kind] * max(of, films),
+            SHARE[plan.work.kind] * min(squeezed[name], COUNTED),
+        )
+        for name, of in moved.items()
+    }
+    left = plan.aim.worst(errors, readings[-1].figures)
+    flaw = None
+    if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
+        flaw = f"the transient solve through the contact's life leaves an error of {left:.1%}"
+    return Transient(rates.found[-1], level, errors, flaw)

@@ -1,0 +1,43 @@
+"""Films in motion that several phases share."""
+
+import pytest
+
+import pyworm
+from pyworm.batch.case_run import run
+from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
+from pyworm.batch.task import Task
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
+
+HOW = 0.5, "isothermal,squeeze", ("film",)
+
+
+@pytest.fixture(autouse=True)
+def long_time_steps(monkeypatch):
+    """What is tested here does not depend on their accuracy."""
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 6)
+
+
+def two_phases():
+    case = pyworm.load("cases/spur_pair.toml")
+    return case, [Task(case, place, *HOW) for place in case.places(phase=[0.35, 0.6])]
+
+
+def test_phases_share_a_life_and_find_what_each_would_alone(tmp_path):
+    case, tasks = two_phases()
+    together = run(case, tasks, tmp_path).solutions
+    assert not list(tmp_path.rglob("*.npz"))
+    for task, solution in zip(tasks, together, strict=True):
+        alone = pyworm.solve(task.scene, task.plan)
+        assert solution.figures.film_min == alone.figures.film_min
+        assert solution.figures.film_central == alone.figures.film_central
+
+
+def test_a_damaged_file_of_a_life_counts_as_none(tmp_path):
+    _, tasks = two_phases()
+    solve_lives(tasks, tmp_path, None, lambda message, share: None)
+    assert all(rates_for(task, tmp_path) is not None for task in tasks)
+    first, *_ = sorted(tmp_path.glob(f"{tasks[0].key}*"))
+    first.write_bytes(first.read_bytes()[:100])
+    assert rates_for(tasks[0], tmp_path) is None
+    drop_rates(tasks, tmp_path)
+    assert not list(tmp_path.iterdir())
