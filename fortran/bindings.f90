@@ -16,8 +16,8 @@ module bindings
   public :: dry_contact_solve, elastic_deflection
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
-  public :: film_free, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, film_transient, &
-    film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
+  public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
+    film_transient, film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
     film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions
@@ -267,6 +267,22 @@ contains
     end associate
   end subroutine film_asperities
 
+  !> Sets the film, and what asperities bear of it, at pressure p [Pa] and rigid film h0 [m], without its flow.
+  subroutine film_place(handle, p, nx, ny, h0)
+    use film_newton, only: set_film
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: p(nx, ny)
+    real(c_double), intent(in) :: h0
+    type(thermal_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call contact%film%work%whole%start()
+    call set_film(contact%film, p, h0)
+    call contact%film%work%whole%finish()
+  end subroutine film_place
+
   !> Evaluates residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine film_evaluate(handle, p, nx, ny, h0, residual, load_error)
     use film_newton, only: film_residual
@@ -502,14 +518,14 @@ contains
 
   !> Sets the temperature above the inlet's [K].
   subroutine film_set_rise(handle, rise, nx, ny, levels)
-    use thermal_step, only: set_temperature
+    use thermal_step, only: start_temperature
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny, levels
     real(c_double), intent(in) :: rise(nx, ny, levels)
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    call set_temperature(contact%film, contact%heat, rise)
+    call start_temperature(contact%film, contact%heat, rise)
   end subroutine film_set_rise
 
   !> Fields of a contact's shear; see `shear_fields`.

@@ -29,7 +29,7 @@ module film_newton
   private
 
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
-  public :: film_residual, film_step, set_ruptured
+  public :: set_film, film_residual, film_step, set_ruptured
   public :: set_system, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
 
   !> Cycles of GMRES in a Newton step: most need a third of one, sheared films with thick inlets up to three.

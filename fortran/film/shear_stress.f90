@@ -244,7 +244,7 @@ contains
     type(shear_strip), intent(inout) :: strip
     integer, intent(in) :: i
     logical, intent(out) :: converged
-    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), fraction, low, high, descent, slope
+    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), fraction, longest, low, high, descent, slope
     logical :: turns
     integer :: newton, search
 
@@ -265,7 +265,11 @@ contains
       descent = strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2)
       call find_centre(law, strip, i, centre, turns)
       fraction = 1
-      if (has_limit(law)) fraction = strip%limit(i)/max(norm2(step), strip%limit(i))
+      if (has_limit(law)) then
+        ! not less than an e-fold of the slip
+        longest = max(1.0_wp, law%slip_step)*strip%limit(i)
+        fraction = longest/max(norm2(step), longest)
+      end if
       low = 0
       high = 0
       do search = 1, search_steps

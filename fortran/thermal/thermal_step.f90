@@ -20,7 +20,7 @@ module thermal_step
   implicit none(type, external)
   private
 
-  public :: film_heat, thermal_contact, new_film_heat, set_walls, heated_step, heat_sweep, set_temperature
+  public :: film_heat, thermal_contact, new_film_heat, set_walls, heated_step, heat_sweep, start_temperature
 
   !> Least relaxation factor of a sweep's change.
   real(wp), parameter :: least_fraction = 0.125_wp
@@ -280,6 +280,16 @@ contains
     end associate
     call set_walls(film, heat, 0.0_wp, change)
   end subroutine judge_temperature
+
+  !> Starts from a temperature above the inlet's [K]: what sweeps before changed says nothing of those to come.
+  subroutine start_temperature(film, heat, rise)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(inout) :: heat
+    real(wp), intent(in) :: rise(:, :, :)
+
+    call set_temperature(film, heat, rise)
+    heat%last_fraction = 0
+  end subroutine start_temperature
 
   !> Sets the temperature above the inlet's [K], at the levels.
   subroutine set_temperature(film, heat, rise)

@@ -41,3 +41,8 @@ def lubrication(central: float | None, least: float | None) -> Lubrication:
     if central < BOUNDARY:
         return "boundary"
     return "mixed" if central < FULL_FILM or least < BOUNDARY else "full"
+
+
+def full_film_roughness(central: float, least: float) -> float:
+    """The composite roughness [m] up to which a film [m], at its centre and least, counts as full."""
+    return min(central / FULL_FILM, least / BOUNDARY)

@@ -14,14 +14,18 @@ import scipy
 
 Array = np.ndarray
 
+RQ_OVER_RA = sqrt(pi / 2)
+"""Root mean square over arithmetic mean of heights spread normally."""
+
 GREENWOOD_TRIPP = 16 * sqrt(2) * pi / 15
 """Factor of their pressure, equation 11."""
 
 SELF_AFFINE_PRESSURE, SELF_AFFINE_LENGTH, SELF_AFFINE_AREA = 0.34, 0.47, 2.0
 """Pressure at mean planes that touch over E* h'rms, the gap over Rq in which pressure falls e-fold, and the
-real area of contact times E* h'rms over the pressure: read from one numerical contact with a Hurst exponent
-of 0.8, not computed in this project. C. Akarapu, T. Sharp and M. O. Robbins, PRL 106 (2011) 204301, have a
-length of 0.48 (from memory)."""
+real area of contact times E* h'rms over the pressure, of a Hurst exponent of 0.8. The cell solver
+(`pyworm/surfaces/cell.py`) finds 0.34 to 0.43, 0.43 to 0.49 and 2.2 to 2.6 on six surfaces; Persson's theory
+has an area of 1.6, and C. Akarapu, T. Sharp and M. O. Robbins, PRL 106 (2011) 204301, a length of 0.48 (from
+memory)."""
 
 
 HIGHEST = 35.0

@@ -224,6 +224,17 @@ def self_locking_margin(tan_lead: float, friction: float) -> float:
     return friction / tan_lead
 
 
+def deflection_limit(module: float) -> float:
+    """Largest deflection of the worm's shaft at the mesh, delta_lim [m], 0.04 sqrt(m_x) mm with m_x in mm.
+
+    From memory, not checked. The help of a design program (Autodesk Inventor, worm gears component generator)
+    allows 0.004 m_x with hardened worms and 0.01 m_x with heat-treated ones: 0.016 and 0.04 mm instead of
+    0.08 mm at m_x = 4 mm.
+    """
+    positive("module", module, "m")
+    return 0.04e-3 * sqrt(module * 1e3)
+
+
 def pitting_safety(
     mean_pressure: float,
     strength: float,

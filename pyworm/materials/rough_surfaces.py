@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import cos, hypot, sin
 from typing import Self
 
@@ -156,15 +157,21 @@ class RoughPair:
 
         Those of two surfaces add with their shares of the variance, as exact theory of second order has it.
         """
+        (pressure, shear), (other_pressure, other_shear) = (
+            self._flow_factors(surface, gap) for surface in self.surfaces
+        )
+        return pressure + other_pressure, shear - other_shear
+
+    def _flow_factors(self, surface: RoughSurface, gap) -> tuple[Array, Array]:
+        """Parts of the pressure and shear flow factors by one surface, as if it were the first."""
         pressure = np.zeros((3, *np.shape(gap)))
         shear = np.zeros_like(pressure)
-        for surface, side in zip(self.surfaces, (1, -1), strict=True):
-            share = (surface.height / self.height) ** 2
-            for aspect, turn in ((surface.aspect, 0.0), (1 / surface.aspect, np.pi / 2)):
-                along = cos(surface.lay + turn), sin(surface.lay + turn)
-                tensor = np.array([along[0] ** 2, along[1] ** 2, along[0] * along[1]])[:, None]
-                pressure += share * tensor * pressure_flow_factor(gap, aspect)
-                shear += side * share * tensor * shear_flow_factor(gap, aspect)
+        share = (surface.height / self.height) ** 2
+        for aspect, turn in ((surface.aspect, 0.0), (1 / surface.aspect, np.pi / 2)):
+            along = cos(surface.lay + turn), sin(surface.lay + turn)
+            tensor = np.array([along[0] ** 2, along[1] ** 2, along[0] * along[1]])[:, None]
+            pressure += share * tensor * pressure_flow_factor(gap, aspect)
+            shear += share * tensor * shear_flow_factor(gap, aspect)
         return pressure, shear
 
     def elastic(self) -> "RoughPair | None":
@@ -176,21 +183,26 @@ class RoughPair:
 
     def curves(self) -> GapCurves:
         """All averages as tables for the kernel."""
-        row, gap = gap_rows()
-        thickness = self.mean_thickness(gap)
-        pressure, area = self.contact(gap)
-        flow, shear = self.flow_factors(gap)
-        cube = np.maximum(gap, 0.0) ** 3
-        isotropic = np.array([1.0, 1.0, 0.0])[:, None]
-        return tabulated(
-            row,
-            self.height,
-            pressure=pressure,
-            area=area,
-            surplus=(thickness - gap) * self.height,
-            flow=(flow * cube + NARROWEST**3 * isotropic) / thickness**3,
-            shear=shear * self.height,
-        )
+        return _curves(self)
+
+
+@lru_cache(maxsize=4)  # the contacts of one life ask for the same ones, hundreds of times
+def _curves(pair: RoughPair) -> GapCurves:
+    row, gap = gap_rows()
+    thickness = pair.mean_thickness(gap)
+    pressure, area = pair.contact(gap)
+    flow, shear = pair.flow_factors(gap)
+    cube = np.maximum(gap, 0.0) ** 3
+    isotropic = np.array([1.0, 1.0, 0.0])[:, None]
+    return tabulated(
+        row,
+        pair.height,
+        pressure=pressure,
+        area=area,
+        surplus=(thickness - gap) * pair.height,
+        flow=(flow * cube + NARROWEST**3 * isotropic) / thickness**3,
+        shear=shear * pair.height,
+    )
 
 
 def gap_rows() -> tuple[Array, Array]:

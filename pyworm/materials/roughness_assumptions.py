@@ -62,12 +62,12 @@ class Variation:
 
 
 def variations(
-    pair: RoughSurfaces, boundary_friction: float, part: float
+    pair: RoughSurfaces, boundary_friction: float, part: float, thickness: Array
 ) -> Iterator[tuple[str, Variation]]:
-    """Names of uncertain assumptions, each with the surfaces in which it is changed.
+    """Names of uncertain assumptions, each with the surfaces in which it is changed; all are independent.
 
-    Alternatives of one name exclude each other: their largest change counts. Those of different names are
-    independent.
+    Laws of contact exclude each other: that one counts by which the load of the asperities changes most at a
+    given gap. Assumptions that change nothing, as shear flow factors between equal surfaces, are left out.
 
     Parameters
     ----------
@@ -77,20 +77,18 @@ def variations(
         Friction coefficient of asperities in contact as assumed [-].
     part : float
         Part of the uncertainty by which each assumption is changed [-].
+    thickness : numpy.ndarray
+        Mean thickness of the gap [m] at evenly spaced places of the contact.
     """
     curves = pair.curves()
-    pressure = curves.values[0]
     others = {
-        "height": [curves.scaled(1 + part * HEIGHT_SPREAD)],
-        "contact": [
-            _with_rows(curves, slice(0, 1), pressure + part * (other - pressure))
-            for other in _other_pressures(pair, curves)
-        ],
-        "pressure flow": [_scattered(curves, slice(3, 6), part)],
-        "shear flow": [_scattered(curves, slice(6, 9), part)],
+        "height": curves.scaled(1 + part * HEIGHT_SPREAD),
+        "contact": _pressed(curves, _other_pressure(pair, curves, thickness), part),
+        "pressure flow": _scattered(curves, slice(3, 6), part),
+        "shear flow": _scattered(curves, slice(6, 9), part),
     }
-    for name, alternatives in others.items():
-        for other in alternatives:
+    for name, other in others.items():
+        if other.scale != curves.scale or not np.array_equal(other.values, curves.values):
             yield name, Variation(other, boundary_friction)
     rubbing = boundary_friction * (1 + part * BOUNDARY_FRICTION_SPREAD)
     yield "boundary friction", Variation(curves, rubbing)
@@ -113,6 +111,22 @@ def _other_pressures(pair: RoughSurfaces, curves: GapCurves) -> Iterator[Array]:
     elastic = pair.elastic()
     if elastic is not None:
         yield elastic.curves().values[0]
+
+
+def _other_pressure(pair: RoughSurfaces, curves: GapCurves, thickness: Array) -> Array:
+    """That of the other laws of contact by which the load of the asperities changes most at a given gap."""
+
+    def load(pressure: Array) -> float:
+        return float(np.exp(np.interp(thickness, curves.thicknesses, pressure)).sum())
+
+    present = load(curves.values[0])
+    return max(_other_pressures(pair, curves), key=lambda other: abs(load(other) - present))
+
+
+def _pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
+    """Curves with the asperities' logarithm of pressure changed by a part of the way to another law's."""
+    pressure = curves.values[0]
+    return _with_rows(curves, slice(0, 1), pressure + part * (other - pressure))
 
 
 def _scattered(curves: GapCurves, rows: slice, part: float) -> GapCurves:

@@ -8,7 +8,7 @@ from time import process_time
 from pyworm.planning.plan import Plan
 from pyworm.precision.models import Fidelity
 from pyworm.solver.grid_limit import second_order_limit
-from pyworm.solver.grid_sequence import SOLVERS
+from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import ALGEBRA_FRACTION, lead, settle
 from pyworm.solver.timing import convolution_seconds

@@ -9,7 +9,7 @@ from time import perf_counter
 from pyworm.io.format import duration
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import KernelError
-from pyworm.planning.model import PARABOLA, Model
+from pyworm.planning.model import PARABOLA
 from pyworm.planning.prediction import predicted
 from pyworm.precision.closed_forms import closed_forms
 from pyworm.precision.extrapolation import Limit, limit
@@ -26,7 +26,7 @@ from pyworm.precision.study import Curve, Reference, Study
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.cost.expected_time import expectation
-from pyworm.solver.grid_sequence import SOLVERS
+from pyworm.solver.kinds import SOLVERS
 
 FINE_ENOUGH = 1e-4
 """Discretisation error of all figures below which a model is not refined further."""
@@ -294,7 +294,7 @@ class _Study:
         plan = self._complete.plan
         least = (PARABOLA,) if plan.model.heated else ()
         for levels in (*least, *(of for of in LEVELS if of <= plan.model.levels)):
-            other = replace(plan, model=Model(levels, plan.model.heated))
+            other = replace(plan, model=replace(plan.model, levels=levels))
             yield on_grid(replace(self._complete, plan=other), halvings, f"{levels} levels")
 
     def _parameter(self, name: str, points: Iterator[Point]) -> Curve:

@@ -33,6 +33,7 @@ program test_shear_flow
   call derivatives(carreau, "Carreau")
   call symmetries()
   call slipping()
+  call widened_slip()
   call across_the_film(newton, "Newton")
   call across_the_film(limited, "limited Eyring")
   call factors()
@@ -343,6 +344,28 @@ contains
     call flow_deficit(seven, strip, x, y)
     call check(x(1) > 0 .and. x(1) < huge(us), "a gradient beyond reason does not overflow")
   end subroutine slipping
+
+  !> Oil under 16 times its stresses, with the wide slip of the stress continuation, so viscous that it only slips: the walls'
+  !> stress grows by three limits for each e-fold of the slip.
+  subroutine widened_slip()
+    type(shear_strip) :: strip
+    type(flow_law), parameter :: firm = flow_law(law_eyring_limited, slip_step=3.0_wp)
+    real(wp), parameter :: sliding = 15.0_wp
+    real(wp) :: rate
+    integer :: failures, k
+
+    call one_point(seven, 0.3_wp*16*limit/h, 0.0_wp, sliding, 0.0_wp, strip)
+    strip%reference = 16*tau0
+    strip%limit = 16*limit
+    strip%fluidity = 1e-20_wp
+    call solve_shear(firm, seven, strip, failures)
+    rate = 0
+    do k = 1, 7
+      rate = rate + seven%weight(k)*strip%fluidity(1, k)*strip%g(1, k)*(strip%tau_x(1) + seven%z(k)*h*strip%px(1))
+    end do
+    call check(failures == 0, "widened slip of a very viscous oil is found")
+    call close_to(h*rate, sliding, 1e-8_wp, "widened slip has the sliding asked for")
+  end subroutine widened_slip
 
   !> The mobility of a film that slips, against differences well within the stresses over which slip sets in.
   subroutine slipping_derivative(strip)

@@ -17,6 +17,7 @@ from pyworm.planning.plan import Plan
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.solver.solution import Solution
+from pyworm.solver.transient.transient import Rates
 
 ACCURACY = 0.05
 """Accuracy at which scenes are solved."""
@@ -28,9 +29,9 @@ class Trial(Task):
     def __reduce__(self) -> tuple:
         return Trial, super().__reduce__()[1]
 
-    def solved(self, progress: Progress | None = None) -> Result:
+    def solved(self, progress: Progress | None = None, rates: Rates | None = None) -> Result:
         """Solve the scene; AssertionError where its solution makes no sense."""
-        result = super().solved(progress)
+        result = super().solved(progress, rates)
         (solution,) = result.solutions
         for flaw in flaws(solution):
             raise AssertionError(flaw)

@@ -17,6 +17,7 @@ from pyworm.cli.shared import BAD_INPUT
 from pyworm.planning.effects.selection import chosen
 from pyworm.planning.expected_work import Stage, Work, expected_work, first_change
 from pyworm.planning.model import Model
+from pyworm.plots.precision import COLOURS
 from pyworm.precision.extrapolation import limit, observed_order
 from pyworm.precision.grid_series import Point, settled_row
 from pyworm.precision.models import fidelities
@@ -81,6 +82,13 @@ def test_a_heated_sliding_contact_has_every_model():
     assert not lacking
     assert [model.plan.model.heated for model in models] == [False, False, False, True, True]
     assert models[-1].plan.on == chosen(scene("traction_steel", slide_roll_ratio=0.5), "all")
+
+
+def test_rough_surfaces_are_the_last_model_and_every_model_has_a_colour():
+    models, _ = fidelities(scene("spur_pair", phase=0.2))
+    assert models[-1].name == "+ roughness" and models[-1].plan.model.rough
+    assert not any(model.plan.model.rough for model in models[:-1])
+    assert {model.name for model in models} <= COLOURS.keys()
 
 
 def test_models_that_a_contact_does_not_have_are_listed_with_reasons():

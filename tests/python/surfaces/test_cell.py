@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
+from pyworm.formulas.rough_contact import SELF_AFFINE_LENGTH, SELF_AFFINE_PRESSURE
 from pyworm.kernel.core import KernelError
 from pyworm.kernel.rough_cell import conduct, press
 from pyworm.materials.topography import Topography
@@ -41,7 +42,10 @@ def test_ridges_along_and_across():
 
 
 def test_asperities_press_as_surfaces_rough_on_all_scales_do():
-    """Pressure falls e-fold in 0.38 to 0.52 of Rq, area is 1.6 to 2.8 p/(E* h'rms) (Persson 2001, 2007)."""
+    """Pressure falls e-fold in 0.38 to 0.52 of Rq, area is 1.6 to 2.8 p/(E* h'rms) (Persson 2001, 2007).
+
+    By the closed form's own length pressure is its own where mean planes touch, to a quarter.
+    """
     surface = self_affine(1e-6, 0.8, 50e-6, 4e-6, seed=3)
     slope = np.hypot(*slopes(surface))
     separations = np.array([0.8, 1.2, 1.6])
@@ -56,6 +60,8 @@ def test_asperities_press_as_surfaces_rough_on_all_scales_do():
     print("u0/Rq", lengths, "kappa", np.array(area) / pressure)
     assert np.all((lengths > 0.38) & (lengths < 0.52))
     assert np.all((np.array(area) / pressure > 1.6) & (np.array(area) / pressure < 2.8))
+    touching = pressure * np.exp(separations / SELF_AFFINE_LENGTH)
+    assert touching == pytest.approx(np.full(3, SELF_AFFINE_PRESSURE), rel=0.25)
 
 
 def test_pressure_stays_below_the_hardness_and_yielding_opens_the_gap():
