@@ -1,7 +1,7 @@
 """pyworm check: validate a case and show its plan without solving it."""
 
 import argparse
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 from pyworm.case.case import load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case
@@ -29,7 +29,7 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.report.console.scenes import effects_table, plan_table
     from pyworm.scene.summary import scene_summary
     from pyworm.solver import left_out
-    from pyworm.solver.cost.expected_time import expectation
+    from pyworm.solver.cost.expected_time import expectation, together
 
     expected = [expectation(task.scene, task.plan) for task in tasks]
     without = [left_out.expected(task.scene, task.plan) for task in tasks]
@@ -65,6 +65,6 @@ def _check(options: argparse.Namespace) -> int:
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))
         if len(tasks) > 1:
-            seconds = sum(of.seconds for of in expected)
+            seconds = together(expected, [replace(task.place, phase=None) for task in tasks])
             console.print(f"Expected time of all {len(tasks)}: {duration(seconds)}")
     return CONVERGED

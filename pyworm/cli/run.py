@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case, add_processes
@@ -85,6 +85,7 @@ def _run(options: argparse.Namespace) -> int:
                 **({} if cycle is None else {"cycle": cycle.summary()}),
                 **({} if case.drive is None else {"standard_loss": standard.summary()}),
                 **({} if heating is None else {"heating_loss": heating.summary()}),
+                **_mesh_loss_summary(case, result),
                 "results": str(directory / RESULT_NAME),
                 "pictures": [str(directory / name) for name in pictures],
             }
@@ -107,12 +108,32 @@ def _pictures(
     return drawn_pictures(directory, drawing, PICTURES)[0]
 
 
+def _mesh_loss_summary(case: Case, result: "Result") -> dict[str, Any]:
+    """Loss between teeth or rollers under `--json`; empty where none is known."""
+    from pyworm.ratings.mesh_loss import mesh_loss
+
+    loss = mesh_loss(case.drive, result.solutions)
+    return {} if loss is None else {"mesh_loss": loss.summary()}
+
+
+NO_LOSS = (
+    "No efficiency is given: it asks for friction, --effects auto or all of an oil with [oil.shear], and "
+    "for three phases or more of what carries load."
+)
+
+
 def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     """The tables of a run."""
     from pyworm.io.console import Console
     from pyworm.ratings.heating import heating_of
+    from pyworm.ratings.mesh_loss import mesh_loss
     from pyworm.ratings.standard_loss import standard_loss
-    from pyworm.report.console.mesh_cycle import closed_form_table, cycle_table, loss_table
+    from pyworm.report.console.mesh_cycle import (
+        closed_form_table,
+        cycle_table,
+        loss_sentence,
+        loss_table,
+    )
     from pyworm.report.console.scenes import (
         effects_table,
         figures_table,
@@ -134,12 +155,12 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
         published = published_for(summary, case.published)
         if published or len(scenes) == 1:
-            console.print(figures_table(scene, summary, published))
+            console.print(figures_table(scene, summary, published, case.body_names))
             console.print(effects_table(solution.effects, "Effects, judged by the solution"))
     if len(scenes) > 1:
         console.print(scenes_table(scenes, summaries))
         if all("friction_coefficient" in summary for summary in summaries):
-            console.print(heat_table(scenes, summaries))
+            console.print(heat_table(scenes, summaries, case.body_names))
     closed_forms = None if result.mesh_cycle is None else closed_form_table(result.mesh_cycle)
     if closed_forms is not None:
         console.print(closed_forms)
@@ -148,6 +169,9 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
         if cycle.loss is not None:
             heating = heating_of(tasks[0].case, cycle, standard)
             console.print(loss_table(cycle, standard, heating))
+    if case.drive is not None and (cycle is None or cycle.loss is None):
+        loss = mesh_loss(case.drive, result.solutions)
+        console.print(NO_LOSS if loss is None else loss_sentence(loss))
     for summary in summaries:
         if not summary["converged"]:
             console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")

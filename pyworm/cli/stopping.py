@@ -12,8 +12,8 @@ from types import FrameType
 
 SIGNALS = signal.SIGINT, signal.SIGTERM
 
-GRACE = 1.5
-"""Time to end in an orderly way [s]: with it, no process is left 2 s after the signal."""
+GRACE = 3.0
+"""Time to end in an orderly way [s], which is enough on a busy machine too."""
 
 
 class Stopped(KeyboardInterrupt):

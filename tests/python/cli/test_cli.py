@@ -58,7 +58,7 @@ def solve_at_once(monkeypatch, solved):
 
     def install(**changes):
         solution = replace(solved[1], **changes)
-        monkeypatch.setattr("pyworm.batch.task.solve", lambda scene, plan, progress: solution)
+        monkeypatch.setattr("pyworm.batch.task.solve", lambda scene, plan, *how: solution)
 
     return install
 
@@ -157,10 +157,10 @@ def test_a_scene_that_the_kernel_gives_up_does_not_cost_the_others(
     solve_at_once(phase=0.4)
     at_once = pyworm.batch.task.solve
 
-    def half(scene, plan, progress):
+    def half(scene, plan, *how):
         if scene.phase > 0.5:
             raise KernelError(2)
-        return at_once(scene, plan, progress)
+        return at_once(scene, plan, *how)
 
     monkeypatch.setattr("pyworm.batch.task.solve", half)
     drive = str(CASES / "zi_sharif_2001.toml")
@@ -239,7 +239,7 @@ def test_a_result_that_could_not_be_written_leaves_what_was_solved(
 
 
 def test_a_kernel_that_gives_up_is_reported_in_one_sentence(tmp_path, capsys, monkeypatch):
-    def give_up(scene, plan, progress):
+    def give_up(scene, plan, *how):
         raise KernelError(6)
 
     monkeypatch.setattr("pyworm.batch.task.solve", give_up)

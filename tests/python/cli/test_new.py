@@ -6,6 +6,7 @@ import tomllib
 
 import pytest
 from refusals import refusal
+from zi_drives import coarse_patterns, coarse_springs
 
 import pyworm
 from pyworm.cli.main import main
@@ -23,6 +24,13 @@ UNIT = {
     "--oil": "PAG VG 460",
     "--oil-temperature": "60 C",
 }
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    """Fewer places, phases and loads for patterns and load sharing."""
+    coarse_patterns(monkeypatch)
+    coarse_springs(monkeypatch)
 
 
 def words(path, **changes):

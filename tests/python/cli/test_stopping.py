@@ -13,12 +13,16 @@ from pyworm.batch.workers import WorkerPool
 
 CASES = Path(__file__).parents[3] / "cases"
 
+PATIENCE = 30
+"""Seconds within which whatever ends does: far above what a busy machine needs, far below what would hang."""
+
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs Linux's /proc")
 
 WAITS = """
 import sys
-from pyworm.cli.stopping import end_in_order
-end_in_order()
+from pyworm.cli import stopping
+stopping.GRACE = {grace}
+stopping.end_in_order()
 try:
     print(flush=True)
     while True:
@@ -39,6 +43,14 @@ def in_group(group):
         if int(its_group) == group and state != "Z":
             found.append(int(status.parent.name))
     return found
+
+
+def assert_none_left(group):
+    """Processes of a group end, soon enough for none to be called hanging."""
+    given_up = time.monotonic() + PATIENCE
+    while in_group(group):
+        assert time.monotonic() < given_up
+        time.sleep(0.01)
 
 
 def started(*command):
@@ -71,37 +83,31 @@ def test_a_signal_in_the_first_seconds_ends_all_at_once(tmp_path, end, delay):
         time.sleep(0.002)
     time.sleep(delay)
     os.killpg(process.pid, end)
-    sent = time.monotonic()
-    said = process.communicate(timeout=10)[1]
+    said = process.communicate(timeout=PATIENCE)[1]
     assert process.returncode == 128 + end
     assert said.startswith("pyworm: stopped") and said.count("\n") == 1
-    while in_group(process.pid):
-        assert time.monotonic() - sent < 2
-        time.sleep(0.01)
+    assert_none_left(process.pid)
 
 
 @pytest.mark.parametrize("then", ["while True: pass", "raise SystemExit(0)"])
 def test_a_hanging_process_is_ended_after_a_signal(then):
-    process = started("-c", WAITS.format(then=then))
+    process = started("-c", WAITS.format(then=then, grace=1.5))
     process.stdout.readline()
     process.terminate()
-    sent = time.monotonic()
-    said = process.communicate(timeout=10)[1]
+    said = process.communicate(timeout=PATIENCE)[1]
     hangs = then.startswith("while")
     assert (process.returncode, said) == ((143, "pyworm: stopped\n") if hangs else (0, ""))
-    assert time.monotonic() - sent < 2
 
 
 def test_a_second_signal_does_not_wait():
-    process = started("-c", WAITS.format(then="print(flush=True)\n    while True: pass"))
+    endless = "print(flush=True)\n    while True: pass"
+    process = started("-c", WAITS.format(then=endless, grace=20 * PATIENCE))
     process.stdout.readline()
     process.send_signal(signal.SIGINT)
     process.stdout.readline()
-    sent = time.monotonic()
     process.send_signal(signal.SIGINT)
-    assert process.communicate(timeout=10)[1] == "pyworm: stopped\n"
+    assert process.communicate(timeout=PATIENCE)[1] == "pyworm: stopped\n"
     assert process.returncode == 130
-    assert time.monotonic() - sent < 1
 
 
 def test_a_worker_in_a_long_call_ends_with_its_killed_parent():
@@ -109,16 +115,13 @@ def test_a_worker_in_a_long_call_ends_with_its_killed_parent():
         "import time\nfrom pyworm.batch.workers import WorkerPool\n"
         "with WorkerPool(1) as pool:\n    import os\n"
         "    print(pool.submit(os.getpid).result(), flush=True)\n"
-        "    pool.submit(time.sleep, 60).result()\n"
+        f"    pool.submit(time.sleep, {20 * PATIENCE}).result()\n"
     )
     process = started("-c", program)
-    worker = int(process.stdout.readline())
+    assert int(process.stdout.readline()) in in_group(process.pid)
     process.kill()
     process.communicate()
-    sent = time.monotonic()
-    while worker in in_group(process.pid):
-        assert time.monotonic() - sent < 2
-        time.sleep(0.01)
+    assert_none_left(process.pid)
 
 
 def test_the_first_worker_of_a_program_has_the_interrupt_blocked():
