@@ -14,12 +14,13 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install demo test test-fortran test-python hard mutants docs lint clean
+.PHONY: help install demo test test-long test-fortran test-python hard mutants docs lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test     run the Fortran and the Python tests"
+	@echo "make test-long  run the Python tests that take long, which make test leaves out"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
@@ -41,6 +42,9 @@ test: test-fortran test-python
 
 $(DEBUG)/build.ninja: $(INSTALLED)
 	meson setup $(DEBUG) --buildtype=debug --reconfigure
+
+test-long: $(INSTALLED)
+	python -m pytest -n 2 --dist loadfile -m long
 
 test-fortran: $(DEBUG)/build.ninja
 	meson test -C $(DEBUG) --suite fortran --print-errorlogs

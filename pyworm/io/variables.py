@@ -55,6 +55,11 @@ VARIABLES = {
     "marking_radius": ("m", "place on the wheel's flank: distance from the wheel's axis"),
     "marking_separation": ("m", "least gap of a place of the flank over the mesh, without load"),
     "marking_fraction": ("1", "part of the flank that marking compound shows"),
+    "loaded_separation": (
+        "m",
+        "least separation of a place of the flank over the mesh, under load",
+    ),
+    "loaded_marking_fraction": ("1", "part of the flank that marking compound shows under load"),
     "face": ("m", "place on the wheel's flank along its face, from the middle"),
     "supply": ("1", "speed at which the oil entered the contact over the mean entrainment"),
     "load_phase": ("1", "place in the mesh cycle under load, continued where edges carry"),

@@ -195,9 +195,9 @@ class Film:
             return self._evaluate(fortran_array(pressure).copy(order="F"), rigid_film)
         ruptured = np.asfortranarray(np.asarray(oil) <= 0, dtype=np.int32)
         core.bindings.film_set_ruptured(self._handle, ruptured.reshape(self._nodes, order="F"))
-        self._evaluate(fortran_array(pressure).copy(order="F"), rigid_film)
+        total = fortran_array(pressure).copy(order="F")
+        core.bindings.film_place(self._handle, self._on_nodes(total), rigid_film)
         inner = tuple(slice(1, -1) for _ in self._shape)
-        total = self.pressure.copy(order="F")
         total[inner] = np.where(
             total[inner] > 0, oil[inner] + self.asperities().curve[inner], total[inner]
         )

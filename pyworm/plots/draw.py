@@ -1,10 +1,13 @@
 """Pictures of a result; they read results and nothing else."""
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
+
+from matplotlib.figure import Figure
 
 from pyworm.batch.workers import WorkerDiedError
 from pyworm.io.reason import reason_of
@@ -47,6 +50,9 @@ SCENE_PICTURES = {
     },
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
+
+OF_BODIES = {draw_friction, draw_temperature, draw_across_film, draw_line_temperature}
+"""Those that take what the bodies are called, besides."""
 
 KEY_PICTURES = {"point": ("film", "temperature"), "line": ("profiles", "temperature")}
 """Kind of contact -> pictures that show most of it."""
@@ -97,7 +103,7 @@ def draw(
     if key_only and result.solutions:
         thinnest = result.solutions[result.thinnest]
         names = KEY_PICTURES[thinnest.kind]
-        made.add(_draw_scene(result.case_name, directory, result.thinnest, thinnest, names))
+        made.add(_draw_scene(result, directory, result.thinnest, thinnest, names))
     elif not key_only:
         for scene in _scene_pictures(result, directory, executor):
             made.add(scene)
@@ -118,7 +124,8 @@ def _scene_pictures(
         (number, solution, tuple(SCENE_PICTURES[solution.kind]))
         for number, solution in enumerate(result.solutions)
     ]
-    picture = partial(_draw_scene, result.case_name, directory)
+    shown = replace(result, solutions=(), mesh_cycle=None)  # what goes to other processes is small
+    picture = partial(_draw_scene, shown, directory)
     if executor is None:
         yield from (picture(*scene) for scene in scenes)
         return
@@ -131,15 +138,22 @@ def _scene_pictures(
 
 
 def _draw_scene(
-    case_name: str, directory: Path, number: int, solution: Solution, names: Sequence[str]
+    result: Result, directory: Path, number: int, solution: Solution, names: Sequence[str]
 ) -> Attempts:
-    """The pictures of one scene."""
+    """The pictures of one scene of a result."""
     made, pictures = Attempts(), SCENE_PICTURES[solution.kind]
     for name in names:
         if name in pictures and has_picture(solution, name):
             file = directory / f"{_stem(number)}_{name}.png"
-            made.draw(file, partial(pictures[name], case_name, solution))
+            made.draw(file, scene_picture(result, solution, name))
     return made
+
+
+def scene_picture(result: Result, solution: Solution, name: str) -> Callable[[], Figure]:
+    """What draws a picture of one scene of a result."""
+    draw = SCENE_PICTURES[solution.kind][name]
+    named = (result.body_names,) if draw in OF_BODIES else ()
+    return partial(draw, result.case_name, solution, *named)
 
 
 def has_picture(solution: Solution, name: str) -> bool:

@@ -38,7 +38,32 @@ def draw_tooth(axes: Axes, fields: "xr.Dataset") -> None:
             color="0.25",
             linewidth=1.5,
         )
+        _name_sides(axes, fields)
 
+
+def _name_sides(axes: Axes, fields: "xr.Dataset") -> None:
+    """Names of the sides of a wheel's tooth where their middles lie in the panel."""
+    outline = [fields[f"tooth_outline_{axis}"].values * MILLI for axis in "xy"]
+    side = (outline[0].size - 1) / len(TOOTH_SIDES)
+    for number, name in enumerate(TOOTH_SIDES):
+        at = round((number + 0.5) * side)
+        place = [float(along[at] + INWARDS * (along.mean() - along[at])) for along in outline]
+        axes.annotate(
+            name,
+            place,
+            ha="center",
+            va="center",
+            fontsize="small",
+            annotation_clip=True,
+            bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.8},
+        )
+
+
+INWARDS = 0.14
+"""Part of the way from a side to the middle of the tooth at which the side is named."""
+
+TOOTH_SIDES = "tip", "leaving side", "root", "entering side"
+"""Sides of the outline of a wheel's tooth, in its order; threads leave there as the worm drives."""
 
 ARROWS = 24
 """Arrows on a panel, about."""
@@ -94,7 +119,7 @@ def draw_contact_point(axes: Axes) -> None:
 
 
 def draw_largest_temperatures(
-    axes: Axes, places: Sequence[float], solutions: Sequence[Solution]
+    axes: Axes, places: Sequence[float], solutions: Sequence[Solution], bodies: tuple[str, str]
 ) -> None:
     """Largest temperatures of a sweep with their error bars, and the inlet's.
 
@@ -106,11 +131,13 @@ def draw_largest_temperatures(
         Where in the sweep each solution is.
     solutions : sequence of Solution
         Solutions with heat.
+    bodies : tuple of str
+        What the bodies are called.
     """
     inlet = np.array([solution.inlet_temperature for solution in solutions])
     for name, label, colour in (
-        ("temperature_max_body_1", "body 1", "tab:blue"),
-        ("temperature_max_body_2", "body 2", "tab:orange"),
+        ("temperature_max_body_1", bodies[0], "tab:blue"),
+        ("temperature_max_body_2", bodies[1], "tab:orange"),
         ("temperature_max_film", "film", "tab:red"),
     ):
         estimates = [getattr(solution.figures, name) for solution in solutions]

@@ -25,6 +25,7 @@ COLOURS = {
     "+ rheology": "tab:green",
     "+ surface heat": "tab:orange",
     "+ film heat": "tab:red",
+    "+ roughness": "black",
 }
 
 FORMULA_MARKERS = "^v<>D"

@@ -25,10 +25,10 @@ from pyworm.result.result import Result
 from pyworm.scene.index import Place
 
 SHORT = {
-    ISOVISCOUS_RIGID: "R-I",
-    PIEZOVISCOUS_RIGID: "R-V",
-    ISOVISCOUS_ELASTIC: "E-I",
-    PIEZOVISCOUS_ELASTIC: "E-V",
+    ISOVISCOUS_RIGID: "rigid,\nisoviscous",
+    PIEZOVISCOUS_RIGID: "rigid,\npiezoviscous",
+    ISOVISCOUS_ELASTIC: "elastic,\nisoviscous",
+    PIEZOVISCOUS_ELASTIC: "elastic,\npiezoviscous",
 }
 """Regime -> what it is called in charts."""
 
@@ -105,7 +105,7 @@ def draw_chart(
         if len(rows) > LEAST_FRACTION * number.size:
             middle = int(np.median(rows))
             place = ge[0, int(np.median(columns[rows == middle]))], gv[middle, 0]
-            axes.text(*place, name, color="0.35", size=13, ha="center", va="center")
+            axes.text(*place, name, color="0.35", size=10, ha="center", va="center")
     axes.set(xscale="log", yscale="log", xlim=ends[0], ylim=ends[1])
     for axis in (axes.xaxis, axes.yaxis):
         # minor ticks, and powers set as formulas, take long to draw

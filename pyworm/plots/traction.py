@@ -24,7 +24,7 @@ def draw_traction(result: Result) -> Figure:
     _draw_friction(axes[0], swept)
     if heated:
         ratios = [solution.slide_roll_ratio for solution in heated]
-        draw_largest_temperatures(axes[1], ratios, heated)
+        draw_largest_temperatures(axes[1], ratios, heated, result.body_names)
     for panel in axes:
         panel.grid(True, color="0.9")
     axes[-1].set_xlabel("slide-roll ratio")

@@ -16,6 +16,8 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
             power=of.figures.power_loss.value,
             error=of.figures.power_loss.error,
             model=of.figures.power_loss.model,
+            section=of.section,
+            station=of.station,
         )
         for of in solutions
     ]

@@ -70,6 +70,12 @@ class Result:
         return all(solution.converged for solution in self.solutions)
 
     @property
+    def body_names(self) -> tuple[str, str]:
+        """What the bodies of the contacts are called, as in the case file: worm and wheel of a worm drive."""
+        first, second = self.case.get("bodies", ("body_1", "body_2"))
+        return first.replace("_", " "), second.replace("_", " ")
+
+    @property
     def sound(self) -> "Result":
         """The result with the converged solutions only, used for extremes, means and curves."""
         return replace(self, solutions=tuple(one for one in self.solutions if one.converged))

@@ -24,7 +24,7 @@ from pyworm.io.number_with_unit import parse_in
 from pyworm.io.on_demand import xarray as xr
 from pyworm.result.result import LARGEST, plain_attributes
 from pyworm.result.sound_result import typed
-from pyworm.solver.left_out import LAMBDAS, SHARE, LeftOut, worst
+from pyworm.solver.left_out import LAMBDAS, MIXED_ABOVE, SHARE, LeftOut, worst
 
 FORMAT = "pyworm sweep"
 FORMAT_VERSION = 1
@@ -66,7 +66,8 @@ class SweepResult:
         influences = {
             str(name): column.values[self.converged].tolist()
             for name, column in self.table.items()
-            if str(name).startswith(LEFT_OUT) or name in ("lubrication", *LAMBDAS, SHARE)
+            if str(name).startswith(LEFT_OUT)
+            or name in ("lubrication", *LAMBDAS, SHARE, MIXED_ABOVE)
         }
         rows = (
             dict(zip(influences, row, strict=True))

@@ -39,10 +39,16 @@ STAND_INS = {"P": "0.5", "SECONDS": "60", "$SLURM_ARRAY_TASK_ID/40": "1/40"} | {
 }
 """What stands for a number in the synopses and scripts of the pages."""
 
+LONG = "worm-from-its-drawing"
+"""The page that takes half a minute."""
+
 called = partial(pytest.mark.parametrize, ids=lambda page: page.relative_to(ROOT).as_posix())
 
 
-@called("page", LESSONS)
+@called(
+    "page",
+    [pytest.param(page, marks=pytest.mark.long if page.stem == LONG else ()) for page in LESSONS],
+)
 def test_python_runs_and_prints_what_the_page_says(page, tmp_path, monkeypatch, capsys):
     (tmp_path / "cases").symlink_to(ROOT / "cases")
     monkeypatch.chdir(tmp_path)

@@ -4,13 +4,16 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
+from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 VELOCITY_COLOURS = {"x": "tab:blue", "y": "tab:orange"}
 
 
-def draw_across_film(case_name: str, solution: Solution) -> Figure:
-    """Temperature, and the velocity along each direction, from body 1 below to body 2 above."""
+def draw_across_film(
+    case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
+) -> Figure:
+    """Temperature, and the velocity along each direction, from the first body below to the second above."""
     profile = solution.profile
     axes_here = [axis for axis in "xy" if f"profile_{axis}" in profile]
     place = {axis: float(profile[f"profile_{axis}"]) for axis in axes_here}
@@ -33,7 +36,7 @@ def draw_across_film(case_name: str, solution: Solution) -> Figure:
         f"across the film where it is hottest, {at}", fontsize="medium", loc="left", y=1
     )
     warm_axes.set_xlabel("temperature / °C")
-    warm_axes.set_ylabel("height above body 1 / µm")
+    warm_axes.set_ylabel(f"height above {bodies[0]} / µm")
     for axis in axes_here:
         fast_axes.plot(
             profile[f"profile_velocity_{axis}"],
@@ -50,7 +53,7 @@ def draw_across_film(case_name: str, solution: Solution) -> Figure:
     for axes in (warm_axes, fast_axes):
         axes.set_ylim(0, film * MICRO if film > 0 else 1)
         axes.grid(True, color="0.9")
-    for wall, name in ((0, "body 1"), (1, "body 2")):
+    for wall, name in enumerate(bodies):
         fast_axes.annotate(
             name,
             (1, wall),

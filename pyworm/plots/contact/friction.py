@@ -7,8 +7,17 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from pyworm.io.on_demand import xarray as xr
-from pyworm.plots.layout import MEGA, MILLI, colour_bar, contact_window, heading, in_window, panels
+from pyworm.plots.layout import (
+    MEGA,
+    MILLI,
+    colour_bar,
+    contact_window,
+    heading,
+    in_window,
+    panels,
+)
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth
+from pyworm.scene.contact import BODIES
 from pyworm.solver.left_out import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
 
@@ -16,8 +25,8 @@ BANDS = 12
 """Bands between nothing and the largest value."""
 
 
-def draw_friction(case_name: str, solution: Solution) -> Figure:
-    """Shear stress with its direction on body 1 and where it reaches the limit, and friction power."""
+def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES) -> Figure:
+    """Shear stress, its direction on the first body and where it reaches the limit, and friction power."""
     window = contact_window(solution.fields)
     fields = in_window(solution.fields, window)
     figures = solution.figures
@@ -26,7 +35,7 @@ def draw_friction(case_name: str, solution: Solution) -> Figure:
     power = fields["friction_power"].transpose("y", "x").values * MEGA
     smooth = f" {AS_IF_SMOOTH}" if solution.left_out.as_if_smooth else ""
     titles = [
-        f"shear stress in the middle (arrows: on body 1): at most {stress.max():.3g} MPa, "
+        f"shear stress in the middle (arrows: on {bodies[0]}): at most {stress.max():.3g} MPa, "
         f"friction coefficient {figures.friction_coefficient.value:.3g}{smooth}",
         f"friction power: at most {power.max():.3g} W/mm², "
         f"in all {_power(figures.power_loss.value)}{smooth}",

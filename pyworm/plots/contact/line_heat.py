@@ -5,19 +5,22 @@ from matplotlib.figure import Figure
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.plots.contact.line_profiles import shown
 from pyworm.plots.layout import MEGA, MILLI, heading, placed_panels
+from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
 
 
-def draw_line_temperature(case_name: str, solution: Solution) -> Figure:
+def draw_line_temperature(
+    case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
+) -> Figure:
     """Temperature of both surfaces and of the middle of the film."""
     fields = solution.fields
     room = (0.75, 0.1, 0.85, 0.1)
     figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
     for name, label, colour in (
-        ("temperature_body_1", "surface of body 1", "tab:blue"),
-        ("temperature_body_2", "surface of body 2", "tab:orange"),
+        ("temperature_body_1", f"surface of {bodies[0]}", "tab:blue"),
+        ("temperature_body_2", f"surface of {bodies[1]}", "tab:orange"),
         ("temperature_middle", "middle of the film", "tab:red"),
     ):
         axes.plot(fields["x"] * MILLI, fields[name] - ZERO_CELSIUS, color=colour, label=label)

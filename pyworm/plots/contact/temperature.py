@@ -9,8 +9,16 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.plots.layout import MILLI, colour_bar, contact_window, heading, in_window, panels
+from pyworm.plots.layout import (
+    MILLI,
+    colour_bar,
+    contact_window,
+    heading,
+    in_window,
+    panels,
+)
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth
+from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 BANDS = 12
@@ -20,7 +28,9 @@ LEAST_RANGE = 0.1
 """Least range of the scale [K]: below it a map would show rounding, not heat."""
 
 
-def draw_temperature(case_name: str, solution: Solution) -> Figure:
+def draw_temperature(
+    case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
+) -> Figure:
     """Both surfaces, with the direction in which each moves, and the middle of the film, on one scale."""
     window = contact_window(solution.fields)
     fields = in_window(solution.fields, window)
@@ -32,8 +42,8 @@ def draw_temperature(case_name: str, solution: Solution) -> Figure:
     titles = [
         f"{name}: at most {estimate.value - ZERO_CELSIUS:.1f} °C{note}"
         for name, estimate, note in (
-            ("surface of body 1", figures.temperature_max_body_1, " (arrows: its motion)"),
-            ("surface of body 2", figures.temperature_max_body_2, " (arrows: its motion)"),
+            (f"surface of {bodies[0]}", figures.temperature_max_body_1, " (arrows: its motion)"),
+            (f"surface of {bodies[1]}", figures.temperature_max_body_2, " (arrows: its motion)"),
             ("film", figures.temperature_max_film, " (map: its middle)"),
         )
     ]

@@ -7,6 +7,7 @@ from pyworm.drives.drive import Drive
 _UNITS = (
     ("_m_per_s", 1.0, "m/s"),
     ("_N_m", 1.0, "N m"),
+    ("_N", 1.0, "N"),
     ("_deg", 1.0, "°"),
     ("_m", 1e3, "mm"),
 )

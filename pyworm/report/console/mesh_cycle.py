@@ -3,6 +3,7 @@
 from rich.table import Table
 
 from pyworm.drives.kinds import module_of
+from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.ratings.heating import Heating
@@ -59,6 +60,10 @@ def cycle_table(cycle: DriveCycle) -> Table:
     if cycle.lifted is not None:
         fraction, phase = cycle.lifted
         table.add_row("Load moved by films' lift", f"{fraction * 100:+.2g} %", f"{phase:g}")
+        table.caption = (
+            "Lift: how much farther a film holds worm and wheel apart under the same load."
+        )
+        table.caption_justify = "left"
     return table
 
 
@@ -110,6 +115,16 @@ def loss_table(
     if heating is not None:
         table.caption, table.caption_justify = heating.words, "left"
     return table
+
+
+def loss_sentence(loss: MeshLoss) -> str:
+    """Efficiency and loss of a drive without a table of its cycle's loss."""
+    bar = loss.loss / loss.power * loss.error * 100
+    rough = "" if loss.model is None else f" ± {loss.loss * loss.model:.2g} W (model)"
+    return (
+        f"Efficiency {loss.efficiency * 100:.2f} % ± {bar:.1g}, loss {loss.loss:.4g} W{rough} of "
+        f"{loss.power:.4g} W, mean friction {loss.friction:.3g}: {loss.words}."
+    )
 
 
 def _two(value: float) -> str:

@@ -11,6 +11,7 @@ from pyworm.case.case_file import PublishedValue
 from pyworm.io.format import duration, rough
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
+from pyworm.scene.contact import BODIES
 from pyworm.scene.index import PLACE_NAMES, Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -107,12 +108,22 @@ _RUBBING = {"friction_coefficient", "power_loss_W", "power_loss_per_length_W_m"}
 SLENDER = {"box": SIMPLE_HEAD, "padding": (0, 1, 0, 0)}
 """The look of tables with a row a scene, whose columns must share a terminal's width."""
 
-HOT_PLACES = {"body_1": "body 1", "body_2": "body 2", "film": "the film"}
-"""Key of a largest temperature in summaries -> what it is of."""
+HOT_PLACES = "body_1", "body_2", "film"
+"""Keys of largest temperatures in summaries."""
+
+TERMS = {
+    "phase": "Phase: place in the mesh, from 0 where a contact begins to 1 where it ends.",
+    "side lobe": "Side lobe: one of the two places beside and behind the middle of a contact where the film "
+    "is thinnest.",
+}
+"""Word in tables -> what it means, written below them."""
 
 
 def figures_table(
-    scene: Scene | LineScene, summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
+    scene: Scene | LineScene,
+    summary: Mapping[str, Any],
+    published: Mapping[str, PublishedValue],
+    bodies: tuple[str, str] = BODIES,
 ) -> Table:
     """Figures of one solved scene, beside the published values.
 
@@ -124,6 +135,8 @@ def figures_table(
         `Solution.summary()` of its solution.
     published : mapping
         What the case's source prints for this scene; empty if nothing.
+    bodies : tuple of str
+        What the bodies are called.
     """
     figures = scene_summary(scene) | summary
     left_out = LeftOut.read(summary)
@@ -156,14 +169,23 @@ def figures_table(
             table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
             table.add_row("  which is", summary["film_min_kind"])
         if key == "inlet_temperature_C":
-            for place, of in HOT_PLACES.items():
+            for place, of in zip(HOT_PLACES, (*bodies, "the film"), strict=True):
                 name = f"temperature_max_{place}"
                 label = f"Largest temperature of {of}"
                 model = summary.get("temperature_max_model_error_K", {}).get(place)
                 add(label, _temperature(summary, place), name, _bar(model, 1.0, "K"))
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
+    words = [] if scene.phase is None else ["phase"]
+    _explain(table, [*words, summary["film_min_kind"]])
     return table
+
+
+def _explain(table: Table, words: Sequence[str]) -> None:
+    """The meaning of words below a table that has them."""
+    said = [TERMS[word] for word in words if word in TERMS]
+    if said:
+        table.caption, table.caption_justify = " ".join(said), "left"
 
 
 def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
@@ -178,10 +200,10 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     summaries : sequence of mapping
         `Solution.summary()` of each one's solution.
     """
-    heading, labels = _places(scenes)
+    places, labels = _places(scenes)
     title = _at_worst(summaries).titled("All scenes")
     table = Table(title=title, title_justify="left", **SLENDER)
-    table.add_column(heading, no_wrap=True)
+    table.add_column(places, no_wrap=True)
     solved = [values for values in summaries if values["converged"]]
     rough = bool(solved) and all("specific_film" in values for values in solved)
     mixed = any("film_min_model_error" in values for values in solved)
@@ -205,13 +227,18 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
             ]
         converged = "yes" if values["converged"] else "NO"
         table.add_row(label, *cells, f"{values['seconds']:.1f}", converged)
+    _explain(table, places.lower().split("\n"))
     return table
 
 
-def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
+def heat_table(
+    scenes: Sequence[Scene],
+    summaries: Sequence[Mapping[str, Any]],
+    bodies: tuple[str, str] = BODIES,
+) -> Table:
     """Friction, and temperatures where heat was simulated, by scene; arguments as `scenes_table`.
 
-    The error bar of the temperatures is the largest of the three.
+    The error bar of the temperatures is the largest of the three; `bodies` is what the bodies are called.
     """
     heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
@@ -221,7 +248,7 @@ def heat_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) 
     mixed = any("friction_coefficient_model_error" in values for values in summaries)
     headings = ["Friction", "± %", *(["model\n± %"] if mixed else []), "Loss"]
     if heated:
-        headings += ["Body 1\n°C", "Body 2\n°C", "Film\n°C", "± K"]
+        headings += [*(f"{body.capitalize()}\n°C" for body in bodies), "Film\n°C", "± K"]
     for heading in headings:
         table.add_column(heading, justify="right")
     for label, values in zip(labels, summaries, strict=True):

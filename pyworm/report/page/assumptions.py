@@ -61,6 +61,10 @@ def assumptions_section(case: Case, result: Result) -> Section:
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
     if "squeeze" not in on:
         items.append("A steady film (the table of effects estimates the influence of squeeze).")
+    else:
+        items.append(
+            "A film in motion begins its life steady; its heat is that of a steady contact at each time."
+        )
     items += [ONE_CONTACT] if case.drive is None else case.drive.assumptions
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:

@@ -7,7 +7,7 @@ from io import BytesIO
 from matplotlib.figure import Figure
 
 from pyworm.io.reason import reason_of
-from pyworm.plots.draw import KEY_PICTURES, SCENE_PICTURES, has_picture
+from pyworm.plots.draw import KEY_PICTURES, SCENE_PICTURES, has_picture, scene_picture
 from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
@@ -59,17 +59,14 @@ def contact_section(result: Result) -> Section:
     for solution in shown:
         names = SCENE_PICTURES[solution.kind] if solution is thin else KEY_PICTURES[solution.kind]
         pictures += [
-            _picture(result.case_name, solution, name)
-            for name in names
-            if has_picture(solution, name)
+            _picture(result, solution, name) for name in names if has_picture(solution, name)
         ]
     return Section("Contacts", tuple(pictures))
 
 
-def _picture(case_name: str, solution: Solution, name: str) -> Picture | Words | None:
+def _picture(result: Result, solution: Solution, name: str) -> Picture | Words | None:
     caption = f"{_CAPTIONS.get(name, name)}, {place_of(solution)}"
-    draw = partial(SCENE_PICTURES[solution.kind][name], case_name, solution)
-    return _drawn(_captioned(caption, solution.left_out), draw)
+    return _drawn(_captioned(caption, solution.left_out), scene_picture(result, solution, name))
 
 
 def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words | None:

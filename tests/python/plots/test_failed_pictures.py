@@ -117,7 +117,7 @@ def test_figures_and_table_come_first_and_the_exit_code_is_theirs(
 def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monkeypatch, capsys):
     solved = {}
 
-    def unconverged(scene, plan, progress):
+    def unconverged(scene, plan, *how):
         from pyworm.solver.solve import solve
 
         solved["one"] = replace(solve(scene, plan), converged=False)

@@ -91,10 +91,12 @@ def test_the_power_of_a_line_contact_is_that_for_each_length():
 
 
 def test_the_table_of_a_scene_shows_heat_beside_what_is_published(hot, drive):
-    said = printed(figures_table(drive.scene(0.5), hot.summary(), drive.published))
+    said = printed(
+        figures_table(drive.scene(0.5), hot.summary(), drive.published, drive.body_names)
+    )
     for label, value, published in (
-        ("Largest temperature of body 1", "108.0 °C ± 0.48 K", "108 degC"),
-        ("Largest temperature of body 2", "106.0 °C ± 1.4 K", "106 degC"),
+        ("Largest temperature of worm", "108.0 °C ± 0.48 K", "108 degC"),
+        ("Largest temperature of wheel", "106.0 °C ± 1.4 K", "106 degC"),
         ("Largest temperature of the film", "117.0 °C ± 1.1 K", "117 degC"),
         ("Friction coefficient", "0.0231 ± 0.4 %", ""),
         ("Power loss", "1234 W ± 0.6 %", ""),
@@ -115,7 +117,8 @@ def test_the_table_of_a_scene_without_heat_has_no_temperatures(drive):
 
 def test_the_table_of_all_scenes_compares_friction_and_heat(hot, drive):
     scenes = list(drive.scenes(phase=[0.3, 0.5]))
-    said = printed(heat_table(scenes, [hot.summary()] * 2))
+    said = printed(heat_table(scenes, [hot.summary()] * 2, drive.body_names))
+    assert all(word in said for word in ("Film", "Worm", "Wheel"))
     assert "Film" in said and "± K" in said
     (row,) = (line for line in said.splitlines() if line.startswith(" 0.3 "))
     for cell in ("0.0231", "1234", "108.0", "106.0", "117.0", "1.4"):

@@ -155,6 +155,7 @@ def test_the_film_of_what_did_not_converge_has_no_circle():
     )
 
 
+@pytest.mark.long
 def test_the_flank_map_is_not_blended_across_a_phase_that_failed():
     """Between its neighbours the contact passes over places that no phase that converged touches."""
     whole = cycle_result((0.0, 0.25, 0.5, 0.75, 1.0))

@@ -28,7 +28,7 @@ from pyworm.result.headline import headline, of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result, open_result
 from pyworm.result.sweep_result import SweepResult, sweep_table
-from pyworm.solver.left_out import LeftOut, beyond, expected, worst
+from pyworm.solver.left_out import LeftOut, beyond, expected, judged, worst
 
 CASES = Path(__file__).parents[3] / "cases"
 
@@ -136,6 +136,25 @@ def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
     assert beside.startswith("Rough teeth by the methods of DIN 3996:2012")
     smooth = [rough_worm(roughness=0.2e-6, effects=())]
     assert opening(smooth, "unsaid") == []
+
+
+def test_without_a_roughness_the_opening_says_which_one_would_matter():
+    """Of films, the one that the least roughness reaches; figures are not headed, since nothing is known."""
+    of_thick, of_thin = (
+        judged((), 0.01, films, None) for films in ((1.5e-6, 0.9e-6), (1.4e-6, 0.3e-6))
+    )
+    assert of_thick.lubrication == "unknown" and not of_thick.as_if_smooth
+    assert of_thick.sentence == (
+        "Roughness is not given: figures are those of smooth surfaces, and lubrication is not judged. Above "
+        "a composite roughness of 0.5 µm (Rq) it would be mixed; two ground surfaces of Ra 0.4 µm have "
+        "0.71 µm."
+    )
+    both = worst([of_thin, LeftOut(), of_thick])
+    assert both.mixed_above_roughness_m == 0.3e-6
+    assert "0.3 µm (Rq) it would be mixed in the worst of 3 contacts;" in both.sentence
+    assert LeftOut.read(of_thin.summary()) == of_thin
+    assert judged((), 0.01, (), None).sentence == ""
+    assert judged((), 0.01, (2e-6, 1e-6), 0.5e-6).mixed_above_roughness_m is None
 
 
 def test_simulated_roughness_is_told_with_its_share_and_its_bar():

@@ -42,7 +42,8 @@ def ends_table(cycle: "xr.Dataset") -> Table:
     for label, value, style in _ROWS:
         numbers = [float(value(at)) for at in places]
         if np.isfinite(numbers).any():
-            table.add_row(label, *(f"{number:{style}}" for number in numbers))
+            shown = ("" if np.isnan(number) else f"{number:{style}}" for number in numbers)
+            table.add_row(label, *shown)
     specific = [float(at["specific_film"]) for at in places]
     if np.isfinite(specific).any():
         table.add_row("Lubrication", *("" if np.isnan(one) else regime(one) for one in specific))
@@ -52,7 +53,7 @@ def ends_table(cycle: "xr.Dataset") -> Table:
 
 def _regime(cycle: "xr.Dataset", at: "xr.Dataset") -> str:
     number = float(at["regime_number"])
-    if np.isnan(number):
+    if np.isnan(number) or np.isnan(float(at["formula_film_min"])):
         return ""
     viscous, elastic = str(cycle["regime"].values[int(number)]).split("-")
     return f"{elastic},\n{viscous.removesuffix('viscous')}-\nviscous"
