@@ -74,6 +74,7 @@ class DrawnWormTable(_Drawn):
     base_diameter: units.Length | None = None
     disc_diameter: units.Length | None = None
     arc_radius: units.Length | None = None
+    deviations: DeviationTable | None = None
 
 
 class DrawnWheelTable(_Drawn):
@@ -177,8 +178,9 @@ class DrawnWormDriveTable(Table):
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
             taken = *taken, swivel
+        worm = replace(drawing.worm, **deviations_of(self.worm))
         wheel = replace(drawing.wheel, **deviations_of(self.wheel))
-        return Design(drawing.worm, wheel, drawing.hob, drawing.centre_distance, self.hand, taken)
+        return Design(worm, wheel, drawing.hob, drawing.centre_distance, self.hand, taken)
 
     def _numbers(self) -> dict[str, Any]:
         """Numbers of the drawing by their names in `Drawing`, and those that follow from others."""

@@ -48,23 +48,24 @@ class _Helicoid(Table):
     base_lead_angle: units.Angle
 
 
-class WormTable(_Helicoid, _Relieved):
-    """`[drive.worm]`."""
-
-    threads: Count
-
-
 class DeviationTable(Table):
     """What a file of deviations holds, in SI; stored with the case, so that it is the case again."""
 
     file: Text
-    face: tuple[float, ...]
+    along: tuple[float, ...]
     radius: tuple[float, ...]
     deviation: tuple[tuple[float, ...], ...]
 
     def deviations(self) -> FlankDeviations:
         """The deviations."""
-        return FlankDeviations(self.face, self.radius, self.deviation)
+        return FlankDeviations(self.along, self.radius, self.deviation)
+
+
+class WormTable(_Helicoid, _Relieved):
+    """`[drive.worm]`."""
+
+    threads: Count
+    deviations: DeviationTable | None = None
 
 
 class WheelTable(_Relieved):
@@ -121,7 +122,7 @@ class ZiWormTable(Table):
     def design(self) -> Design:
         """Worm, wheel and hob as the table has them."""
         return Design(
-            worm=Worm(**_relieved(self.worm)),
+            worm=Worm(**_relieved(self.worm) | deviations_of(self.worm)),
             wheel=Wheel(**_relieved(self.wheel) | deviations_of(self.wheel)),
             hob=Hob(**dict(self.hob)),
             centre_distance=self.centre_distance,
@@ -289,9 +290,9 @@ class ZiWormCase(WormDriveCase):
     drive: ZiWormTable
 
 
-def deviations_of(wheel: Table) -> dict[str, FlankDeviations | None]:
-    """The deviations of a wheel's flank, as its design table has them."""
-    return {"deviations": wheel.deviations and wheel.deviations.deviations()}
+def deviations_of(part: Table) -> dict[str, FlankDeviations | None]:
+    """The deviations of the flanks of worm or wheel, as its design table has them."""
+    return {"deviations": part.deviations and part.deviations.deviations()}
 
 
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:

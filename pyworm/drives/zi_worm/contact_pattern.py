@@ -207,7 +207,7 @@ def _inside(gears: "ZiWormGears", point: Array) -> Array:
 def _behind(gears: "ZiWormGears") -> Array:
     """How far a pair stands back along its normal at `PHASES` while the leading one holds the wheel [m].
 
-    Where the flank has deviations a pair leads, or is led, by the place that touches first.
+    Where a flank has deviations a pair leads, or is led, by the place that touches first.
     """
     cycle, pitch = gears.cycle, gears.pitch
     point, normal = cycle.points(PHASES), cycle.normals(PHASES)
@@ -226,7 +226,7 @@ def _behind(gears: "ZiWormGears") -> Array:
 
 def _first_gaps(gears: "ZiWormGears") -> Array:
     """Least gap of the flanks at `PHASES` [m]; zero, at the contact point, where there are no deviations."""
-    if gears.wheel.deviations is None:
+    if not gears.deviating:
         return np.zeros(PHASES.size)
     least = []
     sides = gears.wheel.face_width / 2, 2 * gears.module

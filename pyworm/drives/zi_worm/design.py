@@ -37,6 +37,8 @@ class Worm:
         What sweeps the flank of any other profile than ZI.
     profile : str
         Form of the flank (`pyworm.formulas.worm_profiles`).
+    deviations : FlankDeviations or None
+        Of the flanks that drive the wheel from the helicoid; None where none are known.
     """
 
     threads: int
@@ -51,6 +53,7 @@ class Worm:
     thickness: float | None = None
     generator: ScrewGenerator | None = None
     profile: Profile = "ZI"
+    deviations: FlankDeviations | None = None
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Measured or designed deviations of the wheel's flank from the one that its hob cuts."""
+"""Measured or designed deviations of flanks from what the worm's tool and the wheel's hob should leave."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,18 +13,19 @@ Rows = tuple[tuple[float, ...], ...]
 
 @dataclass(frozen=True)
 class FlankDeviations:
-    """Deviations on a grid over the flank that the worm drives.
+    """Deviations on a grid over the flank by which the worm drives, the same on every thread or tooth.
 
     Attributes
     ----------
-    face, radius : tuple of float
-        Places along the face from its middle, positive to the side where the worm's threads leave, and
-        distances from the wheel's axis, both rising [m].
+    along, radius : tuple of float
+        Of the wheel, places along the face from its middle, positive to the side where the worm's threads
+        leave; of the worm, places along its axis from the line of centres, positive to where the thrust on
+        the driving worm acts. Distances from the own axis. Both rise [m].
     deviation : tuple of tuple of float
-        Out of the flank's material [m], for each place along the face over the radii.
+        Out of the flank's material [m], for each place over the radii.
     """
 
-    face: tuple[float, ...]
+    along: tuple[float, ...]
     radius: tuple[float, ...]
     deviation: Rows
 
@@ -37,15 +38,15 @@ class FlankDeviations:
     def _spline(self) -> "scipy.interpolate.RectBivariateSpline":
         """Spline through the grid, cubic where it has four places or more along a side."""
         below = np.max(self.deviation) - np.array(self.deviation)
-        degrees = (min(3, len(side) - 1) for side in (self.face, self.radius))
+        degrees = (min(3, len(side) - 1) for side in (self.along, self.radius))
         return scipy.interpolate.RectBivariateSpline(
-            self.face, self.radius, below, **dict(zip(("kx", "ky"), degrees, strict=True)), s=0
+            self.along, self.radius, below, **dict(zip(("kx", "ky"), degrees, strict=True)), s=0
         )
 
-    def taken_off(self, face: Array, radius: Array) -> Array:
+    def taken_off(self, along: Array, radius: Array) -> Array:
         """What the flank is below the highest place of the grid [m]; beyond the grid as at its edge."""
         at = (
             np.clip(place, side[0], side[-1])
-            for place, side in ((face, self.face), (radius, self.radius))
+            for place, side in ((along, self.along), (radius, self.radius))
         )
         return self._spline.ev(*at)

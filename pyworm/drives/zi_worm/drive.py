@@ -134,13 +134,14 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     @property
     def _deviating(self) -> tuple[str, ...]:
-        """Where deviations of the wheel's flank hold, as an assumption; empty without any."""
-        deviations = self.wheel.deviations
-        if deviations is None:
-            return ()
-        return (
-            f"The file's deviations differ by {deviations.spread * 1e6:.3g} µm over the driven flank of "
-            "each tooth of the wheel; its other flank is as the hob cuts it.",
+        """Where deviations of the flanks hold, as assumptions; empty without any."""
+        where = {
+            "worm": "driving flank of each thread of the worm; its other flank is a helicoid",
+            "wheel": "driven flank of each tooth of the wheel; its other flank is as the hob cuts it",
+        }
+        return tuple(
+            f"The file's deviations differ by {part.deviations.spread * 1e6:.3g} µm over the {where[name]}."
+            for name, part in self.deviating.items()
         )
 
     @cached_property

@@ -19,6 +19,7 @@ from pyworm.drives.zi_worm.contact_pattern import (
     flank_grid,
 )
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
+from pyworm.drives.zi_worm.deviation_checks import check_deviations
 from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.helicoid import Array
@@ -67,6 +68,7 @@ class ZiWormGears:
     def __post_init__(self) -> None:
         check_gears(self)
         self.cycle  # noqa: B018  gears whose teeth do not touch are refused here
+        check_deviations(self)
 
     @property
     def base_pitches(self) -> tuple[float, float]:
@@ -105,6 +107,12 @@ class ZiWormGears:
             f"{worm * 1e3:.4f} mm: each tooth pair meets that far off its neighbours and carries most of the "
             "load at one end of its mesh; equal base pitches, lead x cos(base_lead_angle), share it evenly",
         )
+
+    @property
+    def deviating(self) -> dict[str, Worm | Wheel]:
+        """Worm and wheel as far as deviations of their flanks are known, by their names."""
+        parts = {"worm": self.worm, "wheel": self.wheel}
+        return {name: part for name, part in parts.items() if part.deviations is not None}
 
     @property
     def module(self) -> float:
@@ -158,7 +166,8 @@ class ZiWormGears:
     def worm_tooth(self) -> WormTooth:
         """Boundaries of the worm's thread."""
         worm = self.worm
-        return WormTooth(self.worm_flank, worm.root_radius, worm.tip_radius, worm.tip_relief)
+        size = worm.root_radius, worm.tip_radius
+        return WormTooth(self.worm_flank, *size, worm.tip_relief, worm.deviations)
 
     @cached_property
     def wheel_tooth(self) -> WheelTooth:
@@ -257,8 +266,8 @@ class ZiWormGears:
             for name, part in parts
             if part.axial_shift
         }
-        if self.wheel.deviations is not None:
-            changes["wheel"] = replace(self.wheel, deviations=None)
+        for name, part in self.deviating.items():
+            changes[name] = replace(part, deviations=None)
         return changes
 
     @property

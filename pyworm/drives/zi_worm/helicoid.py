@@ -70,6 +70,11 @@ class Seated:
         at = self.axes.T @ self.axis_point
         return np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)
 
+    def along_axis(self, point: Array) -> Array:
+        """Distance of points (3, ...) along the screw's axis from the common perpendicular [m]."""
+        axis = self.axes[:, 2]
+        return np.tensordot(axis, point, 1) - axis @ self.axis_point
+
 
 @dataclass(frozen=True)
 class Helicoid(Seated):

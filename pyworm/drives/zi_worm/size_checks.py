@@ -15,12 +15,6 @@ TALLEST = 4.0
 LOWEST = 1.8
 """Least height of a usual one over the axial module."""
 
-LARGEST_DEVIATION = 0.05
-"""Largest difference of deviations of a flank over the module."""
-
-REACH = 0.9
-"""Part of half of the face that deviations must reach over; those of the ends are hard to measure."""
-
 
 def check_sizes(gears: "ZiWormGears") -> None:
     """Refuse sizes that belong to another key, or to none.
@@ -33,7 +27,6 @@ def check_sizes(gears: "ZiWormGears") -> None:
     _check_counts(gears)
     _check_threads(gears)
     _check_wheel(gears)
-    _check_deviations(gears)
 
 
 def _check_counts(gears: "ZiWormGears") -> None:
@@ -63,31 +56,6 @@ def _check_threads(gears: "ZiWormGears") -> None:
         raise ValueError(
             f"hob.tip_radius is {_mm(gears.hob.tip_radius)}, smaller than that of the worm, "
             f"{_mm(gears.worm.tip_radius)}: the worm's tip would touch the root that the hob leaves"
-        )
-
-
-def _check_deviations(gears: "ZiWormGears") -> None:
-    """Refuse deviations of other units, or of other places than the flank's."""
-    wheel, module = gears.wheel, gears.worm.axial_pitch / pi
-    deviations = wheel.deviations
-    if deviations is None:
-        return
-    if deviations.spread > LARGEST_DEVIATION * module:
-        raise ValueError(
-            f"wheel.deviations differ by {_mm(deviations.spread)}, more than a twentieth of the module; are "
-            "they in other units? deviation_um is in micrometres"
-        )
-    half, face, radius = wheel.face_width / 2, deviations.face, deviations.radius
-    if face[0] > -REACH * half or face[-1] < REACH * half:
-        raise ValueError(
-            f"wheel.deviations reach along the face from {_mm(face[0])} to {_mm(face[-1])}; they must reach "
-            f"from {_mm(-half)} to {_mm(half)}, from the middle of wheel.face_width"
-        )
-    low = wheel.throat_radius - module
-    if radius[0] > low or radius[-1] < wheel.throat_radius:
-        raise ValueError(
-            f"wheel.deviations reach over the radii from {_mm(radius[0])} to {_mm(radius[-1])}; they must "
-            f"reach from {_mm(low)} or less to {_mm(wheel.throat_radius)} or more, from the wheel's axis"
         )
 
 

@@ -48,12 +48,15 @@ class WormTooth:
         Radii of the cylinders [m].
     tip_relief : ParabolicRelief
         What is taken off towards the tip.
+    deviations : FlankDeviations or None
+        Of the flank from the helicoid.
     """
 
     worm: Seated
     root_radius: float
     tip_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
+    deviations: FlankDeviations | None = None
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it.
@@ -65,10 +68,13 @@ class WormTooth:
         return {"worm tip": self.tip_radius - radius, "worm root": radius - start}
 
     def taken_off(self, point: Array) -> Array:
-        """What is taken off the helicoid at its points (3, ...) [m]."""
-        if self.tip_relief == NO_RELIEF:
-            return np.zeros(point.shape[1:])
-        return self.tip_relief(self.tip_radius - self.worm.radius(point))
+        """What the flank is below the highest place of the helicoid, at its points (3, ...) [m]."""
+        radius, off = self.worm.radius(point), np.zeros(point.shape[1:])
+        if self.tip_relief != NO_RELIEF:
+            off = self.tip_relief(self.tip_radius - radius)
+        if self.deviations is None:
+            return off
+        return off + self.deviations.taken_off(self.worm.along_axis(point), radius)
 
 
 @dataclass(frozen=True)

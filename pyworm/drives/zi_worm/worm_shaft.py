@@ -33,7 +33,7 @@ class WormShaft:
     bearing_span : float
         Distance of the bearings [m].
     bearing_offset : float
-        Middle of the bearings from the wheel's mid-plane along the worm's axis [m], positive to where the
+        Middle of the bearings from the line of centres along the worm's axis [m], positive to where the
         driving worm's thrust acts.
     diameter : float or None
         Of a uniform shaft that bends as much [m]; None for the worm's root diameter.
@@ -132,7 +132,7 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
     bent = BentShaft(
         force=force,
         away=float(-radial.deflection),
-        # the shift of the worm is that of its axis in the wheel's mid-plane
+        # the shift of the worm is that of its axis in the line of centres
         along=float(lateral.deflection - lateral.slope * arm[2]),
         tilt=float(-lateral.slope),
         reactions=tuple(map(hypot, radial.reactions, lateral.reactions)),

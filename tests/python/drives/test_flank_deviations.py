@@ -1,4 +1,4 @@
-"""Deviations of the wheel's flank from a file: on the gap, the load sharing and the pattern; refusals."""
+"""Deviations of the flanks of worm and wheel from files: on gap, load sharing and pattern; refusals."""
 
 import tomllib
 from dataclasses import replace
@@ -16,6 +16,7 @@ from pyworm.io.input_error import CaseError
 CASES = Path(__file__).parents[3] / "cases"
 TEXT = (CASES / "worm_drawing.toml").read_text()
 FACE, RADIUS = np.linspace(-15, 15, 7), np.linspace(76, 86, 5)
+AXIAL, HEIGHT = np.linspace(-24, 24, 7), np.linspace(15, 24, 4)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -28,15 +29,21 @@ def coarse():
 
 
 def grid(deviation) -> str:
-    """A file with deviations [um] over face and radius [mm]."""
+    """A file with deviations of the wheel [um] over face and radius [mm]."""
     rows = [f"{y},{r},{deviation(y, r)}" for y in FACE for r in RADIUS]
     return "\n".join(["face_mm,radius_mm,deviation_um", *rows]) + "\n"
 
 
-def case_with(directory: Path, content: str):
+def worm_grid(deviation) -> str:
+    """A file with deviations of the worm [um] over axis and radius [mm]."""
+    rows = [f"{z},{r},{deviation(z, r)}" for z in AXIAL for r in HEIGHT]
+    return "\n".join(["axial_mm,radius_mm,deviation_um", *rows]) + "\n"
+
+
+def case_with(directory: Path, content: str, part: str = "wheel"):
     """The shipped drawing with a file of deviations."""
     (directory / "flank.csv").write_text(content)
-    text = TEXT.replace("[drive.hob]", '[drive.wheel]\ndeviations = "flank.csv"\n\n[drive.hob]')
+    text = TEXT.replace("[drive.hob]", f'[drive.{part}]\ndeviations = "flank.csv"\n\n[drive.hob]')
     return case_of(tomllib.loads(text), "drawn", directory)
 
 
@@ -88,6 +95,47 @@ def test_the_same_deviation_all_over_changes_nothing(tilted, plain):
     assert drive.normal_load(0.3) == pytest.approx(plain.normal_load(0.3), rel=1e-6)
 
 
+LEAD = 8e-4
+"""Relative error of a worm's lead."""
+
+
+@pytest.fixture(scope="module")
+def of_longer_lead(tmp_path_factory, plain):
+    """The deviations of a worm whose lead is too long, along its normal; its material is towards +z."""
+    normal = 1e3 * LEAD * np.cos(plain.worm.base_lead_angle)
+    content = worm_grid(lambda z, _: -normal * z)
+    return case_with(tmp_path_factory.mktemp("lead"), content, "worm").drive
+
+
+def test_a_worm_that_deviates_as_if_its_lead_were_longer_shares_loads_as_that_one(
+    of_longer_lead, plain
+):
+    worm = plain.worm
+    lead = worm.lead * (1 + LEAD)
+    angle = np.arctan(lead / (2 * np.pi * worm.base_radius))
+    longer = replace(worm, lead=lead, axial_pitch=lead / 2, base_lead_angle=angle)
+    truly = replace(plain, worm=longer)
+    for phase in (0.1, 0.5, 0.8):
+        load = of_longer_lead.normal_load(phase)
+        assert load == pytest.approx(truly.normal_load(phase), rel=0.03)
+        assert abs(load / plain.normal_load(phase) - 1) > 0.1
+    assert of_longer_lead.driven_pattern.fraction() == pytest.approx(
+        truly.driven_pattern.fraction(), rel=0.15
+    )
+
+
+def test_deviations_of_the_worm_open_the_gap_of_its_driving_flank(of_longer_lead, plain):
+    drive = of_longer_lead
+    contact = drive.contact(0.4)
+    x, y = np.meshgrid(np.linspace(-6e-3, 6e-3, 9), np.linspace(-1e-3, 1e-3, 5), indexing="ij")
+    opened = drive.gap(contact)(x, y)[0] - plain.gap(contact)(x, y)[0]
+    place = surface_points(contact, x, y, contact.worm_height.solve(x, y)[0])[2]
+    slope = LEAD * np.cos(plain.worm.base_lead_angle)
+    np.testing.assert_allclose(opened, slope * (place + 24e-3), atol=1e-11)
+    assert any("driving flank of each thread of the worm" in said for said in drive.assumptions)
+    assert drive.turned.worm == plain.worm
+
+
 def test_a_stored_case_has_the_content_of_its_file(tilted):
     again = case_again(tilted.resolved)
     assert again.drive.wheel == tilted.drive.wheel
@@ -123,6 +171,33 @@ def test_files_of_no_deviations_are_refused(tmp_path, content, right):
     with pytest.raises(CaseError) as refused:
         case_with(tmp_path, content)
     assert "drive.wheel.deviations" in str(refused.value) and right in str(refused.value)
+
+
+GOOD_WORM = worm_grid(lambda z, r: 0.1 * z)
+
+
+@pytest.mark.parametrize(
+    ("content", "right"),
+    [
+        (GOOD, "its first line is face_mm, radius_mm, deviation_um; it must be axial_mm,radius_mm"),
+        (
+            worm_grid(lambda z, _: 20 * z),
+            "worm.deviations differ by 0.96 mm, more than a twentieth",
+        ),
+        (
+            GOOD_WORM.replace("-24.0,", "-10,").replace("-16.0,", "-9,"),
+            "along the axis from -10.00 mm to 24.00 mm; they must reach from -15.72 mm to 5.49 mm",
+        ),
+        (
+            GOOD_WORM.replace(",24.0,", ",23.0,"),
+            "must reach from 20.00 mm or less to 24.00 mm or more",
+        ),
+    ],
+)
+def test_files_of_no_deviations_of_the_worm_are_refused(tmp_path, content, right):
+    with pytest.raises(CaseError) as refused:
+        case_with(tmp_path, content, "worm")
+    assert "drive.worm.deviations" in str(refused.value) and right in str(refused.value)
 
 
 def test_a_missing_file_and_no_name_are_refused(tmp_path):
