@@ -8,7 +8,7 @@ no other influence of first order.
 """
 
 from dataclasses import dataclass
-from math import hypot, inf
+from math import hypot, inf, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -110,8 +110,9 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
     Raises
     ------
     ValueError
-        If it bends by more than a tenth of the module.
+        If a bearing lies where the wheel is, or the shaft bends by more than a tenth of the module.
     """
+    _check_bearings(drive, shaft)
     point, force = mesh_force(drive)
     arm = point - drive.worm_flank.axis_point
     before = shaft.bearing_span / 2 - shaft.bearing_offset + arm[2]
@@ -145,6 +146,20 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
             f"{LARGEST * drive.module * 1e3:.2g} mm at most"
         )
     return bent
+
+
+def _check_bearings(drive: "ZiWormDrive", shaft: WormShaft) -> None:
+    """Refuse bearings within the part of the worm that the wheel's teeth reach into."""
+    nearest = shaft.bearing_span / 2 - abs(shaft.bearing_offset)
+    below = max(drive.centre_distance - drive.worm.tip_radius, 0.0)
+    reach = sqrt(max(drive.wheel.throat_radius**2 - below**2, 0.0))
+    if nearest < reach:
+        raise ValueError(
+            f"shaft.bearing_span is {shaft.bearing_span * 1e3:.4g} mm, which leaves {nearest * 1e3:.4g} mm "
+            "from the line of centres to a bearing; the wheel's teeth are between the threads up to "
+            f"{reach * 1e3:.4g} mm from there, and the bearings lie beyond, {2 * reach * 1e3:.4g} mm apart "
+            "or more; is it half of the span?"
+        )
 
 
 def mesh_force(drive: "ZiWormDrive") -> tuple[Array, Array]:

@@ -89,6 +89,13 @@ def test_the_mesh_shares_its_load_where_the_bent_shaft_has_it(drive):
         ),
         ('bearing_span = "180 mm"\ndiameter = "15.2 mm"', "shaft.diameter 15.2 mm, which bends 0."),
         ('diameter = "30 mm"', "drive.shaft.bearing_span is missing"),
+        # the throat's circle of 84 mm leaves the worm's tip line, 76 mm from the wheel's axis, at 35.8 mm
+        ('bearing_span = "60 mm"', "drive.shaft.bearing_span is 60 mm, which leaves 30 mm from"),
+        (
+            'bearing_span = "120 mm"\nbearing_offset = "-30 mm"',
+            "leaves 30 mm from the line of centres to a bearing; the wheel's teeth are between the threads "
+            "up to 35.78 mm from there, and the bearings lie beyond, 71.55 mm apart or more",
+        ),
     ],
 )
 def test_shafts_that_do_not_carry_the_worm_are_refused(shaft, right):
