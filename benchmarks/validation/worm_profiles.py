@@ -25,7 +25,7 @@ from pyworm.plots.layout import new_figure
 from pyworm.result.contact_loss import contact_losses
 from pyworm.solver.solution import Solution
 
-PROFILES = {"ZA": "C0", "ZN": "C1", "ZI": "C2", "ZK": "C4", "ZC": "C3"}
+PROFILES = {"ZA": "C0", "ZN": "C1", "ZI": "C2", "ZK": "C4", "ZC": "C3", "ZC2": "C5"}
 """Profile -> its colour."""
 
 PHASES = 0.1, 0.3, 0.5, 0.7, 0.9

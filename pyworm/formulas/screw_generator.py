@@ -54,6 +54,16 @@ class ScrewGenerator(ABC):
         cosine, sine = np.cos(turn), np.sin(turn)
         return np.stack([cosine * x - sine * y, sine * x + cosine * y, z + self.screw * turn])
 
+    def normal_at(self, radius: float) -> Array:
+        """Unit normal at a radius [m] over polar angle zero, (3,)."""
+        u = self.at_radius(radius)
+        x, y, _ = self.curve(u)[0]
+        return self.normal(u, -np.arctan2(y, x))
+
+    def pressure_angle(self, radius: float) -> float:
+        """Normal pressure angle at a radius [m]."""
+        return float(np.arcsin(abs(self.normal_at(radius)[0])))
+
     def normal(self, u: Array, turn: Array) -> Array:
         """Unit normals there, (3, ...), into the thread."""
         (x, y, _), along, _ = self.curve(u)

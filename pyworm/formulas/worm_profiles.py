@@ -1,6 +1,6 @@
 """The flanks of worms and hobs by profile, from the numbers of a drawing (DIN 3975, ISO 1122-2)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan, cos, inf, pi, tan
 from typing import Literal
 
@@ -26,6 +26,9 @@ CONCAVE_PROFILES = ("ZC", "ZC2")
 
 DISC_PROFILES = ("ZK", "ZC")
 """Profiles that depend on the disc that grinds them."""
+
+BLADE_STEPS = 6
+"""Corrections of a hob's blade angle; each leaves a hundredth of the difference or less."""
 
 BELOW_ROOT, ABOVE_TIP = 0.3, 0.4
 """How far beyond root and tip a curved flank is found, over the axial module."""
@@ -82,6 +85,26 @@ def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:
     arc = inf if of.arc_radius is None else of.arc_radius
     disc = Disc(of.disc_diameter / 2, of.space, of.pressure_angle, arc)
     return DiscHelicoid(disc, of.reference_radius, of.lead / (2 * pi), low, high)
+
+
+def hob_generator(profile: Profile, hob: Thread, worm: Thread) -> ScrewGenerator | None:
+    """What sweeps the flank of the hob of a worm; None of ZI.
+
+    The straight blade of a ZN hob has the angle by which both flanks have one normal pressure angle on their
+    reference cylinders, and so one base pitch; with the worm's they would differ by some micrometres.
+
+    Raises
+    ------
+    ValueError
+        A disc of this size leaves no such flank.
+    """
+    if profile != "ZN":
+        return generator_of(profile, hob)
+    wanted = generator_of(profile, worm).pressure_angle(worm.reference_radius)
+    for _ in range(BLADE_STEPS):
+        off = wanted - generator_of(profile, hob).pressure_angle(hob.reference_radius)
+        hob = replace(hob, pressure_angle=hob.pressure_angle + off)
+    return generator_of(profile, hob)
 
 
 def normal_pressure_angle(profile: Profile, pressure_angle: float, lead_angle: float) -> float:

@@ -94,11 +94,12 @@ def _wheel(drive: "ZiWormDrive") -> Described:
 
 
 def _hob(drive: "ZiWormDrive") -> Described:
-    hob = drive.hob
+    hob, flank = drive.hob, drive.wheel_flank.hob
     worm, cut = drive.base_pitches
     about: Described = {
         "hob_oversize_m": 2 * (hob.centre_distance - drive.centre_distance),
         "hob_tip_diameter_m": 2 * hob.tip_radius,
+        "hob_pressure_angle_deg": degrees(flank.pressure_angle(drive.reference_radii[1])),
         "hob_lead_m": hob.lead,
         "hob_centre_distance_m": hob.centre_distance,
         "hob_swivel_deg": degrees(hob.swivel),

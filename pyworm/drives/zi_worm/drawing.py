@@ -13,11 +13,11 @@ from math import atan, cos, degrees, pi, sqrt
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
 from pyworm.formulas import involute_helicoid as helicoid
-from pyworm.formulas.screw_generator import ScrewGenerator
 from pyworm.formulas.worm_profiles import (
     Profile,
     Thread,
     generator_of,
+    hob_generator,
     normal_pressure_angle,
 )
 
@@ -167,12 +167,7 @@ class Drawing:
             tip_relief=ParabolicRelief(self.worm_tip_relief, self.worm_tip_relief_length),
             reference_radius=self.reference_diameter / 2,
             thickness=self.worm_thickness,
-            generator=self._generator(
-                self.lead,
-                self.lead_angle,
-                self.reference_diameter / 2,
-                (self.worm_root_diameter / 2, self.worm_tip_diameter / 2),
-            ),
+            generator=generator_of(self.profile, self._worm_thread),
             profile=self.profile,
         )
 
@@ -214,19 +209,29 @@ class Drawing:
             centre_distance=distance,
             swivel=self.normal_swivel if self.hob_swivel is None else self.hob_swivel,
             axial_shift=self.hob_axial_shift,
-            generator=self._generator(lead, lead_angle, diameter / 2, (root, tip)),
+            generator=hob_generator(
+                self.profile,
+                self._thread(lead, lead_angle, diameter / 2, (root, tip)),
+                self._worm_thread,
+            ),
         )
 
     def _of_involutes(self, value: float) -> float | None:
         """A number that only ZI flanks have."""
         return value if self.profile == "ZI" else None
 
-    def _generator(
+    @property
+    def _worm_thread(self) -> Thread:
+        """What forms the worm's flank."""
+        radii = self.worm_root_diameter / 2, self.worm_tip_diameter / 2
+        return self._thread(self.lead, self.lead_angle, self.reference_diameter / 2, radii)
+
+    def _thread(
         self, lead: float, lead_angle: float, reference: float, radii: tuple[float, float]
-    ) -> ScrewGenerator | None:
-        """What sweeps the flank of worm or hob, which have one normal width of the space and one disc."""
+    ) -> Thread:
+        """What forms the flank of worm or hob, which have one normal width of the space and one disc."""
         space = (pi * self.module - self.worm_thickness) * cos(self.lead_angle)
-        thread = Thread(
+        return Thread(
             module=self.module,
             lead=lead,
             lead_angle=lead_angle,
@@ -238,7 +243,6 @@ class Drawing:
             disc_diameter=self.worm_disc_diameter,
             arc_radius=self.worm_arc_radius,
         )
-        return generator_of(self.profile, thread)
 
 
 Known = Mapping[str, float]

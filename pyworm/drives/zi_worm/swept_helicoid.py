@@ -76,17 +76,11 @@ class SweptHelicoid(Seated):
 
     def normal_travel(self, radius: float) -> float:
         """Advance of the flank along its normal per radian at a radius [m]."""
-        return self.screw * float(self._normal(radius)[2])
+        return self.screw * float(self.generator.normal_at(radius)[2])
 
     def pressure_angle(self, radius: float) -> float:
         """Normal pressure angle at a radius [rad]."""
-        return float(np.arcsin(abs(self._normal(radius)[0])))
-
-    def _normal(self, radius: float) -> Array:
-        """Unit normal at a radius over polar angle zero, along the screw's own axes, (3,)."""
-        u = self.generator.at_radius(radius)
-        x, y, _ = self.generator.curve(u)[0]
-        return self.generator.normal(u, -np.arctan2(y, x))
+        return self.generator.pressure_angle(radius)
 
     def over_centres(self, radius: float) -> tuple[float, float, float]:
         """u and turn of the point on a cylinder [m] over the line of centres, its angle in the mid-plane."""

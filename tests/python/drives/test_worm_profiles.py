@@ -75,6 +75,26 @@ def test_the_general_meshing_of_an_involute_drive_is_its_closed_form():
     assert general.base_pitches == pytest.approx(closed.base_pitches, rel=1e-12)
 
 
+@pytest.mark.parametrize("profile", ["ZA", "ZN", "ZI", "ZK"])
+def test_hob_and_worm_have_one_normal_base_pitch(profile):
+    """The travel of the flank along its normal for a thread, where the reference cylinders roll on the wheel.
+
+    Of ZK, whose hob is ground by the worm's disc, to a micrometre.
+    """
+    of = replace(drawing(profile), threads=4, teeth=41, hob_swivel=None)
+    pitches = []
+    for screw, reference in (
+        (of.worm, of.reference_diameter / 2),
+        (of.hob, (of.reference_diameter + of.hob_oversize) / 2),
+    ):
+        step = 1e-7
+        line = swept(screw).generator if profile == "ZI" else screw.generator
+        rise = np.diff(line.axial_profile(reference + np.array([-step, step])))[0] / (2 * step)
+        lead = screw.lead / (2 * np.pi * reference)
+        pitches.append(screw.axial_pitch / np.sqrt(1 + rise**2 + lead**2))
+    assert pitches[1] == pytest.approx(pitches[0], abs=1e-6 if profile == "ZK" else 1e-9)
+
+
 class Screw:
     """A worm or a hob in the drive frame by its axial profile; a left-hand one stands in the mirror image."""
 
