@@ -139,15 +139,20 @@ def table(meshes: dict[str, Mesh]) -> str:
 
 def draw(meshes: dict[str, Mesh]) -> Figure:
     """Patterns on the wheel's flank, above radii, loads and films over the phase."""
-    figure = new_figure(12, 8, "One worm drive of every profile, a = 100 mm, 2/39, x = 0.75")
-    rows = figure.subfigures(2, height_ratios=(1, 4))
-    for axes, (name, mesh) in zip(
-        rows[0].subplots(1, len(meshes), sharex=True, sharey=True), meshes.items(), strict=True
-    ):
+    figure = new_figure(12, 10, "One worm drive of every profile, a = 100 mm, 2/39, x = 0.75")
+    rows = figure.subfigures(2, height_ratios=(2, 4))
+    rows[0].supylabel("distance from the wheel's axis / mm", fontsize="medium")
+    rows[0].supxlabel(
+        "along the face / mm, the worm's threads leave on the right; coloured: pressed at the five phases; "
+        "line: path of contact, from the tip to the root",
+        fontsize="medium",
+    )
+    panels = rows[0].subplots(2, -(-len(meshes) // 2), sharex=True, sharey=True).ravel()
+    for axes, (name, mesh) in zip(panels, meshes.items(), strict=False):
         _draw_pattern(axes, mesh)
         axes.set_title(name, color=PROFILES[name])
     below = rows[1].subplots(2, 2, sharex=True).ravel()
-    labels = "long radius / m", "short radius / mm", "normal load / kN", "least film / um"
+    labels = "long radius / m", "short radius / mm", "normal load / kN", "least film / µm"
     for name, mesh in meshes.items():
         radii = np.array([mesh.drive.contact(phase).radii for phase in PHASES])
         loads = [one.load / 1e3 for one in mesh.solutions]
@@ -160,7 +165,7 @@ def draw(meshes: dict[str, Mesh]) -> Figure:
         axes.grid(True, color="0.9")
     for axes in below[2:]:
         axes.set_xlabel("phase")
-    below[1].legend(frameon=False, ncols=5)
+    below[1].legend(frameon=False, ncols=3)
     return figure
 
 
@@ -185,9 +190,6 @@ def _draw_pattern(axes: Axes, mesh: Mesh) -> None:
     face, radius = np.transpose([(at[1], np.hypot(at[0], at[2])) for at in places]) * 1e3
     axes.plot(face, radius, "k.-", linewidth=0.8, markersize=3)
     axes.set_aspect("equal")
-    axes.set_xlabel("along the face / mm")
-    if axes.get_subplotspec().is_first_col():
-        axes.set_ylabel("radius / mm")
 
 
 def main() -> None:

@@ -1,6 +1,7 @@
 """Base of all tables of a case file, types of plain numbers and dotted keys."""
 
-from typing import Annotated, Any
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -19,6 +20,9 @@ class Table(BaseModel):
     """A table of a case file: unknown keys are refused, values are frozen."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+    also_called: ClassVar[Mapping[str, str]] = {}
+    """What a key is called elsewhere -> the key, with its table where it stands in another one."""
 
 
 def by_dotted_key(table: dict[str, Any], above: str = "") -> dict[str, Any]:

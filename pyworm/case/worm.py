@@ -5,6 +5,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, model_validator
 
+from pyworm.case import drawing_words
 from pyworm.case.table import Count, Number, PositiveNumber, Table
 from pyworm.case.zi_worm import (
     AssemblyTable,
@@ -32,17 +33,20 @@ KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)
 LIFE = (1.0, 0.75, 0.5, 0.25)
 """Parts of its oversize that a hob has left as it is reground."""
 
-GLOBOID = ("globoid", "double-enveloping", "Hindley")
+GLOBOID = ("globoid", "double-enveloping", "hindley")
 
 
 def _computed(profile: str) -> str:
-    if profile in GLOBOID:
+    if profile.lower() in GLOBOID:
         raise ValueError(
             f"globoid worms are not computed; there are cylindrical worms of the profiles {KNOWN} and roller "
             'enveloping ones, kind = "roller-worm"'
         )
     if profile not in PROFILES:
-        raise ValueError(f"must be one of {KNOWN}")
+        meant = profile.upper()
+        meant = drawing_words.PROFILES.get(meant, meant)
+        known = f'; did you mean "{meant}"?' if meant in PROFILES else ""
+        raise ValueError(f"must be one of {KNOWN}{known}")
     return profile
 
 
@@ -62,6 +66,8 @@ class _Drawn(Table):
 class DrawnWormTable(_Drawn):
     """`[drive.worm]` of a drawing; all may be left out, and what follows from other numbers is checked."""
 
+    also_called = drawing_words.OF_WORM
+
     tip_diameter: units.Length | None = None
     root_diameter: units.Length | None = None
     thickness: units.Length | None = None
@@ -79,6 +85,8 @@ class DrawnWormTable(_Drawn):
 
 class DrawnWheelTable(_Drawn):
     """`[drive.wheel]` of a drawing, likewise."""
+
+    also_called = drawing_words.OF_WHEEL
 
     throat_diameter: units.Length | None = None
     outside_diameter: units.Length | None = None
@@ -102,6 +110,8 @@ class DrawnHobTable(_Drawn):
 
 class DrawnWormDriveTable(Table):
     """`[drive]`, kind = "worm": the numbers of a drawing."""
+
+    also_called = drawing_words.OF_DRIVE
 
     kind: Literal["worm"]
     profile: Annotated[str, AfterValidator(_computed)]

@@ -57,7 +57,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
     name = shortened(_dotted(keys))
     if problem["type"] == "extra_forbidden":
-        return f"{name}: no such key; {_nearest(keys[-1], _valid_keys(model, problem['loc'][:-1]))}"
+        return f"{name}: no such key; {_right_key(keys[-1], _choices(model, problem['loc'][:-1]))}"
     if problem["type"] == "missing":
         return f"{name} is missing"
     if problem["type"] == "union_tag_not_found":
@@ -97,8 +97,8 @@ def _dotted(keys: list) -> str:
     return name
 
 
-def _valid_keys(model: type[BaseModel], loc: tuple) -> list[str]:
-    """Keys of the table that a pydantic location leads to."""
+def _choices(model: type[BaseModel], loc: tuple) -> list[type[BaseModel]]:
+    """Models that the table may have to which a pydantic location leads."""
     choices: list[type[BaseModel]] = [model]
     for key in loc:
         fields = [table.model_fields[key] for table in choices if key in table.model_fields]
@@ -111,7 +111,7 @@ def _valid_keys(model: type[BaseModel], loc: tuple) -> list[str]:
                 if any(key in typing.get_args(f.annotation) for f in table.model_fields.values())
             ]
             choices = tagged or choices
-    return sorted({key for table in choices for key in table.model_fields})
+    return choices
 
 
 def _tables(annotation: Any) -> list[type[BaseModel]]:
@@ -121,7 +121,13 @@ def _tables(annotation: Any) -> list[type[BaseModel]]:
     return [table for part in typing.get_args(annotation) for table in _tables(part)]
 
 
-def _nearest(key: str, valid: list[str]) -> str:
+def _right_key(key: str, choices: list[type[BaseModel]]) -> str:
+    """What may be meant by a key that none of some models has."""
+    for table in choices:
+        called = getattr(table, "also_called", {})
+        if key in called:
+            return f"give {called[key]} instead"
+    valid = sorted({key for table in choices for key in table.model_fields})
     close = difflib.get_close_matches(key, valid, n=3, cutoff=0.6)
     if close:
         return f"did you mean {' or '.join(close)}?"

@@ -138,7 +138,12 @@ def _check_fit(gears: "ZiWormGears") -> None:
     lowest = max(worm.tip_radius + floor, worm.root_radius + wheel.throat_radius)
     highest = worm.tip_radius + wheel.throat_radius
     if not lowest <= gears.axes_distance < highest:
-        with_error = " with assembly.centre_distance" if gears.assembly.centre_distance else ""
+        error = gears.assembly.centre_distance
+        with_error = (
+            f" with assembly.centre_distance, a difference of {error * 1e3:.4g} mm,"
+            if error
+            else ""
+        )
         raise ValueError(
             f"centre_distance{with_error} is {gears.axes_distance * 1e3:.2f} mm; it must lie from "
             f"{lowest * 1e3:.2f} mm, where a tip touches a root, to {highest * 1e3:.2f} mm, where the "

@@ -34,7 +34,7 @@ LARGEST_OVERSIZE = 0.25
 """Largest oversize of a hob over the worm's reference diameter."""
 
 LEAST_OVERSIZE = 1e-3
-"""Least oversize of a hob of another profile than ZI, likewise: a smaller one leaves a line contact."""
+"""Least oversize of a hob, likewise: a smaller one leaves a line contact."""
 
 OF_PROFILES: dict[str, tuple[Profile, ...]] = {
     "worm_base_diameter": ("ZI",),
@@ -166,10 +166,11 @@ def _check_distance(of: Drawing) -> None:
         return
     plain = of.module / 2 * (of.diameter_factor + of.teeth)
     twice = abs(of.centre_distance / plain - 2) < 0.1
+    fitting = f"; a module of {_mm(of.module * of.centre_distance / plain)} would need none"
     raise ValueError(
         f"centre_distance is {_mm(of.centre_distance)}, which asks for a profile shift of "
         f"{of.profile_shift:.3g}; module, diameter_factor and teeth make {_mm(plain)}, and shifts "
-        f"of up to one module are usual{'; is it twice the distance?' if twice else ''}"
+        f"of up to one module are usual{'; is it twice the distance?' if twice else fitting}"
     )
 
 
@@ -326,11 +327,11 @@ def _check_hob(of: Drawing) -> None:
             f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
         )
     least = LEAST_OVERSIZE * of.reference_diameter
-    if of.profile != "ZI" and of.hob_oversize < least:
+    if of.hob_oversize < least:
         raise ValueError(
-            f'hob.oversize is {_mm(of.hob_oversize)}; of profile "{of.profile}" point contacts are computed, '
-            f"for which it must be {_mm(least)} or more, as a rule 2 % of worm.reference_diameter, "
-            f"{_mm(0.02 * of.reference_diameter)}"
+            f"hob.oversize is {_mm(of.hob_oversize)}; a hob as large as the worm leaves a contact along a "
+            f"line, point contacts are computed, for which it must be {_mm(least)} or more, as a rule 2 % of "
+            f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
         )
     if of.hob_oversize > largest:
         raise ValueError(
@@ -343,4 +344,11 @@ def _check_hob(of: Drawing) -> None:
             f"hob.centre_distance is {_mm(of.hob_centre_distance)}; it is the distance of the hob's "
             f"axis from the wheel's, within half a module of {_mm(usual)}, centre_distance and half of "
             "hob.oversize"
+        )
+    tip = of.hob.tip_radius
+    if 2 * tip < of.worm_tip_diameter:
+        raise ValueError(
+            f"hob.centre_distance is {_mm(of.hob.centre_distance)}; with wheel.root_diameter of "
+            f"{_mm(of.wheel_root_diameter)} the hob's tip diameter would be {_mm(2 * tip)}, below that of "
+            f"the worm, {_mm(of.worm_tip_diameter)}, whose tip would touch the root that the hob leaves"
         )

@@ -94,6 +94,19 @@ class ZiWormDrive(ZiWormGears, Drive):
         super().__post_init__()
 
     @property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings of the gears, and that of a worm that is softer than its wheel."""
+        worm, wheel = (body.hardness for body in self.bodies)
+        if worm is None or wheel is None or worm >= wheel:
+            return super().warnings
+        return (
+            *super().warnings,
+            f"worm has flanks of a hardness of {worm / 1e9:.3g} GPa, softer than the wheel's "
+            f"{wheel / 1e9:.3g} GPa; worms are the harder ones as a rule, are bodies.worm and bodies.wheel "
+            "swapped?",
+        )
+
+    @property
     def assumptions(self) -> tuple[str, ...]:
         """The load and its sharing, rigid teeth and shafts, the hand, and usual values taken."""
         load = self.load

@@ -7,7 +7,7 @@ wheel's axis, and tilts: errors of the assembly under load. A tilt towards the w
 no other influence of first order.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot, inf, sqrt
 from typing import TYPE_CHECKING
 
@@ -113,11 +113,17 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
         If a bearing lies where the wheel is, or the shaft bends by more than a tenth of the module.
     """
     _check_bearings(drive, shaft)
+    diameter = 2 * drive.worm.root_radius if shaft.diameter is None else shaft.diameter
+    if diameter > 2 * drive.worm.tip_radius:
+        raise ValueError(
+            f"shaft.diameter is {diameter * 1e3:.4g} mm, thicker than the worm's tip, "
+            f"{2e3 * drive.worm.tip_radius:.4g} mm; that of a uniform shaft which bends as much is wanted, "
+            f"as a rule near the worm's root diameter, {2e3 * drive.worm.root_radius:.4g} mm"
+        )
     point, force = mesh_force(drive)
     arm = point - drive.worm_flank.axis_point
     before = shaft.bearing_span / 2 - shaft.bearing_offset + arm[2]
     beyond = shaft.bearing_span - before
-    diameter = 2 * drive.worm.root_radius if shaft.diameter is None else shaft.diameter
     rigidity = drive.bodies[0].youngs_modulus * second_moment(diameter)
     radial, lateral = (
         bending(
@@ -139,13 +145,26 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
         reactions=tuple(map(hypot, radial.reactions, lateral.reactions)),
     )
     if bent.deflection > LARGEST * drive.module:
-        raise ValueError(
-            f"shaft.bearing_span is {shaft.bearing_span * 1e3:.4g} mm and shaft.diameter "
-            f"{diameter * 1e3:.4g} mm, which bends {bent.deflection * 1e3:.2g} mm under the load; a shorter "
-            f"or thicker shaft is needed, worms of this module may bend "
-            f"{LARGEST * drive.module * 1e3:.2g} mm at most"
-        )
+        raise ValueError(_too_soft(drive, shaft, diameter, bent.deflection))
     return bent
+
+
+def _too_soft(drive: "ZiWormDrive", shaft: WormShaft, diameter: float, deflection: float) -> str:
+    """The sentence about a shaft that bends too much, or whose bearings yield too much."""
+    most = f"worms of this module may move {LARGEST * drive.module * 1e3:.2g} mm at most"
+    if shaft.bearing_stiffness < inf:
+        stiff = replace(shaft, bearing_stiffness=inf)
+        own = bent_shaft(drive, stiff).deflection
+        return (
+            f"shaft.bearing_stiffness is {shaft.bearing_stiffness * 1e-6:.3g} N/um, with which the mesh "
+            f"moves {deflection * 1e3:.3g} mm under the load, {own * 1e3:.2g} mm of it by the shaft itself; "
+            f"{most}"
+        )
+    return (
+        f"shaft.bearing_span is {shaft.bearing_span * 1e3:.4g} mm and shaft.diameter {diameter * 1e3:.4g} "
+        f"mm, which bends {deflection * 1e3:.2g} mm under the load; a shorter or thicker shaft is needed, "
+        f"{most}"
+    )
 
 
 def _check_bearings(drive: "ZiWormDrive", shaft: WormShaft) -> None:

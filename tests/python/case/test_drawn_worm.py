@@ -5,12 +5,14 @@ import re
 import tomllib
 from functools import cache
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
 from zi_drives import coarse_springs
 
 from pyworm.case.case import case_again, case_of
+from pyworm.case.worm import DrawnWormDriveTable
 from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import asked_of, ratings
@@ -238,8 +240,9 @@ REFUSED = [
     # hob
     ([('"1.6 mm"', '"-1.6 mm"')], "drive.hob.oversize is -1.6 mm", "smaller than the worm"),
     ([('oversize = "1.6 mm"', 'oversize = "41.6 mm"')], "drive.hob.oversize is 41.6 mm", "at most 10 mm"),
-    ([in_table("hob", 'swivel = "3 deg"')], "drive.hob.swivel and hob.axial_shift are 3 deg", "face ends"),
-    ([in_table("hob", 'axial_shift = "20 mm"')], "drive.hob.swivel and hob.axial_shift", "20 mm"),
+    ([in_table("hob", 'swivel = "3 deg"')],
+     "drive.hob.swivel, hob.axial_shift and hob.centre_distance are 3 deg", "face ends"),
+    ([in_table("hob", 'axial_shift = "20 mm"')], "drive.hob.swivel, hob.axial_shift and", "20 mm"),
     # hand and profile
     ([('"right"', '"links"')], 'drive.hand = "links"', '"right" or "left"'),
     ([('"ZI"', '"globoid"')], 'drive.profile = "globoid"', "roller-worm"),
@@ -260,6 +263,26 @@ REFUSED = [
      "drive.worm.arc_radius and pressure_angle do not fit", "the flank from 14 mm to 25.6 mm"),
     ([('"ZI"', '"ZC2"'), in_table("worm", 'disc_diameter = "500 mm"')],
      "drive.worm.disc_diameter belongs to", '"ZK" and "ZC"'),
+    ([('"ZI"', '"Globoid"')], 'drive.profile = "Globoid"', "roller-worm"),
+    ([('"ZI"', '"ZH"')], 'drive.profile = "ZH"', 'did you mean "ZC"?'),
+    ([('"ZI"', '"zi"')], 'drive.profile = "zi"', 'did you mean "ZI"?'),
+    ([('"1.6 mm"', '"0 mm"')], "drive.hob.oversize is 0 mm", "contact along a line"),
+    ([in_table("hob", 'centre_distance = "99 mm"')], "drive.hob.centre_distance is 99 mm", "47.6 mm, below"),
+    ([in_table("hob", 'centre_distance = "100 mm"')],
+     "drive.hob.swivel, hob.axial_shift and hob.centre_distance are 0.4404 deg, 0 mm and 100 mm", "set-up"),
+    ([('"4 mm"', '"4 cm"')], "drive.centre_distance is 100 mm", "a module of 3.9216 mm would need none"),
+    ([in_table("assembly", 'centre_distance = "100.1 mm"')],
+     "drive.centre_distance with assembly.centre_distance, a difference of 100.1 mm,", "108.00 mm"),
+    ([in_table("assembly", 'axial_shift = "5 mm"')],
+     "drive.assembly.axial_shift and assembly.shaft_angle leave the worm 5 mm along", "face ends"),
+    ([in_table("assembly", 'shaft_angle = "90 deg"')], "drive.assembly.axial_shift and", "90 deg off"),
+    # words of drawings
+    ([("threads = 2", "z1 = 2")], "drive.z1: no such key", "give threads instead"),
+    ([("teeth = 41", "ratio = 20.5")], "drive.ratio: no such key", "give threads and teeth instead"),
+    ([in_drive('lead_angle = "11.31 deg"')], "drive.lead_angle: no such key", "give worm.lead_angle instead"),
+    ([in_table("worm", 'addendum = "4 mm"')], "drive.worm.addendum: no such key", "give tip_diameter"),
+    ([in_table("wheel", 'face_width = "30 mm"')], "drive.wheel.face_width: no such key", "give drive.face"),
+    ([in_table("wheel", 'tip_diameter = "168 mm"')], "drive.wheel.tip_diameter: no such key", "throat_dia"),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
 ]  # fmt: skip
 
@@ -310,3 +333,34 @@ def test_a_wrong_drawing_is_refused_at_its_key_with_what_would_be_right(changes,
     assert message.startswith(begins)
     assert right in message
     assert "\n" not in message
+
+
+def test_other_names_of_keys_are_those_of_keys_that_there_are():
+    drive = DrawnWormDriveTable
+    tables = {
+        "drive": drive,
+        **{part: drive.model_fields[part].annotation for part in ("worm", "wheel")},
+    }
+    for name, table in tables.items():
+        for called, right in table.also_called.items():
+            assert called not in table.model_fields
+            for key in right.split(" and "):
+                at = drive if name == "drive" or key.startswith("drive.") else table
+                *above, last = key.removeprefix("drive.").split(".")
+                for part in above:
+                    at = at.model_fields[part].annotation
+                    at = get_args(at)[0] if get_args(at) else at
+                assert last in at.model_fields, (name, called)
+
+
+def test_a_worm_softer_than_its_wheel_gives_a_warning():
+    swapped = drawn(
+        ('material = "16MnCr5"', 'material = "X"'),
+        ('material = "CuSn12Ni2-C-GZ"', 'material = "16MnCr5"'),
+        ('material = "X"', 'material = "CuSn12Ni2-C-GZ"'),
+    )
+    (said,) = swapped.warnings
+    assert said.startswith(
+        "drive.worm has flanks of a hardness of 0.93 GPa, softer than the wheel's 6.7"
+    )
+    assert unit().warnings == ()

@@ -89,6 +89,11 @@ def test_the_mesh_shares_its_load_where_the_bent_shaft_has_it(drive):
         ),
         ('bearing_span = "180 mm"\ndiameter = "15.2 mm"', "shaft.diameter 15.2 mm, which bends 0."),
         ('diameter = "30 mm"', "drive.shaft.bearing_span is missing"),
+        ('bearing_span = "180 mm"\ndiameter = "60 mm"', "thicker than the worm's tip, 48 mm"),
+        (
+            'bearing_span = "180 mm"\nbearing_stiffness = "20 N/m"',
+            "drive.shaft.bearing_stiffness is 2e-05 N/um, with which the mesh moves",
+        ),
         # the throat's circle of 84 mm leaves the worm's tip line, 76 mm from the wheel's axis, at 35.8 mm
         ('bearing_span = "60 mm"', "drive.shaft.bearing_span is 60 mm, which leaves 30 mm from"),
         (
