@@ -6,10 +6,10 @@ own: a transient solve does not depend on which of its times are wanted.
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from zipfile import BadZipFile
 
@@ -18,7 +18,7 @@ import numpy as np
 from pyworm.batch.task import Task
 from pyworm.io.atomic import whole_file
 from pyworm.io.reason import reason_of
-from pyworm.planning.expected_work import REFINEMENTS
+from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.course import course_of
@@ -58,15 +58,16 @@ class LifePart:
         wanted = {task.key: task.scene.past.seconds for task in self.tasks}
         part = part_at(course, first.scene.past.seconds)
         try:
-            rates = march(course, self.refinement, part.begin, sorted(wanted.values())).rates
+            found = march(course, self.refinement, part.begin, sorted(wanted.values()))
+            rates, flaw = found.rates, found.lost
         except LostError as lost:
-            for key in wanted:
-                _write(_file(directory, key, self.refinement), flaw=str(lost))
-            return
+            rates, flaw = {}, str(lost)
         for key, at in wanted.items():
-            rate = rates[at]
-            grid = list(vars(rate.grid).values())
-            _write(_file(directory, key, self.refinement), grid=grid, rate=rate.rate)
+            file = directory / _file(key, self.refinement)
+            if at not in rates:
+                _write(file, flaw=flaw)
+            else:
+                _write(file, grid=list(vars(rates[at].grid).values()), rate=rates[at].rate)
 
 
 def solve_lives(
@@ -78,10 +79,11 @@ def solve_lives(
     """Solve the lives that several tasks share, where films in motion are simulated, into a directory."""
     parts = [
         LifePart(part, refinement)
-        for refinement in reversed(range(REFINEMENTS))
         for life in _lives(tasks, directory)
         for part in _parts(life)
+        for refinement in range(solves_of_life(life[0].accuracy))
     ]
+    parts.sort(key=lambda one: one.refinement, reverse=True)  # the longest first
     if not parts:
         return
     directory.mkdir(parents=True, exist_ok=True)
@@ -98,10 +100,10 @@ def solve_lives(
 def rates_for(task: Task, directory: Path) -> Rates | None:
     """Rates of change of a task's film that were left for it; None where there are not all."""
     found = []
-    for refinement in range(REFINEMENTS):
+    for refinement in range(solves_of_life(task.accuracy)):
         try:
             with (
-                _file(directory, task.key, refinement).open("rb") as file,
+                (directory / _file(task.key, refinement)).open("rb") as file,
                 np.load(file) as data,
             ):
                 if "flaw" in data:
@@ -113,33 +115,42 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
     return Rates(tuple(found))
 
 
-def drop_rates(tasks: Iterable[Task], directory: Path) -> None:
-    """Remove what was left for some tasks."""
-    for task in tasks:
-        for refinement in range(REFINEMENTS):
-            with suppress(OSError):
-                _file(directory, task.key, refinement).unlink(missing_ok=True)
+def drop_rates(task: Task, directory: Path) -> None:
+    """Remove what was left for a task."""
+    for file in directory.glob(_file(task.key, "*")):
+        with suppress(OSError):
+            file.unlink()
 
 
 def _parts(life: Sequence[Task]) -> list[tuple[Task, ...]]:
     """Tasks of a life by the part that holds their film."""
-    course = course_of(life[0].scene.past.life, life[0].plan)
+    try:
+        course = course_of(life[0].scene.past.life, life[0].plan)
+    except ValueError:  # the reason that each task will give
+        return []
     found = defaultdict(list)
     for task in life:
         found[part_at(course, task.scene.past.seconds)].append(task)
     return [tuple(part) for part in found.values()]
 
 
-def _lives(tasks: Sequence[Task], directory: Path) -> list[tuple[Task, ...]]:
-    """Tasks whose films are in motion, by their life; without those that nobody shares one with."""
-    lives = defaultdict(list)
+def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
+    """Tasks whose films are in motion, by their life; without those that nobody shares one with.
+
+    Only what may share a life is planned: a sweep's thousands of cases have one each.
+    """
+    by_life = defaultdict(list)
     for task in tasks:
-        if _shares_its_life(task) and rates_for(task, directory) is None:
-            lives[id(task.case), replace(task.place, phase=None)].append(task)
-    return [tuple(life) for life in lives.values() if len(life) >= FEWEST]
+        by_life[id(task.case), replace(task.place, phase=None)].append(task)
+    lives = (
+        [task for task in some if _in_motion(task) and rates_for(task, directory) is None]
+        for some in by_life.values()
+        if len(some) >= FEWEST
+    )
+    return [life for life in lives if len(life) >= FEWEST]
 
 
-def _shares_its_life(task: Task) -> bool:
+def _in_motion(task: Task) -> bool:
     """Whether a task's film is in motion, and its life is solved as a whole."""
     try:
         return "squeeze" in task.plan.on and recent(task.scene) is task.scene.past
@@ -147,8 +158,8 @@ def _shares_its_life(task: Task) -> bool:
         return False
 
 
-def _file(directory: Path, key: str, refinement: int) -> Path:
-    return directory / f"{key}.rate-{refinement}.npz"
+def _file(key: str, refinement: object) -> str:
+    return f"{key}.rate-{refinement}.npz"
 
 
 def _write(file: Path, **content: object) -> None:
@@ -158,6 +169,8 @@ def _write(file: Path, **content: object) -> None:
 
 def _grid(numbers: Sequence[float]) -> Grid | LineGrid:
     """A grid from the values of its attributes."""
-    kind = Grid if len(numbers) == len(Grid.__dataclass_fields__) else LineGrid
-    whole = [of.type in ("int", int) for of in kind.__dataclass_fields__.values()]
-    return kind(*(int(of) if is_whole else of for of, is_whole in zip(numbers, whole, strict=True)))
+    if len(numbers) == len(fields(Grid)):
+        *lengths, columns, rows = numbers
+        return Grid(*lengths, int(columns), int(rows))
+    dx, first, count = numbers
+    return LineGrid(dx, int(first), int(count))

@@ -53,7 +53,6 @@ def solve_all(
         for done, future in enumerate(as_completed(futures), 1):
             reasons[futures[future].key] = _reason(future, futures[future], store)
             tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
-    drop_rates(tasks, store.directory)
     return {task.key: reasons[task.key] for task in tasks if reasons[task.key] is not None}
 
 
@@ -62,15 +61,16 @@ def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -
 
     Whatever goes wrong is the reason, since it must not cost the other tasks.
     """
+    reason = None
     try:
-        if store.holds(task):
-            return None
-        store.keep(task, task.solved(progress, rates_for(task, store.directory)))
+        if not store.holds(task):
+            store.keep(task, task.solved(progress, rates_for(task, store.directory)))
     except KernelError as error:
-        return str(error)
+        reason = str(error)
     except Exception as error:
-        return reason_of(error)
-    return None
+        reason = reason_of(error)
+    drop_rates(task, store.directory)
+    return reason
 
 
 def solve_for(key: str, task: Task, store: Store) -> str | None:

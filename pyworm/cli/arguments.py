@@ -44,7 +44,7 @@ def add_accuracy_and_effects(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--effects",
-        help="auto, auto,squeeze,roughness, all, isothermal, or names of effects with commas between; "
+        help="auto, auto,-roughness,-squeeze, all, isothermal, or names of effects with commas between; "
         "else the case's",
     )
 

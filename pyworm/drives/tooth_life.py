@@ -5,14 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pyworm.scene.life import Life, Past
+from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-
-
-def unturned(phase: float) -> np.ndarray:
-    """Axes of contacts whose axes do not turn."""
-    return np.eye(3)
 
 
 @dataclass(frozen=True)

@@ -89,8 +89,8 @@ STEPS_A_TRANSIT: dict[Kind, int] = {"point": 12, "line": 48}
 """Time steps of a transit of oil in the first transient solve of a life; each further one doubles them
 (`solver.transient.march`)."""
 
-REFINEMENTS = 2
-"""Transient solves of a life, each with half the spacing and half the time step of the one before."""
+ONE_SOLVE, TWO_SOLVES = 0.08, 0.035
+"""Accuracies from which one and two transient solves of a life suffice."""
 
 TRANSITS_BEFORE = 4.0
 """Transits that a part of a life has, on average, before one of its contacts."""
@@ -216,6 +216,11 @@ def first_refinement(change: float, accuracy: float) -> float:
     return 1.0
 
 
+def solves_of_life(accuracy: float) -> int:
+    """Transient solves of a life, each with half the spacing and time step of the one before."""
+    return 1 + (accuracy < ONE_SOLVE) + (accuracy < TWO_SOLVES)
+
+
 def stiffness(heated: bool, moes_l: float) -> float:
     """Factor by which the Newton steps of a film exceed the usual number."""
     least, power = (STIFF, STIFF_POWER) if heated else (THICKENING, THICKENING_POWER)
@@ -268,7 +273,7 @@ def expected_work(
             nests[0][-1] * growth ** (refinement + (1 if kind == "line" else -1)),
             TRANSITS_BEFORE * (STEPS_A_TRANSIT[kind] << refinement),
         )
-        for refinement in range(REFINEMENTS * moving)
+        for refinement in range(solves_of_life(accuracy) * moving)
     )
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
     least = _halvings(change / max(accuracy, WORTHLESS))

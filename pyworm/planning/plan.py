@@ -1,7 +1,7 @@
 """The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,13 +11,13 @@ from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
 from pyworm.planning.effects.judgement import Judgement, judge, simplified
 from pyworm.planning.effects.selection import (
-    ONLY_NAMED,
     SIMULATED,
     BesideAuto,
     beside_auto,
     chosen,
     require,
 )
+from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.expected_work import Work
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -61,8 +61,8 @@ class Plan:
         Expected Newton steps; `pyworm.solver.cost.expected_time` gives their time.
     refusal : str or None
         Reason why no grid is refined, the film needing far more nodes than allowed; else None.
-    excluded : tuple of str
-        Effects that the user leaves out of what the accuracy requires.
+    excluded : mapping of str to str
+        Effects left out whatever the accuracy requires, and the reason of each.
     """
 
     accuracy: float
@@ -78,7 +78,7 @@ class Plan:
     tolerance: float
     work: Work
     refusal: str | None = None
-    excluded: tuple[str, ...] = ()
+    excluded: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def on(self) -> frozenset[str]:
@@ -88,9 +88,10 @@ class Plan:
     @property
     def may_grow(self) -> bool:
         """Whether it leaves out effects that the solution may call for."""
-        simulated = SIMULATED.keys() - ONLY_NAMED - set(self.excluded)
         left_out = {one.name for one in self.effects if not one.on and one.influence}
-        return self.asked is None and not left_out.isdisjoint(simulated)
+        return self.asked is None and not left_out.isdisjoint(
+            SIMULATED.keys() - self.excluded.keys()
+        )
 
     def simplified(self, scene: Scene | LineScene) -> Scene | LineScene:
         """The scene without the effects that are left out.
@@ -120,8 +121,8 @@ def plan(
         Relative error wanted [-], between 1e-5 and 0.5.
     effects : str
         "auto": what the accuracy requires, with effects named after a comma and without those after a minus;
-        otherwise a choice as of
-        `planning.effects.selection.chosen`: "all", "isothermal", or names of effects with commas.
+        otherwise a choice as of `planning.effects.selection.chosen`: "all", "isothermal", or names of
+        effects with commas.
     quantities : sequence of str, optional
         Quantities asked for: "film", "friction", "temperature"; by default all that the oil's data allow.
 
@@ -147,14 +148,13 @@ def plan(
     beside = beside_auto(effects)
     asked = effects if beside is None else None
     beside = beside or BesideAuto()
+    excluded = dict.fromkeys(beside.excluded, "left out as asked")
     for name in beside.required:
         require(scene, name, effects)
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             prediction = predicted(scene)
-            return planned(
-                scene, accuracy, wanted, prediction, asked, beside.required, beside.excluded
-            )
+            return planned(scene, accuracy, wanted, prediction, asked, beside.required, excluded)
     except ArithmeticError as error:
         raise ValueError(
             f"{scene.name}: its load, speed, oil and bodies are out of all proportion ({error}); "
@@ -169,7 +169,7 @@ def planned(
     prediction: Prediction,
     asked: str | None = None,
     required: frozenset[str] = frozenset(),
-    excluded: frozenset[str] = frozenset(),
+    excluded: Mapping[str, str] | None = None,
 ) -> Plan:
     """The plan from a prediction of the contact; effects in `required` stay on, those in `excluded` off."""
     judgements = _judged(scene, accuracy, quantities, prediction, asked, required, excluded)
@@ -191,7 +191,7 @@ def planned(
         aim,
         model,
         **vars(numerics),
-        excluded=tuple(sorted(excluded)),
+        excluded=dict(excluded or {}),
     )
 
 
@@ -203,7 +203,7 @@ def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGri
 def effects_for(scene: Scene | LineScene, plan: Plan, prediction: Prediction) -> frozenset[str]:
     """Names of the effects that a plan's accuracy calls for in another scene."""
     how = scene, plan.accuracy, plan.quantities, prediction, plan.asked
-    judged = _judged(*how, frozenset(), frozenset(plan.excluded))
+    judged = _judged(*how, frozenset(), plan.excluded)
     return frozenset(judgement.name for judgement in judged if judgement.on)
 
 
@@ -216,6 +216,17 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
     }
     names = tuple(name for quantity in quantities for name in figures[quantity])
     return Aim(names, 1 / beta if beta > 0 else 0.0)
+
+
+def steady(plan: Plan, reason: str) -> Plan:
+    """The plan without films in motion, for a reason."""
+    off = {"on": False, "reason": reason}
+    return replace(
+        plan,
+        effects=tuple(replace(of, **off) if of.name == SQUEEZE.name else of for of in plan.effects),
+        work=replace(plan.work, past=()),
+        excluded={**plan.excluded, SQUEEZE.name: reason},
+    )
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
@@ -231,7 +242,7 @@ def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float])
         prediction,
         plan.asked,
         plan.on,
-        frozenset(plan.excluded),
+        plan.excluded,
     )
     again = replace(plan, effects=_judged(*how))
     return again if again.on == plan.on else planned(*how)
@@ -244,7 +255,7 @@ def _judged(
     prediction: Prediction,
     asked: str | None,
     required: frozenset[str],
-    excluded: frozenset[str],
+    excluded: Mapping[str, str] | None,
 ) -> tuple[Judgement, ...]:
     """The effects judged for `planned`."""
     names = None if asked is None else chosen(scene, asked)

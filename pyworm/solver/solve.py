@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from pyworm.io.progress import Progress
-from pyworm.planning.plan import Plan, reviewed
+from pyworm.planning.plan import Plan, reviewed, steady
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.grid_sequence import GridSequence
@@ -36,7 +36,8 @@ def solve(
     Solution
         Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
         asked for. Effects that the plan left out and the solved figures require, those of the first grid or
-        of the last, are added, unless the effects were given.
+        of the last, are added, unless the effects were given; where no film in motion is found, a steady one
+        is told to stand for it, likewise.
 
     Raises
     ------
@@ -51,6 +52,9 @@ def solve(
         if simple.past is not None and rates is None:
             report(f"{scene.name}: its past", 0.0)
             rates = rates_at_present(scene, plan)
+        if simple.past is not None and rates.flaw is not None and plan.asked is None:
+            plan = steady(plan, f"not found: {rates.flaw}")
+            simple = plan.simplified(scene)
         moving = None if simple.past is None else rates
         sequence = GridSequence(simple, plan, moving, report, stopwatch)
         warm_start = sequence.begin(warm_start)

@@ -19,6 +19,7 @@ from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
 
 EFFECTS: tuple[Effect, ...] = (
+    SQUEEZE,
     SECOND_DIMENSION,
     FILM_HEATING,
     SURFACE_HEATING,
@@ -31,6 +32,5 @@ EFFECTS: tuple[Effect, ...] = (
     PRESSURE_VISCOSITY,
     COMPRESSIBILITY,
     STARVATION,
-    SQUEEZE,
     ROUGHNESS,
 )

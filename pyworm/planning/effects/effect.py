@@ -65,9 +65,6 @@ class Effect:
         Effects that are simulated with it: they cost nothing more then and ease its solution.
     part_of : str or None
         An effect earlier in the catalogue that includes this one.
-    only_named : bool
-        Whether it is simulated only where it is asked for by its name: its cost is out of proportion, or what
-        is known of a contact rarely suffices.
     passing : bool
         Whether contacts of one drive may have it at some phases of the mesh only.
     """
@@ -82,5 +79,4 @@ class Effect:
     together: tuple[str, ...] = ()
     eased_by: tuple[str, ...] = ()
     part_of: str | None = None
-    only_named: bool = False
     passing: bool = False

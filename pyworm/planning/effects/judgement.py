@@ -41,7 +41,7 @@ def judge(
     prediction: Prediction,
     asked: frozenset[str] | None = None,
     required: frozenset[str] = frozenset(),
-    excluded: frozenset[str] = frozenset(),
+    excluded: Mapping[str, str] | None = None,
 ) -> tuple[Judgement, ...]:
     """Judge every effect, whether to simulate it.
 
@@ -60,10 +60,12 @@ def judge(
         The contact by closed forms, or by solved figures.
     asked : frozenset of str, optional
         The effects to simulate, whatever their influence.
-    required, excluded : frozenset of str
-        Effects to simulate, and not to simulate, whatever the prediction requires.
+    required : frozenset of str
+        Effects to simulate, whatever the prediction requires.
+    excluded : mapping of str to str, optional
+        Effects not to simulate, likewise, and the reason of each.
     """
-    judgements = {}
+    judgements, excluded = {}, excluded or {}
     allowed = accuracy
     for effect in EFFECTS:
         lacking = effect.lacking(scene)
@@ -72,13 +74,14 @@ def judge(
             continue
         influence = effect.influence(prediction)
         worst = influence.on(quantities)
-        settled = _settled(effect, asked, required, judgements)
+        settled = _settled(effect, asked, judgements)
         if effect.name in excluded:
-            settled = False, "left out as asked"
+            settled = False, excluded[effect.name]
         if settled is not None:
             on, reason = settled
         elif effect.name in required:
-            on, reason = True, _needed(allowed) if worst > allowed else "proved needless"
+            on = True
+            reason = _needed(allowed) if worst > allowed else f"though within {_percent(allowed)}"
         else:
             on = not worst <= allowed
             reason = _needed(allowed) if on else f"within {_percent(allowed)}"
@@ -99,7 +102,6 @@ def judge(
 def _settled(
     effect: Effect,
     asked: frozenset[str] | None,
-    required: frozenset[str],
     judgements: Mapping[str, Judgement],
 ) -> tuple[bool, str] | None:
     """Decide an effect without its influence, with the reason; None where the influence decides.
@@ -110,10 +112,6 @@ def _settled(
         return False, "not simulated"
     if asked is not None:
         return (True, "asked for") if effect.name in asked else (False, "not asked for")
-    if effect.only_named and effect.name in required:
-        return True, "asked for"
-    if effect.only_named:
-        return False, f"only if named: auto,{effect.name}"
     if effect.part_of is not None and not judgements[effect.part_of].on:
         return False, f"none without {effect.part_of}"
     return None
@@ -135,12 +133,12 @@ def _percent(fraction: float) -> str:
     return f"{fraction * 100:.2g} %"
 
 
-def _bring(effect: Effect, judgements: dict[str, Judgement], excluded: frozenset[str]) -> None:
+def _bring(effect: Effect, judgements: dict[str, Judgement], excluded: Mapping[str, str]) -> None:
     """Switch on the effects that an effect needs, and those that ease its solution, unless excluded."""
     if not judgements[effect.name].on:
         return
     for verb, names in (("goes with", effect.together), ("eases", effect.eased_by)):
-        for name in set(names) - excluded:
+        for name in set(names) - excluded.keys():
             other = judgements[name]
             if not other.on and other.indicator is not None:
                 judgements[name] = replace(other, on=True, reason=f"{verb} {effect.name}")

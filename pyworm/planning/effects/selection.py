@@ -12,23 +12,21 @@ BEYOND_ISOTHERMAL = frozenset(
         "surface-heating",
         "film-heating",
         "viscosity-across",
+        "squeeze",
         "roughness",
     }
 )
-"""Effects that the isothermal film of a Newtonian oil between smooth surfaces does not have."""
+"""Effects that the steady isothermal film of a Newtonian oil between smooth surfaces does not have."""
 
 
 SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not None}
-
-ONLY_NAMED = frozenset(name for name, effect in SIMULATED.items() if effect.only_named)
-"""Effects that belong to none of the `GROUPS`."""
 
 GROUPS = ("all", "isothermal")
 """Words for several effects."""
 
 
 def words(text: str) -> tuple[str, ...]:
-    """The names of a choice; after "auto", effects that are simulated on request, and any after a minus.
+    """The names of a choice; after "auto", effects to simulate in any case, and after a minus in none.
 
     Raises
     ------
@@ -39,18 +37,14 @@ def words(text: str) -> tuple[str, ...]:
     if names[0] == "auto":
         for word in names[1:]:
             name = word.removeprefix("-")
-            if word.startswith("-") and name not in SIMULATED:
+            if name not in SIMULATED:
+                beside = "a minus" if word.startswith("-") else "auto"
                 raise ValueError(
-                    f"{name or 'nothing'} after a minus is none of {', '.join(SIMULATED)}"
-                )
-            if word == name and word not in ONLY_NAMED:
-                raise ValueError(
-                    f"{word or 'nothing'} after auto, which takes only {', '.join(sorted(ONLY_NAMED))} and "
-                    "effects after a minus beside it and chooses all else by the accuracy"
+                    f"{name or 'nothing'} after {beside} is none of {', '.join(SIMULATED)}"
                 )
         return names
     if "auto" in names:
-        raise ValueError("auto comes first, as in auto,squeeze, and goes with no other choice")
+        raise ValueError("auto comes first, as in auto,-squeeze, and goes with no other choice")
     for word in names:
         if word.removeprefix("-") not in (*GROUPS, *SIMULATED):
             raise ValueError(
@@ -106,9 +100,9 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
     scene : Scene or LineScene
         The contact.
     text : str
-        With commas between: "all" (all that are simulated and the contact has, but for `ONLY_NAMED`),
-        "isothermal" (these for a Newtonian film of one temperature between smooth surfaces), names of
-        effects, and names after a minus, which are taken away.
+        With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a
+        steady Newtonian film of one temperature between smooth surfaces), names of effects, and names after
+        a minus, which are taken away.
 
     Raises
     ------
@@ -116,8 +110,7 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
         For a word that means nothing, and for an effect that is not simulated or that the contact has not.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
-    most = whole - ONLY_NAMED
-    groups = {"all": most, "isothermal": most - BEYOND_ISOTHERMAL}
+    groups = {"all": whole, "isothermal": whole - BEYOND_ISOTHERMAL}
     on: set[str] = set()
     for word in _understood(text):
         name = word.removeprefix("-")

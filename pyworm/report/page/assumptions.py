@@ -57,8 +57,10 @@ def _influence(effects: Sequence[Judgement]) -> str:
 def assumptions_section(case: Case, result: Result) -> Section:
     """Assumptions: values that the source does not give, and those of the models."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
-    items.append("Smooth flanks and an inlet full of oil.")
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
+    items.append("An inlet full of oil.")
+    if "roughness" not in on:
+        items.append("Smooth surfaces.")
     if "squeeze" not in on:
         items.append("A steady film (the table of effects estimates the influence of squeeze).")
     else:

@@ -6,7 +6,6 @@ from typing import Any
 from pyworm.case.case import Case
 from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
-from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.format import bars
@@ -230,7 +229,7 @@ def heat_section(case: Case, result: Result) -> Section | None:
     if any(of.figures.friction_coefficient is None for of in result.solutions):
         return None
     heated = all(of.figures.temperature_max_film is not None for of in result.solutions)
-    bodies = Drive.body_names if case.drive is None else case.drive.body_names
+    bodies = case.body_names
     headed = of_all(result.solutions).headed
     head = ["", headed("Friction coefficient"), headed("Power loss")]
     head += [f"Hottest on {body}" for body in bodies] + ["Hottest in the film"] if heated else []

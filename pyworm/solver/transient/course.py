@@ -14,10 +14,13 @@ from pyworm.planning.plan import Plan, effects_for, first_grids_of, planned
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.scene.contact import Contact
 from pyworm.scene.life import Life
-from pyworm.solver.transient.moving_grid import MeshMotion, Stretching, velocity
+from pyworm.solver.transient.moving_grid import MeshMotion, Stretching
 
 KNOTS = 17
 """Times of a life at which its contact is predicted."""
+
+HALVINGS = 10
+"""Bisections between two of them for the first and the last time under load."""
 
 STRIDE = 2
 """Every which of these has its window drawn."""
@@ -55,8 +58,6 @@ class Course:
         One plan for the whole life: effects that any of its knots calls for.
     begin, end : float
         First and last time under load [s].
-    largest : Prediction
-        Prediction of the contact with the thickest film of those that count.
     sides : tuple
         Cells of the coarsest grid before and behind the contact point along each direction.
     """
@@ -65,7 +66,6 @@ class Course:
     plan: Plan
     begin: float
     end: float
-    largest: Prediction
     sides: tuple[tuple[int, int], ...]
     _log_spacing: tuple[np.polynomial.Polynomial, ...]
     _transits: "scipy.interpolate.PPoly"
@@ -102,8 +102,12 @@ class Course:
 
     def mesh(self, seconds: float) -> MeshMotion | Stretching:
         """Velocity of the grid's nodes at a time."""
-        growth = tuple(float(of.deriv()(seconds)) for of in self._log_spacing)
-        return velocity(self.grid(self.begin, 0), growth, self.life.turning(seconds))
+        growth = [float(of.deriv()(seconds)) for of in self._log_spacing]
+        return (
+            Stretching(*growth)
+            if len(growth) == 1
+            else MeshMotion(*growth, self.life.turning(seconds))
+        )
 
 
 def course_of(life: Life, plan: Plan) -> Course:
@@ -133,7 +137,6 @@ def course_of(life: Life, plan: Plan) -> Course:
         whole,
         times[0],
         times[-1],
-        max(predictions, key=lambda one: one.film_central),
         _sides(grids, coarsening),
         _spacings(at[some], grids, coarsening),
         _pace(at, predictions, life.duration),
@@ -141,17 +144,37 @@ def course_of(life: Life, plan: Plan) -> Course:
 
 
 def _loaded(life: Life) -> tuple[list[float], list[Contact]]:
-    """Times and contacts of a life, without those that carry no load."""
-    found = []
-    for seconds in np.linspace(0.0, life.duration, KNOTS):
-        try:
-            found.append((float(seconds), life.at(float(seconds))))
-        except ValueError:
-            continue
-    if not found:
+    """Times and contacts of a life at its knots under load, from the first time under load to the last."""
+    knots = [float(seconds) for seconds in np.linspace(0.0, life.duration, KNOTS)]
+    states = [_at(life, seconds) for seconds in knots]
+    loaded = [number for number, state in enumerate(states) if state is not None]
+    if not loaded:
         raise ValueError("its surfaces carry no load at any time")
-    times, contacts = zip(*found, strict=True)
-    return list(times), list(contacts)
+    first, last = loaded[0], loaded[-1]
+    if first > 0:
+        knots[first], states[first] = _farthest(life, knots[first], knots[first - 1])
+    if last < KNOTS - 1:
+        knots[last], states[last] = _farthest(life, knots[last], knots[last + 1])
+    return [knots[number] for number in loaded], [states[number] for number in loaded]
+
+
+def _at(life: Life, seconds: float) -> Contact | None:
+    """The contact at a time; None where it carries no load."""
+    try:
+        return life.at(seconds)
+    except ValueError:
+        return None
+
+
+def _farthest(life: Life, loaded: float, empty: float) -> tuple[float, Contact]:
+    """The time between one under load and one without that is nearest to the latter under load [s]."""
+    for _ in range(HALVINGS):
+        middle = (loaded + empty) / 2
+        if _at(life, middle) is None:
+            empty = middle
+        else:
+            loaded = middle
+    return loaded, life.at(loaded)
 
 
 def _predicted(contact: Contact) -> Prediction | None:
@@ -178,7 +201,7 @@ def _whole_plan(contacts: Sequence[Contact], predictions: Sequence[Prediction], 
         predictions[middle],
         plan.asked,
         called,
-        frozenset(plan.excluded),
+        plan.excluded,
     )
 
 

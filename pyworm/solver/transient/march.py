@@ -5,7 +5,9 @@ order; Hairer, Norsett and Wanner 1993, section III.5) on a grid that moves with
 instants of that part, and the rates of change that films on other grids take, follow from it.
 """
 
-from collections.abc import Sequence
+from collections import deque
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +17,9 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import first_grids_of
 from pyworm.scene.contact import Array
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.contact import ContactSolver
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
@@ -96,16 +101,19 @@ class March:
     Attributes
     ----------
     rates : dict
-        Time [s] -> `RateOfChange` there.
+        Time [s] -> `RateOfChange` there; without times to which no films lead.
     figures : tuple of (float, dict)
         Times [s] and the figures of the film on the moving grid at each.
     newton_steps : int
         Newton steps of all instants.
+    lost : str or None
+        Reason why films end before the last time, if they do.
     """
 
     rates: dict[float, RateOfChange]
     figures: tuple[tuple[float, dict[str, float]], ...]
     newton_steps: int
+    lost: str | None = None
 
 
 def march(
@@ -130,38 +138,40 @@ def march(
     Raises
     ------
     LostError
-        No film was found at some time.
+        No film was found from which to begin.
     """
     short = shortage(course.grid(course.begin, refinement), course.plan.model)
     if short is not None:
         raise LostError(short)
-    instants = _instants(course, refinement, begin, max(wanted))
-    stencils = {at: _nearest(instants, at) for at in wanted}
-    needed = {seconds for stencil in stencils.values() for seconds in stencil}
+    asked = _instants(course, refinement, begin, max(wanted))
+    instants, level, steps = _begun(course, refinement, asked, min(wanted))
+    needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
     contents: dict[float, Array] = {}
-    figures, steps = [], 0
-    before: list[_Instant] = []
+    figures, before, lost = [], [], None
+    last: deque[_Instant] = deque(maxlen=2 * AROUND)
     for seconds in instants:
         try:
-            level, taken = _level_at(course, refinement, seconds, before)
-        except KernelError as error:
-            if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
-                raise
-            raise LostError(f"{_failed(seconds)}: {error}") from error
-        if not level.film.balance.worst <= LOST:
-            raise LostError(_failed(seconds))
-        steps += taken
+            if before:
+                level, taken = _onward(course, refinement, seconds, before)
+                steps += taken
+        except LostError as error:
+            lost = str(error)
+            break
         film, density, _ = level.film.fields()
         now = _Instant(seconds, density * film, level.state())
         before = [now, *before[: ORDER - 1]]
         figures.append((seconds, level.read().figures))
+        last.append(now)
         if seconds in needed:
             contents[seconds] = now.content
+    contents |= {one.seconds: one.content for one in last}
+    found = [seconds for seconds, _ in figures]
     rates = {
-        at: _rate_at(course, refinement, at, stencil, [contents[seconds] for seconds in stencil])
-        for at, stencil in stencils.items()
+        at: _rate_at(course, refinement, at, _nearest(found, at), contents)
+        for at in wanted
+        if at <= found[-1]
     }
-    return March(rates, tuple(figures), steps)
+    return March(rates, tuple(figures), steps, lost)
 
 
 def _instants(course: Course, refinement: int, begin: float, last: float) -> list[float]:
@@ -183,38 +193,91 @@ def _nearest(instants: Sequence[float], at: float) -> list[float]:
     return list(instants[first : first + count])
 
 
-def _level_at(
-    course: Course,
-    refinement: int,
-    seconds: float,
-    before: Sequence[_Instant],
+def _begun(
+    course: Course, refinement: int, instants: Sequence[float], wanted: float
+) -> tuple[Sequence[float], Level, int]:
+    """The instants from the first one that has a steady film, that film, and its Newton steps.
+
+    A tooth that is touched at its tip has none yet; LostError where there is none before a wanted time.
+    """
+    for number, seconds in enumerate(instants):
+        try:
+            level, taken = _steady(course, refinement, seconds)
+        except LostError:
+            if seconds >= wanted:
+                raise
+        else:
+            return instants[number:], level, taken
+    raise LostError(_failed(wanted))
+
+
+def _steady(course: Course, refinement: int, seconds: float) -> tuple[Level, int]:
+    """The steady film at a time on the moving grid, and its Newton steps there."""
+    contact = _contact_at(course, seconds)
+    grid = course.grid(seconds, refinement)
+    with _told(seconds):
+        level = _beside(contact, course, grid, SOLVERS[type(contact)](contact, course.plan))
+        taken = len(lead(level, *_tolerances(course, refinement)))
+    return _sound(level, seconds), taken
+
+
+def _onward(
+    course: Course, refinement: int, seconds: float, before: Sequence[_Instant]
 ) -> tuple[Level, int]:
     """The film at a time, from those at earlier times, the latest first, and its Newton steps."""
+    contact, mesh = _contact_at(course, seconds), course.mesh(seconds)
     grid = course.grid(seconds, refinement)
-    contact = course.plan.simplified(replace(course.life.at(seconds), past=None))
-    solver_type = SOLVERS[type(contact)]
-    step = course.step(refinement)
-    tolerances = TOLERANCE * step**2, WARMING
-    if not before:
-        steady = solver_type(contact, course.plan)
-        level, _ = steady.begin(first_grids_of(contact, course.plan))
-        level = steady.on_grid(grid, _moved(level, grid))
-        return level, len(lead(level, *tolerances))
-    mesh = course.mesh(seconds)
     _, (implicit, *earlier) = weights([seconds, *(one.seconds for one in before)], seconds)
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
     term = _Backwards(implicit + mesh.divergence, explicit)
-    solver = solver_type(seen_from(contact, mesh), course.plan, term)
-    level = solver.on_grid(grid, _extrapolated(before, seconds))
-    # one at least: a film that is only extrapolated would follow no equation until it is far from it
-    first = [newton_step(level)]
-    steps = [*first, *lead(level, *tolerances, most=MOST_STEPS)]
-    if level.film.balance.worst <= LOST:
-        return level, len(steps)
-    level, _ = solver_type(contact, course.plan).begin(first_grids_of(contact, course.plan))
-    level = solver.on_grid(grid, _moved(level, grid))
-    steps += lead(level, *tolerances)
-    return level, len(steps)
+    solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
+    tolerances = _tolerances(course, refinement)
+    with _told(seconds):
+        level = solver.on_grid(grid, _extrapolated(before, seconds))
+        # one step at least: a film that is only extrapolated would follow no equation until it is far from it
+        newton_step(level)
+        taken = 1 + len(lead(level, *tolerances, most=MOST_STEPS))
+        if not level.film.balance.worst <= LOST:
+            level = _beside(contact, course, grid, solver)
+            taken += len(lead(level, *tolerances))
+    return _sound(level, seconds), taken
+
+
+def _contact_at(course: Course, seconds: float) -> Scene | LineScene:
+    """The contact at a time with the effects of the plan, and no past."""
+    return course.plan.simplified(replace(course.life.at(seconds), past=None))
+
+
+def _tolerances(course: Course, refinement: int) -> tuple[float, float]:
+    """Residual and warming to which films are solved."""
+    return TOLERANCE * course.step(refinement) ** 2, WARMING
+
+
+def _beside(
+    contact: Scene | LineScene, course: Course, grid: Grid | LineGrid, solver: ContactSolver
+) -> Level:
+    """A level of a solver on a grid that begins with the steady film on the contact's own first grids."""
+    steady = SOLVERS[type(contact)](contact, course.plan)
+    level, _ = steady.begin(first_grids_of(contact, course.plan))
+    return solver.on_grid(grid, _moved(level, grid))
+
+
+def _sound(level: Level, seconds: float) -> Level:
+    """The level, if its film is found."""
+    if not level.film.balance.worst <= LOST:
+        raise LostError(_failed(seconds))
+    return level
+
+
+@contextmanager
+def _told(seconds: float) -> Iterator[None]:
+    """Tell at which time the kernel gave up a film."""
+    try:
+        yield
+    except KernelError as error:
+        if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
+            raise
+        raise LostError(f"{_failed(seconds)}: {error}") from error
 
 
 def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
@@ -250,13 +313,18 @@ def _extrapolated(before: Sequence[_Instant], seconds: float) -> InitialGuess:
 
 
 def _rate_at(
-    course: Course, refinement: int, at: float, times: Sequence[float], contents: Sequence[Array]
+    course: Course,
+    refinement: int,
+    at: float,
+    times: Sequence[float],
+    contents: Mapping[float, Array],
 ) -> RateOfChange:
-    """Rate of change at a time, by interpolation in time; equation 1 of `moving_grid`."""
+    """Rate of change at a time, by interpolation between some times; equation 1 of `moving_grid`."""
     grid, mesh = course.grid(at, refinement), course.mesh(at)
     of_value, of_rate = weights(times, at)
-    content = sum(weight * one for weight, one in zip(of_value, contents, strict=True))
-    at_node = sum(weight * one for weight, one in zip(of_rate, contents, strict=True))
+    near = [contents[seconds] for seconds in times]
+    content = sum(weight * one for weight, one in zip(of_value, near, strict=True))
+    at_node = sum(weight * one for weight, one in zip(of_rate, near, strict=True))
     carried = sum(
         component * slope
         for component, slope in zip(mesh(*grid.mesh()), slopes(grid, content), strict=True)

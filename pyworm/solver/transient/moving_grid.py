@@ -111,17 +111,6 @@ def _(scene: LineScene, mesh: Stretching) -> LineScene:
     return _SeenLineScene(**vars(scene), mesh=mesh)
 
 
-@singledispatch
-def velocity(grid: Grid, growth: tuple[float, ...], turning: float) -> MeshMotion:
-    """Velocity of the nodes of a grid whose spacings grow at some rates [1/s] and whose axes turn [rad/s]."""
-    return MeshMotion(*growth, turning)
-
-
-@velocity.register
-def _(grid: LineGrid, growth: tuple[float, ...], turning: float) -> Stretching:
-    return Stretching(*growth)
-
-
 def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Array:
     """A field at the nodes of another grid in the same axes; beyond its own grid it is constant."""
     if isinstance(grid, LineGrid):

@@ -39,5 +39,6 @@ def test_a_damaged_file_of_a_life_counts_as_none(tmp_path):
     first, *_ = sorted(tmp_path.glob(f"{tasks[0].key}*"))
     first.write_bytes(first.read_bytes()[:100])
     assert rates_for(tasks[0], tmp_path) is None
-    drop_rates(tasks, tmp_path)
+    for task in tasks:
+        drop_rates(task, tmp_path)
     assert not list(tmp_path.iterdir())
