@@ -14,6 +14,7 @@ from threading import Event, Thread
 from typing import TYPE_CHECKING
 
 from pyworm.io.input_error import CaseError
+from pyworm.io.on_demand import take_in
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -46,6 +47,7 @@ def cluster(address: str, say: Callable[[str], None]) -> Iterator[Executor]:
     ConnectionError
         The scheduler was lost on the way.
     """
+    take_in("dask")
     try:
         from distributed import Client
         from distributed.versions import VersionMismatchWarning

@@ -100,7 +100,7 @@ class Task:
         solution = solve(self.scene, self.plan, progress, rates)
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)
-            solution = solution.changed(fields=solution.fields.merge(beside))
+            solution = solution.changed(fields=solution.held("fields").merge(beside))
         return Result(
             self.case.name,
             self.case.resolved,

@@ -10,6 +10,7 @@ from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shim import Shim
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
 from pyworm.scene.contact import BODIES
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -54,9 +55,9 @@ class Drive(ABC):
     def cycle_data(self) -> "xr.Dataset":
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
 
-    def scene_data(self, scene: Scene | LineScene) -> "xr.Dataset":
+    def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """Data that pictures of one scene show beside the fields of its solution; may be empty."""
-        return xr.Dataset()
+        return PlainDataset({}, (), {})
 
     def normal_load(self, phase: float) -> float:
         """Normal load of the contact at a phase [N], for each length of a line contact [N/m]."""

@@ -3,6 +3,7 @@
 SciPy does so by itself: `import scipy` is quick, and `scipy.optimize` is loaded where it is called.
 """
 
+import sys
 from importlib import import_module
 from types import ModuleType
 from typing import Any
@@ -13,6 +14,17 @@ class _OnDemand(ModuleType):
 
     def __getattr__(self, name: str) -> Any:
         return getattr(import_module(self.__name__), name)
+
+
+def leave_out(name: str) -> None:
+    """Let a module count as missing in this process, one that a library would load without any use for it."""
+    sys.modules.setdefault(name, None)
+
+
+def take_in(name: str) -> None:
+    """Let a module that was left out be loaded."""
+    if name in sys.modules and sys.modules[name] is None:
+        del sys.modules[name]
 
 
 xarray = _OnDemand("xarray")

@@ -88,6 +88,11 @@ class PlainDataset:
         }
         return replace(self, variables=variables)
 
+    def merge(self, other: "PlainDataset") -> "PlainDataset":
+        """The variables of both, with the attributes of this one."""
+        variables = {**self.variables, **other.variables}
+        return replace(self, variables=variables, coords=(*self.coords, *other.coords))
+
     def to_xarray(self) -> "xr.Dataset":
         """The same as xarray's."""
         variables = {name: (of.dims, of.values, of.attrs) for name, of in self.variables.items()}

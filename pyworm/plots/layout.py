@@ -97,8 +97,8 @@ def whole_window(fields: "xr.Dataset") -> Window:
     """The grid and, where given, the outline of the tooth, with a narrow margin."""
     x, y = fields["x"].values, fields["y"].values
     if "tooth_outline_x" in fields:
-        x = np.append(x, fields["tooth_outline_x"])
-        y = np.append(y, fields["tooth_outline_y"])
+        x = np.append(x, fields["tooth_outline_x"].values)
+        y = np.append(y, fields["tooth_outline_y"].values)
     window = _window(x, y)
     margin_x, margin_y = 0.02 * window.width, 0.02 * window.height
     return Window(

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
+from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.contact.outline import signed_square
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
@@ -33,8 +34,8 @@ def draw_tooth(axes: Axes, fields: "xr.Dataset") -> None:
             axes.contour(x, y, covered, levels=[0.5], colors="0.25", linewidths=1.0)
     if "tooth_outline_x" in fields:
         axes.plot(
-            fields["tooth_outline_x"] * MILLI,
-            fields["tooth_outline_y"] * MILLI,
+            fields["tooth_outline_x"].values * MILLI,
+            fields["tooth_outline_y"].values * MILLI,
             color="0.25",
             linewidth=1.5,
         )
@@ -72,15 +73,17 @@ STANDSTILL = 1e-3
 """Fraction of the largest value below which a vector has no arrow."""
 
 
-def draw_arrows(axes: Axes, u: "xr.DataArray", v: "xr.DataArray") -> None:
+def draw_arrows(axes: Axes, fields: "xr.Dataset", u: np.ndarray, v: np.ndarray) -> None:
     """Arrows of one length in the direction of a vector field, none where it is nearly zero.
 
     Parameters
     ----------
     axes : Axes
         A panel made by `panels`.
-    u, v : xarray.DataArray
-        Components along x and y; no arrow where they are NaN.
+    fields : xarray.Dataset
+        Fields that have its nodes, and where both surfaces exist: no arrow elsewhere.
+    u, v : numpy.ndarray
+        Components along x and y at the nodes, (y, x).
     """
     width, height = panel_size(axes)
     step = np.sqrt(width * height / ARROWS)
@@ -89,10 +92,8 @@ def draw_arrows(axes: Axes, u: "xr.DataArray", v: "xr.DataArray") -> None:
         low + (high - low) * (np.arange(count) + 0.5) / count
         for (low, high), count in ((limits, max(1, round(side / step))) for limits, side in sides)
     )
-    u, v = (
-        part.interp(x=x / MILLI, y=y / MILLI, assume_sorted=True).transpose("y", "x").values.ravel()
-        for part in (u, v)
-    )
+    covered = fields["covered"].transpose("y", "x").values > 0.5
+    u, v = (_at(fields, np.where(covered, part, np.nan), x, y).ravel() for part in (u, v))
     size = np.hypot(u, v)
     moving = size > STANDSTILL * np.nanmax(size, initial=0)
     # As long as this looks where the panel is stretched along y.
@@ -110,6 +111,13 @@ def draw_arrows(axes: Axes, u: "xr.DataArray", v: "xr.DataArray") -> None:
         linewidth=0.5,
         zorder=3,
     )
+
+
+def _at(fields: "xr.Dataset", part: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """A field (y, x) at places x and y [mm] between the nodes."""
+    for axis, (name, places) in enumerate((("y", y), ("x", x))):
+        part = between_nodes(fields[name].values * MILLI, part, places, axis)
+    return part
 
 
 def draw_contact_point(axes: Axes) -> None:

@@ -9,6 +9,7 @@ from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
 from pyworm.drives.zi_worm.load_sharing import SharedLoad
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.io.variables import describe
 from pyworm.scene.point import Gap
 
@@ -141,7 +142,7 @@ def _loads(shared: Sequence[SharedLoad], phases: np.ndarray) -> np.ndarray:
 
 def tooth_data(
     outline: Any, gap: Gap, place: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
-) -> "xr.Dataset":
+) -> PlainDataset:
     """The tooth, its whole gap and its path of contact over a contact's tangent plane.
 
     Parameters
@@ -158,16 +159,15 @@ def tooth_data(
     y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
     opening, covered = gap(*np.meshgrid(x, y))
     face, radius = place(*np.meshgrid(x, y))
-    tooth = xr.Dataset(
+    return described(
         {
             "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, opening, np.nan)),
             "tooth_face": (("tooth_y", "tooth_x"), face),
             "tooth_radius": (("tooth_y", "tooth_x"), radius),
-            "tooth_outline_x": ("outline", outline.x),
-            "tooth_outline_y": ("outline", outline.y),
-            "contact_path_x": ("path", outline.path_x),
-            "contact_path_y": ("path", outline.path_y),
+            "tooth_outline_x": (("outline",), outline.x),
+            "tooth_outline_y": (("outline",), outline.y),
+            "contact_path_x": (("path",), outline.path_x),
+            "contact_path_y": (("path",), outline.path_y),
         },
-        coords={"tooth_x": x, "tooth_y": y},
+        coords={"tooth_x": (("tooth_x",), x), "tooth_y": (("tooth_y",), y)},
     )
-    return describe(tooth)

@@ -42,6 +42,7 @@ from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
 from pyworm.drives.zi_worm.wanted_pattern import set_up
 from pyworm.drives.zi_worm.worm_shaft import BentShaft, WormShaft, bent_shaft
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.point import Scene
@@ -394,7 +395,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         """The drive as input of ratings by standards of worm gears."""
         return worm_duty(self)
 
-    def scene_data(self, scene: Scene) -> "xr.Dataset":
+    def scene_data(self, scene: Scene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
         contact = self.contact(scene.phase)
         place = partial(self.flank_place, contact)

@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pyworm.io.on_demand import xarray as xr
+from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.layout import (
     MICRO,
     MILLI,
@@ -90,20 +91,11 @@ def interferogram(fields: "xr.Dataset", window: Window) -> np.ndarray:
     y = np.linspace(window.bottom, window.top, rows) / MILLI
     film = fields["film"].transpose("y", "x").values
     for axis, (nodes, places) in enumerate(((fields["y"].values, y), (fields["x"].values, x))):
-        film = _between(nodes, film, places, axis)
+        film = between_nodes(nodes, film, places, axis)
     phase = 4 * np.pi * REFRACTIVE_INDEX * film[..., None] / WAVELENGTHS
     along_y, along_x = np.gradient(phase, axis=(0, 1))
     contrast = _pixel_average(along_x) * _pixel_average(along_y)
     return (1 - contrast * np.cos(phase)) / 2
-
-
-def _between(nodes: np.ndarray, field: np.ndarray, places: np.ndarray, axis: int) -> np.ndarray:
-    """A field along one of its axes at places between nodes, linearly; the outermost values beyond them."""
-    at = np.interp(places, nodes, np.arange(nodes.size))
-    first = np.minimum(at.astype(int), nodes.size - 2)
-    weight = (at - first).reshape(-1, *[1] * (1 - axis))
-    before, behind = (np.take(field, first + step, axis) for step in (0, 1))
-    return before + weight * (behind - before)
 
 
 def _pixel_average(phase_step: np.ndarray) -> np.ndarray:

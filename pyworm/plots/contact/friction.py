@@ -27,11 +27,12 @@ BANDS = 12
 
 def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES) -> Figure:
     """Shear stress, its direction on the first body and where it reaches the limit, and friction power."""
-    window = contact_window(solution.fields)
-    fields = in_window(solution.fields, window)
+    whole = solution.held("fields")
+    window = contact_window(whole)
+    fields = in_window(whole, window)
     figures = solution.figures
-    stresses = [fields[f"shear_stress_{axis}"] for axis in "xy"]
-    stress = np.hypot(*(part.transpose("y", "x").values for part in stresses)) * MEGA
+    stresses = [fields[f"shear_stress_{axis}"].transpose("y", "x").values for axis in "xy"]
+    stress = np.hypot(*stresses) * MEGA
     power = fields["friction_power"].transpose("y", "x").values * MEGA
     smooth = f" {AS_IF_SMOOTH}" if solution.left_out.as_if_smooth else ""
     titles = [
@@ -42,7 +43,7 @@ def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = 
     ]
     figure, (stress_axes, power_axes) = panels(window, titles, heading(case_name, solution))
     _draw_map(stress_axes, fields, stress, "viridis", "shear stress / MPa")
-    draw_arrows(stress_axes, *(part.where(fields["covered"] > 0.5) for part in stresses))
+    draw_arrows(stress_axes, fields, *stresses)
     _draw_slip(stress_axes, fields)
     _draw_map(power_axes, fields, power, "inferno", "friction power / (W/mm²)")
     return figure

@@ -32,8 +32,9 @@ def draw_temperature(
     case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
 ) -> Figure:
     """Both surfaces, with the direction in which each moves, and the middle of the film, on one scale."""
-    window = contact_window(solution.fields)
-    fields = in_window(solution.fields, window)
+    whole = solution.held("fields")
+    window = contact_window(whole)
+    fields = in_window(whole, window)
     parts = ("body_1", "body_2", "middle")
     maps = [
         fields[f"temperature_{part}"].transpose("y", "x").values - ZERO_CELSIUS for part in parts
@@ -58,10 +59,13 @@ def draw_temperature(
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "tab:cyan")
         colour_bar(panel, scale, "temperature / °C", bounds)
-    covered = fields["covered"] > 0.5
+    mean, sliding = (
+        [fields[f"{of}_{axis}"].transpose("y", "x").values for axis in "xy"]
+        for of in ("entrainment", "sliding")
+    )
     for panel, sign in zip(axes, (1, -1), strict=False):
-        motion = [fields[f"entrainment_{k}"] + sign / 2 * fields[f"sliding_{k}"] for k in "xy"]
-        draw_arrows(panel, *(component.where(covered) for component in motion))
+        motion = (u + sign / 2 * du for u, du in zip(mean, sliding, strict=True))
+        draw_arrows(panel, fields, *motion)
     _mark_hottest(axes[2], solution)
     return figure
 
@@ -78,7 +82,8 @@ def _draw_map(
 
 def _mark_hottest(axes: Axes, solution: Solution) -> None:
     """A circle where the profile across the film is taken."""
-    place = [float(solution.profile[f"profile_{axis}"]) * MILLI for axis in "xy"]
+    profile = solution.held("profile")
+    place = [float(profile[f"profile_{axis}"].values) * MILLI for axis in "xy"]
     axes.plot(
         *place,
         "o",

@@ -66,7 +66,7 @@ def test_a_drive_with_nothing_to_say_says_so():
     assert drive.warnings == ()
     assert drive.assumptions == ("The load of each contact is that of the drive.",)
     assert drive.normal_load(0.0) == scene.load
-    assert not drive.scene_data(scene)
+    assert not drive.scene_data(scene).variables
     assert drive.mesh_loss([]) is None
     assert drive.rated_as is None and drive.duty() is None
     assert drive.misalignment([scene]).errors == ()

@@ -1,0 +1,14 @@
+"""Fields at places between the nodes of their grid."""
+
+import numpy as np
+
+
+def between_nodes(
+    nodes: np.ndarray, field: np.ndarray, places: np.ndarray, axis: int
+) -> np.ndarray:
+    """A field along one of its axes at places between nodes, linearly; the outermost values beyond them."""
+    at = np.interp(places, nodes, np.arange(nodes.size))
+    first = np.minimum(at.astype(int), nodes.size - 2)
+    weight = (at - first).reshape(-1, *[1] * (1 - axis))
+    before, behind = (np.take(field, first + step, axis) for step in (0, 1))
+    return before + weight * (behind - before)
