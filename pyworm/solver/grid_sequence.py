@@ -32,6 +32,10 @@ from pyworm.solver.window_limit import WindowLimit, in_this_window, in_wider_win
 DOMAIN_FRACTION = 0.25
 """Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
 
+WINDOW_ALGEBRA = 0.1
+"""Algebraic error of the figures in the wider window, over that elsewhere: what the windows differ by may be
+a tenth of the accuracy."""
+
 NO_WIDER_FILM = (
     "no film was found in the wider window, which shows the error by the end of this one"
 )
@@ -224,7 +228,7 @@ class GridSequence:
             grid = grid.finer()
         self.check_memory(grid)
         level, steps = self._solver.in_wider_window(grids, self._level)
-        settled = self._settled_on(level)
+        settled = self._settled_on(level, WINDOW_ALGEBRA)
         self._steps += [*steps, *settled.steps]
         return level, settled
 
@@ -239,16 +243,20 @@ class GridSequence:
         if short is not None:
             raise NoMemoryError(short)
 
-    def _settled_on(self, level: Level) -> Settled:
-        """Settle the film of a level, if need be through films of larger stresses."""
+    def _settled_on(self, level: Level, fraction: float = 1.0) -> Settled:
+        """Settle the film of a level, if need be through films of larger stresses.
+
+        `fraction` is of the algebraic error that figures may have.
+        """
         plan = self._plan
-        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        wanted = fraction * ALGEBRA_FRACTION * plan.accuracy
+        settled = settle(level, plan.tolerance, plan.aim, wanted)
         if level.film.balance.worst <= plan.tolerance:
             return settled
         steps = self._solver.softened_again(level)
         if steps:
             self._steps += [*settled.steps, *steps]
-            settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+            settled = settle(level, plan.tolerance, plan.aim, wanted)
         return settled
 
     def _estimates(self) -> dict[str, Estimate]:

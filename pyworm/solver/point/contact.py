@@ -14,7 +14,7 @@ from pyworm.scene.entrainment_continuation import FRACTIONS_LEFT, with_auxiliary
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 from pyworm.solver import figures
-from pyworm.solver.contact import COARSE_TOLERANCE, CONTINUATION_STEPS, ContactSolver
+from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
@@ -34,6 +34,10 @@ from pyworm.solver.solution import DryFigures
 
 AUXILIARY_TOLERANCE = 1e-2
 """Residual at which the continuation of auxiliary entrainment takes its next step."""
+
+WIDENING_STEPS = 6
+"""Largest number of Newton steps in the wider window before its figures are settled: where local slip or heat
+slows the last ones, the figures of both windows differ by far less than the residual."""
 
 ALL = (*FIGURES, *SHEAR_FIGURES, *ROUGH_FIGURES, *HEAT_FIGURES)
 
@@ -93,8 +97,8 @@ class PointContactSolver(ContactSolver):
         guess = guess_around(narrow, level)
         level.film.start(guess.pressure, guess.rigid_film)
         self._shear_and_warm(level, guess)
-        # what the windows differ by is of the order of the tolerance, and heat converges slowly
-        steps += lead(level, self._plan.tolerance / 10, most=CONTINUATION_STEPS)
+        # what the windows differ by is of the order of the tolerance
+        steps += lead(level, self._plan.tolerance / 10, most=WIDENING_STEPS)
         if not level.lost():
             return level, steps
         level, further = super().in_wider_window(grids, narrow)
