@@ -27,6 +27,7 @@ from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result.result import Result, open_result
+from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 SCENE_PICTURES = {
@@ -152,8 +153,13 @@ def _draw_scene(
 def scene_picture(result: Result, solution: Solution, name: str) -> Callable[[], Figure]:
     """What draws a picture of one scene of a result."""
     draw = SCENE_PICTURES[solution.kind][name]
-    named = (result.body_names,) if draw in OF_BODIES else ()
+    named = (tuple(map(_in_words, result.body_names)),) if draw in OF_BODIES else ()
     return partial(draw, result.case_name, solution, *named)
+
+
+def _in_words(body: str) -> str:
+    """A body as titles name it: "the worm", "body 1"."""
+    return body if body in BODIES else f"the {body}"
 
 
 def has_picture(solution: Solution, name: str) -> bool:

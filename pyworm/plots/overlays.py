@@ -43,22 +43,48 @@ def draw_tooth(axes: Axes, fields: "xr.Dataset") -> None:
 
 
 def _name_sides(axes: Axes, fields: "xr.Dataset") -> None:
-    """Names of the sides of a wheel's tooth where their middles lie in the panel."""
+    """Names of the sides of a wheel's tooth; at the panel's edges where it shows a part of the tooth."""
     outline = [fields[f"tooth_outline_{axis}"].values * MILLI for axis in "xy"]
     side = (outline[0].size - 1) / len(TOOTH_SIDES)
+    middles = {}
     for number, name in enumerate(TOOTH_SIDES):
         at = round((number + 0.5) * side)
-        place = [float(along[at] + INWARDS * (along.mean() - along[at])) for along in outline]
-        axes.annotate(
-            name,
-            place,
-            ha="center",
-            va="center",
+        middles[name] = [
+            float(along[at] + INWARDS * (along.mean() - along[at])) for along in outline
+        ]
+    limits = axes.get_xlim(), axes.get_ylim()
+    if all(
+        low < at < high
+        for middle in middles.values()
+        for at, (low, high) in zip(middle, limits, strict=True)
+    ):
+        for name, middle in middles.items():
+            axes.annotate(name, middle, ha="center", va="center", fontsize="small", bbox=_BEHIND)
+        return
+    sides, heights = (
+        sorted(pair, key=lambda name: middles[name][axis])
+        for axis, pair in enumerate((TOOTH_SIDES[1::2], TOOTH_SIDES[::2]))
+    )
+    for name, place, ha, va, turn in (
+        (sides[0], (0.01, 0.5), "left", "center", 90),
+        (sides[1], (0.99, 0.5), "right", "center", 90),
+        (f"wheel's {heights[0]}", (0.5, 0.03), "center", "bottom", 0),
+        (f"wheel's {heights[1]}", (0.5, 0.97), "center", "top", 0),
+    ):
+        axes.text(
+            *place,
+            f"to the {name}",
+            ha=ha,
+            va=va,
+            rotation=turn,
             fontsize="small",
-            annotation_clip=True,
-            bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.8},
+            transform=axes.transAxes,
+            bbox=_BEHIND,
         )
 
+
+_BEHIND = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.8}
+"""What lies behind the name of a side."""
 
 INWARDS = 0.14
 """Part of the way from a side to the middle of the tooth at which the side is named."""

@@ -21,7 +21,7 @@ def draw_across_film(
     height = (profile["level_position"].values + 0.5) * film * MICRO
     at = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
     spaced = {"ncols": 2, "sharey": True, "gridspec_kw": {"wspace": 0.04}}
-    room = (0.75, 0.7, 0.55, 0.3)
+    room = (0.75, 0.95, 0.55, 0.3)
     figure, panels = placed_panels((9, 4.6), heading(case_name, solution), room, **spaced)
     warm_axes, fast_axes = panels
     warm_axes.plot(

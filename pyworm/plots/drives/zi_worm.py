@@ -28,6 +28,9 @@ from pyworm.result.result import Result
 from pyworm.solver.left_out import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
 
+DIRECTIONS = {"x": "to the wheel", "y": "along the wheel's axis", "z": "along the worm's axis"}
+"""Axis of the drive frame -> its direction."""
+
 
 def draw_cycle(result: Result) -> Figure:
     """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
@@ -86,10 +89,10 @@ def _draw_contact_point(axes: Axes, cycle: "xr.Dataset") -> None:
         axes.plot(
             cycle["phase"],
             cycle["point"].sel(axis=axis) * MILLI - here,
-            label=f"{axis} {'-' if here >= 0 else '+'} {abs(here):.1f} mm",
+            label=f"{axis}, {DIRECTIONS[axis]}, from {here:.1f} mm",
         )
     axes.set_ylabel("contact point\n/ mm")
-    axes.legend(frameon=False, ncols=3)
+    axes.legend(frameon=False, fontsize="small")
 
 
 def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:

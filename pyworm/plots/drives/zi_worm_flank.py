@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -19,7 +20,7 @@ _PANELS = (
     ("temperature_body_2", "largest temperature\nof the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
     ("asperity_pressure", "largest pressure\non asperities / MPa", MEGA, 0.0, "inferno"),
     ("asperity_rubbing", "asperities' pressure\ntimes sliding / (MW/m²)", MEGA, 0.0, "inferno"),
-    ("supply", f"least supply of oil (white: below {FAILURE:g})", 1.0, 0.0, "viridis"),
+    ("supply", f"least supply of oil\n(white: below {FAILURE:g})", 1.0, 0.0, "viridis"),
 )
 """Field, its words, scale and offset to what is shown, colours."""
 
@@ -37,7 +38,7 @@ def draw_flank(result: Result) -> Figure | None:
     rows = (len(shown) + 1) // 2
     gaps = ", ".join(f"{one.phase:g}" for one in result.unsound)
     what = f"wheel flank, phase {gaps} not converged and left out" if gaps else "wheel flank"
-    figure = new_figure(13, 2.75 * rows + 0.5, result_heading(result, what))
+    figure = new_figure(13, 2.4 * rows + 0.5, result_heading(result, what))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
     places = field["face"] * MILLI, field["radius"] * MILLI
     for panel, (name, label, scale, offset, colours) in zip(axes, shown, strict=False):
@@ -51,7 +52,7 @@ def draw_flank(result: Result) -> Figure | None:
             norm=LogNorm(float(values.min()), THICK[name] * float(values.min())) if thick else None,
         )
         bar = figure.colorbar(
-            mesh, ax=panel, label=label, shrink=0.9, extend="max" if thick else "neither"
+            mesh, ax=panel, label=label, shrink=0.8, extend="max" if thick else "neither"
         )
         if thick:
             bar.ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -79,10 +80,18 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
     for mark in MARKS:
         at = [float(np.interp(mark, cycle["phase"], values)) for values in (face, radius)]
         axes.plot(*at, "o", color="white", mec="black", ms=4)
-        axes.annotate(f"{mark:g}", at, xytext=(5, 4), textcoords="offset points", fontsize=7)
-    name_sides(axes, cycle.attrs.get("driver", "worm") == "worm", root=0.12)
-    low, high = axes.get_xlim()
-    axes.set_xlim(low - 0.06 * (high - low), high + 0.06 * (high - low))
+        axes.annotate(
+            f"{mark:g}" if mark else "phase 0",
+            at,
+            xytext=(5, 4),
+            textcoords="offset points",
+            fontsize=7,
+            path_effects=[withStroke(linewidth=2, foreground="white")],
+        )
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    axes.set_xlim(left - 0.06 * (right - left), right + 0.06 * (right - left))
+    axes.set_ylim(low - 0.15 * (high - low), high + 0.08 * (high - low))
+    name_sides(axes, cycle.attrs.get("driver", "worm") == "worm", root=0.02)
     axes.set_aspect("equal")
     axes.set_xlabel("along the face / mm")
-    axes.set_ylabel("distance from the wheel's axis / mm")
+    axes.set_ylabel("from the wheel's\naxis / mm")

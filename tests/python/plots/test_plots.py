@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -43,6 +44,7 @@ from pyworm.plots.contact.temperature import draw_temperature
 from pyworm.plots.draw import draw
 from pyworm.plots.drives.zi_worm import draw_cycle
 from pyworm.plots.layout import Window, contact_window, heading
+from pyworm.plots.overlays import draw_tooth
 from pyworm.plots.regimes import SHORT, draw_chart, draw_regimes
 from pyworm.plots.traction import draw_traction
 from pyworm.result.result import Result
@@ -466,3 +468,31 @@ def test_only_a_sweep_whose_shear_was_simulated_is_a_traction_curve(tmp_path, mo
     for solutions, names in ((curve, ["traction.png"]), (plain, []), (single, [])):
         written = draw(Result("ball", {}, solutions, None, {}), tmp_path)
         assert [path.name for path in written] == ["regimes.png", *names]
+
+
+@pytest.mark.parametrize("half", [1.0, 30.0])
+def test_sides_of_the_tooth_are_named_at_the_edges_of_a_panel_that_shows_a_part_of_it(half):
+    """A tooth of 20 mm by 10 mm about the origin, its tip below."""
+    corners = np.array([[-10, -5], [10, -5], [10, 5], [-10, 5], [-10, -5]]) * 1e-3
+    outline = np.concatenate(
+        [np.linspace(*side, 10, endpoint=False) for side in pairwise(corners)] + [corners[:1]]
+    )
+    places = np.linspace(-half, half, 3) * 1e-3
+    fields = xr.Dataset(
+        {
+            "covered": (("x", "y"), np.ones((3, 3))),
+            "tooth_outline_x": ("outline", outline[:, 0]),
+            "tooth_outline_y": ("outline", outline[:, 1]),
+        },
+        {"x": places, "y": places},
+    )
+    axes = Figure().add_subplot(xlim=(-half, half), ylim=(-half, half))
+    draw_tooth(axes, fields)
+    named = {text.get_text(): text.get_position() for text in axes.texts}
+    if half < 10:
+        assert named["to the wheel's tip"] == (0.5, 0.03)
+        assert named["to the wheel's root"] == (0.5, 0.97)
+        assert named["to the leaving side"] == (0.99, 0.5)
+        assert named["to the entering side"] == (0.01, 0.5)
+    else:
+        assert set(named) == {"tip", "root", "leaving side", "entering side"}
