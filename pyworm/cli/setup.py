@@ -74,7 +74,7 @@ def _setup(options: argparse.Namespace) -> int:
     if not made.reached:
         say(
             "warning: no set-up near the present one has that pattern without the worm cutting into the "
-            "wheel; the nearest is shown"
+            "wheel or teeth parting before the next ones meet; the nearest is shown"
         )
     return CONVERGED if made.reached else NOT_CONVERGED
 

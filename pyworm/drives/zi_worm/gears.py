@@ -92,8 +92,18 @@ class ZiWormGears:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings, a sentence each: another base pitch of the hob, pointed threads or teeth."""
-        return *self._pitch_warnings(), *tooth_form_warnings(self)
+        """Warnings, a sentence each: base pitch of the hob, contact ratio, pointed threads or teeth."""
+        return *self._pitch_warnings(), *self._ratio_warnings(), *tooth_form_warnings(self)
+
+    def _ratio_warnings(self) -> tuple[str, ...]:
+        """The warning about a contact ratio below 1."""
+        if self.pitch <= 1:
+            return ()
+        return (
+            f"wheel: its contact ratio is {1 / self.pitch:.2f}, below 1: a pair of teeth parts before the "
+            "next one meets; another place of the contact (drive.hob, drive.assembly), taller teeth or "
+            "more of them are needed",
+        )
 
     def _pitch_warnings(self) -> tuple[str, ...]:
         """The warning about a hob of another base pitch than the worm's."""

@@ -129,13 +129,16 @@ def _newton_step(now: Setting, misses: Misses) -> Change:
 
 
 def _nearer(now: Setting, change: Change, misses: Misses) -> Setting | None:
-    """The set-up a part of the change away that misses by less, the worm not cutting in; None without."""
+    """The set-up a part of the change away that misses by less; None without.
+
+    The worm must not cut in, and a pair of teeth not part before the next one meets.
+    """
     least = np.linalg.norm(misses(now))
     for part in (1.0, 0.5, 0.25, 0.1):
         tried = _changed(now, {entry: part * by for entry, by in change.items()})
         if tried is None or not np.linalg.norm(misses(tried)) < least:
             continue
-        if tried.gears.interference is None:
+        if tried.gears.pitch <= 1 and tried.gears.interference is None:
             return tried
     return None
 

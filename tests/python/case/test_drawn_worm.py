@@ -364,3 +364,10 @@ def test_a_worm_softer_than_its_wheel_gives_a_warning():
         "drive.worm has flanks of a hardness of 0.93 GPa, softer than the wheel's 6.7"
     )
     assert unit().warnings == ()
+
+
+def test_teeth_that_part_before_the_next_ones_meet_give_a_warning():
+    aside = drawn(in_table("hob", 'axial_shift = "0.9 mm"'))
+    (said,) = aside.warnings
+    assert said.startswith("drive.wheel: its contact ratio is 0.18, below 1")
+    assert aside.drive.mean_teeth_in_contact == pytest.approx(0.18, abs=0.005)
