@@ -143,7 +143,8 @@ class ZiWormDrive(ZiWormGears, Drive):
             f"The worm's shaft bends {bent.deflection * 1e6:.3g} µm at the mesh under its mean forces, "
             f"{bent.away * 1e6:.3g} µm of it away from the wheel, and tilts by {bent.tilt * 1e3:.3g} mrad; "
             "contacts are those of the mesh so displaced. The wheel's shaft and teeth do not bend, but for "
-            "the contact itself."
+            "the contact itself. The limit of the deflection, 0.04 sqrt(m_x) mm, is the worm standard's from "
+            "memory, not compared with its text."
         )
 
     @property
