@@ -74,9 +74,7 @@ def judge(
             continue
         influence = effect.influence(prediction)
         worst = influence.on(quantities)
-        settled = _settled(effect, asked, judgements)
-        if effect.name in excluded:
-            settled = False, excluded[effect.name]
+        settled = _settled(effect, asked, judgements, excluded)
         if settled is not None:
             on, reason = settled
         elif effect.name in required:
@@ -103,11 +101,14 @@ def _settled(
     effect: Effect,
     asked: frozenset[str] | None,
     judgements: Mapping[str, Judgement],
+    excluded: Mapping[str, str],
 ) -> tuple[bool, str] | None:
     """Decide an effect without its influence, with the reason; None where the influence decides.
 
     Arguments as of `judge`, and the effects judged before.
     """
+    if effect.name in excluded:
+        return False, excluded[effect.name]
     if effect.without is None:
         return False, "not simulated"
     if asked is not None:

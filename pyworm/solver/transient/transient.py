@@ -73,7 +73,7 @@ class Least:
 
 LEAST: dict[Kind, tuple[Least, ...]] = {
     "point": (Least(0.4, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
-    "line": (Least(0.5, 0.08), Least(0.05, 0.005), Least(0.02, 0.003)),
+    "line": (Least(0.7, 0.08), Least(0.08, 0.005), Least(0.02, 0.003)),
 }
 """After one transient solve, two and three (`benchmarks/drives/motion_error.py`).
 

@@ -364,7 +364,7 @@ def test_simulated_surfaces_are_as_hot_as_blok_has_it_with_their_friction(increa
     """Between smooth surfaces the film's heat goes to both bodies as Blok shares it: within 5 %."""
     for phase in (0.35, 0.6, 0.87):
         scene = increaser.scene(phase)
-        solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "all,-roughness"))
+        solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "all,-roughness,-squeeze"))
         assert solution.converged
         flash = float(increaser.rating(increaser.contacts(phase)).flash_temperature)
         flash *= solution.figures.friction_coefficient.value
@@ -494,7 +494,8 @@ def test_a_scuffing_temperature_needs_heat(tmp_path):
 
 def test_run_solves_the_line_of_action_and_draws_it(tmp_path, capsys):
     case = str(CASES / "errichello_speed_increaser.toml")
-    assert main(["run", case, "--out", str(tmp_path), "--phase", "0.13", "0.6", "0.87"]) == 0
+    how = "--effects", "auto,-squeeze", "--phase", "0.13", "0.6", "0.87"
+    assert main(["run", case, "--out", str(tmp_path), *how]) == 0
     said = capsys.readouterr().out
     assert "2.1 uin" in said
     result = open_result(tmp_path / "result.nc")

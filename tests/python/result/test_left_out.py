@@ -226,7 +226,7 @@ def test_check_shows_what_the_plan_leaves_out(capsys):
     shown = capsys.readouterr().out
     assert "runs in mixed lubrication" in shown.split("│")[0]
     assert "not simulated: squeeze up to" in " ".join(shown.split())
-    assert main([*line, "--effects", "auto,-roughness", "--json"]) == 0
+    assert main([*line, "--effects", "auto,-roughness,-squeeze", "--json"]) == 0
     (scene,) = json.loads(capsys.readouterr().out)["scenes"]
     off = {
         of["name"]: max(of["influence"].values())

@@ -256,7 +256,8 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, monkeypatch):
     tasks = [Task(case, place, 0.02) for place in places]
     balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
     lifts = tuple((place.phase, pytest.approx((1 + 2 * place.phase) * 1e-6)) for place in places)
-    assert ran == [(drive_iteration.GLANCE, ()), (0.02, lifts)]
+    # lifts of micrometres move loads by more than one glance settles
+    assert ran == [(drive_iteration.GLANCE, ()), (drive_iteration.GLANCE, lifts), (0.02, lifts)]
     assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
     share, phase = drive_cycle(balanced).lifted
     at = balanced.mesh_cycle.interp(load_phase=phase)

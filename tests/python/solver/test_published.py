@@ -10,7 +10,7 @@ import pyworm
 CASES = Path(__file__).parents[3] / "cases"
 
 
-def solved(name, accuracy, phase=None, effects="all,-roughness"):
+def solved(name, accuracy, phase=None, effects="all,-roughness,-squeeze"):
     scene = pyworm.load(CASES / f"{name}.toml").scene(phase)
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
     assert solution.converged
