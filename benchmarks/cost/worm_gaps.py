@@ -2,64 +2,76 @@
 
     python benchmarks/cost/worm_gaps.py
 
-Processor time of `ToothGap` over the tangent plane in mid-mesh of the drive of
-`benchmarks/validation/worm_profiles.py` (a = 100 mm, 2/39), heights of both flanks and tooth boundaries
-included, in two windows: one within the teeth, and one of which a part lies beyond the ends of the flanks.
-Profiles take turns; the least of `TURNS` counts. Beside it the ratio to ZI, whose flanks are closed forms,
-and the part of the nodes that both teeth cover.
+Processor time of `ToothGap`, heights of both flanks and tooth boundaries included, of the drive of
+`benchmarks/validation/worm_profiles.py` (a = 100 mm, 2/39): in a window within the teeth in mid-mesh, and in
+the windows that its films have at three phases, parts of which lie beyond the ends of the flanks. Profiles
+take turns; the least of `TURNS` counts. Beside it the ratio to ZI, whose flanks are closed forms, and the
+part of the nodes that both teeth cover.
 """
 
-from math import pi
+import tomllib
+from pathlib import Path
 from time import process_time
 
 import numpy as np
 
-from pyworm.drives.zi_worm.drawing import completed
-from pyworm.drives.zi_worm.gears import ZiWormGears
-from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
+import pyworm
+from pyworm.case.case import Case, case_of
 from pyworm.formulas.worm_profiles import PROFILES
 
 NODES, TURNS = 257, 7
 
-WINDOWS = {"12 x 2 mm": (6e-3, 1e-3), "36 x 10 mm": (18e-3, 5e-3)}
-"""Name of a window -> its half sides [m]."""
+WITHIN = 6e-3, 1e-3
+"""Half sides of the window within the teeth [m]."""
+
+PHASES = 0.1, 0.5, 0.9
+
+CASE = Path(__file__).parents[2] / "cases/worm_drawing.toml"
+
+SIZE = (("teeth = 41", "teeth = 39"), ("diameter_factor = 10", "diameter_factor = 9.5"))
+"""The shipped drawing's numbers, and those with the profile shift that concave worms need."""
+
+Sides = tuple[np.ndarray, np.ndarray]
 
 
-def gears(profile: str) -> ZiWormGears:
-    """The drive with flanks of a profile, its hob set up as usual."""
-    of, _ = completed(
-        {
-            "centre_distance": 0.1,
-            "threads": 2,
-            "teeth": 39,
-            "module": 4e-3,
-            "diameter_factor": 9.5,
-            "pressure_angle": pi / 9,
-            "face_width": 30e-3,
-            "hob_oversize": 1.6e-3,
-        },
-        profile,
-    )
-    return drawn_gears(with_swivel(of)[0])
+def drive_of(profile: str) -> Case:
+    """The drive with flanks of a profile."""
+    text = CASE.read_text().replace('"ZI"', f'"{profile}"')
+    for old, new in SIZE:
+        text = text.replace(old, new)
+    return case_of(tomllib.loads(text), profile, CASE.parent)
 
 
-def seconds(of: ZiWormGears, half: tuple[float, float]) -> tuple[float, float]:
-    """Processor time of one gap [s] and the part of its nodes that is covered."""
-    x, y = np.meshgrid(*(np.linspace(-side, side, NODES) for side in half), indexing="ij")
-    contact = of.cycle.contact(0.5)
+def windows(case: Case) -> dict[str, tuple[float, Sides]]:
+    """Words for a window -> the phase and the nodes along both sides [m]."""
+    within = tuple(np.linspace(-half, half, NODES) for half in WITHIN)
+    found = {"within the teeth": (0.5, within)}
+    for phase in PHASES:
+        grid = pyworm.plan(case.scene(phase=phase)).grids[-1]
+        sides = tuple(np.linspace(nodes[0], nodes[-1], NODES) for nodes in (grid.x, grid.y))
+        found[f"film, phase {phase:g}"] = phase, sides
+    return found
+
+
+def seconds(case: Case, phase: float, sides: Sides) -> tuple[float, float]:
+    """Processor time of one gap [s], and the part of its nodes that is covered."""
+    nodes = np.meshgrid(*sides, indexing="ij")
+    gap = case.drive.gap(case.drive.cycle.contact(phase))
     start = process_time()
-    _, covered = of.gap(contact)(x, y)
+    _, covered = gap(*nodes)
     return process_time() - start, float(covered.mean())
 
 
 def main() -> None:
-    drives = {profile: gears(profile) for profile in PROFILES}
-    for name, half in WINDOWS.items():
-        print(f"| {name} | s | over ZI | covered |\n|---|---|---|---|")
+    cases = {profile: drive_of(profile) for profile in PROFILES}
+    made = {profile: windows(case) for profile, case in cases.items()}
+    for name in made["ZI"]:
         runs = [
-            {profile: seconds(of, half) for profile, of in drives.items()} for _ in range(TURNS)
+            {profile: seconds(case, *made[profile][name]) for profile, case in cases.items()}
+            for _ in range(TURNS)
         ]
-        least = {profile: min(run[profile] for run in runs) for profile in drives}
+        print(f"| {name} | s | over ZI | covered |\n|---|---|---|---|")
+        least = {profile: min(run[profile] for run in runs) for profile in cases}
         for profile, (time, covered) in least.items():
             print(f"| {profile} | {time:.3f} | {time / least['ZI'][0]:.1f} | {covered:.2f} |")
 
