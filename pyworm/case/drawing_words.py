@@ -70,6 +70,15 @@ OF_WHEEL = _words(
 )
 """Likewise in `[drive.wheel]`."""
 
+OF_HOB = _words(
+    {
+        "reference_diameter": "d0 d_0 pitch_diameter",
+        "drive.wheel.root_diameter": "tip_diameter outside_diameter da0 d_a0",
+        "drive.pressure_angle": "pressure_angle",
+    }
+)
+"""Likewise in `[drive.hob]`; its tip cuts the wheel's root."""
+
 PROFILES = _words(
     {
         "ZA": "A",

@@ -38,7 +38,7 @@ _COMMENTS = {
     "teeth": "z2",
     "module": "axial, m",
     "diameter_factor": "q, reference diameter of the worm over the module",
-    "pressure_angle": "normal, at the reference cylinder of the worm",
+    "pressure_angle": "normal, at the reference cylinder of the worm; of ZA axial, of ZK and ZC the disc's",
     "face_width": "of the wheel",
 }
 

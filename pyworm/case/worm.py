@@ -101,6 +101,8 @@ class DrawnWheelTable(_Drawn):
 class DrawnHobTable(_Drawn):
     """`[drive.hob]` of a drawing, likewise."""
 
+    also_called = drawing_words.OF_HOB
+
     oversize: units.Offset | None = None
     reference_diameter: units.Length | None = None
     centre_distance: units.Length | None = None

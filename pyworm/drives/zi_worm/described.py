@@ -30,9 +30,6 @@ def described_drive(drive: "ZiWormDrive") -> Described:
 
 
 def _gear(drive: "ZiWormDrive") -> Described:
-    shift = (
-        drive.centre_distance - drive.reference_radius - drive.wheel_reference_radius
-    ) / drive.module
     return {
         "profile": drive.worm.profile,
         "hand": drive.hand,
@@ -42,7 +39,7 @@ def _gear(drive: "ZiWormDrive") -> Described:
         "centre_distance_m": drive.centre_distance,
         "module_m": drive.module,
         "diameter_factor": 2 * drive.reference_radius / drive.module,
-        "profile_shift": shift,
+        "profile_shift": drive.profile_shift,
     }
 
 

@@ -28,7 +28,6 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
     factor = 2 * drive.reference_radius / module
     known = drive.worm.reference_radius is not None
     reference = "as drawn" if known else "the reference cylinder one module below the worm's tip"
-    shift = drive.centre_distance / module - (factor + drive.wheel.teeth) / 2
     gear = WormGear(
         centre_distance=drive.centre_distance,
         starts=drive.worm.threads,
@@ -36,7 +35,7 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
         module=module,
         diameter_factor=factor,
         face_width=drive.wheel.face_width,
-        profile_shift=shift,
+        profile_shift=drive.profile_shift,
     )
     torque = "wheel torque as the drive has it"
     if not isinstance(drive.load, Transmission):
@@ -54,6 +53,6 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
         deflection=None if drive.bent is None else drive.bent.deflection,
         words=(
             f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, "
-            f"{reference}; profile shift of the wheel {shift:.3f}; {torque}.",
+            f"{reference}; profile shift of the wheel {drive.profile_shift:.3f}; {torque}.",
         ),
     )

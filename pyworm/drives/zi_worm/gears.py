@@ -33,6 +33,9 @@ from pyworm.drives.zi_worm.tooth_outline import ToothOutline, flank_outline
 PITCH_WARNED = 5e-6
 """Difference of normal base pitches [m] that gives a warning; tables of four digits leave up to 3 um."""
 
+USUAL_SHIFT = 1.0
+"""Profile shift beyond which a drawing gives a warning."""
+
 OUTLINE_SIDE = 60
 """Number of points on each side of the wheel tooth's outline."""
 
@@ -92,8 +95,28 @@ class ZiWormGears:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings, a sentence each: base pitch of the hob, contact ratio, pointed threads or teeth."""
-        return *self._pitch_warnings(), *self._ratio_warnings(), *tooth_form_warnings(self)
+        """Warnings, a sentence each: base pitch, profile shift, contact ratio, pointed threads or teeth."""
+        return (
+            *self._pitch_warnings(),
+            *self._shift_warnings(),
+            *self._ratio_warnings(),
+            *tooth_form_warnings(self),
+        )
+
+    @property
+    def profile_shift(self) -> float:
+        """Profile shift of the wheel over the module [-]."""
+        plain = self.reference_radius + self.wheel_reference_radius
+        return (self.centre_distance - plain) / self.module
+
+    def _shift_warnings(self) -> tuple[str, ...]:
+        """The warning about a large profile shift."""
+        if abs(self.profile_shift) <= USUAL_SHIFT or self.worm.reference_radius is None:
+            return ()
+        return (
+            f"centre_distance is {self.centre_distance * 1e3:.5g} mm, which asks for a profile shift of "
+            f"{self.profile_shift:.3g}; up to {USUAL_SHIFT:g} in either direction is usual",
+        )
 
     def _ratio_warnings(self) -> tuple[str, ...]:
         """The warning about a contact ratio below 1."""

@@ -283,6 +283,7 @@ REFUSED = [
     ([in_table("worm", 'addendum = "4 mm"')], "drive.worm.addendum: no such key", "give tip_diameter"),
     ([in_table("wheel", 'face_width = "30 mm"')], "drive.wheel.face_width: no such key", "give drive.face"),
     ([in_table("wheel", 'tip_diameter = "168 mm"')], "drive.wheel.tip_diameter: no such key", "throat_dia"),
+    ([in_table("hob", 'tip_diameter = "51 mm"')], "drive.hob.tip_diameter: no such key", "wheel.root_dia"),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
 ]  # fmt: skip
 
@@ -339,7 +340,7 @@ def test_other_names_of_keys_are_those_of_keys_that_there_are():
     drive = DrawnWormDriveTable
     tables = {
         "drive": drive,
-        **{part: drive.model_fields[part].annotation for part in ("worm", "wheel")},
+        **{part: drive.model_fields[part].annotation for part in ("worm", "wheel", "hob")},
     }
     for name, table in tables.items():
         for called, right in table.also_called.items():
@@ -371,3 +372,10 @@ def test_teeth_that_part_before_the_next_ones_meet_give_a_warning():
     (said,) = aside.warnings
     assert said.startswith("drive.wheel: its contact ratio is 0.18, below 1")
     assert aside.drive.mean_teeth_in_contact == pytest.approx(0.18, abs=0.005)
+
+
+def test_a_large_profile_shift_gives_a_warning():
+    (said,) = drawn(('"100 mm"', '"107 mm"')).warnings
+    assert said.startswith(
+        "drive.centre_distance is 107 mm, which asks for a profile shift of 1.25"
+    )
