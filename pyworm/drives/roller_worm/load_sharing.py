@@ -33,7 +33,7 @@ SLICES = 25
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(SLICES)
 
 ROUNDS = 30
-"""Largest number of fixed-point iterations for a load, whose error falls tenfold in each."""
+"""Largest number of Newton steps for a load, and of steps for the deflection of the pins."""
 
 SETTLED = 1e-12
 """Relative change at which the iteration ends."""
@@ -61,31 +61,39 @@ class Compliance:
     def approach(self, load: Array, curvature: Array, radius: Array, length: Array) -> Array:
         """Approach of slices [m] under a load for each length [N/m], equation 2."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            per_load = self._per_load(load, curvature, radius, length)
+            per_load, _ = self._per_load(load, curvature, radius, length)
             return np.where(load > 0, load * per_load, 0.0)
 
     def load(self, approach: Array, curvature: Array, radius: Array, length: Array) -> Array:
         """Load for each length of slices [N/m] at an approach [m]; zero where they are apart."""
+        # the approach is concave over the load: each step ends below the root, the first one above zero
         pressed = np.maximum(approach, 0.0)
         load = pressed * reduced_modulus(*self.bodies) / 5
         with np.errstate(divide="ignore", invalid="ignore"):
             for _ in range(ROUNDS):
-                new = pressed / self._per_load(load, curvature, radius, length)
+                per_load, fall = self._per_load(load, curvature, radius, length)
+                new = (pressed - fall * load) / (per_load - fall)
                 change = np.max(np.abs(new - load)[pressed > 0] / new[pressed > 0], initial=0.0)
                 load = np.where(pressed > 0, new, 0.0)
                 if change < SETTLED:
                     break
         return load
 
-    def _per_load(self, load: Array, curvature: Array, radius: Array, length: Array) -> Array:
-        """Approach for each load, the bracket of a line shorter than its width held at 1."""
+    def _per_load(
+        self, load: Array, curvature: Array, radius: Array, length: Array
+    ) -> tuple[Array, Array]:
+        """Approach for each load, and its fall with the logarithm of the load [m2/N].
+
+        The bracket of a line shorter than its width is held at 1.
+        """
         thread, roller = (
             (1 - body.poisson_ratio**2) / (pi * body.youngs_modulus) for body in self.bodies
         )
         half_width = self.half_width(load, curvature)
         strip = np.maximum(1 + 2 * np.log(2 * length / half_width), 1.0)
         cylinder = np.maximum(2 * np.log(4 * radius / half_width) - 1, 1.0)
-        return thread * strip + roller * cylinder
+        fall = thread * (strip > 1) + roller * (cylinder > 1)
+        return thread * strip + roller * cylinder, fall
 
 
 @dataclass(frozen=True)
@@ -134,9 +142,9 @@ class SharedLoad:
 
 def slices(section: WormSection, wheel_angles: Array) -> tuple[LineContact, Array]:
     """Slices of contact lines, (SLICES, ...) at wheel angles (...), and their lengths [m]."""
-    low, high = section.span(wheel_angles)
+    low, high = span = section.span(wheel_angles)
     shape = (SLICES,) + (1,) * np.ndim(wheel_angles)
-    contact = section.line(wheel_angles, (_POINTS.reshape(shape) + 1) / 2)
+    contact = section.within(span, wheel_angles, (_POINTS.reshape(shape) + 1) / 2)
     return contact, _WEIGHTS.reshape(shape) / 2 * (high - low) * contact.stretch
 
 

@@ -31,8 +31,8 @@ from pyworm.materials.oil import Oil
 Spinning = Literal["free", "locked", "rolling"]
 """Rotation of the rollers: by the balance of moments, none, or without sliding in the mean."""
 
-BISECTIONS = 60
-"""Number of bisections of a stress, down to rounding."""
+MOST_STEPS, ROUNDING = 60, 1e-14
+"""Largest number of Newton steps or bisections of a stress, and the relative change at which they end."""
 
 
 @dataclass(frozen=True)
@@ -172,15 +172,31 @@ def flow_stress(flow: FlowLaw, viscosity: Array, pressure: Array, rate: Array) -
         return limit * -np.expm1(-newtonian / limit)
     if flow.law == "carreau":
         return newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
-    low, high = np.zeros_like(newtonian), np.minimum(limit, newtonian)
-    power = 2 * flow.exponent
+    return _limited_eyring_stress(newtonian, stress, limit, 2 * flow.exponent)
+
+
+def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: float) -> Array:
+    """The stress tau with onset sinh(tau/onset) = newtonian [1 - (tau/limit)^power], all in Pa.
+
+    Newton's method from above, where the difference is mostly convex; bisections where a step leaves the
+    bracket.
+    """
+    low = np.zeros_like(newtonian)
+    high = np.minimum(limit, onset * np.arcsinh(newtonian / onset))
+    stress = high
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-        for _ in range(BISECTIONS):
-            half = (low + high) / 2
-            flown = stress * np.sinh(half / stress) / (1 - (half / limit) ** power)
-            fast = flown > newtonian
-            low, high = np.where(fast, low, half), np.where(fast, half, high)
-    return (low + high) / 2
+        for _ in range(MOST_STEPS):
+            held = (stress / limit) ** power
+            excess = onset * np.sinh(stress / onset) - newtonian * (1 - held)
+            slope = np.cosh(stress / onset) + newtonian * power * held / stress
+            fast = excess > 0
+            low, high = np.where(fast, low, stress), np.where(fast, stress, high)
+            before, stress = stress, stress - excess / slope
+            inside = (low <= stress) & (stress <= high)
+            stress = np.where(inside, stress, (low + high) / 2)
+            if np.all(np.abs(stress - before) <= ROUNDING * before):
+                break
+    return stress
 
 
 @dataclass(frozen=True)

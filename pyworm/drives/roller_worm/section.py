@@ -111,7 +111,11 @@ class WormSection:
         fraction : ndarray
             Fractions; broadcast against the angles.
         """
-        low, high = self.span(wheel_angle)
+        return self.within(self.span(wheel_angle), wheel_angle, fraction)
+
+    def within(self, span: tuple[Array, Array], wheel_angle: Array, fraction: Array) -> LineContact:
+        """Contacts at fractions of contact lines whose ends are known (`line`, `span`)."""
+        low, high = span
         return self.envelope.contact(low + fraction * (high - low), wheel_angle)
 
     def check(self) -> None:
