@@ -124,13 +124,14 @@ def _layer(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
     """A solution's fields and places of the flank on the common grid, (y, x)."""
     fields = solution.fields
     names = [name for name in ("pressure", "film", *_LARGEST[1:]) if name in fields]
-    there = fields[names].interp(x=x, y=y).transpose("y", "x")
+    there = fields[names].interp(x=x, y=y, assume_sorted=True).transpose("y", "x")
     layer = {name: there[name].values for name in names}
     layer["pressure"] = np.nan_to_num(layer["pressure"])
     for name in names[1:]:  # outside a solution's window nothing is loaded
         layer[name] = np.where(np.isnan(layer[name]), np.nanmax(layer[name]), layer[name])
     if "asperity_pressure" in layer:
-        sliding = fields[["sliding_x", "sliding_y"]].interp(x=x, y=y).transpose("y", "x")
+        sliding = fields[["sliding_x", "sliding_y"]].interp(x=x, y=y, assume_sorted=True)
+        sliding = sliding.transpose("y", "x")
         speed = np.hypot(_filled(sliding["sliding_x"].values), _filled(sliding["sliding_y"].values))
         layer["asperity_rubbing"] = layer["asperity_pressure"] * speed
     layer["face"], layer["radius"] = flank_place(solution, *np.meshgrid(x, y))
@@ -153,7 +154,7 @@ def supply(solution: Solution, x: Array, y: Array) -> Array:
     Oil is followed upstream along the entrainment to the outline of the dry contact; outside the value is 1.
     """
     fields = solution.fields[["dry_pressure", "entrainment_x", "entrainment_y"]]
-    there = fields.interp(x=x, y=y).transpose("y", "x")
+    there = fields.interp(x=x, y=y, assume_sorted=True).transpose("y", "x")
     inside = np.nan_to_num(there["dry_pressure"].values) > 0
     dx, dy = x[1] - x[0], y[1] - y[0]
     u, v = (_filled(there[f"entrainment_{axis}"].values) for axis in "xy")
@@ -169,22 +170,17 @@ def supply(solution: Solution, x: Array, y: Array) -> Array:
     if not inside.any():
         return result
     result[inside] = 0.0
-    rows, columns = np.nonzero(inside)
-    place = np.array([rows, columns], float)
-    left = np.ones(len(rows), bool)
-    step_rows, step_columns = (part / speed.max() for part in (v / dy, u / dx))
-    longest = 0.5 / max(np.abs(step_rows).max(), np.abs(step_columns).max())
+    nodes, place = np.flatnonzero(inside), np.array(np.nonzero(inside), float)
+    steps = v / dy, u / dx
+    longest = 0.5 / max(np.abs(step).max() for step in steps) * speed.max()
+    steps = [longest * step / np.maximum(speed, SLOWEST * speed.max()) for step in steps]
+    inflow = np.maximum(inflow, 0.0) / speed[inside].mean()
     for _ in range(MOST_STEPS):
-        here = place[:, left]
-        moved = np.array([_at(part, here) for part in (step_rows, step_columns)])
-        moved /= np.maximum(_at(speed, here) / speed.max(), 1e-3)
-        place[:, left] = here - longest * moved
-        gone = left.copy()
-        gone[left] = _at(within, place[:, left]) < 0.5
-        came = np.maximum(_at(inflow, place[:, gone]), 0.0)
-        result[rows[gone], columns[gone]] = came / speed[inside].mean()
-        left &= ~gone
-        if not left.any():
+        place = place - np.array([_at(step, place) for step in steps])
+        left = _at(within, place) >= 0.5
+        result.flat[nodes[~left]] = _at(inflow, place[:, ~left])
+        nodes, place = nodes[left], place[:, left]
+        if not nodes.size:
             break
     return result
 
@@ -193,6 +189,9 @@ SMOOTHING = 2.0
 """Width [nodes] over which the outline of the dry contact is smoothed for its normal."""
 
 TINY = np.finfo(float).tiny
+
+SLOWEST = 1e-3
+"""Speed, over the largest, below which oil is followed as if it had that."""
 
 MOST_STEPS = 4 * sum(NODES)
 """Largest number of half cells followed upstream; oil that is still inside then recirculates."""

@@ -233,7 +233,7 @@ def flank_place(solution: Solution, x: Array, y: Array) -> tuple:
     fields = solution.fields
     at = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
     places = [
-        fields[name].interp(at).values.reshape(np.shape(x))
+        fields[name].interp(at, assume_sorted=True).values.reshape(np.shape(x))
         for name in ("tooth_face", "tooth_radius")
     ]
     return tuple(float(place) if np.ndim(x) == 0 else place for place in places)
