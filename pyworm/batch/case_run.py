@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
+from operator import methodcaller
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
 from pyworm.case.plausibility import overheated
+from pyworm.drives.drive import Drive
 from pyworm.io.progress import Progress
 from pyworm.result.result import Result, open_result
 from pyworm.solver.solution import Solution
@@ -19,6 +21,10 @@ from pyworm.solver.solution import Solution
 RESULT_NAME = "result.nc"
 SCENES = "scenes"
 """Directory, beside the result, of scenes kept while others are not solved yet."""
+
+
+CycleOf = Callable[[Drive], Any]
+"""A drive -> a dataset of its mesh cycle."""
 
 
 class NothingSolvedError(RuntimeError):
@@ -32,6 +38,7 @@ def run(
     executor: Executor | None = None,
     progress: Progress | None = None,
     say: Callable[[str], None] = lambda message: None,
+    cycle_of: CycleOf = methodcaller("cycle_data"),
 ) -> Result:
     """Solve a case and write its result.
 
@@ -49,6 +56,8 @@ def run(
         Told what is being done and which share of all is done, 0 to 1.
     say : callable, optional
         Told once if scenes were solved before, and if an earlier result cannot be used.
+    cycle_of : callable, optional
+        What is written of the mesh cycle of a drive, all that is known of it by default.
 
     Returns
     -------
@@ -74,7 +83,7 @@ def run(
     reasons = solve_all(missing, store, executor, progress)
     kept, unread = _collected(tasks, store, earlier, directory / RESULT_NAME)
     reasons = {key: reasons.get(key, why) for key, why in unread.items()}
-    result = _result(case, tasks, kept, reasons)
+    result = _result(case, tasks, kept, reasons, cycle_of)
     try:
         result.save(directory / RESULT_NAME)
     except OSError:
@@ -88,7 +97,9 @@ _Kept = dict[str, tuple[Solution, dict[str, Any]]]
 """Solutions with their plans, by the keys of their tasks."""
 
 
-def _result(case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, str]) -> Result:
+def _result(
+    case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, str], cycle_of: CycleOf
+) -> Result:
     """The result of a case: what of its tasks is solved, and by key why the others are not.
 
     Raises
@@ -107,7 +118,7 @@ def _result(case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, s
         case.name,
         case.resolved,
         solutions,
-        None if case.drive is None else case.drive.cycle_data(),
+        None if case.drive is None else cycle_of(case.drive),
         provenance(plans) | {"failed": failed, "warnings": [*case.warnings, *hot]},
     )
 

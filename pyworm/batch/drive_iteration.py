@@ -12,6 +12,7 @@ one window: all that is solved last is solved in full.
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from operator import methodcaller
 from pathlib import Path
 from typing import Any
 
@@ -99,7 +100,7 @@ class _Search:
         less = {"accuracy": GLANCE, "wider_window": False}
         for _ in range(GLANCES):
             tasks = [replace(task, case=case, **less) for task in tasks]
-            before, result = case, run(case, tasks, *how)
+            before, result = case, run(case, tasks, *how, methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
             if case is before:
                 break

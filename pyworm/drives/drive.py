@@ -55,6 +55,10 @@ class Drive(ABC):
     def cycle_data(self) -> "xr.Dataset":
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
 
+    def loaded_cycle(self) -> "xr.Dataset":
+        """The part of the cycle's data from which loss and loads follow; all of it by default."""
+        return self.cycle_data()
+
     def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """Data that pictures of one scene show beside the fields of its solution; may be empty."""
         return PlainDataset({}, (), {})

@@ -124,6 +124,7 @@ def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
             },
             coords={"load_phase": phases},
             attrs={
+                "drive": KIND,
                 "pitch": drive.pitch,
                 "worm_speed": drive.speed,
                 "wheel_speed": drive.speed * drive.cycle.speed_ratio,

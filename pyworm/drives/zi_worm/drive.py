@@ -357,7 +357,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         return data
 
     def loaded_cycle(self) -> "xr.Dataset":
-        """Loads, levers and speeds of a tooth pair over its cycle under load, a part of the cycle's data."""
+        """Loads, levers and speeds of a tooth pair over its cycle under load."""
         return loaded_cycle_data(self, BEYOND if isinstance(self.load, Transmission) else 0.0)
 
     def varied(self, name: str, change: float) -> "ZiWormDrive":
