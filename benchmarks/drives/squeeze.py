@@ -1,7 +1,9 @@
 """What squeeze does to a drive's films: as plans estimate it, and by films in motion through a tooth's life.
 
 Loads are shared dry. Every phase is solved twice, steady and in motion; then the overlap of the parts of the
-life is compared. Run from the repository's root (it takes six minutes):
+life is compared. The last column tells whether the least film agrees, within both bars, with that of a
+transient solve of its phase alone, where `separate_pasts.csv` has one. Run from the repository's root (it
+takes two minutes):
 
     python benchmarks/drives/squeeze.py [CASE] [--phase PHASE ...] [--accuracy 0.05] [--effects auto]
 """
@@ -27,13 +29,24 @@ from pyworm.solver.transient.march import march
 from pyworm.solver.transient.transient import parts_of
 
 FIGURES = ("film_central", "film_min", "friction_coefficient")
-HEADS = ("ms", "lag", "spread", "estimate", "central", "least", "friction")
+HEADS = ("ms", "lag", "spread", "estimate", "central", "least", "friction", "agrees")
+
+PASTS = Path(__file__).with_name("separate_pasts.csv")
+"""Phase, change of the least film by its motion, and the bar of that."""
 
 
-def changed(after: Estimate, before: Estimate) -> str:
-    """A figure over what it was, and the error of that by both error bars."""
+def changed(after: Estimate, before: Estimate) -> tuple[float, float]:
+    """A figure over what it was, less one, and the error of that by both error bars."""
     ratio = after.value / before.value
-    return f"{ratio - 1:+.1%}±{ratio * (after.error + before.error):.1%}"
+    return ratio - 1, ratio * (after.error + before.error)
+
+
+def agreement(phase: float, change: float, bar: float) -> str:
+    """Whether the change of a least film agrees with that of a past of its own."""
+    for at, alone, its_bar in np.loadtxt(PASTS, delimiter=",", skiprows=4):
+        if at == phase:
+            return "yes" if abs(change - alone) <= bar + its_bar else "NO"
+    return "-"
 
 
 def solved(case: Case, tasks: Sequence[Task]) -> tuple[Result, float]:
@@ -81,8 +94,12 @@ def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: st
         of = predicted(scene)
         row = [f"{of.transit * 1e3:.2f}"]
         row += [f"{part:.1%}" for part in (lag(of), spread(of), SQUEEZE.influence(of).film)]
-        for name in FIGURES:
-            row.append(changed(getattr(after.figures, name), getattr(before.figures, name)))
+        changes = [
+            changed(getattr(after.figures, name), getattr(before.figures, name)) for name in FIGURES
+        ]
+        row += [f"{change:+.1%}±{bar:.1%}" for change, bar in changes]
+        alone = agreement(scene.phase, *changes[FIGURES.index("film_min")])
+        row.append(alone if Path(path).stem == "zi_drive" else "-")
         failed = "" if before.converged and after.converged else " not converged"
         print(f"{scene.name:>32} " + " ".join(f"{cell:>12}" for cell in row) + failed, flush=True)
     ratio = moving[1] / steady[1]

@@ -58,12 +58,10 @@ def judge(
         Quantities asked for.
     prediction : Prediction
         The contact by closed forms, or by solved figures.
-    asked : frozenset of str, optional
-        The effects to simulate, whatever their influence.
-    required : frozenset of str
-        Effects to simulate, whatever the prediction requires.
+    asked, required : frozenset of str
+        The effects to simulate, if these are given; and those to simulate beside what the accuracy needs.
     excluded : mapping of str to str, optional
-        Effects not to simulate, likewise, and the reason of each.
+        Effects not to simulate, and the reason of each.
     """
     judgements, excluded = {}, excluded or {}
     allowed = accuracy

@@ -62,7 +62,7 @@ SQUEEZE = Effect(
     influence=_by_squeeze,
     without=lambda scene: replace(scene, past=None),
     lacking=_lasting,
-    # far from the contact the gap changes as its surfaces carry it along: one without the other makes no sense
+    # far from the contact the gap changes as its surfaces carry it along, each as fast as it is there
     together=("real-gap", "varying-velocity"),
     passing=True,
 )
