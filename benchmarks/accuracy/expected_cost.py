@@ -46,7 +46,7 @@ def main() -> None:
     for name, place in PLACES.items():
         scene = pyworm.load(Path(f"cases/{name}.toml")).scene(**place)
         for accuracy in ACCURACIES:
-            plan = pyworm.plan(scene, accuracy)
+            plan = pyworm.plan(scene, accuracy, "auto,-squeeze")
             expected = expectation(scene, plan).seconds
             measured = [_seconds(scene, plan)]
             if measured[0] < QUICK:

@@ -79,14 +79,16 @@ def line(name, radius, load, velocities, bodies, oil, **more) -> LineScene:
 
 
 def worm(phase: float) -> Callable[[], Scene]:
-    """The worm of Sharif et al. (2001)."""
-    return lambda: pyworm.load(Path("cases/zi_sharif_2001.toml")).scene(phase)
+    """The worm of Sharif et al. (2001), at a place by itself as there."""
+    case = Path("cases/zi_sharif_2001.toml")
+    return lambda: replace(pyworm.load(case).scene(phase), past=None)
 
 
 def roller(phase: float) -> Callable[[], LineScene]:
-    """A station of the roller drive's driving section."""
+    """A station of the roller drive's driving section, by itself."""
     case = Path("cases/roller_ref.toml")
-    return lambda: pyworm.load(case).scene(section="left", phase=phase, station=0.5)
+    place = {"section": "left", "phase": phase, "station": 0.5}
+    return lambda: replace(pyworm.load(case).scene(**place), past=None)
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ COMMANDS = {
     "roller": Command("run cases/roller_ref.toml", 1),
     "contact": Command("run cases/zi_sharif_2001.toml --phase 0.5 --accuracy 1%"),
     "traction": Command("run cases/traction_steel.toml"),
-    "drive": Command("run cases/zi_drive.toml --accuracy 2%"),
+    "drive": Command("run cases/zi_drive.toml --accuracy 2% --effects auto,-squeeze"),
 }
 
 

@@ -83,7 +83,7 @@ def compare(name: str, tolerance: float) -> None:
     scene = remembering(SCENES[name]())
     plans = {
         effects: replace(refined(scene, HALVINGS, effects), tolerance=tolerance)
-        for effects in ("isothermal", "all,-roughness")
+        for effects in ("isothermal", "all,-roughness,-squeeze")
     }
     pyworm.solve(scene, plans["isothermal"])  # samples the scene
     wholes = []

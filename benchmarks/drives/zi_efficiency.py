@@ -2,7 +2,7 @@
 
 Run from the repository's root:
 
-    pyworm run cases/zi_drive.toml -j 2
+    pyworm run cases/zi_drive.toml -j 2 --accuracy 2% --effects auto,-squeeze
     python benchmarks/drives/zi_efficiency.py results/zi_drive/result.nc
 """
 

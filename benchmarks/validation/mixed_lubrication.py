@@ -203,7 +203,7 @@ def solved(name: str, case: Callable[[], Case], phase: float = 0.5) -> dict:
         if (row["name"], row["phase"]) == (name, phase):
             return row
     scene = case().scene(phase=phase)
-    solution = pyworm.solve(scene, pyworm.plan(scene, TEETH_ACCURACY, "auto"))
+    solution = pyworm.solve(scene, pyworm.plan(scene, TEETH_ACCURACY, "auto,-squeeze"))
     figures, (contact,) = solution.figures, contact_losses([solution])
     row = {
         "name": name,

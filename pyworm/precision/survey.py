@@ -76,7 +76,7 @@ def study(
     complete_only: bool = False,
     clock: Callable[[], float] = perf_counter,
 ) -> Study:
-    """Measure error against time for a contact.
+    """Measure error against time for a contact, as steady.
 
     Parameters
     ----------
@@ -104,6 +104,7 @@ def study(
     KernelError
         The most complete model fails.
     """
+    scene = replace(scene, past=None)
     making = _Study(scene, quantities, budget, progress or (lambda message, fraction: None), clock)
     return making.made(complete_only)
 
