@@ -186,8 +186,12 @@ class ZiWormGears:
     @cached_property
     def worm_flank(self) -> WormSurface:
         """The worm's helicoid as assembled."""
-        errors = self.mounted
-        seat = self.axes_distance, errors.shaft_angle, errors.axial_shift
+        return self._worm_with(self.mounted)
+
+    def _worm_with(self, errors: Assembly) -> WormSurface:
+        """The worm's helicoid with errors of the assembly."""
+        distance = self.centre_distance + errors.centre_distance
+        seat = distance, errors.shaft_angle, errors.axial_shift
         return worm_of(self.worm, self.reference_radius, seat)
 
     @cached_property
@@ -198,9 +202,13 @@ class ZiWormGears:
     @cached_property
     def worm_tooth(self) -> WormTooth:
         """Boundaries of the worm's thread."""
+        return self._thread_of(self.worm_flank)
+
+    def _thread_of(self, flank: WormSurface) -> WormTooth:
+        """Boundaries of the thread with a flank."""
         worm = self.worm
         size = worm.root_radius, worm.tip_radius
-        return WormTooth(self.worm_flank, *size, worm.tip_relief, worm.deviations)
+        return WormTooth(flank, *size, worm.tip_relief, worm.deviations)
 
     @cached_property
     def wheel_tooth(self) -> WheelTooth:
@@ -213,10 +221,29 @@ class ZiWormGears:
     @cached_property
     def cycle(self) -> MeshCycle:
         """The mesh cycle of one tooth pair."""
+        try:
+            return self._cycle_of(self.worm_tooth)
+        except ValueError:
+            errors = self.mounted
+            if errors == AS_DESIGNED:
+                raise
+            self._cycle_of(
+                self._thread_of(self._worm_with(AS_DESIGNED))
+            )  # refused by its own words
+            away, along = errors.centre_distance * 1e3, errors.axial_shift * 1e3
+            raise ValueError(
+                f"assembly: with the worm {away:.4g} mm farther from the wheel, {along:.4g} mm along the "
+                f"wheel's axis and {degrees(errors.shaft_angle):.4g} deg tilted, what a bent shaft adds "
+                "included, the flanks do not touch on the teeth as they do without; smaller errors, a "
+                "stiffer shaft or a larger hob.oversize are needed"
+            ) from None
+
+    def _cycle_of(self, thread: WormTooth) -> MeshCycle:
+        """The mesh cycle of one tooth pair with a thread of the worm."""
         paths = contact_paths(
-            self.worm_flank, self.wheel_flank, self.worm.threads, self.reference_radii
+            thread.worm, self.wheel_flank, self.worm.threads, self.reference_radii
         )
-        return find_mesh_cycle(paths, self.ratio, self.worm_tooth, self.wheel_tooth)
+        return find_mesh_cycle(paths, self.ratio, thread, self.wheel_tooth)
 
     def gap(self, contact: ToothContact) -> ToothGap:
         """Undeformed gap over the contact's tangent plane."""

@@ -10,7 +10,7 @@ import scipy
 
 from pyworm.drives.zi_worm.contact_path import ContactPath, Touches
 from pyworm.drives.zi_worm.flank_height import FlankHeight
-from pyworm.drives.zi_worm.helicoid import Array, Seated
+from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.meshing import across_axis
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
 
@@ -219,24 +219,12 @@ def find_mesh_cycle(
             "negative); a hob at least as large as the worm, set up near the wheel's mid-plane, or a "
             "larger pressure angle or profile shift is needed"
         )
-    raise ValueError(_no_contact(worm_tooth.worm, wheel_tooth.hob))
-
-
-def _no_contact(worm: Seated, hob: Seated) -> str:
-    """The sentence about flanks that do not touch on the teeth: the set-up of the hob, or of a worm moved."""
-    why = (
-        "for which no common normal of worm and wheel lies on the teeth; {} that brings the contact between "
-        "the face ends is needed"
-    )
-    if worm.swivel or worm.axial_shift:
-        return (
-            f"assembly.axial_shift and assembly.shaft_angle leave the worm {worm.axial_shift * 1e3:.4g} mm "
-            f"along the wheel's axis and {np.degrees(worm.swivel):.4g} deg off its design, "
-            f"{why.format('an assembly')}"
-        )
-    return (
+    hob = wheel_tooth.hob
+    raise ValueError(
         f"hob.swivel, hob.axial_shift and hob.centre_distance are {np.degrees(hob.swivel):.4g} deg, "
-        f"{hob.axial_shift * 1e3:.4g} mm and {hob.centre_distance * 1e3:.4g} mm, {why.format('a set-up')}"
+        f"{hob.axial_shift * 1e3:.4g} mm and {hob.centre_distance * 1e3:.4g} mm, for which no common normal "
+        "of worm and wheel lies on the teeth; a set-up that brings the contact between the face ends is "
+        "needed"
     )
 
 
