@@ -1,10 +1,10 @@
 """One worm drive with flanks of each profile: pattern, radii, films, friction and loss side by side.
 
-Run from the repository's root (some six minutes):
+Run from the repository's root (some two minutes):
 
     python benchmarks/validation/worm_profiles.py docs/pictures/worm_profiles.png
 
-Sizes, torque, oil and accuracy are the same for all. Films are thermal and of smooth flanks, as each
+Sizes, torque, oil and accuracy are the same for all. Films are thermal, steady and of smooth flanks, as each
 profile's geometry makes them; the standard's ratio of its film parameters h* is beside them.
 """
 
@@ -30,7 +30,7 @@ PROFILES = {"ZA": "C0", "ZN": "C1", "ZI": "C2", "ZK": "C4", "ZC": "C3", "ZC2": "
 
 PHASES = 0.1, 0.3, 0.5, 0.7, 0.9
 
-ACCURACY, EFFECTS = 0.1, "auto,-roughness"
+ACCURACY, EFFECTS = 0.1, "auto,-roughness,-squeeze"
 
 STANDARD = 0.0900 / 0.0693
 """h* of ZH over that of ZI of the standard's reference gears (DIN 3996), as handed on in public papers."""
