@@ -33,8 +33,9 @@ from pyworm.drives.gear_pair.involute import InvolutePair
 Array = np.ndarray
 SharingRule = Literal["ramp", "uniform", "elastic"]
 
-STRAIGHT = 1e-9
-"""Tangent of the base helix angle below which contact lines count as parallel to the axes."""
+STRAIGHT = 1e-6
+"""Tangent of the base helix angle below which contact lines count as parallel to the axes: the ends of a line
+differ in place by so little that the difference of their integrals is rounding."""
 
 
 @dataclass(frozen=True)

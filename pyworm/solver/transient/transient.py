@@ -75,7 +75,7 @@ LEAST: dict[Kind, tuple[Least, ...]] = {
     "point": (Least(0.4, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
     "line": (Least(0.7, 0.08), Least(0.08, 0.005), Least(0.02, 0.003)),
 }
-"""After one transient solve, two and three (`benchmarks/drives/motion_error.py`).
+"""After one transient solve, two and three (`benchmarks/accuracy/motion_error.py`).
 
 At the thirteen phases of `cases/zi_drive.toml` the first leaves up to 5.3 %, at twelve of them at most 0.4 of
 the difference, and the second up to 1.4 %."""

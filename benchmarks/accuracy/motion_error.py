@@ -4,12 +4,12 @@ At each phase of a drive (loads shared dry) the films on the plan's first grid t
 transient solve, of two, and so on; the last stands for the truth. A bar is that of `transient.Transient`. Run
 from the repository's root (it takes nine minutes):
 
-    python benchmarks/drives/motion_error.py [CASE] [--phase PHASE ...] [--effects auto,squeeze] [--solves 3]
+    python benchmarks/accuracy/motion_error.py [CASE] [--phase PHASE ...] [--effects EFFECTS] [--solves 3]
 """
 
 from argparse import ArgumentParser
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import pyworm
 from pyworm.planning.plan import Plan
@@ -17,7 +17,7 @@ from pyworm.planning.target import FILMS
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import RateOfChange, march
+from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.transient import Rates, part_at, transient
 
 ACCURACY = 0.05
@@ -27,7 +27,10 @@ ACCURACY = 0.05
 def found(
     scenes: Sequence[Scene | LineScene], plan: Plan, solves: int
 ) -> dict[str, tuple[RateOfChange, ...]]:
-    """Rates of change of scenes of one life by several transient solves, by the scene's name."""
+    """Rates of change of scenes of one life by several transient solves, by the scene's name.
+
+    LostError where there is no film.
+    """
     course = course_of(scenes[0].past.life, plan)
     parts = defaultdict(list)
     for scene in scenes:
@@ -36,9 +39,42 @@ def found(
     for part, some in parts.items():
         wanted = sorted(scene.past.seconds for scene in some)
         solved = [march(course, number, part.begin, wanted) for number in range(solves)]
+        for lost in filter(None, (one.lost for one in solved)):
+            raise LostError(lost)
         for scene in some:
             rates[scene.name] = tuple(one.rates[scene.past.seconds] for one in solved)
     return rates
+
+
+def judged(
+    scene: Scene | LineScene, plan: Plan, rates: tuple[RateOfChange, ...]
+) -> Iterator[tuple[int, str, float, float]]:
+    """Number of solves, film, its error against the last solve, and its bar."""
+    simple = plan.simplified(scene)
+    of = [transient(simple, plan, Rates(rates[: last + 1])) for last in range(len(rates))]
+    truth = of[-1].level.read().figures
+    for number, one in enumerate(of[:-1], 1):
+        figures = one.level.read().figures
+        for name in FILMS:
+            yield number, name, abs(figures[name] / truth[name] - 1), one.errors[name]
+
+
+class Tally:
+    """Rows of errors and bars, and how many hold after each number of solves."""
+
+    def __init__(self) -> None:
+        self._held: dict[int, list[bool]] = defaultdict(list)
+
+    def show(self, scene: Scene | LineScene, plan: Plan, rates: tuple[RateOfChange, ...]) -> None:
+        """Print the rows of a scene."""
+        for number, name, error, bar in judged(scene, plan, rates):
+            self._held[number].append(error <= bar)
+            print(f"{scene.name:>24} {number} {name:>12} {error:6.2%} of {bar:5.2%}", flush=True)
+
+    def end(self) -> None:
+        """Print how many hold."""
+        for number, of_all in self._held.items():
+            print(f"{number} transient solves: {sum(of_all)} of {len(of_all)} bars hold")
 
 
 def main(path: str, phases: Sequence[float] | None, effects: str, solves: int) -> None:
@@ -47,25 +83,10 @@ def main(path: str, phases: Sequence[float] | None, effects: str, solves: int) -
     scenes = [case.scene(**place.given) for place in case.places(phase=phases)]
     plans = {scene.name: pyworm.plan(scene, ACCURACY, effects) for scene in scenes}
     moving = [scene for scene in scenes if "squeeze" in plans[scene.name].on]
-    rates = found(moving, plans[moving[0].name], solves)
-    held = defaultdict(list)
+    rates, tally = found(moving, plans[moving[0].name], solves), Tally()
     for scene in moving:
-        plan = plans[scene.name]
-        simple = plan.simplified(scene)
-        of = [
-            transient(simple, plan, Rates(rates[scene.name][: number + 1]))
-            for number in range(solves)
-        ]
-        truth = of[-1].level.read().figures
-        for number, one in enumerate(of[:-1], 1):
-            row = [f"{scene.name:>12} {number}"]
-            for name in FILMS:
-                error = abs(one.level.read().figures[name] / truth[name] - 1)
-                held[number].append(error <= one.errors[name])
-                row.append(f"{name} {error:6.2%} of {one.errors[name]:5.2%}")
-            print("  ".join(row), flush=True)
-    for number, of_all in held.items():
-        print(f"{number} transient solves: {sum(of_all)} of {len(of_all)} bars hold")
+        tally.show(scene, plans[scene.name], rates[scene.name])
+    tally.end()
 
 
 if __name__ == "__main__":
