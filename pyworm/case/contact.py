@@ -8,6 +8,7 @@ from pydantic import Field, field_validator, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.case_file import CaseTable
+from pyworm.case.past import PastTable
 from pyworm.case.table import Number, Table, Text
 from pyworm.io import units
 from pyworm.io.input_error import CaseError
@@ -120,6 +121,7 @@ class LineMotionTable(Table):
 
 class _ContactCase(CaseTable):
     bodies: ContactBodies
+    past: PastTable | None = None
 
 
 class PointCase(_ContactCase):
@@ -167,8 +169,17 @@ def contact_scene(
     CaseError
         A file that it names holds no gap.
     """
-    if isinstance(tables, LineCase):
-        return _line(tables, name)
+    scene = (
+        _line(tables, name)
+        if isinstance(tables, LineCase)
+        else _point(tables, name, directory, slide_roll_ratio)
+    )
+    return scene if tables.past is None else tables.past.of(scene)
+
+
+def _point(
+    tables: PointCase | GapCase, name: str, directory: Path, slide_roll_ratio: float | None
+) -> Scene:
     gap, radii = _GAPS[type(tables)](tables, directory)
     oil = tables.oil.oil()
     return Scene(

@@ -26,7 +26,7 @@ FILES = sorted(CASES.glob("*.toml"))
 RATINGS = [path for path in FILES if not re.search(r"(?m)^\[(drive|contact)\]", path.read_text())]
 SHIPPED = [path for path in FILES if path not in RATINGS]
 CONTACTS = [path for path in SHIPPED if "[drive]" not in path.read_text()]
-LINES = [path for path in CONTACTS if path.stem.startswith("line")]
+LINES = [path for path in CONTACTS if 'kind = "line-contact"' in path.read_text()]
 POINTS = [path for path in CONTACTS if path not in LINES]
 
 

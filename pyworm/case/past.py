@@ -1,0 +1,88 @@
+"""`[past]`: loads and speeds that a contact written directly had before."""
+
+from dataclasses import dataclass, replace
+from functools import singledispatch
+from itertools import pairwise
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from pyworm.case.table import Number, Table
+from pyworm.io import units
+from pyworm.scene.contact import Contact
+from pyworm.scene.life import Life, Past
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import RigidMotion, Scene
+
+Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
+
+
+class PastTable(Table):
+    """`[past]`: factors of the load and of the surfaces' velocities at some times, straight between them.
+
+    The last time is the present, at which the contact is solved.
+    """
+
+    times: Annotated[tuple[units.Instant, ...], Field(min_length=2)]
+    load: Factors | None = None
+    speed: Factors | None = None
+
+    @model_validator(mode="after")
+    def _a_course_that_ends_at_present(self):
+        if self.times[0] != 0 or any(after <= before for before, after in pairwise(self.times)):
+            raise ValueError('times begin at "0 s" and rise')
+        given = {key: of for key in ("load", "speed") if (of := getattr(self, key)) is not None}
+        if not given:
+            raise ValueError("give the factors of load, of speed, or both")
+        for key, factors in given.items():
+            if len(factors) != len(self.times):
+                raise ValueError(
+                    f"{key} has {len(factors)} factors and times {len(self.times)}; each time wants one"
+                )
+            if factors[-1] != 1:
+                raise ValueError(
+                    f"{key} ends with {factors[-1]:g}; the last time is the present, whose factor is 1"
+                )
+        if self.load is not None and min(self.load) < 0:
+            raise ValueError(f"load has a factor of {min(self.load):g}; a contact does not pull")
+        return self
+
+    def of(self, scene: Contact) -> Contact:
+        """The contact with this past."""
+        life = Life(self.times[-1], _WrittenLife(scene, self.times, self.load, self.speed))
+        return replace(scene, past=Past(life, self.times[-1]))
+
+
+@dataclass(frozen=True)
+class _WrittenLife:
+    """Time since the beginning [s] -> the contact then; ValueError where it carries no load."""
+
+    present: Contact
+    times: tuple[float, ...]
+    load: tuple[float, ...] | None
+    speed: tuple[float, ...] | None
+
+    def __call__(self, seconds: float) -> Contact:
+        load, speed = (
+            1.0 if factors is None else float(np.interp(seconds, self.times, factors))
+            for factors in (self.load, self.speed)
+        )
+        if not load > 0:
+            raise ValueError("the contact carries no load")
+        return replace(_moving(self.present, speed), load=load * self.present.load)
+
+
+@singledispatch
+def _moving(scene: Scene, factor: float) -> Scene:
+    """A contact whose surfaces move some times as fast."""
+    first, second = (
+        RigidMotion(factor * of.u, factor * of.v, factor * of.spin) for of in scene.motions
+    )
+    return replace(scene, motions=(first, second))
+
+
+@_moving.register
+def _(scene: LineScene, factor: float) -> LineScene:
+    first, second = scene.velocities
+    return replace(scene, velocities=(factor * first, factor * second))
