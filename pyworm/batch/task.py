@@ -8,6 +8,7 @@ from typing import Any
 
 from pyworm.batch.provenance import program_digest, provenance
 from pyworm.case.case import Case
+from pyworm.io.plain_dataset import merged
 from pyworm.io.progress import Progress
 from pyworm.planning.plan import Plan, plan
 from pyworm.result.result import FORMAT_VERSION, Result
@@ -100,7 +101,7 @@ class Task:
         solution = solve(self.scene, self.plan, progress, rates)
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)
-            solution = solution.changed(fields=solution.held("fields").merge(beside))
+            solution = solution.changed(fields=merged(solution.held("fields"), beside))
         return Result(
             self.case.name,
             self.case.resolved,

@@ -100,6 +100,11 @@ class PlainDataset:
         return xr.Dataset(variables, coords=coords, attrs=dict(self.attrs))
 
 
+def merged(first: "PlainDataset | xr.Dataset", second: PlainDataset) -> "PlainDataset | xr.Dataset":
+    """The variables of both, with the attributes of the first, held as that is."""
+    return first.merge(second if type(first) is PlainDataset else second.to_xarray())
+
+
 def described(
     variables: Mapping[str, tuple[tuple[str, ...], Any]],
     coords: Mapping[str, tuple[tuple[str, ...], Any]],

@@ -106,6 +106,11 @@ class GridSequence:
         self._settle()
         return self._level
 
+    @property
+    def wants_finer_rates(self) -> bool:
+        """Whether one more transient solve may mend the error that the film's rate of change leaves."""
+        return self._transient is not None and self._transient.coarse
+
     def figures(self) -> dict[str, float] | None:
         """The figures so far; None where there is no film yet."""
         if not film_is_sound(self._level, self._settled, self._plan):

@@ -9,7 +9,7 @@ from pyworm.scene.point import Scene
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
 from pyworm.solver.timing import Stopwatch
-from pyworm.solver.transient.transient import Rates, rates_at_present
+from pyworm.solver.transient.transient import Rates, finer, rates_at_present
 
 
 def solve(
@@ -58,6 +58,10 @@ def solve(
         moving = None if simple.past is None else rates
         sequence = GridSequence(simple, plan, moving, report, stopwatch)
         warm_start = sequence.begin(warm_start)
+        if sequence.wants_finer_rates:
+            report(f"{scene.name}: its past, on a finer grid", 0.0)
+            rates = finer(scene, plan, rates)
+            continue
         # the first grid tells what the closed forms missed, before finer ones cost their time
         updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)
         if updated.on <= plan.on:

@@ -1,7 +1,7 @@
 """The suite of hard scenes: solve, judge, tell, draw.
 
     python tests/hard                   # all; what was solved before is not solved again
-    python tests/hard named             # a part: named, isothermal, thermal, rough, stability, fuzz
+    python tests/hard named             # a part: named, isothermal, thermal, rough, past, stability, fuzz
     python tests/hard isothermal:0-99   # some random scenes, by number
     python tests/hard thermal:37        # one scene, with its case file
     python tests/hard --seed 7          # the random scenes of another seed; parts as above
@@ -30,7 +30,12 @@ from trial import HEADING, BriefTrial, Trial, Verdict, trial, verdict
 
 from pyworm.batch.solved_scenes import Store
 
-EFFECTS = {"isothermal": "isothermal", "thermal": "all", "rough": "all"}
+EFFECTS = {
+    "isothermal": "isothermal",
+    "thermal": "all",
+    "rough": "all",
+    "past": "isothermal,squeeze",
+}
 
 
 def named_trials(directory: Path, kind: type[Trial] = Trial) -> Iterator[Trial]:

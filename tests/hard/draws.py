@@ -9,12 +9,15 @@ nothing but the seed, its kind and its number.
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import cos, exp, log, pi, sin
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pyworm.case.case import case_of
 from pyworm.formulas.film import nijenbanning_venner_moes, point_groups, radii_at_angle
 from pyworm.formulas.hertz import ellipticity, hertz
+from pyworm.planning.prediction import predicted
 
 SEED = 20260
 
@@ -174,6 +177,30 @@ def rough(number: int, seed: int = SEED) -> Drawn:
     return drawn
 
 
+PASTS = {
+    "blow": ("load", (0.0, 1.0, 1.5, 2.0, 2.7), (1.0, 1.0, 10.0, 1.0, 1.0)),
+    "parting": ("load", (0.0, 1.5, 2.0, 2.5, 3.2), (1.0, 1.0, 0.0, 0.0, 1.0)),
+    "start": ("speed", (0.0, 1.0, 3.0), (0.0, 0.0, 1.0)),
+    "reversal": ("speed", (0.0, 2.0, 5.0), (-1.0, -1.0, 1.0)),
+    "swing": ("speed", (0.0, 1.0, 2.0, 3.0, 4.0, 4.6), (1.0, -1.0, 1.0, -1.0, 0.2, 1.0)),
+}
+"""Name -> key of `[past]`, times in transits of the oil, and factors then."""
+
+
+def past(number: int, seed: int = SEED) -> Drawn:
+    """An isothermal scene after a blow, a parting of its surfaces, a start, a reversal or a swing."""
+    drawn = isothermal(number, seed)
+    name = list(PASTS)[number % len(PASTS)]
+    key, times, factors = PASTS[name]
+    scene = case_of(drawn.tables, name, Path()).scene()
+    transit = predicted(scene).transit
+    tables = drawn.tables | {
+        "title": f"{name.capitalize()} {number} of seed {seed}",
+        "past": {"times": [f"{of * transit:.9g} s" for of in times], key: list(factors)},
+    }
+    return Drawn(tables, drawn.traits)
+
+
 def _hot(random: np.random.Generator, ranges: dict[str, Range], title: str) -> Drawn:
     """A sliding point contact with heat, Eyring's and a limiting stress."""
     contact = _contact(random, ranges, HOT_LIMITS)
@@ -211,6 +238,7 @@ DRAWS: dict[str, Callable[[int], Drawn]] = {
     "isothermal": isothermal,
     "thermal": thermal,
     "rough": rough,
+    "past": past,
 }
 """Kind of random scene -> what draws it by its number."""
 

@@ -274,6 +274,8 @@ def _told(seconds: float) -> Iterator[None]:
     """Tell at which time the kernel gave up a film."""
     try:
         yield
+    except ValueError as error:  # surfaces that stand still have no steady film
+        raise LostError(f"{_failed(seconds)}: {error}") from error
     except KernelError as error:
         if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
             raise

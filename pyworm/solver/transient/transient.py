@@ -8,7 +8,7 @@ changes tells its error.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, inf
 
@@ -44,6 +44,9 @@ order is lower, and where the load of a gear pair jumps, it is one."""
 
 REGULAR = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
+
+MOST_SOLVES = 3
+"""Most transient solves: each takes eight times as long as the one before."""
 
 MOST = 0.7
 """Most error by it, over the accuracy asked for; the rest is left to grid, window and algebra."""
@@ -151,10 +154,13 @@ class Rates:
         The rates, the finest last.
     flaw : str or None
         Reason why a film before was not found.
+    finest : bool
+        Whether no further solve is to be had.
     """
 
     found: tuple[RateOfChange, ...]
     flaw: str | None = None
+    finest: bool = False
 
 
 @dataclass(frozen=True)
@@ -171,12 +177,15 @@ class Transient:
         Relative error of its figures by grids and time steps of the transient solve.
     flaw : str or None
         Reason why the rate is not to be trusted.
+    coarse : bool
+        Whether one more transient solve may mend that.
     """
 
     rate: RateOfChange | None
     level: Level
     errors: dict[str, float]
     flaw: str | None
+    coarse: bool = False
 
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
@@ -193,6 +202,20 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
         return Rates((), str(reason))
     lost = next((one.lost for one in marches if past.seconds not in one.rates), None)
     return Rates((), lost) if lost else Rates(tuple(one.rates[past.seconds] for one in marches))
+
+
+def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
+    """The rates with that of one more transient solve of the life before, if that is to be had."""
+    past, solves = recent(scene), len(rates.found)
+    try:
+        course = course_of(past.life, plan)
+        begin = part_at(course, past.seconds).begin
+        found = march(course, solves, begin, [past.seconds]).rates
+    except LostError:
+        found = {}
+    if past.seconds not in found:
+        return replace(rates, finest=True)
+    return Rates((*rates.found, found[past.seconds]), finest=solves + 1 >= MOST_SOLVES)
 
 
 def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
@@ -223,7 +246,8 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     flaw = None
     if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
         flaw = f"the transient solve through the contact's life leaves an error of {left:.1%}"
-    return Transient(rates.found[-1], level, errors, flaw)
+    coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
+    return Transient(rates.found[-1], level, errors, flaw, coarse)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind) -> dict[str, float]:

@@ -47,7 +47,8 @@ def test_draws_depend_on_their_number_alone_and_keep_to_their_ranges(kind):
     assert DRAWS[kind](5) == DRAWS[kind](5)
     traits = [DRAWS[kind](number).traits for number in range(60)]
     hot = HOT_RANGES | HOT_LIMITS
-    ranges = {"isothermal": RANGES | LIMITS, "thermal": hot, "rough": hot}[kind]
+    plain = RANGES | LIMITS
+    ranges = {"isothermal": plain, "thermal": hot, "rough": hot, "past": plain}[kind]
     for name in ("hertz_pressure", "moes_l", "ellipticity", "moes_m", "film"):
         values = np.array([of[name] for of in traits])
         low, high = ranges[name].low, ranges[name].high
