@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from pyworm.io.progress import Progress
+from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.plan import Plan, reviewed, steady
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -48,15 +49,8 @@ def solve(
     report = _rising(progress)
     stopwatch, warm_start = Stopwatch(), None
     while True:
-        simple = plan.simplified(scene)
-        if simple.past is not None and rates is None:
-            report(f"{scene.name}: its past", 0.0)
-            rates = rates_at_present(scene, plan)
-        if simple.past is not None and rates.flaw is not None and plan.asked is None:
-            plan = steady(plan, f"not found: {rates.flaw}")
-            simple = plan.simplified(scene)
-        moving = None if simple.past is None else rates
-        sequence = GridSequence(simple, plan, moving, report, stopwatch)
+        plan, rates = _in_motion(scene, plan, rates, report)
+        sequence = GridSequence(plan.simplified(scene), plan, rates, report, stopwatch)
         warm_start = sequence.begin(warm_start)
         if sequence.wants_finer_rates:
             report(f"{scene.name}: its past, on a finer grid", 0.0)
@@ -73,6 +67,20 @@ def solve(
         missed = ", ".join(sorted(updated.on - plan.on))
         report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated
+
+
+def _in_motion(
+    scene: Scene | LineScene, plan: Plan, rates: Rates | None, report: Progress
+) -> tuple[Plan, Rates | None]:
+    """The rates of change of a film in motion, found if they are not given; or a plan of a steady film."""
+    if SQUEEZE.name not in plan.on:
+        return plan, None
+    if rates is None:
+        report(f"{scene.name}: its past", 0.0)
+        rates = rates_at_present(scene, plan)
+    if rates.flaw is not None and plan.asked is None:
+        return steady(plan, f"not found: {rates.flaw}"), None
+    return plan, rates
 
 
 def _updated(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float] | None) -> Plan:
