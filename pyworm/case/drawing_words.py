@@ -43,6 +43,7 @@ OF_WORM = _words(
         "root_diameter": "dedendum df1 d_f1",
         "reference_diameter": "d1 d_1 dm1 d_m1 pitch_diameter",
         "thickness": "tooth_thickness thread_thickness",
+        "fillet_radius": "fillet root_fillet rho_f1 rhof1",
         "drive.threads": "threads starts z1",
         "drive.module": "module",
         "drive.pressure_angle": "pressure_angle",
@@ -61,6 +62,7 @@ OF_WHEEL = _words(
         "root_diameter": "dedendum df2 d_f2",
         "reference_diameter": "d2 d_2 pitch_diameter",
         "groove_radius": "rk r_k",
+        "fillet_radius": "fillet root_fillet rho_f2 rhof2",
         "drive.teeth": "teeth z2",
         "drive.module": "module",
         "drive.face_width": "face_width b2 width",
@@ -74,6 +76,7 @@ OF_HOB = _words(
     {
         "reference_diameter": "d0 d_0 pitch_diameter",
         "drive.wheel.root_diameter": "tip_diameter outside_diameter da0 d_a0",
+        "drive.wheel.fillet_radius": "fillet_radius edge_radius corner_radius tip_rounding rho_a0",
         "drive.pressure_angle": "pressure_angle",
     }
 )

@@ -71,6 +71,7 @@ class DrawnWormTable(_Drawn):
     tip_diameter: units.Length | None = None
     root_diameter: units.Length | None = None
     thickness: units.Length | None = None
+    fillet_radius: units.LengthOrZero | None = None
     tip_relief: units.Relief | None = None
     tip_relief_length: units.LengthOrZero | None = None
     reference_diameter: units.Length | None = None
@@ -92,6 +93,7 @@ class DrawnWheelTable(_Drawn):
     outside_diameter: units.Length | None = None
     root_diameter: units.Length | None = None
     groove_radius: units.Length | None = None
+    fillet_radius: units.LengthOrZero | None = None
     tip_relief: units.Relief | None = None
     tip_relief_length: units.LengthOrZero | None = None
     reference_diameter: units.Length | None = None

@@ -31,10 +31,11 @@ class WormBodies(Bodies):
 
 
 class _Relieved(Table):
-    """Common keys of worm and wheel: tip relief and its length below the tip."""
+    """Common keys of worm and wheel: tip relief, its length below the tip, and the fillet at the root."""
 
     tip_relief: units.Relief = 0.0
     tip_relief_length: units.LengthOrZero = 0.0
+    fillet_radius: units.LengthOrZero = 0.0
 
 
 class _Helicoid(Table):

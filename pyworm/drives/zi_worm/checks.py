@@ -57,7 +57,7 @@ def _check_numbers(gears: "ZiWormGears") -> None:
         f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
         for part in ("worm", "wheel", "hob", "assembly")
         for field in fields(getattr(gears, part))
-        if field.name not in ("tip_relief", "generator", "profile", "deviations")
+        if field.name not in ("tip_relief", "generator", "profile", "deviations", "fillet_radius")
         and getattr(getattr(gears, part), field.name) is not None
     }
     signed = {"hob.swivel", "hob.axial_shift"}

@@ -119,7 +119,7 @@ def flank_grid(gears: "ZiWormGears") -> FlankGrid:
     root = tooth.root(face)
     radius = root + part * (tooth.tip(face) - root)
     target = np.stack([radius.ravel(), face.ravel()])
-    q = flank_places(flank, gears.within, target, gears.hob.tip_radius)
+    q = flank_places(flank, gears.within, target, tooth.hob_form_radius)
     cut = flank.cut_point(*q)
     found = np.abs(np.stack([wheel_radius(cut), cut[1]]) - target).max(axis=0) < REACHED
     return FlankGrid(face, radius, q, found)

@@ -58,7 +58,8 @@ def _worm(drive: "ZiWormDrive") -> Described:
         "worm_reference_diameter_m": 2 * radius,
         "worm_tip_diameter_m": 2 * worm.tip_radius,
         "worm_root_diameter_m": 2 * worm.root_radius,
-        "worm_flank_from_diameter_m": 2 * max(worm.root_radius, flank.start_radius),
+        "worm_flank_from_diameter_m": 2 * drive.worm_tooth.start_radius,
+        "worm_fillet_radius_m": worm.fillet_radius,
         "worm_thickness_m": worm_thickness(drive, radius),
         "worm_tip_thickness_m": worm_thickness(drive, worm.tip_radius),
     }
@@ -79,6 +80,7 @@ def _wheel(drive: "ZiWormDrive") -> Described:
         "wheel_outside_diameter_m": 2 * wheel.tip_radius,
         "wheel_root_diameter_m": 2 * (hob.centre_distance - hob.tip_radius),
         "wheel_flank_from_diameter_m": 2 * flank_start(drive),
+        "wheel_fillet_radius_m": wheel.fillet_radius,
         "wheel_groove_radius_m": hob.centre_distance - wheel.throat_radius
         if wheel.groove_radius is None
         else wheel.groove_radius,

@@ -39,6 +39,8 @@ class Worm:
         Form of the flank (`pyworm.formulas.worm_profiles`).
     deviations : FlankDeviations or None
         Of the flanks that drive the wheel from the helicoid; None where none are known.
+    fillet_radius : float
+        Radius of the fillet at the root in the axial section [m].
     """
 
     threads: int
@@ -54,6 +56,7 @@ class Worm:
     generator: ScrewGenerator | None = None
     profile: Profile = "ZI"
     deviations: FlankDeviations | None = None
+    fillet_radius: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -74,6 +77,8 @@ class Wheel:
         Circumferential backlash on the reference circle [m], where it is known.
     deviations : FlankDeviations or None
         Of the flank that the worm drives from the one that the hob cuts; None where none are known.
+    fillet_radius : float
+        Radius of the rounded edge of the hob's tip in its axial section [m], which leaves the wheel's fillet.
     """
 
     teeth: int
@@ -84,6 +89,7 @@ class Wheel:
     groove_radius: float | None = None
     backlash: float | None = None
     deviations: FlankDeviations | None = None
+    fillet_radius: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,13 @@
 
 Names as in DIN 3975 and ISO 1122-2. What a drawing leaves out has a usual value, which is told. Sources of
 these: DIN 3975 for addenda, clearance, groove and face width (as handed on in textbooks, such as Niemann and
-Winter, Maschinenelemente III), Sharif et al. (2001) for the hob's oversize (1.64 mm on some 78 mm). Backlash
-and tip relief have none, nor has the grinding disc of ZK and ZC: values of the usual size.
+Winter, Maschinenelemente III), Sharif et al. (2001) for the hob's oversize (1.64 mm on some 78 mm). Backlash,
+fillets and tip relief have none, nor has the grinding disc of ZK and ZC: values of the usual size.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import atan, cos, degrees, pi, sqrt
+from math import atan, cos, degrees, pi, sin, sqrt, tan
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
@@ -53,6 +53,9 @@ class Drawing:
         b_2H of the wheel [m].
     backlash : float
         Circumferential, on the wheel's reference circle [m].
+    worm_fillet_radius, wheel_fillet_radius : float
+        Radii of the worm's fillet at its root and of the rounded edge of the hob's tip, which leaves the
+        wheel's, each in its axial section [m].
     worm_tip_relief, worm_tip_relief_length, wheel_tip_relief, wheel_tip_relief_length : float
         What is taken off a flank at its tip, and where below it that begins [m].
     hob_oversize : float
@@ -85,6 +88,8 @@ class Drawing:
     wheel_groove_radius: float
     face_width: float
     backlash: float
+    worm_fillet_radius: float
+    wheel_fillet_radius: float
     worm_tip_relief: float
     worm_tip_relief_length: float
     wheel_tip_relief: float
@@ -169,6 +174,7 @@ class Drawing:
             thickness=self.worm_thickness,
             generator=generator_of(self.profile, self._worm_thread),
             profile=self.profile,
+            fillet_radius=self.worm_fillet_radius,
         )
 
     @property
@@ -182,6 +188,7 @@ class Drawing:
             tip_relief=ParabolicRelief(self.wheel_tip_relief, self.wheel_tip_relief_length),
             groove_radius=self.wheel_groove_radius,
             backlash=self.backlash,
+            fillet_radius=self.wheel_fillet_radius,
         )
 
     @property
@@ -248,6 +255,8 @@ class Drawing:
 Known = Mapping[str, float]
 """Numbers of a drawing by their names in `Drawing`."""
 
+_FILLET = "0.2 modules or what fits, assumed without a source"
+
 _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
     "pressure_angle": (lambda of: pi / 9, "as of most worms"),
     "worm_tip_diameter": (
@@ -280,6 +289,11 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
         "2 m (0.5 + sqrt(q + 1))",
     ),
     "backlash": (lambda of: 0.03 * of["module"], "0.03 modules, assumed without a source"),
+    "worm_fillet_radius": (lambda of: _usual_fillet(of, _twice_dedendum(of)), _FILLET),
+    "wheel_fillet_radius": (
+        lambda of: _usual_fillet(of, _mean_diameter(of) - of["wheel_root_diameter"]),
+        _FILLET + ", from a rounded edge of the hob's tip",
+    ),
     "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, assumed without a source"),
     "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
     "wheel_tip_relief": (
@@ -298,17 +312,47 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
 _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
     "ZK": {"worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels")},
     "ZC": {
+        "worm_fillet_radius": (
+            lambda of: _usual_fillet(of, _twice_dedendum(of), concave=True),
+            _FILLET,
+        ),
         "worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels"),
         "worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7"),
     },
-    "ZC2": {"worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7")},
+    "ZC2": {
+        "worm_fillet_radius": (
+            lambda of: _usual_fillet(of, _twice_dedendum(of), concave=True),
+            _FILLET,
+        ),
+        "worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7"),
+    },
 }
-"""Likewise for the profiles with a disc or an arc."""
+"""Likewise for the profiles with a disc or an arc; of the same number it goes before the one above."""
 
 
 def _mean_diameter(of: Known) -> float:
     """Diameter of the wheel at the worm's reference cylinder d_m2 = 2 a - d_m1 [m]."""
     return 2 * of["centre_distance"] - of["diameter_factor"] * of["module"]
+
+
+def _twice_dedendum(of: Known) -> float:
+    """Difference of the worm's reference and root diameters [m]."""
+    return of["diameter_factor"] * of["module"] - of["worm_root_diameter"]
+
+
+def _usual_fillet(of: Known, twice_dedendum: float, concave: bool = False) -> float:
+    """Radius of a fillet [m] of which two fit, with some room, into the root between two flanks.
+
+    Of 0.2 modules it is 0.2 (1 - sin alpha) modules high, which the usual clearance has room for. Flanks are
+    taken as straight, those of concave worms as arcs; the hob's thread is as thick as the worm's.
+    """
+    angle, depth = of["pressure_angle"], twice_dedendum / 2
+    half = min(pi * of["module"] - of["worm_thickness"], of["worm_thickness"]) / 2
+    half -= depth * tan(angle)
+    if concave:
+        arc = of.get("worm_arc_radius", 6 * of["module"])
+        half -= depth**2 / (2 * arc * cos(angle) ** 3)
+    return max(min(0.2 * of["module"], 0.8 * half * cos(angle) / (1 - sin(angle))), 0.0)
 
 
 def completed(

@@ -20,6 +20,12 @@ from pyworm.drives.zi_worm.contact_pattern import (
 )
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.deviation_checks import check_deviations
+from pyworm.drives.zi_worm.fillets import (
+    check_fillets,
+    fillet_warnings,
+    hob_form_radius,
+    worm_form_radius,
+)
 from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.helicoid import Array
@@ -70,6 +76,7 @@ class ZiWormGears:
 
     def __post_init__(self) -> None:
         check_gears(self)
+        check_fillets(self)
         self.cycle  # noqa: B018  gears whose teeth do not touch are refused here
         check_deviations(self)
 
@@ -95,12 +102,13 @@ class ZiWormGears:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings, a sentence each: base pitch, profile shift, contact ratio, pointed threads or teeth."""
+        """Warnings, a sentence each: base pitch, profile shift, contact ratio, pointed teeth, fillets."""
         return (
             *self._pitch_warnings(),
             *self._shift_warnings(),
             *self._ratio_warnings(),
             *tooth_form_warnings(self),
+            *fillet_warnings(self),
         )
 
     @property
@@ -207,7 +215,7 @@ class ZiWormGears:
     def _thread_of(self, flank: WormSurface) -> WormTooth:
         """Boundaries of the thread with a flank."""
         worm = self.worm
-        size = worm.root_radius, worm.tip_radius
+        size = worm_form_radius(worm, flank), worm.tip_radius
         return WormTooth(flank, *size, worm.tip_relief, worm.deviations)
 
     @cached_property
@@ -216,7 +224,9 @@ class ZiWormGears:
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
         shape = wheel.tip_relief, wheel.groove_radius, wheel.deviations
-        return WheelTooth(self.wheel_flank.hob, *size, self.hob.tip_radius, *shape)
+        hob = self.wheel_flank.hob
+        reach = self.hob.tip_radius, hob_form_radius(self.wheel, self.hob, hob)
+        return WheelTooth(hob, *size, *reach, *shape)
 
     @cached_property
     def cycle(self) -> MeshCycle:

@@ -1,4 +1,4 @@
-"""Where the teeth end: tip and root cylinders, face width, throat and hobbed root of the wheel."""
+"""Where the flanks end: tip, fillet of the root, face width, throat and hobbed root of the wheel."""
 
 from dataclasses import dataclass
 
@@ -38,14 +38,14 @@ NO_RELIEF = ParabolicRelief()
 
 @dataclass(frozen=True)
 class WormTooth:
-    """The thread between its root and tip cylinders; its length is not limited.
+    """The thread between its root's fillet and its tip cylinder; its length is not limited.
 
     Attributes
     ----------
     worm : Seated
         The worm flank and its axis.
-    root_radius, tip_radius : float
-        Radii of the cylinders [m].
+    form_radius, tip_radius : float
+        Radii of the cylinders from which and up to which it has its flank [m]: the fillet is below.
     tip_relief : ParabolicRelief
         What is taken off towards the tip.
     deviations : FlankDeviations or None
@@ -53,10 +53,15 @@ class WormTooth:
     """
 
     worm: Seated
-    root_radius: float
+    form_radius: float
     tip_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
     deviations: FlankDeviations | None = None
+
+    @property
+    def start_radius(self) -> float:
+        """Radius from which the flank exists [m]: that above the fillet, or where the helicoid begins."""
+        return max(self.form_radius, self.worm.start_radius)
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it.
@@ -64,8 +69,7 @@ class WormTooth:
         The involute starts at the base cylinder, wherever the root lies, other flanks where they exist.
         """
         radius = self.worm.radius(point)
-        start = max(self.root_radius, self.worm.start_radius)
-        return {"worm tip": self.tip_radius - radius, "worm root": radius - start}
+        return {"worm tip": self.tip_radius - radius, "worm root": radius - self.start_radius}
 
     def taken_off(self, point: Array) -> Array:
         """What the flank is below the highest place of the helicoid, at its points (3, ...) [m]."""
@@ -93,8 +97,9 @@ class WheelTooth:
         The seated hob.
     face_width, tip_radius, throat_radius : float
         Width along the axis, radius of the tip cylinder and smallest tip radius [m].
-    hob_tip_radius : float
-        Radius of the hob's tip cylinder [m].
+    hob_tip_radius, hob_form_radius : float
+        Radius of the hob's tip cylinder, and that up to which its flank reaches [m]: the rounded edge of its
+        tip is beyond, which cuts the fillet.
     tip_relief : ParabolicRelief
         What is taken off towards tip and throat.
     groove_radius : float or None
@@ -108,6 +113,7 @@ class WheelTooth:
     tip_radius: float
     throat_radius: float
     hob_tip_radius: float
+    hob_form_radius: float
     tip_relief: ParabolicRelief = NO_RELIEF
     groove_radius: float | None = None
     deviations: FlankDeviations | None = None
@@ -132,7 +138,7 @@ class WheelTooth:
             "wheel face": self.face_width / 2 - np.abs(point[1]),
             "wheel tip": self.tip_radius - radius,
             "wheel throat": np.sqrt(to_groove**2 + point[1] ** 2) - self._groove,
-            "wheel root": self.hob_tip_radius - np.sqrt(below**2 + shifted**2),
+            "wheel root": self.hob_form_radius - np.sqrt(below**2 + shifted**2),
         }
 
     @property

@@ -66,15 +66,15 @@ def wheel_tip_thickness(gears: "ZiWormGears") -> tuple[Array, Array]:
 def flank_start(gears: "ZiWormGears") -> float:
     """Radius in the mid-plane from which the wheel's tooth has its flank [m]; a fillet is below it."""
     target = np.array([[float(gears.wheel_tooth.root(np.zeros(1))[0])], [0.0]])
-    q = flank_places(gears.wheel_flank, gears.within, target, gears.hob.tip_radius)
+    q = flank_places(gears.wheel_flank, gears.within, target, gears.wheel_tooth.hob_form_radius)
     return float(wheel_radius(gears.wheel_flank.cut_point(*q))[0])
 
 
 def undercut(gears: "ZiWormGears") -> float:
-    """How far the hob's tip reaches beyond the edge of its envelope [m]; zero without undercut."""
+    """How far the hob's flank reaches beyond the edge of its envelope [m]; zero without undercut."""
     cut = gears.wheel_flank.cut_point(*gears.rim)
     margins = np.stack(list(gears.wheel_tooth.margins(cut).values())).min(axis=0)
-    beyond = gears.hob.tip_radius - gears.wheel_flank.hob.radius(cut)
+    beyond = gears.wheel_tooth.hob_form_radius - gears.wheel_flank.hob.radius(cut)
     ended = (margins > REACHED) & (beyond > REACHED)
     return float(np.max(beyond, where=ended, initial=0.0))
 
@@ -100,7 +100,7 @@ def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
     reach = undercut(gears)
     if reach > 0:
         said.append(
-            f"wheel: it is undercut, the hob's tip reaches up to {reach * 1e3:.2g} mm below the end of its "
+            f"wheel: it is undercut, the hob's flank reaches up to {reach * 1e3:.2g} mm below the end of its "
             "flanks, which are shorter than drawn; more teeth, a larger profile_shift or a larger pressure "
             "angle is needed"
         )

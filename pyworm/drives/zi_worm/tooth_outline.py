@@ -1,12 +1,12 @@
 """Outline of the wheel's tooth: the rim of its flank, or the flank's own end where that comes first.
 
-The hob cuts the flank with what it has within its tip cylinder: the flank ends where the tip has cut it,
-above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The envelope
-itself ends at an edge of regression, as an involute ends at its base circle; a tooth whose hob reaches that
-edge before its tip is undercut. Radius and place along the axis (and the hob's condition of cutting, where
-that is not solved in closed form) are a map of the flank's parameters whose determinant vanishes at that
-edge and nowhere else, since no flank normal is perpendicular to the direction of the wheel's motion: it has
-a lever about the wheel's axis.
+The hob cuts the flank with what it has below the rounded edge of its tip: the flank ends where the last of it
+has cut, above the root, and a fillet that the tip leaves follows (of spur gears the form circle). The
+envelope itself ends at an edge of regression, as an involute ends at its base circle; a tooth whose hob
+reaches that edge before its tip is undercut. Radius and place along the axis (and the hob's condition of
+cutting, where that is not solved in closed form) are a map of the flank's parameters whose determinant
+vanishes at that edge and nowhere else, since no flank normal is perpendicular to the direction of the wheel's
+motion: it has a lever about the wheel's axis.
 """
 
 from dataclasses import dataclass
@@ -67,11 +67,11 @@ def flank_outline(
     count : int
         Points on each of the four sides.
     """
-    return flank_places(flank, start, np.stack(tooth.rim(count)), tooth.hob_tip_radius)
+    return flank_places(flank, start, np.stack(tooth.rim(count)), tooth.hob_form_radius)
 
 
 def flank_places(
-    flank: WheelSurface, start: tuple[float, ...], target: Array, hob_tip_radius: float = inf
+    flank: WheelSurface, start: tuple[float, ...], target: Array, hob_form_radius: float = inf
 ) -> Array:
     """Parameters of places on a wheel's flank, or of where it ends on the way to them, (parameters, places).
 
@@ -81,8 +81,8 @@ def flank_places(
         As of `flank_outline`.
     target : ndarray
         Radii and places along the axis [m], (2, places).
-    hob_tip_radius : float
-        Radius of the hob's tip cylinder [m], infinite for the whole envelope.
+    hob_form_radius : float
+        Radius up to which the hob has its flank [m], infinite for the whole envelope.
     """
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
     first, slope = flank.place(q)
@@ -93,7 +93,7 @@ def flank_places(
     for _ in range(MOST_STEPS):
         there = np.minimum(reach + step, 1.0)
         tried, found = _at(flank, q, first + there * (aim - first), sign)
-        found &= flank.hob.radius(flank.cut_point(*tried)) < hob_tip_radius
+        found &= flank.hob.radius(flank.cut_point(*tried)) < hob_form_radius
         q = np.where(found, tried, q)
         reach = np.where(found, there, reach)
         step = np.where(found, 2 * step, step / 2)

@@ -286,6 +286,7 @@ REFUSED = [
     ([in_table("worm", 'addendum = "4 mm"')], "drive.worm.addendum: no such key", "give tip_diameter"),
     ([in_table("wheel", 'face_width = "30 mm"')], "drive.wheel.face_width: no such key", "give drive.face"),
     ([in_table("wheel", 'tip_diameter = "168 mm"')], "drive.wheel.tip_diameter: no such key", "throat_dia"),
+    ([in_table("hob", 'edge_radius = "1 mm"')], "drive.hob.edge_radius: no such key", "wheel.fillet_radius"),
     ([in_table("hob", 'tip_diameter = "51 mm"')], "drive.hob.tip_diameter: no such key", "wheel.root_dia"),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
 ]  # fmt: skip
@@ -302,6 +303,8 @@ WRONG_SIZES = [
     ("worm.base_diameter", "9.487 mm", "is it a radius?"),
     ("worm.axial_pitch", "12 mm", "give 12.5664 mm"),
     ("worm.thickness", "12 mm", "6.2832 mm"),
+    ("worm.fillet_radius", "3 mm", "which is 4.258 mm wide on a diameter of 34.41 mm"),
+    ("wheel.fillet_radius", "9 mm", "as a rule it is 0.2 modules, 0.8 mm"),
     ("wheel.throat_diameter", "16 mm", "groove_radius"),
     ("wheel.throat_diameter", "32 mm", "groove_radius"),
     ("wheel.throat_diameter", "84 mm", "is it a radius?"),

@@ -82,7 +82,7 @@ def test_what_is_taken_as_usual_stands_there_as_a_comment_and_means_what_it_says
     main(words(path))
     text = path.read_text()
     open_text = re.sub(r"^# (\w+ = )", r"\1", text, flags=re.M)
-    assert len(tomllib.loads(open_text)["drive"]["worm"]) == 5
+    assert len(tomllib.loads(open_text)["drive"]["worm"]) == 6
     (tmp_path / "open.toml").write_text(open_text)
     usual, written = (pyworm.load(tmp_path / f"{name}.toml").drive for name in ("unit", "open"))
     assert written.taken == ()

@@ -340,8 +340,9 @@ def low_root():
 
 @pytest.fixture(scope="module")
 def undercut():
-    """A wheel of so few teeth that the hob's tip reaches below the end of their involutes."""
+    """A wheel of so few teeth that a hob of sharp edges reaches below the end of their involutes."""
     few = {"threads": 1, "teeth": 18, "module": 4e-3, "diameter_factor": 10.0}
+    few["wheel_fillet_radius"] = 0.0
     return drawn_gears(with_swivel(completed(few | {"centre_distance": 0.056})[0])[0])
 
 

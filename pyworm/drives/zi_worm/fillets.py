@@ -1,0 +1,164 @@
+"""Fillets at the roots of thread and tooth: where they end the flank, and whether there is room for them.
+
+The worm's fillet is an arc in the axial section, tangent to the root cylinder and to the flank. The wheel's
+is left by the hob, whose tip has its edge rounded by such an arc, tangent to the tip cylinder and the flank.
+"""
+
+from collections.abc import Callable
+from math import atan, cos, pi, sin, tan
+from typing import TYPE_CHECKING
+
+import scipy
+
+from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
+from pyworm.drives.zi_worm.flanks import WormSurface
+from pyworm.drives.zi_worm.tooth_form import worm_thickness
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+USUAL = 0.2
+"""Usual radius over the axial module: its height, 0.2 (1 - sin alpha) modules, is within the clearance."""
+
+
+def form_radius(flank: WormSurface, end: float, fillet: float, other_end: float) -> float:
+    """Radius of the cylinder on which a flank turns into an arc that ends it [m].
+
+    The arc's centre is `fillet` from the cylinder that ends the thread and from the flank:
+    r = end +- fillet (1 - sin alpha_x(r)), + at a root and - at a tip (closed for the straight flanks of ZA).
+
+    Parameters
+    ----------
+    flank : WormSurface
+        Flank of worm or hob.
+    end, other_end : float
+        Radii of the cylinder to which the arc is tangent, and of the thread's other one [m].
+    fillet : float
+        Radius of the arc [m]; without any the flank goes on to the end.
+
+    Raises
+    ------
+    ValueError
+        If the arc leaves no flank.
+    """
+    if fillet == 0:
+        return end
+    side = 1.0 if other_end > end else -1.0
+
+    def beyond(radius: float) -> float:
+        return side * (radius - end) - fillet * (1 - sin(axial_angle(flank, radius)))
+
+    start = max(flank.start_radius, min(end, other_end))
+    near, far = (start, other_end) if side > 0 else (end, start)
+    if beyond(near) >= 0:  # the arc meets what is below the base cylinder, where no flank is
+        return near
+    if beyond(far) <= 0:
+        raise ValueError("it leaves no flank")
+    return float(scipy.optimize.brentq(beyond, near, far, xtol=1e-15))
+
+
+def axial_angle(flank: WormSurface, radius: float) -> float:
+    """Pressure angle in the axial section [rad] on a cylinder [m]."""
+    return atan(tan(flank.pressure_angle(radius)) / cos(atan(flank.screw / radius)))
+
+
+def worm_form_radius(worm: Worm, flank: WormSurface) -> float:
+    """Radius from which a thread has its flank, above the fillet [m]."""
+    return form_radius(flank, worm.root_radius, worm.fillet_radius, worm.tip_radius)
+
+
+def hob_form_radius(wheel: Wheel, hob: Hob, flank: WormSurface) -> float:
+    """Radius up to which a hob has its flank, below the rounded edge of its tip [m]."""
+    return form_radius(flank, hob.tip_radius, wheel.fillet_radius, hob.root_radius)
+
+
+def check_fillets(gears: "ZiWormGears") -> None:
+    """Refuse fillets that do not fit between the threads, or on the tip of the hob's.
+
+    Raises
+    ------
+    ValueError
+        If one does not.
+    """
+    _check_room(
+        gears,
+        "worm",
+        lambda: gears.worm_tooth.form_radius,
+        lambda radius: pi * gears.module - worm_thickness(gears, radius),
+    )
+    _check_room(
+        gears,
+        "wheel",
+        lambda: gears.wheel_tooth.hob_form_radius,
+        lambda radius: _hob_thickness(gears, radius),
+    )
+
+
+ROOMS = {"worm": "the space between the threads", "wheel": "the tip of the hob's thread"}
+"""Where the fillets of a body, or what makes them, have to fit in pairs."""
+
+
+def _check_room(
+    gears: "ZiWormGears",
+    name: str,
+    form_of: Callable[[], float],
+    room_of: Callable[[float], float],
+) -> None:
+    """Refuse a body's fillet that leaves no flank, or two of which need more than there is [m]."""
+    fillet = getattr(gears, name).fillet_radius
+    flank = gears.worm_flank if name == "worm" else gears.wheel_flank.hob
+    if fillet == 0:
+        return
+    refused = f"{name}.fillet_radius is {_mm(fillet)}"
+    if fillet < 0:
+        raise ValueError(f"{refused}; it must not be negative")
+    usual = f"as a rule it is {USUAL:g} modules, {_mm(USUAL * gears.module)}"
+    try:
+        radius = form_of()
+    except ValueError as error:
+        raise ValueError(f"{refused}: {error}; {usual}") from error
+    needed, room = 2 * fillet * cos(axial_angle(flank, radius)), max(room_of(radius), 0.0)
+    if needed > room:
+        raise ValueError(
+            f"{refused}: two of them need {_mm(needed)} of {ROOMS[name]}, which is {_mm(room)} wide on a "
+            f"diameter of {_mm(2 * radius)}, where they begin; {usual}"
+        )
+
+
+def _hob_thickness(gears: "ZiWormGears", radius: float) -> float:
+    """Axial thickness of the hob's thread on a cylinder [m]: the worm's and the backlash that it cuts."""
+    flank, (own, reference) = gears.wheel_flank.hob, gears.reference_radii
+    there = worm_thickness(gears, own) + (gears.wheel.backlash or 0.0)
+    grown = flank.axial_profile(radius) - flank.axial_profile(reference)
+    return there * gears.hob.axial_pitch / gears.worm.axial_pitch - 2 * grown
+
+
+def fillet_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
+    """A sentence for each fillet into which the path of contact, or the other tip in the mid-plane, runs."""
+    distance, hob, thread = gears.axes_distance, gears.hob, gears.worm_tooth
+    from_worm = thread.form_radius if thread.form_radius > gears.worm_flank.start_radius else 0.0
+    from_wheel = hob.centre_distance - gears.wheel_tooth.hob_form_radius
+    ends = gears.cycle.begin_boundary, gears.cycle.end_boundary
+    said = []
+    for name, other, form, reached in (
+        ("worm", "wheel", from_worm, distance - gears.wheel.throat_radius),
+        ("wheel", "worm", from_wheel, distance - gears.worm.tip_radius),
+    ):
+        fillet = getattr(gears, name).fillet_radius
+        in_path = form > 0 and f"{name} root" in ends
+        if fillet == 0 or not (in_path or reached < form):
+            continue
+        runs = (
+            "the path of contact runs into it"
+            if in_path
+            else f"the tip of the {other}, which reaches to {_mm(2 * reached)}, may touch it"
+        )
+        said.append(
+            f"{name}.fillet_radius is {_mm(fillet)}; the fillet begins on a diameter of {_mm(2 * form)}, and "
+            f"{runs}; a smaller one or a lower tip of the {other} is needed"
+        )
+    return tuple(said)
+
+
+def _mm(value: float) -> str:
+    return f"{value * 1e3:.4g} mm"
