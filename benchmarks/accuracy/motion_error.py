@@ -51,7 +51,10 @@ def judged(
 ) -> Iterator[tuple[int, str, float, float]]:
     """Number of solves, film, its error against the last solve, and its bar."""
     simple = plan.simplified(scene)
-    of = [transient(simple, plan, Rates(rates[: last + 1])) for last in range(len(rates))]
+    of = [  # errors are told after up to three solves
+        transient(simple, plan, Rates(rates[max(0, last - 2) : last + 1]))
+        for last in range(len(rates))
+    ]
     truth = of[-1].level.read().figures
     for number, one in enumerate(of[:-1], 1):
         figures = one.level.read().figures

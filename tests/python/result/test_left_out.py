@@ -34,7 +34,7 @@ CASES = Path(__file__).parents[3] / "cases"
 
 EFFECTS = (
     Judgement("film-heating", True, 0.3, {"film": 1.7, "friction": 0.4}, "more than 2 %"),
-    Judgement("squeeze", False, 0.1, {"film": 0.4, "friction": 0.1}, "only if named"),
+    Judgement("squeeze", False, 0.1, {"film": 0.4, "friction": 0.1}, "left out as asked"),
     Judgement("starvation", False, None, {}, "flooded"),
     Judgement("viscosity-across", False, 0.01, {"film": 0.01, "friction": 0.02}, "within 2 %"),
     Judgement("roughness", False, 0.9, {"film": 0.53, "friction": 0.53}, "not simulated"),
