@@ -66,10 +66,10 @@ def overlap(scene: pyworm.Scene, accuracy: float) -> None:
     before, after = parts[:2]
     at = course.instant(after.first)
     worst = 0.0
-    curves = [march(course, 0, part.begin, [at]).figures for part in (before, after)]
+    curves = [march(course, 0, part.begin, [at]).moments for part in (before, after)]
     for name in FIGURES:
         one, other = (
-            np.interp(at, [seconds for seconds, _ in curve], [read[name] for _, read in curve])
+            np.interp(at, [one.seconds for one in curve], [one.figures[name] for one in curve])
             for curve in curves
         )
         worst = max(worst, abs(one / other - 1))

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
 from contextlib import suppress
 from dataclasses import dataclass, fields, replace
+from math import inf
 from pathlib import Path
 from zipfile import BadZipFile
 
@@ -23,6 +24,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import LostError, RateOfChange, march
+from pyworm.solver.transient.moments import as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, recent
 
 FEWEST = 2
@@ -57,17 +59,24 @@ class LifePart:
         course = course_of(first.scene.past.life, first.plan)
         wanted = {task.key: task.scene.past.seconds for task in self.tasks}
         part = part_at(course, first.scene.past.seconds)
+        times, last = sorted(wanted.values()), course.instant(part.last)
         try:
-            found = march(course, self.refinement, part.begin, sorted(wanted.values()))
-            rates, flaw = found.rates, found.lost
+            found = march(course, self.refinement, part.begin, times, last)
+            rates, flaw, moments = found.rates, found.lost, found.moments
         except LostError as lost:
-            rates, flaw = {}, str(lost)
+            rates, flaw, moments = {}, str(lost), ()
+        # each task keeps the stretch of the life since the one before it, and together they keep all of it
+        first = course.instant(part.first) if part.first > 0 else -inf
+        since = dict(zip(times, (first, *times), strict=False))
+        ends = {at: at for at in times} | {times[-1]: last}
         for key, at in wanted.items():
             file = directory / _file(key, self.refinement)
             if at not in rates:
                 _write(file, flaw=flaw)
             else:
-                _write(file, grid=list(vars(rates[at].grid).values()), rate=rates[at].rate)
+                grid = list(vars(rates[at].grid).values())
+                kept = as_arrays(until(moments, ends[at]))
+                _write(file, grid=grid, rate=rates[at].rate, since=since[at], **kept)
 
 
 def solve_lives(
@@ -99,7 +108,7 @@ def solve_lives(
 
 def rates_for(task: Task, directory: Path) -> Rates | None:
     """Rates of change of a task's film that were left for it; None where there are not all."""
-    found = []
+    found, moments, since = [], [], -inf
     for refinement in range(solves_of_life(task.accuracy)):
         try:
             with (
@@ -107,12 +116,14 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
                 np.load(file) as data,
             ):
                 if "flaw" in data:
-                    return Rates((), str(data["flaw"]))
+                    return Rates((), flaw=str(data["flaw"]))
                 numbers = data["grid"].tolist()
                 found.append(RateOfChange(_grid(numbers), data["rate"]))
+                moments.append(from_arrays(data))
+                since = float(data["since"])
         except (OSError, ValueError, LookupError, EOFError, BadZipFile):
             return None
-    return Rates(tuple(found))
+    return Rates(tuple(found), tuple(moments), since)
 
 
 def drop_rates(task: Task, directory: Path) -> None:

@@ -3,6 +3,7 @@
 import argparse
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pyworm.cli.arguments import add_compared_case
 from pyworm.cli.shared import CONVERGED, FAILED, PICTURES, SWEEP_PICTURE, drawn_pictures
@@ -11,12 +12,22 @@ from pyworm.io.input_error import CaseError
 from pyworm.io.terminal import put, say
 from pyworm.result.result_case import case_for
 
+if TYPE_CHECKING:
+    from pyworm.result.result import Result
+
 
 def add_plot(commands: argparse._SubParsersAction) -> None:
     """Add the command `plot`."""
     plot = commands.add_parser("plot", help="draw the pictures of a results file again")
     plot.add_argument("result", type=Path, metavar="RESULT")
     plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")
+    plot.add_argument(
+        "--animate",
+        nargs="?",
+        const="gif",
+        choices=("gif", "mp4"),
+        help="an animation of film and pressure of films in motion instead (default: gif)",
+    )
     add_compared_case(plot)
     plot.set_defaults(command=_plot)
 
@@ -42,11 +53,38 @@ def _plot(options: argparse.Namespace) -> int:
         _, differ = case_for(options.case, result, options.anyway)
         if differ is not None:
             say(f"warning: {differ}")
+    if options.animate is not None:
+        return _animate(options, result, directory)
     if sweep is not None:
         draw_all, old = (lambda aside: draw_sweep(sweep, aside / SWEEP_PICTURE)), ()
     else:
         draw_all, old = partial(draw, result), PICTURES
     pictures, complete = drawn_pictures(directory, draw_all, old)
     for name in pictures:
+        put(f"{directory / name}")
+    return CONVERGED if complete else FAILED
+
+
+def _animate(options: argparse.Namespace, result: "Result | None", directory: Path) -> int:
+    """Write an animation of each life of a result."""
+    from pyworm.plots.life_animation import animate
+    from pyworm.result.life import life_names
+
+    named = {} if result is None else life_names(result)
+    if not named:
+        raise CaseError(
+            f"--animate: {options.result} has no films in motion; "
+            'run the case with effects = "auto,squeeze"'
+        )
+    kind = options.animate
+
+    def draw(aside: Path) -> list[Path]:
+        return [animate(result, life, aside / f"{name}.{kind}") for name, life in named.items()]
+
+    try:
+        films, complete = drawn_pictures(directory, draw)
+    except ValueError as error:
+        raise CaseError(f"--animate {kind}: {error}") from error
+    for name in films:
         put(f"{directory / name}")
     return CONVERGED if complete else FAILED

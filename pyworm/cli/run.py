@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case, add_processes
-from pyworm.io.atomic import check_writable
+from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.json import print_json
 from pyworm.io.terminal import put, say
 
@@ -26,6 +26,8 @@ from pyworm.cli.shared import (
     planned_tasks,
     warn_of_unusual,
 )
+
+LIFE_TABLE = "life.csv"
 
 
 def add_run(commands: argparse._SubParsersAction) -> None:
@@ -73,6 +75,7 @@ def _run(options: argparse.Namespace) -> int:
         # this place.
         drawers = None if options.scheduler else executor
         pictures = _pictures(result, directory, options.pictures, drawers)
+        table = _table_of_lives(result, directory)
     if options.json:
         cycle, standard = drive_cycle(result), standard_loss(case)
         heating = heating_of(tasks[0].case, cycle, standard)
@@ -86,13 +89,17 @@ def _run(options: argparse.Namespace) -> int:
                 **({} if case.drive is None else {"standard_loss": standard.summary()}),
                 **({} if heating is None else {"heating_loss": heating.summary()}),
                 **_mesh_loss_summary(case, result),
+                **_lives_summary(result),
                 "results": str(directory / RESULT_NAME),
+                **({} if table is None else {"life_table": str(table)}),
                 "pictures": [str(directory / name) for name in pictures],
             }
         )
     else:
         more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
         put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
+        if table is not None:
+            put(f"Life      {table}: figures with error bars at every instant")
     return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
 
 
@@ -114,6 +121,31 @@ def _mesh_loss_summary(case: Case, result: "Result") -> dict[str, Any]:
 
     loss = mesh_loss(case.drive, result.solutions)
     return {} if loss is None else {"mesh_loss": loss.summary()}
+
+
+def _table_of_lives(result: "Result", directory: Path) -> Path | None:
+    """Write the figures of films in motion over time as a table; None without any, or if that fails."""
+    from pyworm.result.life import as_csv, lives
+
+    found = lives(result)
+    if not found:
+        return None
+    path = directory / LIFE_TABLE
+    try:
+        with whole_file(path) as partial_file:
+            partial_file.write_text(as_csv(found))
+    except OSError as error:
+        say(f"no table of the life: {error}")
+        return None
+    return path
+
+
+def _lives_summary(result: "Result") -> dict[str, Any]:
+    """Extremes and work of friction of films in motion under `--json`; empty without any."""
+    from pyworm.result.life import lives
+
+    found = [life.summary() for life in lives(result)]
+    return {"lives": found} if found else {}
 
 
 NO_LOSS = (

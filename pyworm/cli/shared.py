@@ -26,7 +26,7 @@ NOT_CONVERGED = 3
 SWEEP_NAME, TABLE_NAME, SWEEP_PICTURE = "sweep.nc", "sweep.csv", "sweep.png"
 
 
-PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png")
+PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png", "life*.png")
 
 
 def end_with(message: str, code: int) -> int:

@@ -26,6 +26,9 @@ class ContactLoss:
         Section of a worm that has two.
     station : float or None
         Place along a contact line, 0 to 1; None where the contact is solved as a whole.
+    course : tuple of (float, float)
+        Phases since the contact before, and the power lost over the load at each [m/s], of a transient solve;
+        empty where films are steady.
     """
 
     phase: float
@@ -36,6 +39,7 @@ class ContactLoss:
     model: float | None = None
     section: str | None = None
     station: float | None = None
+    course: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)

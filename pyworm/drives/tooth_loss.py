@@ -1,15 +1,16 @@
 """Loss and efficiency of tooth pairs that share a torque, over their mesh cycle.
 
 A tooth pair's loss at a phase is its friction times load times sliding. Load and sliding are known over the
-whole cycle; friction is known at the solved phases, interpolated between them and constant beyond. All pairs
-together lose, on average over a pitch,
+whole cycle; friction is known at the solved phases, interpolated between them and constant beyond them;
+of films in motion it is the ratio to the friction of the transient solve, known at some two hundred phases,
+that is. All pairs together lose, on average over a pitch,
 
     P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
 
 and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + friction lever of the sliding).
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,7 +35,7 @@ class Loss:
         Power lost between all teeth in mesh [W].
     scene_error, phase_error, end_error : float
         Error bars of the power lost [W]: by those of the scenes; by the phases, from leaving out every other
-        one; and by the friction beyond the first and the last phase, from the range of that found elsewhere.
+        one; and by what is interpolated, beyond the first and the last phase, from its range elsewhere.
     friction : float
         Mean coefficient: loss over load times sliding [-].
     wheel_torque, worm_torque : float
@@ -89,24 +90,13 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     """
     phases = cycle["load_phase"].values
     load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values
-    solved = np.array([one.phase for one in contacts])
-    friction = np.array([one.power / one.load for one in contacts])
-    friction /= np.interp(solved, phases, sliding)
 
     def over_pitch(values: Array) -> float:
         return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])
 
-    def along(chosen: Array) -> Array:
-        """Friction at all phases, interpolated from that at some of the solved ones."""
-        inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
-        return scipy.interpolate.PchipInterpolator(solved[chosen], friction[chosen])(inside)
-
-    all_of_them = np.arange(len(solved))
-    half = np.unique([*all_of_them[::2], all_of_them[-1]])
-    found = along(all_of_them)
+    found, of_half, spread = _friction(phases, sliding, contacts)
     lost = found * load * sliding
     power = over_pitch(lost)
-    beyond = (phases < solved[0]) | (phases > solved[-1])
     turn = -1.0 if cycle.attrs["driver"] == "wheel" else 1.0
     levers = cycle["lever"].values, cycle["sliding_lever"].values
     wheel, reversed_ = (
@@ -123,8 +113,8 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     return Loss(
         power=power,
         scene_error=over_pitch(lost * _interpolated(phases, contacts, "error")),
-        phase_error=abs(over_pitch(along(half) * load * sliding) - power),
-        end_error=over_pitch(lost * beyond) * float(friction.max() / friction.min() - 1),
+        phase_error=abs(over_pitch(of_half * load * sliding) - power),
+        end_error=over_pitch(lost * spread),
         friction=power / over_pitch(load * sliding),
         wheel_torque=wheel,
         worm_torque=worm,
@@ -136,6 +126,40 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
             else over_pitch(lost * _interpolated(phases, contacts, "model"))
         ),
     )
+
+
+def _friction(
+    phases: Array, sliding: Array, contacts: Sequence[ContactLoss]
+) -> tuple[Array, Array, Array]:
+    """Friction at all phases; the same by every other contact; its relative range where it is constant."""
+    solved = np.array([one.phase for one in contacts])
+    friction = np.array([one.power / one.load for one in contacts])
+    friction /= np.interp(solved, phases, sliding)
+    reference, known = _course(contacts, phases, sliding)
+    ratio = friction / reference(solved)
+
+    def along(chosen: Array) -> Array:
+        inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
+        between = scipy.interpolate.PchipInterpolator(solved[chosen], ratio[chosen])(inside)
+        return between * reference(phases)
+
+    all_of_them = np.arange(len(solved))
+    half = np.unique([*all_of_them[::2], all_of_them[-1]])
+    beyond = (phases < solved[0]) | (phases > solved[-1])
+    spread = np.where(known, ratio.max() / ratio.min(), friction.max() / friction.min()) - 1
+    return along(all_of_them), along(half), beyond * spread
+
+
+def _course(
+    contacts: Sequence[ContactLoss], phases: Array, sliding: Array
+) -> tuple[Callable[[Array], Array], Array]:
+    """Friction over phase by transient solves, 1 where there are none, and at which phases it is known."""
+    course = np.array(sorted(pair for one in contacts for pair in one.course))
+    if not len(course):
+        return np.ones_like, np.zeros(len(phases), bool)
+    at, over_load = course.T
+    friction = over_load / np.interp(at, phases, sliding)
+    return lambda here: np.interp(here, at, friction), (phases >= at[0]) & (phases <= at[-1])
 
 
 def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> Array:

@@ -147,8 +147,37 @@ VARIABLES = {
     "closed_form_specific_film": ("1", "lambda, that minimum film over the composite roughness"),
     "closed_form_flash_temperature": ("K", "Blok's flash temperature, a rise over the bulk's"),
     "closed_form_contact_temperature": ("K", "bulk temperature and Blok's flash temperature"),
+    "life_seconds": ("s", "time since the contact's first touch, or since its past begins"),
+    "life_phase": ("1", "place in the mesh cycle"),
+    "life_load": ("N", "normal load"),
+    "life_entrainment_x": ("m/s", "mean velocity of the surfaces at the contact point along x"),
+    "life_entrainment_y": ("m/s", "mean velocity of the surfaces at the contact point along y"),
+    "frame_seconds": ("s", "time of the fields"),
+    "frame_x": ("m", "tangent plane, first direction from the contact point"),
+    "frame_y": ("m", "tangent plane, second direction from the contact point"),
+    "frame_pressure": ("Pa", "pressure of the film, of oil and asperities together"),
+    "frame_film": ("m", "film thickness, of rough surfaces the mean thickness of the gap"),
 }
 """Name -> unit and long name."""
+
+LIFE_FIGURES = {
+    "film_min": ("m", "least film"),
+    "film_central": ("m", "film at the contact point"),
+    "pressure_max": ("Pa", "largest pressure"),
+    "friction_coefficient": ("1", "friction coefficient"),
+    "friction_boundary": ("1", "friction coefficient by asperities"),
+    "asperity_load_fraction": ("1", "share of the load that asperities carry"),
+    "power_loss": ("W", "work of friction"),
+    "shear_rate_max": ("1/s", "largest shear rate"),
+    "temperature_max_body_1": ("K", "largest temperature of the surface of body 1"),
+    "temperature_max_body_2": ("K", "largest temperature of the surface of body 2"),
+    "temperature_max_film": ("K", "largest temperature of the film"),
+}
+"""Figure over a contact's life -> unit and long name."""
+
+for _name, (_unit, _long_name) in LIFE_FIGURES.items():
+    VARIABLES[f"life_{_name}"] = _unit, _long_name
+    VARIABLES[f"life_{_name}_error"] = _unit, f"numerical error bar of: {_long_name}"
 
 
 def describe(dataset: "xr.Dataset") -> "xr.Dataset":

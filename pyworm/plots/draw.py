@@ -24,8 +24,10 @@ from pyworm.plots.contact.pressure import draw_pressure
 from pyworm.plots.contact.profiles import draw_profiles
 from pyworm.plots.contact.temperature import draw_temperature
 from pyworm.plots.drives.cycle_pictures import cycle_pictures
+from pyworm.plots.life import draw_life
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
+from pyworm.result.life import life_names
 from pyworm.result.result import Result, open_result
 from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
@@ -114,6 +116,8 @@ def draw(
         made.draw(directory / "regimes.png", partial(draw_regimes, result))
     if traction_curve(result):
         made.draw(directory / "traction.png", partial(draw_traction, result))
+    for name, life in life_names(result).items():
+        made.draw(directory / f"{name}.png", partial(draw_life, result, life))
     return made.result()
 
 

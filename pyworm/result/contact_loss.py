@@ -18,6 +18,16 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
             model=of.figures.power_loss.model,
             section=of.section,
             station=of.station,
+            course=_course(of),
         )
         for of in solutions
     ]
+
+
+def _course(solution: Solution) -> tuple[tuple[float, float], ...]:
+    """Phases and power lost over load at each instant of a film in motion."""
+    life = solution.held("life")
+    if life is None or "life_phase" not in life:
+        return ()
+    over_load = life["life_power_loss"].values / life["life_load"].values
+    return tuple(zip(life["life_phase"].values.tolist(), over_load.tolist(), strict=True))

@@ -20,6 +20,7 @@ from pyworm.solver.solution import Estimate, Solution
 _SURFACES = ("gap", "covered", "pressure", "film", "entrainment_x", "sliding_x")
 _SHEAR = ("shear_stress_x", "shear_rate", "friction_power", "slip")
 _HEAT = ("temperature_body_1", "temperature_body_2", "temperature_middle")
+_LIFE = ("life_seconds", "life_load", "life_film_min", "life_film_min_error")
 _ACROSS = ("level_position", "profile_temperature", "profile_velocity_x", "profile_x")
 
 NEEDED = {
@@ -146,6 +147,8 @@ def _flaws_of_parts(solution: Solution) -> Iterator[str]:
             yield "it has temperatures, but no profile or no inlet temperature"
             return
         wanted.append((solution.profile, _ACROSS, "profile"))
+    if solution.life is not None:
+        wanted.append((solution.life, _LIFE, "life"))
     for part, names, what in wanted:
         for name in names:
             if name not in part or part[name].dtype.kind not in "iuf":

@@ -192,6 +192,7 @@ class GridSequence:
             inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
             composite_roughness=scene.composite_roughness,
             profile=outcome.profile,
+            life=self._transient and self._transient.life,
             accuracy=plan.accuracy,
         )
 

@@ -164,7 +164,7 @@ class Cost:
     unit_seconds: float = 0.0
 
 
-DATASETS = ("fields", "history", "profile")
+DATASETS = ("fields", "history", "profile", "life")
 """Attributes of a solution that are datasets."""
 
 
@@ -215,6 +215,11 @@ class Solution:
         Over level, across the film at its hottest point: level_position, profile_temperature,
         profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
         None where heat was not simulated.
+    life : xarray.Dataset or None
+        Over instant, of a film in motion since the contact solved before it, or since its first touch:
+        life_seconds, life_phase, life_load, and by each figure's name life_NAME and life_NAME_error; over
+        frame and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact).
+        They are of the transient solve's own grids. None of a steady film.
     effects : tuple of Judgement
         Every effect, judged by the solved figures.
     accuracy : float
@@ -238,6 +243,7 @@ class Solution:
     station: float | None = None
     composite_roughness: float | None = None
     profile: "xr.Dataset | None" = None
+    life: "xr.Dataset | None" = None
     effects: tuple[Judgement, ...] = ()
     accuracy: float = 0.0
 

@@ -26,6 +26,7 @@ from pyworm.solver.memory import shortage
 from pyworm.solver.newton import lead, newton_step
 from pyworm.solver.transient.course import Course
 from pyworm.solver.transient.differences import weights
+from pyworm.solver.transient.moments import Moment, moment
 from pyworm.solver.transient.moving_grid import at_places, seen_from, slopes
 
 ORDER = 3
@@ -102,8 +103,8 @@ class March:
     ----------
     rates : dict
         Time [s] -> `RateOfChange` there; without times to which no films lead.
-    figures : tuple of (float, dict)
-        Times [s] and the figures of the film on the moving grid at each.
+    moments : tuple of Moment
+        Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve.
     newton_steps : int
         Newton steps of all instants.
     lost : str or None
@@ -111,7 +112,7 @@ class March:
     """
 
     rates: dict[float, RateOfChange]
-    figures: tuple[tuple[float, dict[str, float]], ...]
+    moments: tuple[Moment, ...]
     newton_steps: int
     lost: str | None = None
 
@@ -121,6 +122,7 @@ def march(
     refinement: int,
     begin: float,
     wanted: Sequence[float],
+    until: float = 0.0,
 ) -> March:
     """Integrate a contact's film in time.
 
@@ -134,6 +136,8 @@ def march(
         Where it begins, with a steady film [transits].
     wanted : sequence of float
         Times at which the rate of change is wanted [s], later than that.
+    until : float, optional
+        Time up to which the films are wanted, where that is later than these [s].
 
     Raises
     ------
@@ -143,11 +147,12 @@ def march(
     short = shortage(course.grid(course.begin, refinement), course.plan.model)
     if short is not None:
         raise LostError(short)
-    asked = _instants(course, refinement, begin, max(wanted))
+    asked = _instants(course, refinement, begin, max(*wanted, until))
+    framed = set(asked[:: 2**refinement])
     instants, level, steps = _begun(course, refinement, asked, min(wanted))
     needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
     contents: dict[float, Array] = {}
-    figures, before, lost = [], [], None
+    moments, before, lost = [], [], None
     last: deque[_Instant] = deque(maxlen=2 * AROUND)
     for seconds in instants:
         try:
@@ -160,18 +165,18 @@ def march(
         film, density, _ = level.film.fields()
         now = _Instant(seconds, density * film, level.state())
         before = [now, *before[: ORDER - 1]]
-        figures.append((seconds, level.read().figures))
+        moments.append(moment(level, seconds, refinement, seconds in framed))
         last.append(now)
         if seconds in needed:
             contents[seconds] = now.content
     contents |= {one.seconds: one.content for one in last}
-    found = [seconds for seconds, _ in figures]
+    found = [one.seconds for one in moments]
     rates = {
         at: _rate_at(course, refinement, at, _nearest(found, at), contents)
         for at in wanted
         if at <= found[-1]
     }
-    return March(rates, tuple(figures), steps, lost)
+    return March(rates, tuple(moments), steps, lost)
 
 
 def _instants(course: Course, refinement: int, begin: float, last: float) -> list[float]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, inf
 
+from pyworm.io.plain_dataset import PlainDataset
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
@@ -25,6 +26,7 @@ from pyworm.solver.level import Level
 from pyworm.solver.newton import ALGEBRA_FRACTION, settle
 from pyworm.solver.transient.course import Course, course_of
 from pyworm.solver.transient.march import LostError, RateOfChange, march
+from pyworm.solver.transient.moments import Moment, curves, until
 
 WARM_UP = 2.0
 """Transits before the first wanted time at which a solve of a later part of a life begins, from a steady
@@ -152,6 +154,10 @@ class Rates:
     ----------
     found : tuple of RateOfChange
         The rates, the finest last.
+    moments : tuple of tuple of Moment
+        What each of the solves found up to that time.
+    since : float
+        Time of the scene before, after which they are kept [s].
     flaw : str or None
         Reason why a film before was not found.
     finest : bool
@@ -159,6 +165,8 @@ class Rates:
     """
 
     found: tuple[RateOfChange, ...]
+    moments: tuple[tuple[Moment, ...], ...] = ()
+    since: float = -inf
     flaw: str | None = None
     finest: bool = False
 
@@ -179,6 +187,8 @@ class Transient:
         Reason why the rate is not to be trusted.
     coarse : bool
         Whether one more transient solve may mend that.
+    life : PlainDataset or None
+        Figures and frames of the film up to now (`moments.curves`).
     """
 
     rate: RateOfChange | None
@@ -186,6 +196,7 @@ class Transient:
     errors: dict[str, float]
     flaw: str | None
     coarse: bool = False
+    life: PlainDataset | None = None
 
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
@@ -199,9 +210,14 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
             for refinement in range(solves_of_life(plan.accuracy))
         ]
     except (LostError, ValueError) as reason:  # of no contact in motion, or of a film
-        return Rates((), str(reason))
+        return Rates((), flaw=str(reason))
     lost = next((one.lost for one in marches if past.seconds not in one.rates), None)
-    return Rates((), lost) if lost else Rates(tuple(one.rates[past.seconds] for one in marches))
+    if lost:
+        return Rates((), flaw=lost)
+    return Rates(
+        tuple(one.rates[past.seconds] for one in marches),
+        tuple(until(one.moments, past.seconds) for one in marches),
+    )
 
 
 def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
@@ -210,12 +226,17 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
     try:
         course = course_of(past.life, plan)
         begin = part_at(course, past.seconds).begin
-        found = march(course, solves, begin, [past.seconds]).rates
+        found = march(course, solves, begin, [past.seconds])
     except LostError:
-        found = {}
-    if past.seconds not in found:
         return replace(rates, finest=True)
-    return Rates((*rates.found, found[past.seconds]), finest=solves + 1 >= MOST_SOLVES)
+    if past.seconds not in found.rates:
+        return replace(rates, finest=True)
+    return Rates(
+        (*rates.found, found.rates[past.seconds]),
+        (*rates.moments, until(found.moments, past.seconds)),
+        rates.since,
+        finest=solves + 1 >= MOST_SOLVES,
+    )
 
 
 def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
@@ -247,19 +268,37 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
         flaw = f"the transient solve through the contact's life leaves an error of {left:.1%}"
     coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
-    return Transient(rates.found[-1], level, errors, flaw, coarse)
+    life = _life(scene, plan, rates, readings)
+    return Transient(rates.found[-1], level, errors, flaw, coarse, life)
+
+
+def _life(
+    scene: Scene | LineScene, plan: Plan, rates: Rates, readings: Sequence[Reading]
+) -> PlainDataset | None:
+    """The film up to now; None where the solves found no instant since the scene before."""
+    if not (rates.moments and rates.moments[-1] and rates.moments[-1][-1].seconds > rates.since):
+        return None
+    kind = plan.work.kind
+    inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
+    return curves(rates.moments, rates.since, kind, LEFT[kind], _least(readings, kind), inlet)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind) -> dict[str, float]:
     """Relative errors of the figures by the rates, from readings of the steady film and with each rate."""
-    steady, *moving = readings
-    squeezed = change(steady, moving[-1])
-    least = LEAST[kind][len(moving) - 1].of(max(squeezed[name] for name in FILMS))
+    _, *moving = readings
+    least = _least(readings, kind)
     if len(moving) == 1:
-        return dict.fromkeys(squeezed, least)
+        return dict.fromkeys(moving[-1].figures, least)
     left = _left(moving, LEFT[kind])
     films = max(left[name] for name in FILMS)
     return {name: max(of, films, least) for name, of in left.items()}
+
+
+def _least(readings: Sequence[Reading], kind: Kind) -> float:
+    """Least relative error of the figures, from the same readings."""
+    steady, *moving = readings
+    squeezed = change(steady, moving[-1])
+    return LEAST[kind][len(moving) - 1].of(max(squeezed[name] for name in FILMS))
 
 
 def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:

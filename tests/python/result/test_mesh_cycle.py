@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from lives import life_dataset
 from swept_cycle import (
     LEVER,
     PHASES,
@@ -60,6 +61,25 @@ def test_error_of_the_loss_is_made_of_scenes_phases_and_ends():
     coarse = drive_cycle(cycle_result(PHASES[::4])).loss
     assert coarse.phase_error > 3 * loss.phase_error
     assert drive_cycle(cycle_result(PHASES[3:-3])).loss.end_error > 5 * loss.end_error
+
+
+def test_films_in_motion_tell_the_loss_between_and_beyond_the_phases():
+    """Three phases, and the friction's course over all of the cycle but for a factor."""
+    few = cycle_result(PHASES[2:-2:3])
+    steady = drive_cycle(few).loss
+    ends = np.split(np.linspace(0.005, 0.995, 199), [67, 134])
+    lively = [
+        replace(
+            one,
+            life=life_dataset(at, 1.02 * friction(at) * SLIDING * tooth_load(at), tooth_load(at)),
+        )
+        for one, at in zip(few.solutions, ends, strict=True)
+    ]
+    loss = drive_cycle(replace(few, solutions=tuple(lively))).loss
+    truth = drive_cycle(cycle_result(np.linspace(0.01, 0.99, 81))).loss
+    assert loss.power == pytest.approx(truth.power, rel=1e-3)
+    assert abs(steady.power / truth.power - 1) > 0.005
+    assert loss.phase_error + loss.end_error < 0.1 * (steady.phase_error + steady.end_error)
 
 
 def test_extremes_know_their_phase_and_place():

@@ -1,0 +1,159 @@
+"""Figures of a contact over its life, with error bars, and the contacts solved on finer grids."""
+
+from collections.abc import Callable
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.plots.layout import KILO, LOAD_UNITS, MEGA, MICRO, MILLI, joined, placed_panels
+from pyworm.result.headline import of_all
+from pyworm.result.life import ContactLife
+from pyworm.result.result import Result
+
+Array = np.ndarray
+
+MILLI_SECOND = 1e-3
+
+PANEL = 1.9
+"""Height of a panel [inch]."""
+
+THICKEST = 4.0
+"""Thickest film shown, over the median one at the contact point, which at a tooth's ends is beside the
+pressure."""
+
+ROOM = 1.3
+"""Upper end of a scale that begins at zero, over its largest value: room for the legend."""
+
+
+def draw_life(result: Result, life: ContactLife) -> Figure:
+    """Load, films, pressure, friction and temperatures over a contact's life."""
+    drawn = [
+        draw for name, draw in PANELS.items() if name in ("load", "entrainment", *life.figures)
+    ]
+    size = 9, PANEL * len(drawn) + 1.2
+    words = "over its life" if life.phases is not None else "over its past"
+    what = joined(result.case_name, f"{life.place} {words}".strip(), of_all(life.solutions).note)
+    spaced = {
+        "nrows": len(drawn),
+        "sharex": True,
+        "squeeze": False,
+        "gridspec_kw": {"hspace": 0.08},
+    }
+    figure, panels = placed_panels(size, what, (0.95, 0.25, 0.5, 0.12), **spaced)
+    at = life.seconds / MILLI_SECOND if life.phases is None else life.phases
+    for panel, draw in zip(panels[:, 0], drawn, strict=True):
+        draw(panel, result, life, at)
+        panel.grid(True, color="0.9")
+    panels[-1, 0].set_xlabel(
+        "time / ms"
+        if life.phases is None
+        else f"phase of the mesh cycle, passed in {life.span * MILLI:.3g} ms from end to end"
+    )
+    return figure
+
+
+def _draw_load(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+    large = life.load.max() >= 1 / KILO
+    axes.plot(at, _broken(life, life.load * (KILO if large else 1)), color="tab:brown")
+    axes.set_ylim(0, 1.1 * axes.get_ylim()[1])
+    unit = LOAD_UNITS[life.kind]
+    axes.set_ylabel(f"load / {'k' if large else ''}{unit}")
+
+
+def _draw_speed(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+    axes.plot(at, _broken(life, life.entrainment), color="0.3")
+    low, high = min(0.0, life.entrainment.min()), max(0.0, life.entrainment.max())
+    axes.set_ylim(low * 1.1, high * 1.1)
+    axes.set_ylabel("entrainment\n/ (m/s)")
+
+
+def _draw_films(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+    _draw(axes, life, at, "film_central", "tab:blue", "at the contact point", MICRO)
+    _draw(axes, life, at, "film_min", "tab:green", "least", MICRO)
+    thick = THICKEST * float(np.median(life.figures["film_central"])) * MICRO
+    axes.set_ylim(0, min(ROOM * axes.get_ylim()[1], thick))
+    axes.set_ylabel("film / µm")
+    axes.legend(frameon=False, ncols=2, loc="upper left")
+
+
+def _draw_pressure(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+    _draw(axes, life, at, "pressure_max", "tab:red", "largest", MEGA)
+    axes.set_ylim(0)
+    axes.set_ylabel("largest\npressure / MPa")
+
+
+def _draw_friction(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+    _draw(axes, life, at, "friction_coefficient", "tab:purple", "of oil and asperities")
+    axes.set_ylim(0, ROOM * axes.get_ylim()[1])
+    axes.set_ylabel("friction\ncoefficient")
+    if "friction_boundary" in life.figures:
+        _draw(axes, life, at, "friction_boundary", "tab:olive", "of asperities")
+        axes.legend(frameon=False, ncols=2, loc="upper left")
+
+
+def _draw_temperatures(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+    first, second = result.body_names
+    for name, label, colour in (
+        ("temperature_max_body_1", first, "tab:blue"),
+        ("temperature_max_body_2", second, "tab:orange"),
+        ("temperature_max_film", "film", "tab:red"),
+    ):
+        _draw(axes, life, at, name, colour, label, 1.0, -ZERO_CELSIUS)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.3 * (high - low))
+    axes.set_ylabel("largest\ntemperature / °C")
+    axes.legend(frameon=False, ncols=3, loc="upper left")
+
+
+PANELS: dict[str, Callable[[Axes, Result, ContactLife, Array], None]] = {
+    "load": _draw_load,
+    "entrainment": _draw_speed,
+    "film_min": _draw_films,
+    "pressure_max": _draw_pressure,
+    "friction_coefficient": _draw_friction,
+    "temperature_max_film": _draw_temperatures,
+}
+"""Figure that a panel needs -> what draws the panel."""
+
+
+def _draw(
+    axes: Axes,
+    life: ContactLife,
+    at: Array,
+    name: str,
+    colour: str,
+    label: str,
+    scale: float = 1.0,
+    offset: float = 0.0,
+) -> None:
+    """A figure over the life with a band of its error bars, and that of the contacts solved finer."""
+    values, errors = life.figures[name] * scale + offset, life.errors[name] * scale
+    axes.plot(at, _broken(life, values), color=colour, label=label, linewidth=1.4)
+    axes.fill_between(
+        at, _broken(life, values - errors), _broken(life, values + errors), color=colour, alpha=0.25
+    )
+    good = [one for one in life.solutions if one.converged]
+    estimates = [getattr(one.figures, name) for one in good]
+    heat = name.startswith("temperature")
+    sizes = [
+        of.value - one.inlet_temperature if heat else of.value
+        for of, one in zip(estimates, good, strict=True)
+    ]
+    axes.errorbar(
+        [life.seconds[-1] / MILLI_SECOND if one.phase is None else one.phase for one in good],
+        [of.value * scale + offset for of in estimates],
+        [of.error * abs(size) * scale for of, size in zip(estimates, sizes, strict=True)],
+        fmt="o",
+        color=colour,
+        markersize=4,
+        capsize=3,
+    )
+
+
+def _broken(life: ContactLife, values: Array) -> Array:
+    """A curve with gaps where part of the life was not solved."""
+    values = np.array(values, float)
+    values[life.gaps] = np.nan
+    return values

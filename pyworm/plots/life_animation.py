@@ -1,0 +1,173 @@
+"""An animation of pressure and film while a contact lives."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
+
+from pyworm.plots.layout import MEGA, MICRO, MILLI, joined, placed_panels
+from pyworm.result.headline import of_all
+from pyworm.result.life import ContactLife, Fields
+from pyworm.result.result import Result
+
+WRITERS = {"gif": PillowWriter, "mp4": FFMpegWriter}
+"""Suffix of the file -> writer of matplotlib."""
+
+RATE = 12
+"""Frames a second: oil passes through a point contact in one second."""
+
+DOTS_PER_INCH = 90
+
+SHOWN = 0.01
+"""Pressure, over the largest of all, down to which places are within the picture."""
+
+THICKEST = 3.0
+"""Thickest film shown, over the median central one."""
+
+MARGIN = 0.15
+"""Room around them, over their extent."""
+
+
+def animate(result: Result, life: ContactLife, path: Path) -> Path:
+    """Write an animation of a life; its kind follows from the file's suffix (`WRITERS`).
+
+    Raises
+    ------
+    ValueError
+        It has no fields, or no program writes this kind of file here.
+    """
+    if not life.frames:
+        raise ValueError("this result has no fields over time; only films in motion have")
+    kind = path.suffix.removeprefix(".")
+    if not WRITERS[kind].isAvailable():
+        other = "install ffmpeg, or ask for --animate gif"
+        raise ValueError(f"no program writes {kind} files here; {other}")
+    drawing = Points(result, life) if life.frames[0].y is not None else Lines(result, life)
+    animation = FuncAnimation(drawing.figure, drawing.show, len(life.frames), blit=False)
+    animation.save(path, WRITERS[kind](fps=RATE), dpi=DOTS_PER_INCH)
+    return path
+
+
+class Points:
+    """Maps of pressure and film of a point contact."""
+
+    def __init__(self, result: Result, life: ContactLife):
+        self._life = life
+        self._pressure = max(float(frame.pressure.max()) for frame in life.frames) * MEGA
+        self._film = _thickest(life)
+        left, right, low, high = _window(life)
+        wide = (right - left) > 1.3 * (high - low)
+        size = (8, 6.4) if wide else (9, 5.2)
+        grid = {"nrows": 2, "ncols": 1} if wide else {"nrows": 1, "ncols": 2}
+        spaced = {"hspace": 0.3, "wspace": 0.4}
+        self.figure, panels = placed_panels(
+            size, _heading(result, life), (0.85, 0.4, 0.85, 0.3), **grid, gridspec_kw=spaced
+        )
+        self._panels = list(np.ravel(panels))
+        self._note = self.figure.text(0.02, 0.01, "")
+        self._maps = []
+        labels = (
+            ("pressure / MPa", "inferno", self._pressure),
+            ("film / µm", "viridis", self._film),
+        )
+        for panel, (label, colours, top) in zip(self._panels, labels, strict=True):
+            panel.set_xlim(left, right)
+            panel.set_ylim(low, high)
+            panel.set_xlabel("x / mm")
+            panel.set_ylabel("y / mm")
+            panel.set_facecolor("0.8")
+            frame = life.frames[0]
+            drawn = self._drawn(panel, frame, np.zeros(frame.pressure.shape), colours, top)
+            self.figure.colorbar(drawn, ax=panel, label=label)
+            self._maps.append((panel, colours, top))
+
+    def _drawn(self, panel: Axes, frame: Fields, values: np.ndarray, colours: str, top: float):
+        return panel.pcolormesh(
+            frame.x * MILLI,
+            frame.y * MILLI,
+            np.clip(values, 0, top).T,
+            cmap=colours,
+            vmin=0,
+            vmax=top,
+            shading="gouraud",
+        )
+
+    def show(self, number: int) -> None:
+        """Draw one frame."""
+        frame = self._life.frames[number]
+        fields = frame.pressure * MEGA, frame.film * MICRO
+        for (panel, colours, top), values in zip(self._maps, fields, strict=True):
+            for old in list(panel.collections):
+                old.remove()
+            self._drawn(panel, frame, values, colours, top)
+            x, y = frame.x * MILLI, frame.y * MILLI
+            outline = SHOWN * self._pressure
+            if fields[0].max() > outline:
+                panel.contour(x, y, fields[0].T, levels=[outline], colors="white", linewidths=0.8)
+        self._note.set_text(_told(self._life, frame))
+
+
+class Lines:
+    """Pressure and film of a line contact across the line."""
+
+    def __init__(self, result: Result, life: ContactLife):
+        self._life = life
+        left, right, _, _ = _window(life)
+        self.figure, axes = placed_panels((8, 4.5), _heading(result, life), (0.8, 0.8, 0.85, 0.1))
+        axes.set_xlim(left, right)
+        axes.set_xlabel("x / mm")
+        axes.set_ylabel("pressure / MPa", color="tab:red")
+        axes.set_ylim(0, 1.1 * max(float(frame.pressure.max()) for frame in life.frames) * MEGA)
+        (self._pressure,) = axes.plot([], [], color="tab:red")
+        films = axes.twinx()
+        films.set_ylabel("film / µm", color="tab:blue")
+        films.set_ylim(0, _thickest(life))
+        (self._film,) = films.plot([], [], color="tab:blue")
+        self._note = self.figure.text(0.02, 0.01, "")
+
+    def show(self, number: int) -> None:
+        """Draw one frame."""
+        frame = self._life.frames[number]
+        self._pressure.set_data(frame.x * MILLI, frame.pressure * MEGA)
+        self._film.set_data(frame.x * MILLI, frame.film * MICRO)
+        self._note.set_text(_told(self._life, frame))
+
+
+def _thickest(life: ContactLife) -> float:
+    """Upper end of the scale of films [um]."""
+    return THICKEST * float(np.median(life.figures["film_central"])) * MICRO
+
+
+def _heading(result: Result, life: ContactLife) -> str:
+    return joined(result.case_name, str(life.place), of_all(life.solutions).note)
+
+
+def _told(life: ContactLife, frame: Fields) -> str:
+    """Time, phase, load and least film of a frame."""
+    at = int(np.argmin(np.abs(life.seconds - frame.seconds)))
+    parts = [f"{frame.seconds / 1e-3:.3f} ms"]
+    if life.phases is not None:
+        parts.append(f"phase {life.phases[at]:.3f}")
+    load = f"{life.load[at]:.4g} {'N' if life.kind == 'point' else 'N/m'}"
+    return "   ".join([*parts, load, f"least film {life.figures['film_min'][at] * MICRO:.3f} µm"])
+
+
+def _window(life: ContactLife) -> tuple[float, float, float, float]:
+    """Ends of the picture along x and y [mm]: wherever there is pressure at any time."""
+    least = SHOWN * max(float(frame.pressure.max()) for frame in life.frames)
+    ends = []
+    for frame in life.frames:
+        axes = (frame.x,) if frame.y is None else (frame.x, frame.y)
+        nodes = np.nonzero(frame.pressure > least)
+        if len(nodes[0]):
+            ends.append(
+                [(axis[of.min()], axis[of.max()]) for axis, of in zip(axes, nodes, strict=True)]
+            )
+    spans = []
+    for direction in range(len(ends[0])):
+        low = min(end[direction][0] for end in ends) * MILLI
+        high = max(end[direction][1] for end in ends) * MILLI
+        room = MARGIN * (high - low)
+        spans += [low - room, high + room]
+    return (*spans, 0.0, 0.0)[:4]

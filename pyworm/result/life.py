@@ -1,0 +1,229 @@
+"""The life of a contact whose film is in motion: its figures over time, their extremes and integrals.
+
+Each solution holds what transient solves found since the contact solved before it; together they are the life
+of a tooth pair from its first touch to the last phase that was solved, or the past of a contact.
+"""
+
+from collections import defaultdict
+from collections.abc import Sequence
+from csv import writer
+from dataclasses import dataclass, replace
+from io import StringIO
+
+import numpy as np
+
+from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
+from pyworm.io.variables import LIFE_FIGURES
+from pyworm.result.result import Result
+from pyworm.scene.index import Place
+from pyworm.solver.solution import Solution
+
+Array = np.ndarray
+
+VELOCITIES = "life_entrainment_x", "life_entrainment_y"
+
+LARGEST_STEP = 3.0
+"""Step from one instant to the next, over the median one, from which a part of the life counts as not solved:
+a curve has a gap there."""
+
+
+@dataclass(frozen=True)
+class Fields:
+    """Fields at one instant.
+
+    Attributes
+    ----------
+    seconds : float
+        Time since the life began [s].
+    x, y : numpy.ndarray
+        Places of the nodes [m]; y is None of a line contact.
+    pressure, film : numpy.ndarray
+        Pressure [Pa] and film [m] over (x, y).
+    """
+
+    seconds: float
+    x: Array
+    y: Array | None
+    pressure: Array
+    film: Array
+
+
+@dataclass(frozen=True)
+class ContactLife:
+    """Figures of a contact over its life.
+
+    Attributes
+    ----------
+    place : Place
+        Which contact of the case it is, without a phase.
+    kind : str
+        "point" or "line".
+    seconds : numpy.ndarray
+        Times since the life began [s].
+    phases : numpy.ndarray or None
+        Place in the mesh cycle at each time; None of a contact that is not one of a drive.
+    load : numpy.ndarray
+        Load [N], of a line contact for each length [N/m].
+    entrainment : numpy.ndarray
+        Mean velocity of the surfaces at the contact point, along the last one [m/s].
+    figures, errors : dict
+        Figures by name (`io.variables.LIFE_FIGURES`) and their numerical error bars, in SI.
+    frames : tuple of Fields
+        Fields at some of the times.
+    solutions : tuple of Solution
+        The contacts of this life that were solved on the grids of the figures.
+    """
+
+    place: Place
+    kind: str
+    seconds: Array
+    phases: Array | None
+    load: Array
+    entrainment: Array
+    figures: dict[str, Array]
+    errors: dict[str, Array]
+    frames: tuple[Fields, ...]
+    solutions: tuple[Solution, ...]
+
+    @property
+    def span(self) -> float:
+        """Time from the first instant to the last [s]."""
+        return float(self.seconds[-1] - self.seconds[0])
+
+    @property
+    def gaps(self) -> Array:
+        """Numbers of the instants before which part of the life was not solved."""
+        steps = np.diff(self.seconds)
+        return np.flatnonzero(steps > LARGEST_STEP * np.median(steps)) + 1
+
+    def work(self) -> tuple[float, float] | None:
+        """Work of friction [J], of a line contact for each length [J/m], and its error bar."""
+        if "power_loss" not in self.figures:
+            return None
+        return tuple(
+            float(np.trapezoid(of["power_loss"], self.seconds))
+            for of in (self.figures, self.errors)
+        )
+
+    def extreme(self, name: str) -> tuple[float, float, float]:
+        """The least film, or the largest value of another figure, its error bar and its time [s]."""
+        values = self.figures[name]
+        at = int(np.argmin(values) if name.startswith("film") else np.argmax(values))
+        return float(values[at]), float(self.errors[name][at]), float(self.seconds[at])
+
+    def summary(self) -> dict:
+        """Extremes and work of friction as one object, units in the keys."""
+        told = {
+            f"{name}_{SUFFIX[name]}".rstrip("_"): dict(
+                zip(("value", "error", "seconds"), self.extreme(name), strict=True)
+            )
+            for name in EXTREMES
+            if name in self.figures
+        }
+        work = self.work()
+        unit = "J" if self.kind == "point" else "J_m"
+        return {
+            **self.place.given,
+            "instants": len(self.seconds),
+            "from_s": float(self.seconds[0]),
+            "to_s": float(self.seconds[-1]),
+            **told,
+            **(
+                {}
+                if work is None
+                else {f"friction_work_{unit}": work[0], f"friction_work_error_{unit}": work[1]}
+            ),
+        }
+
+
+EXTREMES = ("film_min", "pressure_max", "friction_coefficient", "temperature_max_film")
+SUFFIX = {"film_min": "m", "pressure_max": "Pa", "temperature_max_film": "K"} | {
+    "friction_coefficient": ""
+}
+
+
+def lives(result: Result) -> tuple[ContactLife, ...]:
+    """The lives of the contacts of a result whose films are in motion, in the order of its solutions."""
+    by_place = defaultdict(list)
+    for solution in result.solutions:
+        if solution.held("life") is not None:
+            by_place[replace(Place.of(solution), phase=None)].append(solution)
+    return tuple(_life(place, solutions) for place, solutions in by_place.items())
+
+
+def life_names(result: Result) -> dict[str, ContactLife]:
+    """The lives by the names of their files: "life", and the place where there are several."""
+    found = lives(result)
+    words = (["life", *str(one.place).replace(",", "").split()] for one in found)
+    return {"_".join(of): one for of, one in zip(words, found, strict=True)}
+
+
+def _life(place: Place, solutions: Sequence[Solution]) -> ContactLife:
+    held = [solution.held("life") for solution in solutions]
+    times = np.concatenate([of["life_seconds"].values for of in held])
+    seconds, first = np.unique(times, return_index=True)
+
+    def over_life(name: str) -> Array:
+        return np.concatenate([of[name].values for of in held])[first]
+
+    names = [name for name in LIFE_FIGURES if all(f"life_{name}" in of for of in held)]
+    frames = {one.seconds: one for of in held for one in _frames(of)}
+    return ContactLife(
+        place,
+        solutions[0].kind,
+        seconds,
+        over_life("life_phase") if all("life_phase" in of for of in held) else None,
+        over_life("life_load"),
+        _along_last([over_life(name) for name in VELOCITIES if all(name in of for of in held)]),
+        {name: over_life(f"life_{name}") for name in names},
+        {name: over_life(f"life_{name}_error") for name in names},
+        tuple(frames[at] for at in sorted(frames)),
+        tuple(solutions),
+    )
+
+
+def _along_last(components: Sequence[Array]) -> Array:
+    """The part of a velocity along its last value; its size where that is zero."""
+    velocity = np.stack(components)
+    last = velocity[:, -1]
+    speed = np.linalg.norm(last)
+    return velocity.T @ last / speed if speed > 0 else np.linalg.norm(velocity, axis=0)
+
+
+def _frames(of: "PlainDataset | xr.Dataset") -> list[Fields]:
+    if "frame_seconds" not in of:
+        return []
+    columns = zip(
+        of["frame_seconds"].values,
+        of["frame_x"].values,
+        of["frame_y"].values if "frame_y" in of else of["frame_seconds"].values,
+        of["frame_pressure"].values,
+        of["frame_film"].values,
+        strict=True,
+    )
+    return [
+        Fields(float(at), x, y if np.ndim(y) else None, pressure, film)
+        for at, x, y, pressure, film in columns
+    ]
+
+
+def as_csv(all_lives: Sequence[ContactLife]) -> str:
+    """A table of all instants: place, time, phase, load, and each figure with its error bar, in SI."""
+    names = [name for name in LIFE_FIGURES if any(name in one.figures for one in all_lives)]
+    places = list({name: None for one in all_lives for name in one.place.given})
+    text = StringIO()
+    table = writer(text, lineterminator="\n")
+    of_figures = [column for name in names for column in (name, f"{name}_error")]
+    table.writerow([*places, "seconds", "phase", "load", "entrainment", *of_figures])
+    for one in all_lives:
+        at = [one.place.given.get(name, "") for name in places]
+        columns = [
+            of.get(name, np.full(len(one.seconds), np.nan))
+            for name in names
+            for of in (one.figures, one.errors)
+        ]
+        phases = np.full(len(one.seconds), np.nan) if one.phases is None else one.phases
+        for values in zip(one.seconds, phases, one.load, one.entrainment, *columns, strict=True):
+            table.writerow([*at, *("" if np.isnan(value) else f"{value:.8g}" for value in values)])
+    return text.getvalue()

@@ -1,0 +1,237 @@
+"""What a transient solve finds at each of its instants, and curves with error bars from several solves."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import nan
+
+import numpy as np
+
+from pyworm.io.plain_dataset import PlainDataset, described
+from pyworm.planning.expected_work import Kind
+from pyworm.planning.target import HEAT_FIGURES
+from pyworm.scene.contact import Array
+from pyworm.solver.level import Level
+
+AXES = "xy"
+
+FOR_EACH_LENGTH = ("life_load", "life_power_loss")
+"""Variables that are for each length of a line contact."""
+
+TINY = 1e-300
+"""Least size of a figure to which its change is relative."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Fields at one instant on the nodes of the coarsest moving grid.
+
+    Attributes
+    ----------
+    places : tuple of numpy.ndarray
+        Places of the nodes along each direction [m].
+    pressure, film : numpy.ndarray
+        Pressure [Pa] and film [m], in single precision.
+    """
+
+    places: tuple[Array, ...]
+    pressure: Array
+    film: Array
+
+
+@dataclass(frozen=True)
+class Moment:
+    """The film at one instant.
+
+    Attributes
+    ----------
+    seconds : float
+        Time since the life began [s].
+    phase : float or None
+        Place in the mesh cycle.
+    load : float
+        Load, as of the scene.
+    entrainment : tuple of float
+        Mean velocity of the surfaces at the contact point along each direction [m/s].
+    figures : dict
+        Figures on the moving grid, temperatures above the inlet's [K].
+    frame : Frame or None
+        Its fields; kept at the instants of the coarsest transient solve.
+    """
+
+    seconds: float
+    phase: float | None
+    load: float
+    entrainment: tuple[float, ...]
+    figures: Mapping[str, float]
+    frame: Frame | None = None
+
+
+def moment(level: Level, seconds: float, refinement: int, framed: bool) -> Moment:
+    """What is kept of a film, on a grid whose spacing was halved `refinement` times."""
+    contact = level.scene  # seen from a moving grid, whose contact point rests
+    origin = [np.zeros(1) for _ in level.grid.spacing]
+    return Moment(
+        seconds,
+        contact.phase,
+        contact.load,
+        tuple(float(of.item()) for of in contact.entrainment_at(*origin)),
+        level.read().figures,
+        _frame(level, 2**refinement) if framed else None,
+    )
+
+
+def _frame(level: Level, stride: int) -> Frame:
+    grid = level.grid
+    axes = (grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y)
+    nodes = (slice(None, None, stride),) * len(axes)
+    return Frame(
+        tuple(axis[::stride] for axis in axes),
+        level.film.pressure[nodes].astype(np.float32),
+        level.film.thickness()[nodes].astype(np.float32),
+    )
+
+
+def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:
+    """The moments not later than a time [s]."""
+    return tuple(one for one in moments if one.seconds <= seconds)
+
+
+def as_arrays(moments: Sequence[Moment]) -> dict[str, Array]:
+    """Moments as arrays by names, from which `from_arrays` makes them again."""
+    framed = [one for one in moments if one.frame is not None]
+    names = list(moments[0].figures) if moments else []
+    return {
+        "seconds": np.array([one.seconds for one in moments]),
+        "phases": np.array([nan if one.phase is None else one.phase for one in moments]),
+        "loads": np.array([one.load for one in moments]),
+        "entrainments": np.array([one.entrainment for one in moments]),
+        "names": np.array(names, dtype=np.str_),
+        "figures": np.array([[one.figures[name] for name in names] for one in moments]),
+        "framed": np.array([one.frame is not None for one in moments], dtype=bool),
+        "pressure": np.array([one.frame.pressure for one in framed]),
+        "film": np.array([one.frame.film for one in framed]),
+    } | {
+        f"places_{axis}": np.array([one.frame.places[number] for one in framed])
+        for number, axis in enumerate(AXES[: len(framed[0].frame.places)] if framed else ())
+    }
+
+
+OF_EACH = ("seconds", "phases", "loads", "entrainments", "figures", "framed")
+"""Arrays with an entry for each moment."""
+
+
+def from_arrays(arrays: Mapping[str, Array]) -> tuple[Moment, ...]:
+    """Moments from `as_arrays`."""
+    axes = [f"places_{axis}" for axis in AXES if f"places_{axis}" in arrays]
+    frames = iter(
+        Frame(places, pressure, film)
+        for *places, pressure, film in zip(
+            *(arrays[axis] for axis in axes), arrays["pressure"], arrays["film"], strict=True
+        )
+    )
+    names = [str(name) for name in arrays["names"]]
+    return tuple(
+        Moment(
+            float(seconds),
+            None if np.isnan(phase) else float(phase),
+            float(load),
+            tuple(map(float, entrainment)),
+            dict(zip(names, map(float, figures), strict=True)),
+            next(frames) if framed else None,
+        )
+        for seconds, phase, load, entrainment, figures, framed in zip(
+            *(arrays[name] for name in OF_EACH), strict=True
+        )
+    )
+
+
+def curves(
+    solves: Sequence[Sequence[Moment]],
+    since: float,
+    kind: Kind,
+    share: float,
+    least: float,
+    inlet: float | None,
+) -> PlainDataset:
+    """Figures over time with their error bars, and frames of pressure and film.
+
+    Parameters
+    ----------
+    solves : sequence of sequence of Moment
+        Moments of each transient solve, the finest last.
+    since : float
+        Time after which they are kept [s].
+    kind : str
+        Kind of contact.
+    share : float
+        Error of the finest over its change from the one before [-].
+    least : float
+        Least relative error.
+    inlet : float or None
+        Temperature of the oil at the inlet [K]; None where heat was not simulated.
+    """
+    moments = [one for one in solves[-1] if one.seconds > since]
+    variables = {"life_load": (("instant",), np.array([one.load for one in moments]))}
+    if moments[0].phase is not None:
+        variables["life_phase"] = (("instant",), np.array([one.phase for one in moments]))
+    for axis, of in zip(
+        AXES, zip(*(one.entrainment for one in moments), strict=True), strict=False
+    ):
+        variables[f"life_entrainment_{axis}"] = ("instant",), np.array(of)
+    for name in moments[0].figures:
+        values = np.array([one.figures[name] for one in moments])
+        error = np.abs(values) * np.maximum(least, share * _changes(solves, moments, name))
+        base = inlet if name in HEAT_FIGURES else 0.0
+        variables[f"life_{name}"] = ("instant",), base + values
+        variables[f"life_{name}_error"] = ("instant",), error
+    seconds = np.array([one.seconds for one in moments])
+    of = described(variables | _frames(moments), {"life_seconds": (("instant",), seconds)})
+    return of if kind == "point" else _for_each_length(of)
+
+
+def _for_each_length(dataset: PlainDataset) -> PlainDataset:
+    """The dataset of a line contact, whose loads and losses are for each length."""
+    variables = {
+        name: replace(of, attrs={**of.attrs, "units": f"{of.attrs['units']}/m"})
+        if name.startswith(FOR_EACH_LENGTH)
+        else of
+        for name, of in dataset.variables.items()
+    }
+    return replace(dataset, variables=variables)
+
+
+def _changes(solves: Sequence[Sequence[Moment]], moments: Sequence[Moment], name: str) -> Array:
+    """Relative change of a figure by the last solve at some moments of it, straight between those of both."""
+    seconds = [one.seconds for one in moments]
+    if len(solves) == 1:
+        return np.zeros(len(seconds))
+    before = {one.seconds: one.figures[name] for one in solves[-2]}
+    both = [one for one in solves[-1] if one.seconds in before]
+    if not both:
+        return np.full(len(seconds), np.inf)
+    changes = [
+        abs(one.figures[name] - before[one.seconds]) / max(abs(one.figures[name]), TINY)
+        for one in both
+    ]
+    return np.interp(seconds, [one.seconds for one in both], changes)
+
+
+def _frames(moments: Sequence[Moment]) -> dict[str, tuple[tuple[str, ...], Array]]:
+    """Frames as variables over frame and nodes."""
+    framed = [one for one in moments if one.frame is not None]
+    if not framed:
+        return {}
+    axes = AXES[: len(framed[0].frame.places)]
+    over = ("frame", *(f"node_{axis}" for axis in axes))
+    return {
+        "frame_seconds": (("frame",), np.array([one.seconds for one in framed])),
+        **{
+            f"frame_{axis}": (
+                ("frame", f"node_{axis}"),
+                np.array([one.frame.places[number] for one in framed]),
+            )
+            for number, axis in enumerate(axes)
+        },
+        "frame_pressure": (over, np.array([one.frame.pressure for one in framed])),
+        "frame_film": (over, np.array([one.frame.film for one in framed])),
+    }
