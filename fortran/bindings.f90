@@ -17,7 +17,7 @@ module bindings
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
-    film_transient, film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
+    film_transient, film_hold, film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
     film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions
@@ -201,6 +201,15 @@ contains
     contact => contact_of(handle)
     call set_transient_term(contact%film, implicit_rate, explicit_rate, stat)
   end subroutine film_transient
+
+  !> Keeps the rigid film of a contact as it is given, whatever load the film then carries.
+  subroutine film_hold(handle)
+    integer(c_int64_t), intent(in) :: handle
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    contact%film%held = .true.
+  end subroutine film_hold
 
   !> Sets the flow law of a contact's oil; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &

@@ -3,7 +3,8 @@
 !> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
 !> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
 !> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
-!> system. Pressure on the outline is fixed. Python owns the loop; each call makes one step.
+!> system; where bodies are held apart the rigid film is given instead, and does not change. Pressure on the
+!> outline is fixed. Python owns the loop; each call makes one step.
 !>
 !> Between rough surfaces the unknown is the total pressure P; the oil's is what the asperities leave, p = P - p_a(h),
 !> with h the gap between the mean planes, and rupture obeys p >= 0, r >= 0, p r = 0. Asperities add no convolution: where the oil
@@ -57,6 +58,8 @@ module film_newton
     logical, allocatable :: covered(:, :)
     !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility is constant.
     real(wp) :: load = 0, floor = 0
+    !> Whether the rigid film is given instead of the load.
+    logical :: held = .false.
     !> Summed wedge flow of the undeformed gap [m/s], the reference of residuals, and the scale of the load's
     !> row.
     real(wp) :: wedge = 0, load_weight = 0
@@ -318,6 +321,7 @@ contains
       self%dh = abs(self%fields%rough%excess)
       residual = residual + total(self%dh)*self%spacing(1)*self%spacing(2)/self%load
     end if
+    if (self%held) load_error = 0
     call self%work%flow%finish()
   end subroutine film_balance
 
@@ -520,6 +524,7 @@ contains
     call change_balance(self, dp, self%dh, dr)
     call self%work%flow%finish()
     y(n + 1) = total(dp)*self%spacing(1)*self%spacing(2)*self%load_weight
+    if (self%held) y(n + 1) = x(n + 1)
   end subroutine multiply
 
   !> Solves the bordered system approximately: `relax` for the pressure, with h0 such that the load is met.
@@ -537,6 +542,7 @@ contains
     call self%relax(r, dp)
     call self%work%cycle%finish()
     y(n + 1) = (total(dp) - x(n + 1)/(self%spacing(1)*self%spacing(2)*self%load_weight))/self%softness_load
+    if (self%held) y(n + 1) = x(n + 1)
     !$omp parallel do schedule(static)
     do j = 1, size(dp, 2)
       dp(:, j) = dp(:, j) - self%softness(:, j)*y(n + 1)

@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 from pyworm.case.table import Number, Table
 from pyworm.io import units
 from pyworm.scene.contact import Contact
-from pyworm.scene.life import Life, Past
+from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
 
@@ -21,12 +21,14 @@ Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
 class PastTable(Table):
     """`[past]`: factors of the load and of the surfaces' velocities at some times, straight between them.
 
-    The last time is the present, at which the contact is solved.
+    Where the load is zero the separation of the surfaces may be given. The last time is the present, at which
+    the contact is solved.
     """
 
     times: Annotated[tuple[units.Instant, ...], Field(min_length=2)]
     load: Factors | None = None
     speed: Factors | None = None
+    separation: Annotated[tuple[units.LengthOrZero, ...], Field(min_length=2)] | None = None
 
     @model_validator(mode="after")
     def _a_course_that_ends_at_present(self):
@@ -44,13 +46,35 @@ class PastTable(Table):
                 raise ValueError(
                     f"{key} ends with {factors[-1]:g}; the last time is the present, whose factor is 1"
                 )
+        self._check_separation()
         if self.load is not None and min(self.load) < 0:
             raise ValueError(f"load has a factor of {min(self.load):g}; a contact does not pull")
         return self
 
+    def _check_separation(self) -> None:
+        """Refuse a separation without a time at which it holds, or one that is none."""
+        if self.separation is None:
+            return
+        if len(self.separation) != len(self.times):
+            raise ValueError(
+                f"separation has {len(self.separation)} lengths and times {len(self.times)}; "
+                "each time wants one"
+            )
+        if self.load is None or min(self.load) > 0:
+            raise ValueError(
+                "separation holds where the factor of load is 0; give load such factors"
+            )
+        apart = [of for of, load in zip(self.separation, self.load, strict=True) if load == 0]
+        if not min(apart) > 0:
+            raise ValueError(
+                f"separation is {min(apart):g} m where nothing is carried; surfaces that are apart have one "
+                "above zero"
+            )
+
     def of(self, scene: Contact) -> Contact:
         """The contact with this past."""
-        life = Life(self.times[-1], _WrittenLife(scene, self.times, self.load, self.speed))
+        course = _WrittenLife(scene, self.times, self.load, self.speed, self.separation)
+        life = Life(self.times[-1], course, unturned, self.times[1:-1])
         return replace(scene, past=Past(life, self.times[-1]))
 
 
@@ -62,15 +86,19 @@ class _WrittenLife:
     times: tuple[float, ...]
     load: tuple[float, ...] | None
     speed: tuple[float, ...] | None
+    separation: tuple[float, ...] | None
 
     def __call__(self, seconds: float) -> Contact:
         load, speed = (
             1.0 if factors is None else float(np.interp(seconds, self.times, factors))
             for factors in (self.load, self.speed)
         )
-        if not load > 0:
+        moving = _moving(self.present, speed)
+        if load > 0:
+            return replace(moving, load=load * self.present.load)
+        if self.separation is None:
             raise ValueError("the contact carries no load")
-        return replace(_moving(self.present, speed), load=load * self.present.load)
+        return replace(moving, separation=float(np.interp(seconds, self.times, self.separation)))
 
 
 @singledispatch

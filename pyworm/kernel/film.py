@@ -237,6 +237,10 @@ class Film:
         """
         check_status(core.bindings.film_transient(self._handle, implicit, self._on_nodes(explicit)))
 
+    def hold(self) -> None:
+        """Keep the rigid film as it is started, whatever load the film then carries."""
+        core.bindings.film_hold(self._handle)
+
     def step(self, forcing: float) -> Step:
         """Make one Newton step and, where heat is simulated, one sweep of it at the new pressure.
 

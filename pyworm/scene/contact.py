@@ -47,6 +47,9 @@ class Contact(ABC):
         Place on a traction curve: sliding over entrainment [-]; None outside one.
     section, station : str or None, float or None
         Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
+    separation : float or None
+        Distance of the undeformed surfaces at the contact point that is given instead of the load, which is
+        then that of the scales alone [m]; of a contact in its past. None where the load is given.
     past : Past or None
         Its present in its life, as the drive turns; None where nothing changes.
     rigid : bool
@@ -69,6 +72,7 @@ class Contact(ABC):
     slide_roll_ratio: float | None = None
     section: str | None = None
     station: float | None = None
+    separation: float | None = None
     past: Past[Any] | None = None
     rigid: bool = False
     smooth: bool = False

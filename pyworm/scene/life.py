@@ -30,11 +30,14 @@ class Life(Generic[Contact]):
         ValueError where it carries no load.
     axes_at : callable
         Time -> x, y and normal of the tangent plane, as rows in a frame at rest.
+    kinks : tuple of float
+        Times between which its changes are smooth, where they are known [s].
     """
 
     duration: float
     at: Callable[[float], Contact]
     axes_at: Callable[[float], np.ndarray] = unturned
+    kinks: tuple[float, ...] = ()
 
     def turning(self, seconds: float) -> float:
         """Angular velocity of the axes about the normal [rad/s], positive from x to y."""

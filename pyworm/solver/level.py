@@ -35,6 +35,9 @@ on the window."""
 RUBBED = ("friction_coefficient", "power_loss", "friction_boundary")
 """Figures that are sums over the contact."""
 
+LEAST_LOAD = 1e-30
+"""Load that friction is relative to where surfaces that are held apart press on nothing."""
+
 STILL = 1e-30
 """Sliding speed [m/s] that has no direction."""
 
@@ -176,6 +179,12 @@ class Level(ABC):
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
         return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
 
+    def carried(self) -> float:
+        """Load that the film carries: the scene's, or where surfaces are held apart the pressure's."""
+        if self.scene.separation is None:
+            return self.scene.load
+        return float(self.film.pressure.sum()) * self.grid.cell
+
     def state(self) -> InitialGuess:
         """Pressure, rigid film and temperature at present."""
         film = self.film
@@ -227,14 +236,14 @@ class Level(ABC):
         sliding = [float(component) for component in self.scene.sliding_at(*origin)]
         speed = hypot(*sliding)
         friction = -float(np.dot(force, sliding)) / speed if speed > 0 else 0.0
-        return friction / self.scene.load
+        return friction / max(self.carried(), LEAST_LOAD)
 
     def _rough_figures(self, shear: dict[str, float], within: Array) -> dict[str, float]:
         """Figures of asperities, and those of the film's `shear` with what asperities add at some nodes."""
         if not self.film.rough:
             return shear
         borne = float(self.film.asperities().pressure.sum()) * self.grid.cell
-        share = {"asperity_load_fraction": borne / self.scene.load}
+        share = {"asperity_load_fraction": borne / max(self.carried(), LEAST_LOAD)}
         if not shear:
             return share
         stress, heat = self.rubbing()

@@ -136,6 +136,7 @@ def as_line(scene: Contact) -> Contact:
         oil=scene.oil,
         phase=scene.phase,
         slide_roll_ratio=scene.slide_roll_ratio,
+        separation=scene.separation,
         past=scene.past,
     )
 

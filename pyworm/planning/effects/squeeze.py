@@ -24,7 +24,7 @@ def lag(prediction: Prediction, most_by_edges: float = inf) -> float:
     """
     now, then = predicted(prediction.scene), prediction.before
     real = abs(departure(now) - departure(then))
-    shift = abs(log(now.film_central / then.film_central))
+    shift = abs(log(now.film_central / max(then.film_central, then.scene.separation or 0.0)))
     return shift + min(real if isfinite(real) else inf, most_by_edges)
 
 

@@ -109,6 +109,8 @@ def _level(
         scene.oil,
         FLOOR * size.film,
     )
+    if scene.separation is not None:
+        film.hold()
     if term is not None:
         film.set_transient_term(*term.on(grid))
     return LineLevel(scene, grid, gap, covered, film, term)

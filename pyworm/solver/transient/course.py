@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import ceil, exp, log
 
 import numpy as np
@@ -139,13 +140,13 @@ def course_of(life: Life, plan: Plan) -> Course:
         times[-1],
         _sides(grids, coarsening),
         _spacings(at[some], grids, coarsening),
-        _pace(at, predictions, life.duration),
+        _pace(at, of_all, predictions, life.duration),
     )
 
 
 def _loaded(life: Life) -> tuple[list[float], list[Contact]]:
     """Times and contacts of a life at its knots under load, from the first time under load to the last."""
-    knots = [float(seconds) for seconds in np.linspace(0.0, life.duration, KNOTS)]
+    knots = sorted({*np.linspace(0.0, life.duration, KNOTS).tolist(), *life.kinks})
     states = [_at(life, seconds) for seconds in knots]
     loaded = [number for number, state in enumerate(states) if state is not None]
     if not loaded:
@@ -153,7 +154,7 @@ def _loaded(life: Life) -> tuple[list[float], list[Contact]]:
     first, last = loaded[0], loaded[-1]
     if first > 0:
         knots[first], states[first] = _farthest(life, knots[first], knots[first - 1])
-    if last < KNOTS - 1:
+    if last < len(knots) - 1:
         knots[last], states[last] = _farthest(life, knots[last], knots[last + 1])
     return [knots[number] for number in loaded], [states[number] for number in loaded]
 
@@ -236,10 +237,27 @@ def _spacings(
 
 
 def _pace(
-    times: Sequence[float], predictions: Sequence[Prediction], duration: float
+    times: Sequence[float],
+    contacts: Sequence[Contact],
+    predictions: Sequence[Prediction],
+    duration: float,
 ) -> "scipy.interpolate.PPoly":
-    """Transits over time; the integral of the inverse of the transit time."""
+    """Transits over time; the integral of the inverse of the transit time.
+
+    An e-fold of load, or of the distance of surfaces that are apart, counts as one.
+    """
     paces = [max(1 / of.transit, LEAST_TRANSITS / duration) for of in predictions]
+    for number, (before, after) in enumerate(pairwise(zip(times, contacts, strict=True))):
+        folds = _folds(before[1], after[1]) / (after[0] - before[0])
+        for end in (number, number + 1):
+            paces[end] = max(paces[end], folds)
     if len(times) == 1:
         times, paces = [0.0, duration], [*paces, *paces]
     return scipy.interpolate.PchipInterpolator(times, paces).antiderivative()
+
+
+def _folds(before: Contact, after: Contact) -> float:
+    """E-folds of the load between two contacts, or of the distance of surfaces that are apart."""
+    if before.separation is not None and after.separation is not None:
+        return abs(log(after.separation / before.separation))
+    return abs(log(after.load / before.load))

@@ -1,6 +1,7 @@
 """One transient solve through a part of a contact's life.
 
-The Reynolds equation with d(rho h)/dt is integrated by backward differences of variable step (BDF, third
+It begins with a steady film, or where the surfaces are still apart with the oil that fills their gap. The
+Reynolds equation with d(rho h)/dt is integrated by backward differences of variable step (BDF, third
 order; Hairer, Norsett and Wanner 1993, section III.5) on a grid that moves with the contact. The films of all
 instants of that part, and the rates of change that films on other grids take, follow from it.
 """
@@ -149,10 +150,14 @@ def march(
         raise LostError(short)
     asked = _instants(course, refinement, begin, max(*wanted, until))
     framed = set(asked[:: 2**refinement])
-    instants, level, steps = _begun(course, refinement, asked, min(wanted))
+    before: list[_Instant] = []
+    if course.life.at(asked[0]).separation is None:
+        instants, level, steps = _begun(course, refinement, asked, min(wanted))
+    else:
+        before, instants, steps = [_at_rest(course, refinement, asked[0])], asked[1:], 0
     needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
     contents: dict[float, Array] = {}
-    moments, before, lost = [], [], None
+    moments, lost = [], None
     last: deque[_Instant] = deque(maxlen=2 * AROUND)
     for seconds in instants:
         try:
@@ -216,6 +221,15 @@ def _begun(
     raise LostError(_failed(wanted))
 
 
+def _at_rest(course: Course, refinement: int, seconds: float) -> _Instant:
+    """The oil that fills the gap between surfaces that are apart, without pressure: its density is 1."""
+    contact, grid = _contact_at(course, seconds), course.grid(seconds, refinement)
+    gap, _ = contact.gap(*grid.mesh())
+    film = contact.separation + gap
+    nothing = np.zeros(film.shape)
+    return _Instant(seconds, film, InitialGuess(nothing, contact.separation, None, nothing))
+
+
 def _steady(course: Course, refinement: int, seconds: float) -> tuple[Level, int]:
     """The steady film at a time on the moving grid, and its Newton steps there."""
     contact = _contact_at(course, seconds)
@@ -238,11 +252,14 @@ def _onward(
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
     tolerances = _tolerances(course, refinement)
     with _told(seconds):
-        level = solver.on_grid(grid, _extrapolated(before, seconds))
+        guess = _extrapolated(before, seconds)
+        if contact.separation is not None:
+            guess = replace(guess, rigid_film=contact.separation)
+        level = solver.on_grid(grid, guess)
         # one step at least: a film that is only extrapolated would follow no equation until it is far from it
         newton_step(level)
         taken = 1 + len(lead(level, *tolerances, most=MOST_STEPS))
-        if not level.film.balance.worst <= LOST:
+        if contact.separation is None and not level.film.balance.worst <= LOST:
             level = _beside(contact, course, grid, solver)
             taken += len(lead(level, *tolerances))
     return _sound(level, seconds), taken

@@ -49,7 +49,7 @@ class Moment:
     phase : float or None
         Place in the mesh cycle.
     load : float
-        Load, as of the scene.
+        Load that the film carries.
     entrainment : tuple of float
         Mean velocity of the surfaces at the contact point along each direction [m/s].
     figures : dict
@@ -73,7 +73,7 @@ def moment(level: Level, seconds: float, refinement: int, framed: bool) -> Momen
     return Moment(
         seconds,
         contact.phase,
-        contact.load,
+        level.carried(),
         tuple(float(of.item()) for of in contact.entrainment_at(*origin)),
         level.read().figures,
         _frame(level, 2**refinement) if framed else None,

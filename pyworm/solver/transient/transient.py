@@ -129,6 +129,7 @@ def recent(scene: Scene | LineScene) -> Past:
         end - start,
         lambda seconds: past.life.at(start + seconds),
         lambda seconds: past.life.axes_at(start + seconds),
+        tuple(kink - start for kink in past.life.kinks if start < kink < end),
     )
     return Past(life, past.seconds - start)
 
