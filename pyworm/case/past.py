@@ -28,7 +28,7 @@ class PastTable(Table):
     times: Annotated[tuple[units.Instant, ...], Field(min_length=2)]
     load: Factors | None = None
     speed: Factors | None = None
-    separation: Annotated[tuple[units.LengthOrZero, ...], Field(min_length=2)] | None = None
+    separation: Annotated[tuple[units.Separation, ...], Field(min_length=2)] | None = None
 
     @model_validator(mode="after")
     def _a_course_that_ends_at_present(self):

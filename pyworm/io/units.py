@@ -51,6 +51,9 @@ Relief = quantity(
 )
 Radius = quantity("a radius", "m", "10 mm", possible=("1 um", "100 km"), usual=("0.1 mm", "100 m"))
 Film = quantity("a film", "m", "1 um", possible=("0.1 nm", "10 mm"), usual=("1 nm", "1 mm"))
+Separation = quantity(
+    "a separation", "m", "10 um", "not negative", ("0.1 nm", "10 mm"), usual=("10 nm", "1 mm")
+)
 Roughness = quantity(
     "a root mean square height",
     "m",

@@ -24,8 +24,8 @@ Array = np.ndarray
 VELOCITIES = "life_entrainment_x", "life_entrainment_y"
 
 LARGEST_STEP = 3.0
-"""Step from one instant to the next, over the median one, from which a part of the life counts as not solved:
-a curve has a gap there."""
+"""Step from one instant to the next, over both steps beside it, from which a part of the life counts as not
+solved: a curve has a gap there."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,8 @@ class ContactLife:
     def gaps(self) -> Array:
         """Numbers of the instants before which part of the life was not solved."""
         steps = np.diff(self.seconds)
-        return np.flatnonzero(steps > LARGEST_STEP * np.median(steps)) + 1
+        beside = np.maximum(np.append(0.0, steps[:-1]), np.append(steps[1:], 0.0))
+        return np.flatnonzero(steps > LARGEST_STEP * beside) + 1
 
     def work(self) -> tuple[float, float] | None:
         """Work of friction [J], of a line contact for each length [J/m], and its error bar."""

@@ -150,11 +150,7 @@ def march(
         raise LostError(short)
     asked = _instants(course, refinement, begin, max(*wanted, until))
     framed = set(asked[:: 2**refinement])
-    before: list[_Instant] = []
-    if course.life.at(asked[0]).separation is None:
-        instants, level, steps = _begun(course, refinement, asked, min(wanted))
-    else:
-        before, instants, steps = [_at_rest(course, refinement, asked[0])], asked[1:], 0
+    instants, level, before, steps = _begun(course, refinement, asked, min(wanted))
     needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
     contents: dict[float, Array] = {}
     moments, lost = [], None
@@ -205,11 +201,14 @@ def _nearest(instants: Sequence[float], at: float) -> list[float]:
 
 def _begun(
     course: Course, refinement: int, instants: Sequence[float], wanted: float
-) -> tuple[Sequence[float], Level, int]:
-    """The instants from the first one that has a steady film, that film, and its Newton steps.
+) -> tuple[Sequence[float], Level | None, list[_Instant], int]:
+    """The instants to solve, the film of the first or those before it, and Newton steps taken.
 
-    A tooth that is touched at its tip has none yet; LostError where there is none before a wanted time.
+    They begin with the first that has a steady film, or after the first where its surfaces are apart. A tooth
+    that is touched at its tip has no steady film yet; LostError where there is none before a wanted time.
     """
+    if course.life.at(instants[0]).separation is not None:
+        return instants[1:], None, [_at_rest(course, refinement, instants[0])], 0
     for number, seconds in enumerate(instants):
         try:
             level, taken = _steady(course, refinement, seconds)
@@ -217,7 +216,7 @@ def _begun(
             if seconds >= wanted:
                 raise
         else:
-            return instants[number:], level, taken
+            return instants[number:], level, [], taken
     raise LostError(_failed(wanted))
 
 

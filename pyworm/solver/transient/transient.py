@@ -106,9 +106,9 @@ class Part:
 
 
 def parts_of(course: Course) -> tuple[Part, ...]:
-    """The parts of a life."""
+    """The parts of a life; a written course, which no other contact shares, is one."""
     whole = course.transits(course.end)
-    count = max(1, ceil((whole - WARM_UP) / PART))
+    count = 1 if course.life.kinks else max(1, ceil((whole - WARM_UP) / PART))
     length = (whole - WARM_UP) / count
     firsts = [WARM_UP + length * number for number in range(1, count)]
     return tuple(

@@ -12,6 +12,11 @@ CASES = Path(__file__).parents[3] / "cases"
 LINE = (CASES / "reversal_line.toml").read_text()
 BALL = (CASES / "impact_ball.toml").read_text()
 
+DROP = BALL.replace(
+    'times = ["0 ms", "1 ms", "1.5 ms", "2 ms", "2.2 ms"]\nload = [1, 1, 10, 1, 1]',
+    'times = ["0 ms", "0.2 ms", "0.4 ms"]\nload = [0, 0, 1]\nseparation = ["20 um", "1 um", "1 um"]',
+)
+
 
 def test_loads_and_speeds_are_straight_between_the_times():
     line = pickle.loads(pickle.dumps(pyworm.load(CASES / "reversal_line.toml").scene()))
@@ -38,6 +43,24 @@ def test_a_film_grows_after_a_reversal_and_its_oil_came_in_slower():
         assert 0.7 < getattr(moving, name).value / getattr(still, name).value < 0.95
 
 
+def test_surfaces_come_from_apart_where_their_separation_is_given(tmp_path):
+    case = tmp_path / "drop.toml"
+    case.write_text(DROP)
+    scene = pyworm.load(case).scene()
+    then = scene.past.life.at(1e-4)
+    assert then.separation == pytest.approx(10.5e-6) and then.load == scene.load
+    assert scene.past.life.at(0.3e-3).separation is None
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.05))
+    assert solution.converged and "squeeze" in {one.name for one in solution.effects if one.on}
+    life = solution.life
+    apart = life["life_seconds"].values <= 0.2e-3
+    assert life["life_film_min"].values[apart] == pytest.approx(
+        20e-6 - 95e-3 * life["life_seconds"].values[apart], rel=0.3
+    )
+    # what a ball presses with as it comes down, whose oil is not viscous enough yet to deform it
+    assert (abs(life["life_load"].values[apart][1:]) > life["life_load"].values[apart][:-1]).all()
+
+
 @pytest.mark.parametrize(
     ("text", "old", "new", "sentence"),
     [
@@ -54,6 +77,9 @@ def test_a_film_grows_after_a_reversal_and_its_oil_came_in_slower():
         (BALL, "10, 1, 1]", "-1, 1, 1]", "past: load has a factor of -1; a contact does not pull"),
         (BALL, '"2.2 ms"', '"2.2"', 'past.times[4] = "2.2": must be a time with its unit'),
         (BALL, "load = [1, 1", "lode = [1, 1", "past.lode: no such key; did you mean load?"),
+        (DROP, '"1 um"]', "]", "past: separation has 2 lengths and times 3; each time wants one"),
+        (DROP, "[0, 0, 1]", "[1, 1, 1]", "past: separation holds where the factor of load is 0"),
+        (DROP, '"1 um", "1 um"', '"0 um", "1 um"', "past: separation is 0 m where nothing is"),
     ],
 )
 def test_pasts_that_make_no_sense_are_refused(text, old, new, sentence, tmp_path, capsys):

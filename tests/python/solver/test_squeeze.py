@@ -48,10 +48,18 @@ def cylinder():
     return as_line(ball)
 
 
-def marched(contact_at, kinks=(), refinement=0, effects="real-gap,squeeze"):
+def marched(contact_at, kinks=(), refinement=0, effects=None):
     life = Life(DURATION, contact_at, kinks=kinks)
     present = replace(contact_at(DURATION), past=Past(life, DURATION))
-    course = course_of(life, pyworm.plan(present, 0.05, effects, ("film",)))
+    course = course_of(
+        life,
+        pyworm.plan(
+            present,
+            0.05,
+            effects or ("squeeze" if isinstance(present.gap, Parabola) else "real-gap,squeeze"),
+            ("film",),
+        ),
+    )
     found = march(course, refinement, 0.0, [0.95 * DURATION])
     assert found.lost is None
     return course, found.moments
@@ -60,8 +68,11 @@ def marched(contact_at, kinks=(), refinement=0, effects="real-gap,squeeze"):
 def strip_load(height, ends, rate, gap=lambda x: 0.0):
     """Load for each length of a strip whose walls approach at a rate, by quadratures of the closed form."""
 
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    x = (ends[0] + ends[1] + (ends[1] - ends[0]) * nodes) / 2
+
     def over(power):
-        return scipy.integrate.quad(lambda x: x**power / (height + gap(x)) ** 3, *ends)[0]
+        return (ends[1] - ends[0]) / 2 * float(weights @ (x**power / (height + gap(x)) ** 3))
 
     middle = over(1) / over(0)
     return 12 * VISCOSITY * rate * (over(2) - middle * over(1))
@@ -113,17 +124,18 @@ def test_a_body_that_is_let_go_sinks_as_the_closed_form_says(kind):
         (release, DURATION),
         [height],
         rtol=1e-6,
+        atol=1e-13,
         dense_output=True,
     ).sol
     after = [one for one in moments if one.seconds > release]
     assert len(after) > 50
     for one in after[::10]:
-        print(one.seconds, one.figures["film_central"] / sinking(one.seconds)[0] - 1)
-    assert after[-1].figures["film_central"] < 0.6 * height
+        assert one.figures["film_central"] == pytest.approx(sinking(one.seconds)[0], rel=0.002)
+    assert after[-1].figures["film_central"] < 0.7 * height
 
 
 def test_a_ball_that_is_lowered_presses_as_the_closed_form_says():
-    """6 pi eta V R^2 / h in an endless window; beyond a half-width L lies h / (h + L^2 / 2R) of it."""
+    """6 pi eta V R^2 / h in an endless window; beyond a circle of radius L is h / (h + L^2 / 2R) of it."""
     motion = (CRAWL, 0.0)
     ball = point(
         "ball",
@@ -136,11 +148,12 @@ def test_a_ball_that_is_lowered_presses_as_the_closed_form_says():
     course, moments = marched(
         lambda at: replace(ball, separation=APART - APPROACH * at),
         refinement=2,
-        effects="second-dimension,real-gap,squeeze",
+        effects="second-dimension,squeeze",
     )
     one = moments[-1]
     height = APART - APPROACH * one.seconds
     endless = 6 * np.pi * VISCOSITY * APPROACH * RADIUS**2 / height
     half = course.grid(0.0, 0).x[-1]
-    beyond = height / (height + half**2 / (2 * RADIUS))
-    assert 1 - 1.5 * beyond < one.load / endless < 1 - 0.5 * beyond
+    beyond = [height / (height + r**2 / (2 * RADIUS)) for r in (half, sqrt(2) * half)]
+    # pressure that is zero at the sides is lower within, too: by that at the sides, all over the window
+    assert 1 - 2 * beyond[0] - 0.01 < one.load / endless < 1 - 2 * beyond[1] + 0.01
