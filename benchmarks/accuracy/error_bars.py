@@ -10,7 +10,8 @@ From the repository's root:
 
     python benchmarks/accuracy/error_bars.py [COUNT [SEED ...]]
 
-What was found is kept in results/error_bars.csv, and the next run goes on from there.
+Truths, by far the most of the work, are kept in results/truths.csv, which serves later runs whose bars are
+told in another way; what was found in results/error_bars.csv. The next run goes on from there.
 """
 
 import csv
@@ -70,7 +71,10 @@ FIGURES = {
     "temperature_max_body_2": "temperature of body 2",
     "temperature_max_film": "temperature of the film",
 }
-OUT = Path("results/error_bars.csv")
+OUT, TRUTHS = Path("results/error_bars.csv"), Path("results/truths.csv")
+
+Truth = dict[str, tuple[float, float]]
+"""Value of each figure, and how far it may be off."""
 
 
 def refined(
@@ -114,9 +118,7 @@ def rest_of(values: Sequence[float], name: str) -> float:
     return last * left / (1 - left)
 
 
-def truth(
-    scene: pyworm.Scene, plan: Plan, spacing: float, kind: str
-) -> dict[str, tuple[float, float]]:
+def truth(scene: pyworm.Scene, plan: Plan, spacing: float, kind: str) -> Truth:
     """Figures on an infinitely fine grid in an endless window, and how far each may be off.
 
     Nothing where no two grids of the wider window have a film, or none has one in all windows.
@@ -146,23 +148,33 @@ def truth(
     return found
 
 
-def judged(kind: str, drawn: Drawn) -> Iterator[dict]:
-    """Each figure of a scene: its bar, and how far it is from the truth."""
-    task = Task(case_of(drawn.tables, kind, Path()), Place(), ACCURACY, EFFECTS[kind])
-    solution = pyworm.solve(task.scene, task.plan)
+def truth_of(task: Task, solution: pyworm.Solution, kind: str) -> Truth:
+    """The truth of a scene in a window and on grids that do for one of its solutions."""
     exact = pyworm.plan(task.scene, EXACT * ACCURACY, EFFECTS[kind])
     # temperatures of films that hardly warm are settled too
     exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
     x = solution.fields.x.values
-    real = truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), kind)
+    return truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), kind)
+
+
+def judged(scene: str, kind: str, drawn: Drawn, truths: dict[str, Truth]) -> Iterator[dict]:
+    """Each figure of a scene: its bar, and how far it is from the truth, which is added to those known."""
+    task = Task(case_of(drawn.tables, kind, Path()), Place(), ACCURACY, EFFECTS[kind])
+    solution = pyworm.solve(task.scene, task.plan)
+    if scene not in truths:
+        truths[scene] = truth_of(task, solution, kind)
+        save_truths(truths)
+    real = truths[scene]
     for name in FIGURES:
         bar = getattr(solution.figures, name)
-        if bar is None:
-            continue
         zero = solution.inlet_temperature if name.startswith("temperature") else 0.0
+        # friction without sliding has no size
+        if bar is None or bar.value == zero:
+            continue
         size = abs(bar.value - zero)
         value, unsure = real.get(name, (nan, nan))
         yield {
+            "scene": scene,
             "figure": name,
             "converged": solution.converged,
             "bar": bar.error,
@@ -192,6 +204,28 @@ def save(rows: list[dict]) -> None:
         writer = csv.DictWriter(file, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
+
+
+def saved_truths() -> dict[str, Truth]:
+    """Truths of earlier runs by scene."""
+    if not TRUTHS.exists():
+        return {}
+    truths: dict[str, Truth] = {}
+    with TRUTHS.open() as file:
+        for scene, name, value, unsure in csv.reader(file):
+            of = truths.setdefault(scene, {})
+            if name:
+                of[name] = float(value), float(unsure)
+    return truths
+
+
+def save_truths(truths: dict[str, Truth]) -> None:
+    """Write the truths known so far; a scene without any has one line without a figure."""
+    TRUTHS.parent.mkdir(parents=True, exist_ok=True)
+    with TRUTHS.open("w", newline="") as file:
+        writer = csv.writer(file)
+        for scene, real in truths.items():
+            writer.writerows((scene, name, *of) for name, of in (real or {"": ("", "")}).items())
 
 
 def judgeable(row: dict) -> bool:
@@ -252,12 +286,12 @@ def by_scene(rows: list[dict]) -> list[list[str]]:
 
 def main() -> None:
     number, *seeds = (int(word) for word in sys.argv[1:] or ("15", "1", "2"))
-    rows = saved()
-    for seed, kind, place in product(seeds, EFFECTS, range(number)):
+    rows, truths = saved(), saved_truths()
+    for seed, place, kind in product(seeds, range(number), EFFECTS):
         scene = f"{kind}:{place} of {seed}"
         if any(row["scene"] == scene for row in rows):
             continue
-        rows += [{"scene": scene} | row for row in judged(kind, DRAWS[kind](place, seed))]
+        rows += judged(scene, kind, DRAWS[kind](place, seed), truths)
         save(rows)
         print(*by_scene([row for row in rows if row["scene"] == scene])[1], sep="  ", flush=True)
     print(markdown(by_figure(rows)), markdown(by_scene(rows)), sep="\n\n")

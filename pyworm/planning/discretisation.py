@@ -72,7 +72,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     change = AUXILIARY_CHANGE
     if drawn is scene:
         change = _first_change(scene, size, spacing)
-        finer = first_refinement(change, accuracy)
+        finer = first_refinement(change, accuracy, model.heated)
         spacing = spacing[0] * finer, spacing[1] * finer
         change = _first_change(scene, size, spacing)
     grids = nest(inner, outer, *spacing)[nested]

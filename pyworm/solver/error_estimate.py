@@ -57,6 +57,28 @@ class Reading:
 
 
 @dataclass(frozen=True)
+class Left:
+    """Error that grids leave in a figure, over its changes from grid to grid.
+
+    Attributes
+    ----------
+    own, films : float
+        On two grids: error over the figure's change, and over the larger one of both films; the larger
+        counts, since a figure may stand still by chance.
+    limit : float
+        On more grids: error over the last change of its limit, where it is extrapolated.
+    """
+
+    own: float
+    films: float
+    limit: float = 1.0
+
+    def of_changes(self, own: float, films: float) -> float:
+        """Relative error by relative changes, of either sign, between the only two grids."""
+        return max(self.own * abs(own), self.films * abs(films))
+
+
+@dataclass(frozen=True)
 class Convergence:
     """Orders of convergence and window errors of the figures of a kind of contact.
 
@@ -65,15 +87,18 @@ class Convergence:
     orders : mapping
         Highest credible order of convergence of each figure with the spacing.
     left : mapping
-        Error of each figure that is extrapolated, over its change between the only two grids.
+        Error that grids leave in each figure that is extrapolated.
     window : mapping
         Least and largest change of each figure from a window to an endless one, over its change when the
         reach of the window (in gap) doubles.
+    kept : mapping
+        Error that two grids leave in figures that are not extrapolated, by default `UNKNOWN`.
     """
 
     orders: Mapping[str, float]
-    left: Mapping[str, float]
+    left: Mapping[str, Left]
     window: Mapping[str, tuple[float, float]]
+    kept: Mapping[str, Left] = field(default_factory=dict)
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
@@ -85,6 +110,11 @@ def changes(before: Reading, after: Reading) -> dict[str, float]:
     """Change of each figure from one reading to another, relative to the latter."""
     last = before.figures
     return {name: _ratio(value - last[name], abs(value)) for name, value in after.figures.items()}
+
+
+def largest_of_films(changed: Mapping[str, float]) -> float:
+    """The larger change of both films."""
+    return max(abs(changed[name]) for name in FILMS)
 
 
 def _ratio(change: float, size: float) -> float:
@@ -102,18 +132,26 @@ SAFETY = 1.25
 Fluid Mech. 29, 1997, 123-160)."""
 
 
-def grid_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
+UNKNOWN = Left(SAFETY, SAFETY)
+"""Error that two grids leave in a figure of unknown order of convergence."""
+
+
+def grid_errors(
+    readings: Sequence[Reading],
+    orders: Mapping[str, float],
+    two_grids: Mapping[str, Left] | None = None,
+) -> dict[str, float]:
     """Relative error of each figure on the last of grids of halving spacing.
 
-    On two grids the order of convergence is unknown: the error of a figure is `SAFETY` times the largest of
-    its change and those of both films.
+    On two grids the order of convergence is not seen: what they leave of figures is `UNKNOWN`, where
+    `two_grids` does not say better.
     """
     if len(readings) == 1:
         return dict.fromkeys(readings[0].figures, np.inf)
     last = changes(readings[-2], readings[-1])
     if len(readings) == 2:
-        films = max(abs(last[name]) for name in FILMS)
-        return {name: SAFETY * max(films, abs(of)) for name, of in last.items()}
+        films, known = largest_of_films(last), two_grids or {}
+        return {name: known.get(name, UNKNOWN).of_changes(of, films) for name, of in last.items()}
     before = changes(readings[-3], readings[-2])
     return {name: _grid_error(before[name], last[name], 2 ** orders[name]) for name in last}
 

@@ -1,6 +1,7 @@
 """The result of one solve: fields, figures with error bars, convergence history and cost."""
 
 from dataclasses import asdict, dataclass, replace
+from math import hypot
 from typing import Any, Literal
 
 from pyworm.formulas.regimes import Regime
@@ -53,8 +54,12 @@ class Estimate:
 
     @property
     def error(self) -> float:
-        """Relative numerical error bar, the sum of all origins [-]."""
-        return self.grid + self.domain + self.algebra + self.approximation
+        """Relative numerical error bar [-].
+
+        Grid, window and algebra are estimates of errors of unknown and unrelated signs, whose squares add;
+        approximations are bounds of errors that do not depend on chance, which are added to that.
+        """
+        return hypot(self.grid, self.domain, self.algebra) + self.approximation
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import line_scales
 from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
-from pyworm.solver.error_estimate import Convergence
+from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, TransientTerm
 from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
 from pyworm.solver.newton import NewtonStep, lead
@@ -51,7 +51,7 @@ ORDERS = {
 # Error of figures extrapolated from two grids, over the larger of their own change and the films'. Central
 # films are of second order from the first grids on, but for light loads and thick oils (M 1.4, L 19), whose
 # spike lies at the centre: 0.54. Behind a spike films and temperatures are not regular.
-LEFT = dict.fromkeys(("film_central", "friction_coefficient", "power_loss"), 0.6)
+LEFT = dict.fromkeys(("film_central", "friction_coefficient", "power_loss"), Left(0.6, 0.6))
 
 # A window's error falls with the square of its reach: 1 / (1 - 2^-2) = 1.33. In 400 random scenes it was 1.1
 # to 1.7 times what doubling that changes (90 % of them).

@@ -57,7 +57,7 @@ def test_loss_and_efficiency_are_those_of_the_integrals(driver):
 
 def test_error_of_the_loss_is_made_of_scenes_phases_and_ends():
     loss = drive_cycle(cycle_result(PHASES)).loss
-    assert loss.scene_error == pytest.approx(0.005 * loss.power, rel=1e-3)
+    assert loss.scene_error == pytest.approx(np.hypot(0.004, 0.001) * loss.power, rel=1e-3)
     coarse = drive_cycle(cycle_result(PHASES[::4])).loss
     assert coarse.phase_error > 3 * loss.phase_error
     assert drive_cycle(cycle_result(PHASES[3:-3])).loss.end_error > 5 * loss.end_error

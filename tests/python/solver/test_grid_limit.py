@@ -5,10 +5,15 @@ from dataclasses import replace
 import pytest
 
 from pyworm.planning.target import FIGURES
-from pyworm.solver.error_estimate import Convergence, Peak, Reading, grid_errors
+from pyworm.solver.error_estimate import Convergence, Left, Peak, Reading, grid_errors
 from pyworm.solver.grid_limit import LEAST_LEFT, grid_limits
 
-CONVERGENCE = Convergence(dict.fromkeys(FIGURES, 2.0), {"film_min": 0.5, "film_central": 0.1}, {})
+CONVERGENCE = Convergence(
+    dict.fromkeys(FIGURES, 2.0),
+    {"film_min": Left(0.5, 0.25), "film_central": Left(0.1, 0.05, limit=0.4)},
+    {},
+    kept={"pressure_max": Left(0.6, 0.02)},
+)
 
 
 def readings(*films, central=None, pressures=None):
@@ -35,12 +40,19 @@ def test_a_figure_of_second_order_is_extrapolated_to_its_limit():
         assert found["film_min"].value == pytest.approx(1.0, abs=1e-12)
 
 
-def test_on_two_grids_a_share_of_the_larger_change_is_left():
-    films = readings(0.8, 1.0, central=(1.96, 2.0))
+def test_on_two_grids_a_share_of_the_own_change_is_left():
+    films = readings(0.8, 1.0, central=(1.6, 2.0), pressures=(0.9, 1.0))
     found = grid_limits(films, CONVERGENCE)
     assert found["film_min"].error == pytest.approx(0.5 * 0.2)
     assert found["film_central"].error == pytest.approx(0.1 * 0.2)
-    assert found["film_central"].value == pytest.approx(2.0 + 0.04 / 3)
+    assert found["film_central"].value == pytest.approx(2.0 + 0.4 / 3)
+    assert found["pressure_max"].error == pytest.approx(0.6 * 0.1)
+
+
+def test_a_figure_that_stands_still_by_chance_has_a_share_of_the_films_change():
+    found = grid_limits(readings(0.8, 1.0, central=(2.0, 2.0), pressures=(1.0, 1.0)), CONVERGENCE)
+    assert found["film_central"].error == pytest.approx(0.05 * 0.2)
+    assert found["pressure_max"].error == pytest.approx(0.02 * 0.2)
 
 
 def test_on_three_grids_the_error_is_the_change_of_the_limit():
@@ -50,6 +62,13 @@ def test_on_three_grids_the_error_is_the_change_of_the_limit():
     assert found.error * limit == pytest.approx(max(abs(limit - earlier), LEAST_LEFT * 0.1))
     found = grid_limits(readings(0.55, 0.9, 1.0), CONVERGENCE)["film_min"]
     assert found.error * found.value == pytest.approx(1.0 + 0.1 / 3 - 0.9 - 0.35 / 3)
+
+
+def test_on_three_grids_a_figure_may_have_a_share_of_that_change():
+    films = (0.55, 0.9, 1.0)
+    limit, earlier = 1.0 + 0.1 / 3, 0.9 + 0.35 / 3
+    found = grid_limits(readings(*films), CONVERGENCE)["film_central"]
+    assert found.error * limit == pytest.approx(0.4 * abs(limit - earlier))
 
 
 @pytest.mark.parametrize("films", [(0.9, 1.1, 1.0), (0.8, 0.9, 1.0), (0.0, 0.99, 1.0)])
@@ -76,7 +95,7 @@ def test_a_figure_without_change_has_no_error():
     convergence = replace(
         CONVERGENCE,
         orders=CONVERGENCE.orders | {"friction_coefficient": 2.0},
-        left={"friction_coefficient": 0.25},
+        left={"friction_coefficient": Left(0.25, 0.25)},
     )
     assert grid_limits(films, convergence)["friction_coefficient"].error == 0.0
     assert grid_limits(films[1:], convergence)["friction_coefficient"].error == 0.0

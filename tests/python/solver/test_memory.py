@@ -64,7 +64,7 @@ def test_the_estimate_is_what_a_film_takes(levels, heated):
 
 def test_a_finer_grid_beyond_memory_ends_the_grid_sequence(monkeypatch):
     scene = pyworm.load(CASE).scene()
-    plan = replace(pyworm.plan(scene, 0.001, "isothermal"), wider_grids=())
+    plan = replace(pyworm.plan(scene, 1e-4, "isothermal"), wider_grids=())
     enough = memory.needed(3 * plan.grids[-1].finer().nodes, plan.model)
     monkeypatch.setattr(memory, "available", lambda: enough)
     solution = pyworm.solve(scene, plan)

@@ -3,11 +3,11 @@
 import pytest
 
 from pyworm.planning.target import FIGURES
-from pyworm.solver.error_estimate import Convergence, Peak, Reading
+from pyworm.solver.error_estimate import Convergence, Left, Peak, Reading
 from pyworm.solver.window_limit import in_this_window, in_wider_window
 
 CONVERGENCE = Convergence(
-    dict.fromkeys(FIGURES, 2.0), {"film_min": 0.5}, dict.fromkeys(FIGURES, (1.5, 2.5))
+    dict.fromkeys(FIGURES, 2.0), {"film_min": Left(0.5, 0.5)}, dict.fromkeys(FIGURES, (1.5, 2.5))
 )
 EXACT = dict.fromkeys(FIGURES, 0.0)
 
