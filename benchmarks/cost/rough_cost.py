@@ -42,11 +42,11 @@ def solved(scene: Scene, effects: str) -> tuple[int, float, float]:
 def compare(name: str) -> None:
     """Print steps and time of one contact at each lambda over those without roughness."""
     scene = remembering(SCENES[name]())
-    smooth = solved(scene, "all,-roughness")  # samples the scene
-    smooth = solved(scene, "all,-roughness")
+    smooth = solved(scene, "all,-squeeze,-roughness")  # samples the scene
+    smooth = solved(scene, "all,-squeeze,-roughness")
     print(f"| {name} | smooth | {smooth[0]} | | {smooth[1]:.2f} | | {smooth[2]:.2f} | |")
     for ratio in LAMBDAS:
-        steps, seconds, whole = solved(rough(scene, ratio), "all")
+        steps, seconds, whole = solved(rough(scene, ratio), "all,-squeeze")
         print(
             f"| {name} | {ratio:g} | {steps} | {steps / smooth[0]:.2f} | {seconds:.2f} | "
             f"{seconds / smooth[1]:.2f} | {whole:.2f} | {whole / smooth[2]:.2f} |",

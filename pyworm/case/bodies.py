@@ -93,6 +93,7 @@ class BodyTable(Table):
         constants = {name: value for name, value in self if value is not None and name not in names}
         if self.surface is not None and self.surface.found:
             constants |= _of_surface(self.surface.topography())
+            constants["long_waves"] = self.surface.long_waves()
         mean = constants.pop("roughness_ra", None)
         if mean is not None:
             constants["roughness"] = RQ_OVER_RA * mean

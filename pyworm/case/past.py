@@ -14,6 +14,7 @@ from pyworm.scene.contact import Contact
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
+from pyworm.scene.waves import velocities
 
 Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
 
@@ -75,7 +76,7 @@ class PastTable(Table):
         """The contact with this past."""
         course = _WrittenLife(scene, self.times, self.load, self.speed, self.separation)
         life = Life(self.times[-1], course, unturned, self.times[1:-1])
-        return replace(scene, past=Past(life, self.times[-1]))
+        return replace(course(self.times[-1]), past=Past(life, self.times[-1]))
 
 
 @dataclass(frozen=True)
@@ -93,12 +94,21 @@ class _WrittenLife:
             1.0 if factors is None else float(np.interp(seconds, self.times, factors))
             for factors in (self.load, self.speed)
         )
-        moving = _moving(self.present, speed)
+        moving = replace(_moving(self.present, speed), travelled=self._travelled(seconds))
         if load > 0:
             return replace(moving, load=load * self.present.load)
         if self.separation is None:
             raise ValueError("the contact carries no load")
         return replace(moving, separation=float(np.interp(seconds, self.times, self.separation)))
+
+    def _travelled(self, seconds: float) -> tuple[tuple[float, ...], ...]:
+        """How far the surfaces are from their place at present, along each direction [m]."""
+        knots = np.array([seconds, *(time for time in self.times if time > seconds)])
+        speeds = np.ones(knots.size)
+        if self.speed is not None:
+            speeds = np.interp(knots, self.times, self.speed)
+        left = float(np.trapezoid(speeds, knots))
+        return tuple(tuple(-left * of for of in way) for way in velocities(self.present))
 
 
 @singledispatch

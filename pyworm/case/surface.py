@@ -9,6 +9,7 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from pyworm.case.table import Table, Text
 from pyworm.io import units
+from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.generated import gaussian, self_affine
 from pyworm.surfaces.parameters import Texture, texture
@@ -126,6 +127,12 @@ class SurfaceTable(Table):
     def topography(self) -> Topography:
         """The roughness, its x axis turned from the surface's own motion."""
         return self.waves().roughness.turned(self.x_direction)
+
+    def long_waves(self) -> LongWaves | None:
+        """The waves longer than those of the roughness, likewise; None where all waves are roughness."""
+        if self.nesting_index is None:
+            return None
+        return LongWaves(self.waves().long_waves.turned(self.x_direction))
 
 
 @lru_cache(maxsize=8)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive
+from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 
 RUN_IN_SLOPE = 0.008
@@ -41,6 +42,8 @@ class Body:
         Boundary friction of its asperities over that of steel or tin bronze under the same oil [-].
     topography : Topography or None
         Heights of the surface, in place of averages by the figures above; None where they are not known.
+    long_waves : LongWaves or None
+        Its waves longer than those of the roughness; None where they are not known.
 
     Raises
     ------
@@ -61,6 +64,7 @@ class Body:
     hardness: float | None = None
     boundary_friction_factor: float = 1.0
     topography: Topography | None = None
+    long_waves: LongWaves | None = None
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of a solid."""

@@ -6,7 +6,7 @@ Every assumption is varied on its own; what it changes is the uncertainty of fig
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import log
+from math import hypot, log
 from typing import Protocol
 
 import numpy as np
@@ -62,7 +62,7 @@ class Variation:
 
 
 def variations(
-    pair: RoughSurfaces, boundary_friction: float, part: float, thickness: Array
+    pair: RoughSurfaces, boundary_friction: float, part: float, thickness: Array, waves: float = 0.0
 ) -> Iterator[tuple[str, Variation]]:
     """Names of uncertain assumptions, each with the surfaces in which it is changed; all are independent.
 
@@ -79,10 +79,15 @@ def variations(
         Part of the uncertainty by which each assumption is changed [-].
     thickness : numpy.ndarray
         Mean thickness of the gap [m] at evenly spaced places of the contact.
+    waves : float
+        Root mean square height [m] of waves in the film that the gap does not have; they count as more
+        roughness.
     """
     curves = pair.curves()
+    higher = hypot(1.0, waves / pair.height) - 1
     others = {
         "height": curves.scaled(1 + part * HEIGHT_SPREAD),
+        "long waves": curves.scaled(1 + part * higher),
         "contact": _pressed(curves, _other_pressure(pair, curves, thickness), part),
         "pressure flow": _scattered(curves, slice(3, 6), part),
         "shear flow": _scattered(curves, slice(6, 9), part),

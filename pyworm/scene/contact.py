@@ -56,6 +56,9 @@ class Contact(ABC):
         Whether the bodies are rigid under the film.
     smooth : bool
         Whether roughness is left out of the film.
+    travelled : tuple or None
+        How far each surface has moved from its place at present, along each direction [m]; None of a contact
+        that is no instant of a written past.
 
     Raises
     ------
@@ -76,6 +79,7 @@ class Contact(ABC):
     past: Past[Any] | None = None
     rigid: bool = False
     smooth: bool = False
+    travelled: tuple[tuple[float, ...], tuple[float, ...]] | None = None
 
     def __post_init__(self) -> None:
         """Refuse an oil or a body whose formulas the kernel would ignore."""

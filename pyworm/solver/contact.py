@@ -14,13 +14,15 @@ from pyworm.kernel import DryContact
 from pyworm.kernel.film import SLIP_STEP
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.planning.plan import Plan
+from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array, Contact
+from pyworm.scene.waves import moving_waves
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
-from pyworm.solver.roughness_uncertainty import roughness_uncertainty
+from pyworm.solver.roughness_uncertainty import left_out, roughness_uncertainty
 
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid outside the figures is refined, and at which a Newtonian film is sheared."""
@@ -382,7 +384,9 @@ class ContactSolver(ABC):
 
     def uncertainties(self, level: Level) -> dict[str, float]:
         """Relative uncertainty of each figure of a converged film between rough surfaces."""
-        return roughness_uncertainty(level, self._rough, self._scene.boundary_friction)
+        scene, half_width = self._scene, predicted(self._scene).half_width
+        waves = left_out(moving_waves(scene), self._size.groups, half_width, scene.reduced_modulus)
+        return roughness_uncertainty(level, self._rough, scene.boundary_friction, waves)
 
     def _dry(self, level: Level) -> DryContact | None:
         """The dry contact on the grid of a level; None where it is Hertz's in closed form."""

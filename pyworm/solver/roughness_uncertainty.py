@@ -7,9 +7,12 @@ changes add by squares.
 """
 
 from collections.abc import Mapping
-from math import hypot, inf
+from dataclasses import dataclass
+from math import hypot, inf, pi
 
+from pyworm.formulas.wave_deformation import Groups, left_of_waves
 from pyworm.materials.roughness_assumptions import RoughSurfaces, flow_scatter, variations
+from pyworm.scene.waves import MovingWaves
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.newton import newton_step
 
@@ -23,12 +26,64 @@ ENOUGH, WARMED, MOST_STEPS = 5e-4, 2e-3, 12
 """Residual and last change of temperature, over its largest rise, of a film that has followed a change, and
 the most Newton steps to it: one to three, more only where asperities carry much of the load."""
 
+DEEPEST = 2.0
+"""Height of the highest of some dozen waves over their root mean square."""
+
 SHEARED = ("friction_coefficient", "power_loss")
 """Figures with the shear of the oil between rough walls, whose own factors are left out."""
 
 
+@dataclass(frozen=True)
+class LeftOut:
+    """Long waves of the surfaces that roll through a contact whose gap has them not.
+
+    Attributes
+    ----------
+    film : float
+        Root mean square height that is left in the film [m].
+    pressure : float
+        Root mean square pressure that flattens the rest [Pa].
+    """
+
+    film: float = 0.0
+    pressure: float = 0.0
+
+    def changes(self, figures: Mapping[str, float]) -> dict[str, float]:
+        """Relative changes of figures while they roll through."""
+        return {
+            "film_min": DEEPEST * self.film / figures["film_min"],
+            "film_central": self.film / figures["film_central"],
+            "pressure_max": DEEPEST * self.pressure / figures["pressure_max"],
+        }
+
+
+def left_out(
+    waves: MovingWaves | None, groups: Groups, half_width: float, modulus: float
+) -> LeftOut:
+    """What moving waves do to film and pressure.
+
+    A wave flattened by A takes a pressure of pi E' A/(2 length) (Johnson 1985, 13.2).
+
+    Parameters
+    ----------
+    waves : MovingWaves or None
+        The waves.
+    groups : LineGroups or PointGroups
+        Moes' groups of the contact.
+    half_width : float
+        Half-width of Hertz's contact along the entrainment [m].
+    modulus : float
+        Reduced modulus E' [Pa].
+    """
+    if waves is None:
+        return LeftOut()
+    left = left_of_waves(waves.length / half_width, groups)
+    flattened = (1 - left) * waves.height
+    return LeftOut(left * waves.height, pi * modulus * flattened / (2 * waves.length))
+
+
 def roughness_uncertainty(
-    level: Level, pair: RoughSurfaces, boundary_friction: float
+    level: Level, pair: RoughSurfaces, boundary_friction: float, waves: LeftOut = LeftOut()
 ) -> dict[str, float]:
     """Relative uncertainty of each figure [-], of temperatures over their rise above the inlet's.
 
@@ -42,10 +97,13 @@ def roughness_uncertainty(
         The surfaces.
     boundary_friction : float
         Friction coefficient of asperities in contact [-].
+    waves : LeftOut
+        Long waves of the surfaces that are not in the gap.
     """
     converged, figures = level.state(), level.read().figures
     changes = []
-    for _, varied in variations(pair, boundary_friction, PART, level.film.thickness()):
+    thickness = level.film.thickness()
+    for _, varied in variations(pair, boundary_friction, PART, thickness, waves.film):
         level.film.roughen(varied.curves, varied.boundary_friction)
         _start(level, converged)
         followed = _follow(level)
@@ -57,8 +115,11 @@ def roughness_uncertainty(
     _start(level, converged)
     if level.film.heated:
         newton_step(level)  # its heat flows are those of the last sweep
-    stress = _of_stress(figures, pair.height)
-    return {key: hypot(*(of[key] for of in changes), stress.get(key, 0.0)) for key in figures}
+    others = _of_stress(figures, pair.height), waves.changes(figures)
+    return {
+        key: hypot(*(of[key] for of in changes), *(of.get(key, 0.0) for of in others))
+        for key in figures
+    }
 
 
 def _follow(level: Level) -> bool:

@@ -35,14 +35,14 @@ class SeparatedWaves:
     ----------
     roughness : Topography
         Waves shorter than the nesting index, without form.
-    long_waves : numpy.ndarray
-        Waves longer than that [m], of mean zero and without form, which belong to the contact's gap.
+    long_waves : Topography
+        Waves longer than that, without form, which belong to the contact's gap.
     filled : float
         Fraction of points that were filled.
     """
 
     roughness: Topography
-    long_waves: Array
+    long_waves: Topography
     filled: float
 
 
@@ -90,9 +90,11 @@ def separate_waves(
     long_waves = np.zeros_like(level)
     if nesting_index is not None:
         long_waves = _long(level, spacing, nesting_index, periodic)
-    rough = level - long_waves
-    topography = Topography(rough - rough.mean(), spacing, periodic)
-    return SeparatedWaves(topography, long_waves - long_waves.mean(), filled)
+    rough, longer = (
+        Topography(heights - heights.mean(), spacing, periodic)
+        for heights in (level - long_waves, long_waves)
+    )
+    return SeparatedWaves(rough, longer, filled)
 
 
 def _complete(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array, float]:

@@ -31,7 +31,7 @@ def figures(waves: SeparatedWaves, texture: Texture) -> dict[str, Any]:
         "points": list(surface.height.shape),
         "spacing_m": list(surface.spacing),
         "filled_fraction": waves.filled,
-        "long_waves_rq_m": float(waves.long_waves.std()),
+        "long_waves_rq_m": waves.long_waves.rms,
         **{
             f"{name}_{UNITS[name]}" if name in UNITS else name: value
             for name, value in asdict(texture).items()

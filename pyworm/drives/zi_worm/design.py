@@ -9,6 +9,7 @@ from pyworm.drives.zi_worm.tooth import NO_RELIEF, ParabolicRelief
 from pyworm.formulas.screw_generator import ScrewGenerator
 from pyworm.formulas.worm_profiles import Profile
 from pyworm.materials.body import Body
+from pyworm.materials.long_waves import LongWaves
 
 Hand = Literal["right", "left"]
 
@@ -185,7 +186,10 @@ class Design:
 
 def _mirrored(body: Body) -> Body:
     """A body with the mirror image of its roughness."""
-    heights = body.topography
+    heights, waves = body.topography, body.long_waves
     return replace(
-        body, lay=-body.lay % pi, topography=None if heights is None else heights.mirrored
+        body,
+        lay=-body.lay % pi,
+        topography=None if heights is None else heights.mirrored,
+        long_waves=None if waves is None else LongWaves(waves.surface.mirrored),
     )

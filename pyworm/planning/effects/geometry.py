@@ -138,6 +138,7 @@ def as_line(scene: Contact) -> Contact:
         slide_roll_ratio=scene.slide_roll_ratio,
         separation=scene.separation,
         past=scene.past,
+        travelled=scene.travelled and tuple((way[axis],) for way in scene.travelled),
     )
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction
+from pyworm.scene.waves import waves_in_gap
 
 OF_FLOW = 0.5
 """Change of a film, thicker than the roughness, over that of its flow by the factors of rough walls; the
@@ -25,14 +26,15 @@ def _by_roughness(prediction: Prediction) -> Influence:
 
 
 def _of_film(prediction: Prediction) -> float:
-    """Relative change of the film, by the flow factors at the least film."""
+    """Relative change of the film, by the flow factors at the least film and by long waves in the gap."""
     flow, shear = (
         prediction.scene.rough_pair.curves().at_thickness(prediction.film_min)[3:].reshape(2, 3)
     )
     by_pressure = float(np.abs(1 - flow[:2]).max())
     dragged = float(np.abs(shear[:2]).max()) / prediction.film_min
     by_shear = dragged * prediction.sliding / (2 * prediction.speed)
-    return (by_pressure + by_shear) * (OF_FLOW + (1 - OF_FLOW) * exp(-_thickness(prediction)))
+    of_flow = OF_FLOW + (1 - OF_FLOW) * exp(-_thickness(prediction))
+    return (by_pressure + by_shear) * of_flow + waves_in_gap(prediction.scene) / prediction.film_min
 
 
 def _of_boundary_friction(prediction: Prediction) -> float:

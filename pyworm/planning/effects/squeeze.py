@@ -10,6 +10,7 @@ from pyworm.scene.contact import Contact
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
+from pyworm.scene.waves import waves_in_gap
 
 MOST_BY_EDGES = 0.4
 """Largest influence of edges and reliefs that come or go while oil passes. Of a contact that they cut in two
@@ -45,6 +46,8 @@ def spread(prediction: Prediction) -> float:
 
 def _by_squeeze(prediction: Prediction) -> Influence:
     change = lag(prediction, MOST_BY_EDGES) + SPEED_POWER * spread(prediction)
+    if prediction.scene.travelled is not None:
+        change += waves_in_gap(prediction.scene) / prediction.film_central
     return Influence(change, change, change)
 
 
@@ -54,13 +57,18 @@ def _lasting(scene: Contact) -> str | None:
     return "nothing before" if predicted(scene).before is None else None
 
 
+def _steady(scene: Contact) -> Contact:
+    """The contact without its past; an instant of a life, which has none of its own, as it is."""
+    return scene if scene.past is None else replace(scene, past=None, travelled=None)
+
+
 SQUEEZE = Effect(
     name="squeeze",
     symbol="d ln h + da/2b, in 2b/u",
     source="a film is as old as the oil in it; the contact's edge runs to the oil or from it, h ~ u^0.7",
     indicator=lambda prediction: lag(prediction) + spread(prediction),
     influence=_by_squeeze,
-    without=lambda scene: replace(scene, past=None),
+    without=_steady,
     lacking=_lasting,
     # far from the contact the gap changes as its surfaces carry it along, each as fast as it is there
     together=("real-gap", "varying-velocity"),

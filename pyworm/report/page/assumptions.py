@@ -61,6 +61,11 @@ def assumptions_section(case: Case, result: Result) -> Section:
     items.append("An inlet full of oil.")
     if "roughness" not in on:
         items.append("Smooth surfaces.")
+    elif any(table.nesting_index is not None for table in case.tables.bodies.surfaces.values()):
+        items.append(
+            "Waves longer than the nesting index rest in the gap where they rest in the contact; those that "
+            "roll through a steady film are in the model's error bar."
+        )
     if "squeeze" not in on:
         items.append("A steady film (the table of effects estimates the influence of squeeze).")
     else:

@@ -9,6 +9,7 @@ from pyworm import kernel
 from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
+from pyworm.scene.waves import opening
 from pyworm.solver.level import FLOOR, TRACE, InitialGuess, Level, TransientTerm
 from pyworm.solver.line.far_field import LineFarField, line_far_field
 
@@ -98,7 +99,7 @@ def _supplied(
 def _level(
     scene: LineScene, size: LineScales, grid: LineGrid, load: float, term: TransientTerm | None
 ) -> LineLevel:
-    gap, covered = scene.gap(grid.x)
+    gap, covered = opening(scene, grid.x)
     film = kernel.LineFilm(
         gap,
         covered,

@@ -16,6 +16,7 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales
+from pyworm.scene.waves import opening
 from pyworm.solver.level import FLOOR, TRACE, InitialGuess, Level, TransientTerm
 from pyworm.solver.point.far_field import far_field
 
@@ -85,7 +86,7 @@ def first_level(
     `far` is the scene of the far field.
     """
     x, y = grid.mesh()
-    gap, covered = scene.gap(x, y)
+    gap, covered = opening(scene, x, y)
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
     rigid_film = size.film - dry.approach
     beyond = far_field(far, grid, gap + rigid_film, covered)
@@ -208,7 +209,7 @@ def _level(
     term: TransientTerm | None,
     coarser: InitialGuess | None = None,
 ) -> PointLevel:
-    gap, covered = scene.gap(*grid.mesh())
+    gap, covered = opening(scene, *grid.mesh())
     film = kernel.PointFilm(
         gap + far,
         covered,

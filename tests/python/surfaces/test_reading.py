@@ -183,7 +183,7 @@ def test_form_is_removed_and_waves_are_separated():
     waves = separate_waves(form + long + short, (1e-6, 1e-6), nesting_index=40e-6)
     inside = np.s_[60:-60, 10:-10]
     assert waves.roughness.height[inside] == pytest.approx(short[inside], abs=0.12e-6)
-    total = waves.roughness.height + waves.long_waves
+    total = waves.roughness.height + waves.long_waves.height
     assert total[inside] == pytest.approx((long + short)[inside], abs=0.3e-6)
     unfiltered = separate_waves(form + short, (1e-6, 1e-6))
     assert unfiltered.roughness.height == pytest.approx(short, abs=0.05e-6)
