@@ -211,7 +211,7 @@ contains
     contact%film%held = .true.
   end subroutine film_hold
 
-  !> Sets the flow law of a contact's oil; see `flow_laws` and `film_newton` for the arguments.
+  !> Sets the flow law of a contact's oil, without heat; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
       reference_decay, limit, limit_growth, exponent, slip_step, levels, stat)
     use film_newton, only: shear_contact
@@ -227,6 +227,7 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
+    if (allocated(contact%heat)) deallocate (contact%heat)
     call shear_contact(contact%film, flow_law(law, reference, reference_growth, reference_decay, limit, &
       limit_growth, exponent, slip_step), levels, sliding_x, sliding_y, stat)
   end subroutine film_shear

@@ -303,7 +303,7 @@ class Film:
         return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
     def shear(self, law: FlowLaw, levels: int, sliding, slip_step: float = SLIP_STEP) -> None:
-        """Set the flow law of the oil; the film must be restarted, or heated, before its next step.
+        """Set the flow law of the oil, at the inlet's temperature; the film must be restarted, or heated.
 
         Parameters
         ----------
@@ -333,6 +333,8 @@ class Film:
             )
         )
         self.levels = levels
+        self.heated = False
+        self._warming = 0.0
 
     def roughen(self, curves: GapCurves, boundary_friction: float) -> None:
         """Make the surfaces of a sheared film rough; it must be restarted, or heated, before its next step.
