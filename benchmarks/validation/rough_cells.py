@@ -1,23 +1,28 @@
 """The cell solver on generated surfaces, means of eight: against Patir and Cheng, Tripp, and Persson.
 
 Flow between Gaussian surfaces that overlap where they would touch, as Patir and Cheng had it; both directions
-of isotropic ones, gamma and 1/gamma of ridges. Then the contact of elastic self-affine surfaces: the factor
-and the length of its exponential law, and its area slope, between H = 0.6 and 1.8. Run from the repository's
-root:
+of isotropic ones, gamma and 1/gamma of ridges. First surfaces as theirs, of a linear autocorrelation and few
+nodes in a correlation length; then smooth ones, of a Gaussian autocorrelation. Then the contact of elastic
+self-affine surfaces: the factor and the length of its exponential law, and its area slope, between H = 0.6
+and 1.8. Run from the repository's root:
 
     python benchmarks/validation/rough_cells.py
 """
 
 import numpy as np
+import scipy
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
 from pyworm.kernel.rough_cell import conduct, press
+from pyworm.materials.topography import Topography
 from pyworm.surfaces.generated import gaussian, self_affine
 from pyworm.surfaces.parameters import slopes
 
 SURFACES = 8
 GAPS = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0)
 ASPECTS = (1.0, 3.0)
+LINEAR = (256, 6), (256, 12), (512, 24)
+"""Nodes a side and in the length over which the autocorrelation falls to zero."""
 FLOOR = 1e-2
 """Gap over the roughness that remains where surfaces overlap."""
 
@@ -26,8 +31,14 @@ MODULUS = 2.0
 
 
 def main():
-    print("| gamma | H | phi | Patir and Cheng | Tripp | Phi_s | Patir and Cheng | Tripp |")
-    print("|---|---|---|---|---|---|---|---|")
+    heading = "H | phi | Patir and Cheng | Tripp | Phi_s | Patir and Cheng | Tripp |"
+    print(f"| nodes, in a length | gamma | {heading}\n|---|---|---|---|---|---|---|---|---|")
+    for nodes, length in LINEAR:
+        surfaces = [linear(nodes, length, seed) for seed in range(SURFACES)]
+        for gap in GAPS[:-1]:
+            for gamma, (flow, shear) in factors(surfaces, gap, 1.0).items():
+                print(f"| {nodes}, {length} {row(gamma, gap, flow, shear)}", flush=True)
+    print(f"\n| gamma | {heading}\n|---|---|---|---|---|---|---|---|")
     for aspect in ASPECTS:
         surfaces = [gaussian(1e-6, 20e-6, aspect, seed) for seed in range(SURFACES)]
         for gap in GAPS:
@@ -40,6 +51,17 @@ def main():
         mean, spread = found.mean(axis=0), found.std(axis=0)
         cells = " | ".join(f"{m:.3f} ± {s:.3f}" for m, s in zip(mean, spread, strict=True))
         print(f"| {hurst} | {cells} |")
+
+
+def linear(nodes, length, seed):
+    """A surface of normal heights whose autocorrelation falls linearly along both sides (moving averages).
+
+    N. Patir, Wear 47 (1978) 263, had such surfaces.
+    """
+    noise = np.random.default_rng(seed).standard_normal((nodes, nodes))
+    height = scipy.ndimage.uniform_filter(noise, length, mode="wrap")
+    height -= height.mean()
+    return Topography(1e-6 * height / height.std(), (1e-6, 1e-6), periodic=True)
 
 
 def factors(surfaces, gap, aspect):

@@ -25,6 +25,8 @@ module rough_surfaces
     !> over the nominal, pressure flow factors of the mean thickness's cube, shear flow factors times roughness [m]; and their
     !> derivatives by the rows' coordinate.
     real(wp), allocatable :: value(:, :), slope(:, :)
+    !> Coefficients (curve, power, row) of the cubics from each row to the next by the fraction of the way between them.
+    real(wp), allocatable :: cubic(:, :, :)
   end type gap_curves
 
   !> Averages at the nodes.
@@ -63,6 +65,7 @@ contains
     stat = status_not_finite
     if (.not. (all(abs(curves%value) <= huge(1.0_wp)) .and. all(abs(curves%slope) <= huge(1.0_wp)))) return
     self%curves = curves
+    call set_cubics(self%curves)
     self%boundary_friction = boundary_friction
     allocate (self%total(nx, ny), self%excess(nx, ny), self%stiffness(nx, ny), self%widening(nx, ny), self%area(nx, ny), &
       self%change(nx, ny), self%flow(nx, ny, 3), self%flow_h(nx, ny, 3), self%shear(nx, ny, 3), self%shear_h(nx, ny, 3), &
@@ -70,6 +73,25 @@ contains
     if (err == 0) allocate (self%ruptured(nx, ny), source=.false., stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_rough_film
+
+  !> Sets the coefficients of the cubics.
+  pure subroutine set_cubics(curves)
+    type(gap_curves), intent(inout) :: curves
+    integer :: k, rows
+
+    rows = size(curves%value, 2)
+    if (allocated(curves%cubic)) deallocate (curves%cubic)
+    allocate (curves%cubic(curve_count, 0:3, rows - 1))
+    do k = 1, rows - 1
+      associate (a => curves%value(:, k), b => curves%value(:, k + 1), da => curves%spacing*curves%slope(:, k), &
+          db => curves%spacing*curves%slope(:, k + 1))
+        curves%cubic(:, 0, k) = a
+        curves%cubic(:, 1, k) = da
+        curves%cubic(:, 2, k) = 3*(b - a) - 2*da - db
+        curves%cubic(:, 3, k) = da + db - 2*(b - a)
+      end associate
+    end do
+  end subroutine set_cubics
 
   !> Takes the total pressure `p` and the gap between mean planes `h` and replaces them by the oil's pressure and the mean
   !> thickness of the gap; sets all averages. Asperities bear where both surfaces are `covered`.
@@ -117,10 +139,9 @@ contains
     k = int(row) + 1
     t = row - (k - 1)
     turn = 1/(curves%spacing*hypot(gap, curves%scale))
-    associate (a => curves%value(:, k), b => curves%value(:, k + 1), da => curves%spacing*curves%slope(:, k), &
-        db => curves%spacing*curves%slope(:, k + 1))
-      value = a + t*(da + t*(3*(b - a) - 2*da - db + t*(da + db - 2*(b - a))))
-      slope = turn*(da + t*(2*(3*(b - a) - 2*da - db) + 3*t*(da + db - 2*(b - a))))
+    associate (c => curves%cubic(:, :, k))
+      value = c(:, 1) + t*(c(:, 2) + t*(c(:, 3) + t*c(:, 4)))
+      slope = turn*(c(:, 2) + t*(2*c(:, 3) + 3*t*c(:, 4)))
     end associate
   end subroutine look_up
 

@@ -20,12 +20,17 @@ def _finish(text: str) -> str:
     return text
 
 
+_OF_HEIGHTS = "roughness_slope", "roughness_aspect", "asperity_sharpness", "asperity_density"
+"""Keys that say how the heights of a roughness are spread."""
+
+
 class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
     Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
     mean square height Rq, or by `roughness_ra` the arithmetic mean Ra, 0.8 Rq of heights spread normally.
-    The lay is the angle of its ridges from the surface's own motion. A `material` by name gives all constants
+    The lay is the angle of its ridges from the surface's own motion. With `asperity_sharpness` the contact is
+    that of Greenwood and Tripp's asperities. A `material` by name gives all constants
     that are not given beside it, a `finish` the usual roughness of flanks so made.
     """
 
@@ -42,13 +47,15 @@ class BodyTable(Table):
     roughness_slope: Annotated[float, Field(strict=True, gt=0, le=1)] | None = None
     roughness_aspect: Annotated[float, Field(strict=True, ge=1 / 9, le=9)] | None = None
     lay: units.AngleOrZero | None = None
+    asperity_sharpness: Annotated[float, Field(strict=True, gt=0, le=1)] | None = None
+    asperity_density: Annotated[float, Field(strict=True, gt=0, le=0.3)] | None = None
     hardness: units.Hardness | None = None
     boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] | None = None
     surface: SurfaceTable | None = None
 
     @model_validator(mode="after")
     def _surface_alone(self):
-        for name in ("roughness", "roughness_ra", "roughness_slope", "roughness_aspect", "lay"):
+        for name in ("roughness", "roughness_ra", *_OF_HEIGHTS, "lay"):
             if self.surface is not None and getattr(self, name) is not None:
                 raise ValueError(f"{name} means nothing beside surface, whose heights give it")
         return self
@@ -74,13 +81,20 @@ class BodyTable(Table):
     def _roughness_complete(self):
         if self.roughness is not None and self.roughness_ra is not None:
             raise ValueError("give either roughness (Rq) or roughness_ra (Ra), one of the two")
-        for name in ("roughness_slope", "roughness_aspect"):
+        for name in _OF_HEIGHTS:
             if (
                 getattr(self, name) is not None
                 and self.roughness is None
                 and self.roughness_ra is None
             ):
                 raise ValueError(f"{name} needs roughness (Rq) or roughness_ra (Ra) beside it")
+        if self.asperity_sharpness is not None and self.roughness_slope is not None:
+            raise ValueError(
+                "give either roughness_slope (rough on all scales) or asperity_sharpness (asperities of one "
+                "radius), one of the two"
+            )
+        if self.asperity_density is not None and self.asperity_sharpness is None:
+            raise ValueError("asperity_density needs asperity_sharpness beside it, such as 0.01")
         if self.lay is not None and self.roughness_aspect is None:
             raise ValueError(
                 "lay needs roughness_aspect beside it, such as 3: without it there is no lay"

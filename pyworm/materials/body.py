@@ -12,6 +12,11 @@ RUN_IN_SLOPE = 0.008
 load is that of the field's measured and computed partial films (`docs/theory/roughness.md`)."""
 
 
+ASPERITY_DENSITY = 0.04
+"""Asperities for each area times their radius times the roughness, where none is given: 0.03 to 0.05 of most
+surfaces (Greenwood and Tripp 1970)."""
+
+
 @dataclass(frozen=True)
 class Body:
     """One of the two solids.
@@ -36,6 +41,11 @@ class Body:
         Correlation length of the roughness along its lay over that across it [-]; 1 where it has no lay.
     lay : float
         Angle of the lay from the surface's own motion through the contact [rad].
+    asperity_sharpness : float or None
+        Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
+        rough on all scales.
+    asperity_density : float
+        Such asperities for each area times radius times composite roughness [-].
     hardness : float or None
         Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield.
     boundary_friction_factor : float
@@ -61,6 +71,8 @@ class Body:
     roughness_slope: float = RUN_IN_SLOPE
     roughness_aspect: float = 1.0
     lay: float = 0.0
+    asperity_sharpness: float | None = None
+    asperity_density: float = ASPERITY_DENSITY
     hardness: float | None = None
     boundary_friction_factor: float = 1.0
     topography: Topography | None = None
@@ -86,6 +98,8 @@ _POSITIVE = {
     "roughness": "m",
     "roughness_slope": "",
     "roughness_aspect": "",
+    "asperity_sharpness": "",
+    "asperity_density": "",
     "hardness": "Pa",
     "boundary_friction_factor": "",
 }

@@ -10,8 +10,8 @@ import numpy as np
 import scipy
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
-from pyworm.formulas.rough_contact import open_gap, self_affine
-from pyworm.materials.body import Body, reduced_modulus
+from pyworm.formulas.rough_contact import greenwood_tripp, open_gap, self_affine
+from pyworm.materials.body import ASPERITY_DENSITY, Body, reduced_modulus
 
 Array = np.ndarray
 
@@ -46,6 +46,10 @@ class RoughSurface:
         Angle of the lay from the x axis [rad].
     hardness : float or None
         Indentation hardness [Pa]; None of a surface that does not yield.
+    sharpness : float or None
+        Composite roughness over the radius of asperities of one radius [-]; None if rough on all scales.
+    density : float
+        Such asperities for each area times radius times composite roughness [-].
     """
 
     height: float
@@ -53,6 +57,8 @@ class RoughSurface:
     aspect: float = 1.0
     lay: float = 0.0
     hardness: float | None = None
+    sharpness: float | None = None
+    density: float = ASPERITY_DENSITY
 
 
 @dataclass(frozen=True)
@@ -134,19 +140,26 @@ class RoughPair:
     def contact(self, gap) -> tuple[Array, Array]:
         """Pressure of the asperities [Pa] and real area over the nominal one, by the gap over the roughness.
 
-        Elastic pressure and that of the softer body's hardness over the area of overlap join as the root of
-        the sum of their inverse squares.
+        Asperities of one radius, of the rougher surface that has some, stand for both surfaces. Elastic
+        pressure and that of the softer body's hardness over the area of overlap join as the root of the sum
+        of their inverse squares.
         """
         gap = np.asarray(gap, dtype=float)
-        pressure, area = self_affine(
-            gap, hypot(*(own.slope for own in self.surfaces)), self.modulus
-        )
+        pressure, area = self._elastic_contact(gap)
         yielding = [own.hardness for own in self.surfaces if own.hardness is not None]
         if not yielding:
             return pressure, area
         overlap = scipy.special.ndtr(-gap)
         share = 1 / np.hypot(1.0, pressure / (min(yielding) * np.maximum(overlap, 1e-300)))
         return pressure * share, np.maximum(area * share, overlap * np.sqrt(1 - share**2))
+
+    def _elastic_contact(self, gap: Array) -> tuple[Array, Array]:
+        """`contact` of surfaces that do not yield."""
+        summits = [own for own in self.surfaces if own.sharpness is not None]
+        if not summits:
+            return self_affine(gap, hypot(*(own.slope for own in self.surfaces)), self.modulus)
+        own = max(summits, key=lambda one: one.height)
+        return greenwood_tripp(gap, own.density, own.sharpness, self.modulus)
 
     def mean_thickness(self, gap) -> Array:
         """Mean thickness of the gap where surfaces overlap nowhere, over the composite roughness [-]."""
@@ -266,6 +279,8 @@ def rough_pair(bodies: tuple[Body, Body], directions: Sequence[float]) -> RoughP
             body.roughness_aspect,
             direction + body.lay,
             body.hardness,
+            body.asperity_sharpness,
+            body.asperity_density,
         )
         for body, direction in zip(bodies, directions, strict=True)
     )

@@ -49,6 +49,10 @@ the barrier of an interior-point method (Nocedal and Wright 2006, chapter 19).""
 FIRMED_AGAIN = (2.0, 8.0)
 """Factors of the stresses from which a heated film that does not settle is softened once more, in order."""
 
+ROUGHENED_TOLERANCE = 1e-2
+"""Residual at which the film of smooth surfaces becomes one between rough ones, and that one gets its law of
+flow: either changes it by more."""
+
 CONTINUATION_STEPS = 12
 """Largest number of Newton steps from one film of the continuation to the next."""
 
@@ -195,9 +199,10 @@ class ContactSolver(ABC):
         steps: list[NewtonStep] = []
         stresses = 1.0
         if self._model.levels:
-            steps += lead(level, COARSE_TOLERANCE)
-            if self._rough is not None:
-                steps += self._roughened(level)
+            if self._rough is None:
+                steps += lead(level, COARSE_TOLERANCE)
+            else:
+                steps += lead(level, ROUGHENED_TOLERANCE) + self._roughened(level)
             # that film's pressure could make heat without bound by a law that limits the stress
             sheared, stresses = self._sheared(level)
             steps += sheared
@@ -244,7 +249,7 @@ class ContactSolver(ABC):
 
         guesses = [self._lifted(smooth, film), *self._dry_guesses(level)]
         imbalance(min(guesses, key=imbalance))
-        return lead(level, COARSE_TOLERANCE)
+        return lead(level, ROUGHENED_TOLERANCE)
 
     def _lifted(self, guess: InitialGuess, film: float) -> InitialGuess:
         """A guess with this film under its largest pressure, lifted until asperities bear no more."""

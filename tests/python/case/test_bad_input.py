@@ -164,6 +164,16 @@ def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
         ('roughness = "1 um"\nlay = "90 deg"', "lay needs roughness_aspect beside it, such as 3"),
         ('roughness = "1 um"\nroughness_aspect = 20', "roughness_aspect = 20"),
         ('hardness = "1 kPa"', "hardness between 1 MPa and 200 GPa"),
+        ("asperity_sharpness = 0.01", "asperity_sharpness needs roughness (Rq)"),
+        (
+            'roughness = "1 um"\nasperity_density = 0.04',
+            "asperity_density needs asperity_sharpness beside it, such as 0.01",
+        ),
+        (
+            'roughness = "1 um"\nasperity_sharpness = 0.01\nroughness_slope = 0.01',
+            "either roughness_slope (rough on all scales) or asperity_sharpness",
+        ),
+        ('roughness = "1 um"\nasperity_sharpness = 0', "asperity_sharpness = 0"),
     ],
 )
 def test_wrong_roughness(refuse, keys, sentence):

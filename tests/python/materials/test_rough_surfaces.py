@@ -1,5 +1,6 @@
 """Averages of two rough surfaces over the gap between their mean planes."""
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -36,6 +37,23 @@ def test_softer_body_yields():
     assert np.all(yielding < 1e9 * scipy.special.ndtr(-gap))
     assert np.all(np.diff(yielding) < 0)
     assert np.all((PAIR.contact(gap)[1] > 0) & (PAIR.contact(gap)[1] <= 1))
+
+
+def test_asperities_of_one_radius_bear_as_greenwood_and_tripp_have_it():
+    """Those of the rougher surface, by quadrature of the heights that overlap; the hardness caps them."""
+    body = Body(2e11, 0.3, roughness=0.4e-6, asperity_sharpness=0.01)
+    other = Body(2e11, 0.3, roughness=0.3e-6, asperity_sharpness=0.03, asperity_density=0.05)
+    pair = rough_pair((body, other), (0.0, 0.0))
+    moment, _ = scipy.integrate.quad(
+        lambda z: (z - 1) ** 2.5 * np.exp(-(z**2) / 2) / np.sqrt(2 * pi), 1, 12
+    )
+    expected = 16 * np.sqrt(2) * pi / 15 * 0.04**2 * np.sqrt(0.01) * pair.modulus * moment
+    assert pair.contact(1.0)[0] == pytest.approx(expected, rel=1e-6)
+    soft = rough_pair((replace(body, hardness=1e8), other), (0.0, 0.0))
+    gap = np.linspace(-2, 4, 30)
+    assert np.all(soft.contact(gap)[0] < pair.contact(gap)[0])
+    assert np.all(soft.contact(gap)[0] < 1e8 * scipy.special.ndtr(-gap))
+    assert np.isfinite(pair.curves().values).all()
 
 
 def test_lays_of_both_surfaces_add():

@@ -49,8 +49,8 @@ def test_rolling_waves_are_flattened_as_venner_found(contact, ratio):
     table = PastTable.model_validate({"times": ["0 s", f"{whole:.9g} s"], "speed": [1.0, 1.0]})
     scene = table.of(_with_waves(contact, length))
     plan = pyworm.plan(scene, 0.02, "isothermal,squeeze,roughness")
-    found = march(course_of(scene.past.life, plan), 1, 0.0, [whole]).figures
-    last = [of["film_central"] for seconds, of in found if seconds > whole - length / speed]
+    found = march(course_of(scene.past.life, plan), 1, 0.0, [whole]).moments
+    last = [of.figures["film_central"] for of in found if of.seconds > whole - length / speed]
     film = line_scales(contact).film
     left = (max(last) - min(last)) / (2 * PART * film)
     print(f"{left:.4f} of the amplitude is left, {VENNER[PART][ratio]} in the table")
