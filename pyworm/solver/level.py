@@ -225,7 +225,7 @@ class Level(ABC):
         return {
             "friction_coefficient": self._friction(shear.stress, within),
             "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
-            "shear_rate_max": float(shear.rate[within].max()),
+            "shear_rate_max": float(shear.rate[within].max(initial=0.0)),
         }
 
     def _friction(self, stress: Sequence[Array], within: Array) -> float:

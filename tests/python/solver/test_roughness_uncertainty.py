@@ -97,6 +97,11 @@ def test_a_film_that_does_not_follow_has_no_bar(film, monkeypatch):
     assert all(of == np.inf for of in found.values())
 
 
+def test_figures_over_no_nodes_are_zero(film):
+    level, _ = film
+    assert set(level.rubbed(np.zeros(level.grid.x.shape, dtype=bool)).values()) == {0.0}
+
+
 def test_results_have_both_bars():
     scene = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5)
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.05))
