@@ -1,33 +1,190 @@
-"""Elastohydrodynamic lubrication of worm gears.
+"""Elastohydrodynamic lubrication of worm gears: films between teeth, rollers and balls.
 
-import pyworm
-case = pyworm.load("cases/zi_sharif_2001.toml")
-scene = case.scene(phase=0.5)
-plan = pyworm.plan(scene, accuracy=0.01)
-solution = pyworm.solve(scene, plan)
+A contact in five statements, numbers in SI:
+
+    import pyworm
+    steel = pyworm.named_body("16MnCr5")
+    oil = pyworm.named_oil("PAO VG 220").oil(333.15)
+    motions = pyworm.RigidMotion(1.1, 0), pyworm.RigidMotion(0.9, 0)
+    scene = pyworm.Scene(name="ball", gap=pyworm.Paraboloid(0.01, 0.01), load=50, motions=motions,
+                         bodies=(steel, steel), oil=oil)
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.02))
+
+A contact
+    Scene           a point contact at one instant
+    LineScene       a line contact at one instant
+    Paraboloid      gap of a point contact by its radii
+    Parabola        gap of a line contact by its radius
+    SampledGap      gap by an array of heights
+    read_gap        a gap from a file
+    RigidMotion     translation and spin of a surface
+    with_slide_roll_ratio   a scene at another slide-roll ratio
+
+Solids and oils
+    Body            elastic and thermal constants of a solid
+    named_body      a solid of the list of materials
+    Oil             laws of viscosity, density, flow and heat
+    Barus, Roelands     viscosity against pressure
+    Density         density against pressure
+    FlowLaw         how an oil shears under stress
+    OilHeat         how an oil takes heat
+    NamedOil        an oil over temperature
+    named_oil       an oil of the list of oils
+    read_oil        an oil from a file
+
+Solving
+    load            a case file, checked
+    Case            what `load` gives: it makes scenes
+    plan            effects, grids and tolerance for an accuracy
+    Plan            what `plan` gives
+    solve           the film of a scene by its plan
+    dry_contact     the pressure of a scene without oil
+    traction_curve  friction over the slide-roll ratio
+    sweep           many scenes to one table
+
+Results
+    Solution        fields, figures, convergence and cost of one solve
+    Figures         scalars of a solution
+    Estimate        a figure with its error bar, to calculate with
+    compare         two solutions side by side
+    Comparison      what `compare` gives
+    Result          solutions of a case, as files hold them
+    open_result     a result from its file
+    SweepResult     the table of a sweep
+    open_sweep      a sweep from its file
+    write_csv       fields as comma-separated values
+    write_vtk       fields for ParaView
+
+What goes wrong
+    CaseError       invalid input, one sentence
+    KernelError     the kernel gave up
+    UnusualWarning  a value that is mostly a slip
+
+Beside
+    formulas        closed forms: Hertz, films, regimes, ratings
+    plots           pictures of solutions, curves and sweeps
 """
 
 import os
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 # One thread a process unless asked otherwise, since batch work runs a process a core. This stands before
 # NumPy and the kernel are loaded, which count their threads then.
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-__all__ = ["Case", "CaseError", "LineScene", "Scene", "Solution", "load", "plan", "solve"]
+if (
+    TYPE_CHECKING
+):  # what editors and type checkers read; at run time names are loaded with their first use
+    from pyworm import formulas as formulas
+    from pyworm import plots as plots
+    from pyworm.batch.study import sweep as sweep
+    from pyworm.batch.study import traction_curve as traction_curve
+    from pyworm.case.case import Case as Case
+    from pyworm.case.case import load as load
+    from pyworm.io.input_error import CaseError as CaseError
+    from pyworm.kernel.core import KernelError as KernelError
+    from pyworm.materials.body import Body as Body
+    from pyworm.materials.body import named_body as named_body
+    from pyworm.materials.flow_laws import FlowLaw as FlowLaw
+    from pyworm.materials.library import NamedOil as NamedOil
+    from pyworm.materials.library import named_oil as named_oil
+    from pyworm.materials.oil import Oil as Oil
+    from pyworm.materials.oil_file import read_oil as read_oil
+    from pyworm.materials.thermal_properties import OilHeat as OilHeat
+    from pyworm.materials.viscosity_density import (
+        Barus as Barus,
+    )
+    from pyworm.materials.viscosity_density import (
+        Density as Density,
+    )
+    from pyworm.materials.viscosity_density import (
+        Roelands as Roelands,
+    )
+    from pyworm.planning.plan import Plan as Plan
+    from pyworm.planning.plan import plan as plan
+    from pyworm.result.compare import Comparison as Comparison
+    from pyworm.result.compare import compare as compare
+    from pyworm.result.export import write_csv as write_csv
+    from pyworm.result.export import write_vtk as write_vtk
+    from pyworm.result.result import Result as Result
+    from pyworm.result.result import open_result as open_result
+    from pyworm.result.sweep_result import SweepResult as SweepResult
+    from pyworm.result.sweep_result import open_sweep as open_sweep
+    from pyworm.scene.gap_file import read_gap as read_gap
+    from pyworm.scene.line import LineScene as LineScene
+    from pyworm.scene.line import Parabola as Parabola
+    from pyworm.scene.plausibility import UnusualWarning as UnusualWarning
+    from pyworm.scene.point import (
+        Paraboloid as Paraboloid,
+    )
+    from pyworm.scene.point import (
+        RigidMotion as RigidMotion,
+    )
+    from pyworm.scene.point import (
+        Scene as Scene,
+    )
+    from pyworm.scene.sampled_gap import SampledGap as SampledGap
+    from pyworm.scene.slide_roll import with_slide_roll_ratio as with_slide_roll_ratio
+    from pyworm.solver.estimate import Estimate as Estimate
+    from pyworm.solver.point.dry import dry_contact as dry_contact
+    from pyworm.solver.solution import Figures as Figures
+    from pyworm.solver.solution import Solution as Solution
+    from pyworm.solver.solve import solve as solve
 
 _HOMES = {
+    "Barus": "pyworm.materials.viscosity_density",
+    "Body": "pyworm.materials.body",
     "Case": "pyworm.case.case",
     "CaseError": "pyworm.io.input_error",
+    "Comparison": "pyworm.result.compare",
+    "Density": "pyworm.materials.viscosity_density",
+    "Estimate": "pyworm.solver.estimate",
+    "Figures": "pyworm.solver.solution",
+    "FlowLaw": "pyworm.materials.flow_laws",
+    "KernelError": "pyworm.kernel.core",
     "LineScene": "pyworm.scene.line",
+    "NamedOil": "pyworm.materials.library",
+    "Oil": "pyworm.materials.oil",
+    "OilHeat": "pyworm.materials.thermal_properties",
+    "Parabola": "pyworm.scene.line",
+    "Paraboloid": "pyworm.scene.point",
+    "Plan": "pyworm.planning.plan",
+    "Result": "pyworm.result.result",
+    "RigidMotion": "pyworm.scene.point",
+    "Roelands": "pyworm.materials.viscosity_density",
+    "SampledGap": "pyworm.scene.sampled_gap",
     "Scene": "pyworm.scene.point",
     "Solution": "pyworm.solver.solution",
+    "SweepResult": "pyworm.result.sweep_result",
+    "UnusualWarning": "pyworm.scene.plausibility",
+    "compare": "pyworm.result.compare",
+    "dry_contact": "pyworm.solver.point.dry",
     "load": "pyworm.case.case",
+    "named_body": "pyworm.materials.body",
+    "named_oil": "pyworm.materials.library",
+    "open_result": "pyworm.result.result",
+    "open_sweep": "pyworm.result.sweep_result",
     "plan": "pyworm.planning.plan",
+    "read_gap": "pyworm.scene.gap_file",
+    "read_oil": "pyworm.materials.oil_file",
     "solve": "pyworm.solver.solve",
+    "sweep": "pyworm.batch.study",
+    "traction_curve": "pyworm.batch.study",
+    "with_slide_roll_ratio": "pyworm.scene.slide_roll",
+    "write_csv": "pyworm.result.export",
+    "write_vtk": "pyworm.result.export",
 }
+"""Public name -> the module that it comes from."""
+
+_ROOMS = ("formulas", "plots")
+
+__all__ = [
+    "__version__",
+    *_ROOMS,
+    *_HOMES,
+]
 
 
 def __getattr__(name: str) -> Any:
@@ -36,6 +193,12 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("pyworm")
+    if name in _ROOMS:
+        return import_module(f"pyworm.{name}")
     if name not in _HOMES:
         raise AttributeError(f"module 'pyworm' has no attribute {name!r}")
     return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -12,10 +12,10 @@ from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
-from pyworm.case.plausibility import overheated
 from pyworm.drives.drive import Drive
 from pyworm.io.progress import Progress
 from pyworm.result.result import Result, open_result
+from pyworm.scene.plausibility import overheated
 from pyworm.solver.solution import Solution
 
 RESULT_NAME = "result.nc"

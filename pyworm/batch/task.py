@@ -10,7 +10,7 @@ from pyworm.batch.provenance import program_digest, provenance
 from pyworm.case.case import Case
 from pyworm.io.plain_dataset import merged
 from pyworm.io.progress import Progress
-from pyworm.planning.plan import Plan, plan
+from pyworm.planning.plan import Plan, plan_of
 from pyworm.result.result import FORMAT_VERSION, Result
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
@@ -59,7 +59,7 @@ class Task:
     @cached_property
     def plan(self) -> Plan:
         """Plan of the solve; ValueError if it cannot be planned."""
-        found = plan(self.scene, self.accuracy, self.effects, self.quantities)
+        found = plan_of(self.scene, self.accuracy, self.effects, self.quantities)
         return found if self.wider_window else replace(found, wider_grids=())
 
     @property

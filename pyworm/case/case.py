@@ -15,15 +15,16 @@ from pyworm.case.contact import GapCase, PointCase, contact_scene
 from pyworm.case.deviation_file import with_deviations
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.kinds import case_model, kind_model
-from pyworm.case.plausibility import doubts, require_possible
 from pyworm.case.ratings import RATING_TABLES
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
+from pyworm.io.shown import Shown, percent
 from pyworm.io.toml import read_toml
 from pyworm.scene.index import PLACE_NAMES, Place, crossed
 from pyworm.scene.line import LineScene
+from pyworm.scene.plausibility import doubts, require_possible
 from pyworm.scene.point import Scene
 
 NO_PHYSICS = {
@@ -43,8 +44,8 @@ MESH_PLACES = {"section": "sections", "phase": "phases", "station": "stations"}
 """Name of a place in a drive's mesh -> key of `[operation]` that lists those to be solved."""
 
 
-@dataclass(frozen=True)
-class Case:
+@dataclass(frozen=True, repr=False)
+class Case(Shown):
     """A checked case; makes the scenes that are to be solved.
 
     Attributes
@@ -63,6 +64,16 @@ class Case:
     directory: Path
     tables: CaseTable
     doubts: tuple[str, ...] = ()
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the case in words."""
+        return f"Case {self.name}", {
+            "title": self.title,
+            "contacts": f"{len(self.places())}",
+            "accuracy": percent(self.accuracy),
+            "effects": self.effects,
+            "warnings": f"{len(self.warnings)}",
+        }
 
     @property
     def title(self) -> str:

@@ -34,14 +34,15 @@ class Console(rich.console.Console):
 
 @contextmanager
 def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
-    """Show a progress bar on standard error if that is a terminal; nothing otherwise.
+    """Show a progress bar on standard error if that is a terminal, or in a notebook; nothing otherwise.
 
     Yields
     ------
     callable or None
         Called with what is being done and the fraction of all that is done, 0 to 1.
     """
-    if not sys.stderr.isatty():
+    console = Console(stderr=True)
+    if not (sys.stderr.isatty() or console.is_jupyter):
         yield None
         return
     columns = (
@@ -51,7 +52,7 @@ def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
         TimeRemainingColumn(),
     )
     # Scenes may take minutes: the remaining time is estimated from the last ten.
-    how = {"console": Console(stderr=True), "transient": True, "speed_estimate_period": 600}
+    how = {"console": console, "transient": True, "speed_estimate_period": 600}
     with Progress(*columns, **how) as bar:
         task = bar.add_task("", total=1.0)
 

@@ -159,3 +159,8 @@ def reads_as_xarray(*names: str) -> Callable[[type], type]:
 def held(instance: Any, name: str) -> "PlainDataset | xr.Dataset | None":
     """An attribute named in `reads_as_xarray` as it is held, so that xarray is not loaded for it."""
     return vars(type(instance))[name].held(instance)
+
+
+def same_data(one: "xr.Dataset | None", other: "xr.Dataset | None") -> bool:
+    """Whether two datasets, or none, hold the same, missing numbers included."""
+    return one is other if one is None or other is None else one.identical(other)

@@ -1,9 +1,13 @@
 """The solids in contact: elastic and thermal constants."""
 
 from dataclasses import dataclass
+from typing import Any, ClassVar
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive
+from pyworm.io import units
+from pyworm.io.given import take
+from pyworm.materials import solids
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 
@@ -78,8 +82,20 @@ class Body:
     topography: Topography | None = None
     long_waves: LongWaves | None = None
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "youngs_modulus": units.Modulus,
+        "density": units.MassDensity,
+        "conductivity": units.Conductivity,
+        "specific_heat": units.SpecificHeat,
+        "bulk_temperature": units.Temperature,
+        "roughness": units.Roughness,
+        "lay": units.Tilt,
+        "hardness": units.Hardness,
+    }
+
     def __post_init__(self) -> None:
-        """Refuse impossible constants of a solid."""
+        """Read quantities with units; refuse impossible constants of a solid."""
+        take(self)
         positive("youngs_modulus", self.youngs_modulus, "Pa")
         if not -1 < self.poisson_ratio <= 0.5:
             raise ValueError(
@@ -122,3 +138,30 @@ def composite_roughness(body_1: Body, body_2: Body) -> float | None:
     if body_1.roughness is None or body_2.roughness is None:
         return None
     return wear_distress.composite_roughness(body_1.roughness, body_2.roughness)
+
+
+def named_body(
+    material: str, roughness: float | str | None = None, bulk_temperature: float | str | None = None
+) -> Body:
+    """A solid of the list of materials (`pyworm/materials/solids.toml`).
+
+    Parameters
+    ----------
+    material : str
+        Such as "16MnCr5" or "CuSn12Ni2-C-GZ".
+    roughness : float or str, optional
+        Root mean square height of its surface [m]; smooth where it is not given.
+    bulk_temperature : float or str, optional
+        Temperature far below the surface [K]; needed where heat is simulated.
+
+    Raises
+    ------
+    ValueError
+        No such material, or a value that there is not.
+    """
+    try:
+        name = solids.named_material(material)
+    except ValueError as error:
+        raise ValueError(f'material "{material}": {error}') from None
+    constants = solids.constants(name)
+    return Body(**constants, roughness=roughness, bulk_temperature=bulk_temperature)

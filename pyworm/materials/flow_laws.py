@@ -2,11 +2,13 @@
 
 from dataclasses import dataclass, replace
 from math import asinh, exp, expm1, inf, sinh
-from typing import Literal, get_args
+from typing import Any, ClassVar, Literal, get_args
 
 import scipy
 
 from pyworm.formulas.ranges import one_of, positive, within
+from pyworm.io import units
+from pyworm.io.given import take
 
 LEAST_LIMIT = 0.1e6
 """Limiting stress below which none falls [Pa]."""
@@ -55,8 +57,16 @@ class FlowLaw:
     limit_pressure: float = 0.0
     exponent: float = 1.0
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "stress": units.StressOrZero,
+        "stress_pressure": units.PressureCoefficientAnySign,
+        "stress_temperature": units.TemperatureCoefficientAnySign,
+        "limit": units.StressOrZero,
+    }
+
     def __post_init__(self) -> None:
         """Refuse impossible values of the constants that the law uses."""
+        take(self, sizes=False)  # a continuation goes through larger stresses than any oil has
         one_of("law", self.law, get_args(FlowLawName))
         if self.law in ("eyring", "eyring-limited", "carreau"):
             positive("stress", self.stress, "Pa")

@@ -6,10 +6,12 @@ converge.
 
 from dataclasses import dataclass, replace
 from math import exp, log
-from typing import Any
+from typing import Any, ClassVar
 
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive
+from pyworm.io import units
+from pyworm.io.given import take
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
@@ -65,8 +67,11 @@ class Oil:
     supply: float | None = None
     boundary_friction: float = BOUNDARY_FRICTION
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {"supply": units.Film}
+
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""
+        take(self)
         require_kinds("viscosity", self.viscosity, Barus, Roelands)
         require_kinds("density", self.density, Density)
         require_kinds("flow", self.flow, FlowLaw, type(None))
@@ -74,12 +79,6 @@ class Oil:
         if self.supply is not None:
             positive("supply", self.supply, "m")
         positive("boundary_friction", self.boundary_friction, "")
-        if self.heat is not None and isinstance(self.viscosity, Roelands):
-            if self.heat.inlet_temperature <= ROELANDS_POLE_TEMPERATURE:
-                raise ValueError(
-                    f"inlet_temperature = {self.heat.inlet_temperature:g} K: must be above "
-                    f"{ROELANDS_POLE_TEMPERATURE:g} K, the pole of Roelands' law"
-                )
 
     def eta(self, pressure: float, rise: float = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""

@@ -2,8 +2,11 @@
 
 from dataclasses import dataclass
 from math import inf
+from typing import Any, ClassVar
 
 from pyworm.formulas.ranges import positive, within
+from pyworm.io import units
+from pyworm.io.given import take
 
 
 @dataclass(frozen=True)
@@ -47,8 +50,16 @@ class OilHeat:
     heat_capacity_k1: float = 0.0
     heat_capacity_k2: float = 0.0
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "inlet_temperature": units.Temperature,
+        "conductivity": units.OilConductivity,
+        "specific_heat": units.SpecificHeat,
+        "expansivity": units.TemperatureCoefficientOrZero,
+    }
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
+        take(self)
         positive("inlet_temperature", self.inlet_temperature, "K")
         positive("conductivity", self.conductivity, "W/(m K)")
         positive("specific_heat", self.specific_heat, "J/(kg K)")

@@ -5,11 +5,14 @@ The published variants of each law differ only in the constants that the constru
 
 from dataclasses import dataclass
 from math import exp, inf, log
+from typing import Any, ClassVar
 
 import numpy as np
 
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive, within
+from pyworm.io import units
+from pyworm.io.given import kind_of, number, take
 
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
@@ -39,8 +42,14 @@ class Barus:
     eta0: float
     alpha: float
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "eta0": units.Viscosity,
+        "alpha": units.PressureViscosityOrZero,
+    }
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
+        take(self)
         positive("eta0", self.eta0, "Pa s")
         within("alpha", self.alpha, 0, LARGEST_ALPHA, "1/Pa")
 
@@ -67,8 +76,11 @@ class Roelands:
     z: float
     p0: float = ROELANDS_PRESSURE
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {"eta0": units.Viscosity, "p0": units.Pressure}
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
+        take(self)
         positive("eta0", self.eta0, "Pa s")
         if self.eta0 <= exp(-ROELANDS_POLE_LOG):
             raise ValueError(
@@ -81,6 +93,9 @@ class Roelands:
     @classmethod
     def from_alpha(cls, eta0: float, alpha: float, p0: float = ROELANDS_PRESSURE) -> "Roelands":
         """The law whose slope at p = 0 is Barus' alpha [1/Pa]: z = alpha p0 / (ln eta0 + 9.67)."""
+        eta0 = number("eta0", eta0, kind_of(units.Viscosity))
+        alpha = number("alpha", alpha, kind_of(units.PressureViscosityOrZero))
+        p0 = number("p0", p0, kind_of(units.Pressure))
         return cls(eta0, alpha * p0 / (log(eta0) + ROELANDS_POLE_LOG), p0)
 
     @property
@@ -116,8 +131,15 @@ class Density:
     d1: float
     d2: float
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "rho0": units.OilDensity,
+        "d1": units.PressureCoefficientOrZero,
+        "d2": units.PressureCoefficientOrZero,
+    }
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
+        take(self)
         positive("rho0", self.rho0, "kg/m3")
         within("d1, d2", [self.d1, self.d2], 0, inf, "1/Pa")
 

@@ -1,11 +1,15 @@
 """The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from pyworm.formulas.regimes import Regime, line_regime, point_regime
+from pyworm.io import units
+from pyworm.io.given import kind_of, number, unusual
+from pyworm.io.shown import Shown, percent
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
@@ -25,11 +29,12 @@ from pyworm.planning.model import Model, model_for
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.planning.target import FILMS, HEAT_FIGURES, Aim
 from pyworm.scene.line import LineScene
+from pyworm.scene.plausibility import UnusualWarning, doubts, require_possible
 from pyworm.scene.point import Scene
 
 
-@dataclass(frozen=True)
-class Plan:
+@dataclass(frozen=True, repr=False)
+class Plan(Shown):
     """Effects, model, grids and tolerance of a solve.
 
     Attributes
@@ -63,6 +68,8 @@ class Plan:
         Reason why no grid is refined, the film needing far more nodes than allowed; else None.
     excluded : mapping of str to str
         Effects left out whatever the accuracy requires, and the reason of each.
+    contact : tuple of float
+        Load, reduced modulus, viscosity, radii and velocities of the contact that it is made for.
     """
 
     accuracy: float
@@ -79,6 +86,27 @@ class Plan:
     work: Work
     refusal: str | None = None
     excluded: Mapping[str, str] = field(default_factory=dict)
+    contact: tuple[float, ...] = ()
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of its picture in words."""
+        first, last = (" x ".join(map(str, self.grids[of].shape)) for of in (0, -1))
+        return "Plan", {
+            "accuracy": percent(self.accuracy),
+            "quantities": ", ".join(self.quantities),
+            "regime": self.regime.name,
+            "simulated": ", ".join(sorted(self.on)) or "no effect",
+            "grids": f"from {first} to {last} nodes, finer ones as needed",
+            **({"refused": self.refusal} if self.refusal else {}),
+        }
+
+    def require_of(self, scene: Scene | LineScene) -> None:
+        """Refuse another scene than that of the plan; ValueError."""
+        if self.contact != _identity(scene):
+            raise ValueError(
+                f"the plan was made for another contact than {scene.name}; make one for it, "
+                "pyworm.plan(scene)"
+            )
 
     @property
     def on(self) -> frozenset[str]:
@@ -126,12 +154,37 @@ def plan(
     quantities : sequence of str, optional
         Quantities asked for: "film", "friction", "temperature"; by default all that the oil's data allow.
 
+    Returns
+    -------
+    Plan
+        Unusual values of the scene, such as slips of units are, give an `UnusualWarning` each.
+
     Raises
     ------
     ValueError
         For an unknown name, an accuracy out of range, an effect for which data of the scene are missing, or
-        a scene without load or size.
+        a scene without load or size, or that no bodies and no film could make.
     """
+    if not isinstance(scene, Scene | LineScene):
+        raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene or a LineScene")
+    for sentence in (*unusual(scene), *doubts((scene,), "load")):
+        warnings.warn(f"{scene.name}: {sentence}", UnusualWarning, stacklevel=2)
+    require_possible(scene, f"{scene.name}: load")
+    return plan_of(scene, accuracy, effects, quantities)
+
+
+def plan_of(
+    scene: Scene | LineScene,
+    accuracy: float = 0.01,
+    effects: str = "auto",
+    quantities: Sequence[str] | None = None,
+) -> Plan:
+    """The plan of a scene that is known to be possible; arguments as of `plan`."""
+    accuracy = number("accuracy", accuracy, kind_of(units.Share))
+    if not isinstance(effects, str):
+        raise ValueError(f'effects = {effects!r:.40}: must be a text with commas, such as "auto"')
+    if isinstance(quantities, str):
+        quantities = tuple(quantities.split(","))
     if not 1e-5 <= accuracy <= 0.5:
         raise ValueError(
             f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"
@@ -192,7 +245,16 @@ def planned(
         model,
         **vars(numerics),
         excluded=dict(excluded or {}),
+        contact=_identity(scene),
     )
+
+
+def _identity(scene: Scene | LineScene) -> tuple[float, ...]:
+    """What tells a contact from others of other sizes: `Plan.contact`."""
+    origin = (np.zeros(()),) * len(scene.radii_along)
+    speeds = (float(part) for body in scene.velocities_at(*origin) for part in body)
+    sizes = scene.load, scene.reduced_modulus, scene.oil.viscosity.eta0
+    return (*sizes, *scene.radii_along, *speeds)
 
 
 def first_grids_of(scene: Scene | LineScene, plan: Plan) -> tuple[Grid | LineGrid, ...]:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from pyworm.planning.effects.judgement import simplified
-from pyworm.planning.plan import Plan, plan
+from pyworm.planning.plan import Plan, plan_of
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -82,7 +82,7 @@ def fidelities(
     lacking: dict[str, str] = {}
     for name, of, words in wanted:
         try:
-            planned = plan(of, accuracy, words, quantities)
+            planned = plan_of(of, accuracy, words, quantities)
             model = Fidelity(name, simplified(of, planned.on), planned)
         except ValueError as error:
             if name == wanted[-1][0]:

@@ -25,8 +25,9 @@ from typing import Any
 from pyworm.io.atomic import whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.plain_dataset import PlainDataset
+from pyworm.io.plain_dataset import PlainDataset, same_data
 from pyworm.io.reason import reason_of
+from pyworm.io.shown import Shown
 from pyworm.result.netcdf import as_netcdf
 from pyworm.result.sound_result import check, typed
 from pyworm.solver.solution import DATASETS, Solution
@@ -41,8 +42,8 @@ LARGEST = 2**31
 """Size beyond which arrays are not read [bytes], some twenty times the largest scene of the solver."""
 
 
-@dataclass(frozen=True)
-class Result:
+@dataclass(frozen=True, repr=False)
+class Result(Shown):
     """Solutions of one case and their provenance.
 
     Attributes
@@ -64,6 +65,26 @@ class Result:
     solutions: tuple[Solution, ...]
     mesh_cycle: "xr.Dataset | None"
     provenance: dict
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the result in words."""
+        thinnest = self.solutions[self.thinnest] if self.solutions else None
+        found = {} if thinnest is None else {"thinnest film": f"{thinnest.figures.film_min} m"}
+        return f"Result {self.case_name}", {
+            "contacts": f"{len(self.solutions)}, {len(self.unsound)} of them not converged",
+            **found,
+        }
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Result):
+            return NotImplemented
+        plain = ("case_name", "case", "solutions", "provenance")
+        return all(getattr(self, name) == getattr(other, name) for name in plain) and same_data(
+            self.mesh_cycle, other.mesh_cycle
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.case_name, self.solutions))
 
     @property
     def converged(self) -> bool:

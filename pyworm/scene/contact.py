@@ -3,11 +3,15 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf, prod
-from typing import TYPE_CHECKING, Any
+from math import inf, isfinite, prod
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.ranges import positive
+from pyworm.io import units
+from pyworm.io.given import kind_of, number, take
+from pyworm.io.shown import Shown
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds
 from pyworm.materials.rough_surfaces import RoughPair, rough_pair
@@ -25,8 +29,8 @@ BODIES = "body 1", "body 2"
 """What the bodies of a contact are called where nothing names them."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class Contact(ABC):
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Contact(Shown, ABC):
     """One lubricated contact at one instant.
 
     Attributes
@@ -81,11 +85,46 @@ class Contact(ABC):
     smooth: bool = False
     travelled: tuple[tuple[float, ...], tuple[float, ...]] | None = None
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {}
+
     def __post_init__(self) -> None:
-        """Refuse an oil or a body whose formulas the kernel would ignore."""
+        """Refuse what is no contact, and an oil or a body whose formulas the kernel would ignore."""
+        if not isinstance(self.name, str):
+            raise ValueError(f"name = {self.name!r:.40}: must be a text")
+        take(self)
+        if not (isfinite(self.load) and self.load >= 0):
+            raise ValueError(f"load = {self.load:g}: must be finite and greater than zero")
+        if not callable(self.gap):
+            raise ValueError(
+                f"gap is a {type(self.gap).__name__}: must be a function of places, such as a Paraboloid"
+            )
         require_kinds("oil", self.oil, Oil)
+        if not (isinstance(self.bodies, tuple) and len(self.bodies) == 2):
+            raise ValueError("bodies: must be a tuple of two, body 1 and body 2")
         for body in self.bodies:
             require_kinds("a body", body, Body)
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the contact in words."""
+        origin = (np.zeros(()),) * len(self.radii_along)
+        entrainment, sliding = (
+            ", ".join(f"{float(part):.3g}" for part in of(*origin))
+            for of in (self.entrainment_at, self.sliding_at)
+        )
+        moduli = ", ".join(f"{body.youngs_modulus / 1e9:.4g}" for body in self.bodies)
+        return f"{type(self).__name__} {self.name}", {
+            "load": f"{self.load:.4g} {type(self).QUANTITIES['load'].__metadata__[-1].unit}",
+            "radii": ", ".join(f"{radius * 1e3:.4g}" for radius in self.radii_along) + " mm",
+            "moduli": f"{moduli} GPa",
+            "entrainment": f"{entrainment} m/s",
+            "sliding": f"{sliding} m/s",
+            "oil": f"{self.oil.viscosity.eta0:.3g} Pa s, alpha {self.oil.viscosity.alpha * 1e9:.3g} 1/GPa",
+        }
+
+    @property
+    @abstractmethod
+    def radii_along(self) -> tuple[float, ...]:
+        """Relative radius of curvature along each direction of the contact [m]."""
 
     @abstractmethod
     def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
@@ -137,14 +176,32 @@ class Contact(ABC):
         """Directions of both surfaces' velocities at the contact point, from the x axis [rad]."""
 
 
-def require_radii(radii: tuple[float, ...], of_gap: tuple[float, ...]) -> None:
-    """Refuse radii other than those of the gap; window, far field and grids depend on them.
+def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
+    """Radii of a contact, those of its gap if they are not given; window, far field and grids depend on them.
 
     Raises
     ------
     ValueError
-        A radius differs.
+        A radius differs from that of the gap, is none, or is missing where the gap has none.
     """
-    if any(abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)):
-        given, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))
-        raise ValueError(f"radii {given} m contradict the gap, whose radii are {own} m; give these")
+    of_gap = getattr(gap, "radii", None)
+    if given is None and of_gap is None:
+        raise ValueError(
+            f"radii are missing: a gap that is a {type(gap).__name__} has none of its own; give the relative "
+            "radii of curvature at the contact point [m]"
+        )
+    if given is None:
+        return of_gap
+    kind = kind_of(units.Radius)
+    radii = tuple(number("radii", one, kind) for one in given)
+    positive("radii", radii, "m")
+    if of_gap is None:
+        return radii
+    if len(radii) != len(of_gap) or any(
+        abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)
+    ):
+        theirs, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))
+        raise ValueError(
+            f"radii {theirs} m contradict the gap, whose radii are {own} m; leave them out"
+        )
+    return radii

@@ -6,10 +6,14 @@ velocities are those of the surfaces along x, relative to the (moving) contact p
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import numpy as np
 
-from pyworm.scene.contact import Array, Contact, require_radii
+from pyworm.formulas.ranges import positive
+from pyworm.io import units
+from pyworm.io.given import kind_of, number, take
+from pyworm.scene.contact import Array, Contact, radii_of
 
 LineGap = Callable[[Array], tuple[Array, Array]]
 """x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
@@ -27,12 +31,24 @@ class Parabola:
 
     radius: float
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {"radius": units.Radius}
+
+    def __post_init__(self) -> None:
+        """Refuse a radius that there is not."""
+        take(self)
+        positive("radius", self.radius, "m")
+
+    @property
+    def radii(self) -> tuple[float]:
+        """The relative radius of curvature [m]."""
+        return (self.radius,)
+
     def __call__(self, x: Array) -> tuple[Array, Array]:
         """Gap [m] and where both surfaces exist (everywhere)."""
         return x**2 / (2 * self.radius), np.ones(x.shape, dtype=bool)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class LineScene(Contact):
     """One lubricated line contact at one instant.
 
@@ -40,9 +56,9 @@ class LineScene(Contact):
     ----------
     gap : LineGap
         Undeformed gap and where both surfaces exist.
-    radius : float
+    radius : float, optional
         Relative radius of curvature at the contact point [m]: the scale of the contact, and the gap beyond
-        the grid.
+        the grid. By default that of the gap, which a `Parabola` has.
     velocities : tuple of float
         Velocity of body 1 and of body 2 [m/s].
 
@@ -57,13 +73,26 @@ class LineScene(Contact):
     """
 
     gap: LineGap
-    radius: float
+    radius: float | None = None  # of a scene that is made never None
     velocities: tuple[float, float]
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.ForcePerLength}
+
     def __post_init__(self) -> None:
-        """Refuse a radius other than that of the gap."""
+        """Take the radius of the gap; refuse another one, and what are no velocities."""
         super().__post_init__()
-        require_radii((self.radius,), (getattr(self.gap, "radius", self.radius),))
+        given = None if self.radius is None else (self.radius,)
+        object.__setattr__(self, "radius", radii_of(self.gap, given)[0])
+        if not (isinstance(self.velocities, tuple) and len(self.velocities) == 2):
+            raise ValueError("velocities: must be a tuple of two, of body 1 and of body 2 [m/s]")
+        kind = kind_of(units.Velocity)
+        velocities = tuple(number("velocities", one, kind) for one in self.velocities)
+        object.__setattr__(self, "velocities", velocities)
+
+    @property
+    def radii_along(self) -> tuple[float]:
+        """Relative radius across the line [m]."""
+        return (self.radius,)
 
     @property
     def entrainment(self) -> float:

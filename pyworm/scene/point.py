@@ -7,10 +7,14 @@ Velocities are those of the surfaces relative to the (moving) contact point, pro
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import atan2
+from typing import Any, ClassVar
 
 import numpy as np
 
-from pyworm.scene.contact import Array, Contact, require_radii
+from pyworm.formulas.ranges import positive, within
+from pyworm.io import units
+from pyworm.io.given import take
+from pyworm.scene.contact import Array, Contact, radii_of
 
 Gap = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
@@ -20,6 +24,10 @@ oil still flows there."""
 
 Motion = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> velocity components (u, v) [m/s] of one surface."""
+
+
+LARGEST = 1e12
+"""Largest speed [m/s] or speed of rotation [rad/s] that is no slip."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +42,13 @@ class Paraboloid:
 
     radius_x: float
     radius_y: float
+
+    QUANTITIES: ClassVar[dict[str, Any]] = dict.fromkeys(("radius_x", "radius_y"), units.Radius)
+
+    def __post_init__(self) -> None:
+        """Refuse radii that there are not."""
+        take(self)
+        positive("radius_x, radius_y", self.radii, "m")
 
     @property
     def radii(self) -> tuple[float, float]:
@@ -62,12 +77,23 @@ class RigidMotion:
     v: float
     spin: float = 0.0
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "u": units.Velocity,
+        "v": units.Velocity,
+        "spin": units.Spin,
+    }
+
+    def __post_init__(self) -> None:
+        """Refuse velocities that there are not."""
+        take(self)
+        within("u, v, spin", (self.u, self.v, self.spin), -LARGEST, LARGEST, "")
+
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity components [m/s] at (x, y)."""
         return self.u - self.spin * y, self.v + self.spin * x
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Scene(Contact):
     """One lubricated point contact at one instant.
 
@@ -75,8 +101,9 @@ class Scene(Contact):
     ----------
     gap : Gap
         Undeformed gap and where both surfaces exist.
-    radii : tuple of float
+    radii : tuple of float, optional
         Relative radii of curvature along x and y at the contact point [m]: the scale of the contact.
+        By default those of the gap, which a `Paraboloid` and a `SampledGap` have.
     motions : tuple of Motion
         Velocity field of body 1 and of body 2.
 
@@ -91,13 +118,28 @@ class Scene(Contact):
     """
 
     gap: Gap
-    radii: tuple[float, float]
+    radii: tuple[float, float] | None = None  # of a scene that is made never None
     motions: tuple[Motion, Motion]
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.Force}
+
     def __post_init__(self) -> None:
-        """Refuse radii other than those of the gap."""
+        """Take the radii of the gap; refuse others, and what is no motion."""
         super().__post_init__()
-        require_radii(self.radii, getattr(self.gap, "radii", self.radii))
+        object.__setattr__(self, "radii", radii_of(self.gap, self.radii))
+        if not (
+            isinstance(self.motions, tuple)
+            and len(self.motions) == 2
+            and all(map(callable, self.motions))
+        ):
+            raise ValueError(
+                "motions: must be a tuple of two, of body 1 and of body 2, such as RigidMotion"
+            )
+
+    @property
+    def radii_along(self) -> tuple[float, float]:
+        """Relative radii along x and y [m]."""
+        return self.radii
 
     def velocities_at(self, x: Array, y: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """Velocity components [m/s] of body 1's and of body 2's surface at (x, y)."""

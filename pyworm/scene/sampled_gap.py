@@ -23,7 +23,7 @@ FLATTEST = 1e-3
 straight roller has radii too; they only set the scale of the contact."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SampledGap:
     """An undeformed gap between samples and a little beyond them.
 
@@ -78,6 +78,25 @@ class SampledGap:
                     f"gap is least near {name} = {place:.3g} m, not at the contact point x = y = 0; "
                     f"shift the coordinates by that ({name}0 in an npz file)"
                 )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, SampledGap):
+            return NotImplemented
+        return all(
+            np.array_equal(own, one, equal_nan=True)
+            for own, one in zip(self._arrays, other._arrays, strict=True)
+        )
+
+    def __hash__(self) -> int:
+        return hash(tuple(array.tobytes() for array in self._arrays))
+
+    @property
+    def _arrays(self) -> tuple[Array, Array, Array]:
+        return self.x, self.y, self.gap
+
+    def __repr__(self) -> str:
+        ny, nx = self.gap.shape
+        return f"<SampledGap of {nx} x {ny} heights, radii {self.radii[0]:.4g} and {self.radii[1]:.4g} m>"
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Gap [m], zero at the contact point, and where both bodies exist."""

@@ -14,10 +14,10 @@ from pyworm.solver.error_estimate import (
     peak_errors,
     unresolved,
 )
+from pyworm.solver.estimate import Estimate
 from pyworm.solver.grid_limit import grid_limits
 from pyworm.solver.level import Level
 from pyworm.solver.newton import Settled
-from pyworm.solver.solution import Estimate
 from pyworm.solver.stop_reason import film_is_sound
 from pyworm.solver.window_limit import WindowLimit
 
@@ -73,6 +73,7 @@ def estimates(
             reasons.get(name),
             on_grid=solver.origins.get(name, 0.0) + value,
             model=uncertainties.get(name),
+            datum=solver.origins.get(name, 0.0),
         )
         for name, value in settled.reading.figures.items()
     }

@@ -1,65 +1,19 @@
 """The result of one solve: fields, figures with error bars, convergence history and cost."""
 
-from dataclasses import asdict, dataclass, replace
-from math import hypot
+from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Literal
 
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.on_demand import later
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray
+from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_data
+from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
+from pyworm.solver.estimate import Estimate
 from pyworm.solver.left_out import LeftOut, judged
-
-
-@dataclass(frozen=True)
-class Estimate:
-    """A figure, its relative error bar by origin (`pyworm.solver.error_estimate`), and its model uncertainty.
-
-    Attributes
-    ----------
-    value : float
-        The figure in SI units, extrapolated to infinitely fine grids and an endless window where it can be
-        (`pyworm.solver.grid_limit`, `pyworm.solver.window_limit`).
-    grid : float
-        Discretisation error, from grids of halving spacing [-].
-    domain : float
-        Window error, from a window of twice the reach [-].
-    algebra : float
-        Algebraic error by stopping the Newton iteration [-].
-    approximation : float
-        Error of a temperature by the approximation of conduction in the bodies
-        (`fortran/heat/conduction_model.f90`), of all figures by the levels across the film and, where it is
-        transient, by the integration in time (`pyworm.solver.transient`) [-].
-    reason : str or None
-        Reason why this figure alone has an infinite error bar.
-    on_grid : float or None
-        The figure on the finest grid in its window, to which the fields belong; None where it is not known
-        apart.
-    model : float or None
-        Relative uncertainty by the assumptions of averaged roughness
-        (`pyworm.solver.roughness_uncertainty`), no part of `error`; None where roughness was not simulated.
-    """
-
-    value: float
-    grid: float
-    domain: float = 0.0
-    algebra: float = 0.0
-    approximation: float = 0.0
-    reason: str | None = None
-    on_grid: float | None = None
-    model: float | None = None
-
-    @property
-    def error(self) -> float:
-        """Relative numerical error bar [-].
-
-        Grid, window and algebra are estimates of errors of unknown and unrelated signs, whose squares add;
-        approximations are bounds of errors that do not depend on chance, which are added to that.
-        """
-        return hypot(self.grid, self.domain, self.algebra) + self.approximation
 
 
 @dataclass(frozen=True)
@@ -82,8 +36,8 @@ class DryFigures:
     approach: float
 
 
-@dataclass(frozen=True)
-class Figures:
+@dataclass(frozen=True, repr=False)
+class Figures(Shown):
     """The figures of one lubricated contact.
 
     Attributes
@@ -145,6 +99,12 @@ class Figures:
     friction_boundary: Estimate | None = None
     heat_balance: float | None = None
 
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the figures in words."""
+        return "Figures", {
+            name: f"{of}" for name, of in vars(self).items() if isinstance(of, Estimate)
+        }
+
     def values(self) -> dict[str, float]:
         """Values of the simulated figures that have error bars, by name."""
         return {name: of.value for name, of in vars(self).items() if isinstance(of, Estimate)}
@@ -174,8 +134,8 @@ DATASETS = ("fields", "history", "profile", "life")
 
 
 @reads_as_xarray(*DATASETS)
-@dataclass(frozen=True)
-class Solution:
+@dataclass(frozen=True, repr=False)
+class Solution(Shown):
     """One solved scene.
 
     Attributes
@@ -251,6 +211,39 @@ class Solution:
     life: "xr.Dataset | None" = None
     effects: tuple[Judgement, ...] = ()
     accuracy: float = 0.0
+
+    plot = later("pyworm.plots.of_solution", "Pictures")
+    """Pictures of it, such as `solution.plot.film()`."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the solution in words."""
+        figures = self.figures.shown()[1]
+        films = {name: figures.pop(name) for name in ("film_min", "film_central")}
+        state = "converged" if self.converged else "not converged"
+        return f"Solution {self.name}", {
+            "status": f"{state} ({self.stop_reason})",
+            **films,
+            **figures,
+            "regime": self.regime.name,
+            "grid": " x ".join(str(self.held("fields").sizes[of]) for of in self._axes),
+            "effects": ", ".join(effect.name for effect in self.effects if effect.on),
+        }
+
+    @property
+    def _axes(self) -> tuple[str, ...]:
+        """Directions of the grid."""
+        return ("x", "y") if self.kind == "point" else ("x",)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Solution):
+            return NotImplemented
+        plain = (part.name for part in fields(self) if part.name not in DATASETS)
+        return all(getattr(self, name) == getattr(other, name) for name in plain) and all(
+            same_data(getattr(self, name), getattr(other, name)) for name in DATASETS
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.kind, self.load, self.converged, self.figures))
 
     @property
     def left_out(self) -> LeftOut:

@@ -46,6 +46,7 @@ def solve(
         If values of the scene are not finite or memory does not suffice for the first grids
         (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
+    plan.require_of(scene)
     report = _rising(progress)
     stopwatch, warm_start = Stopwatch(), None
     while True:

@@ -23,7 +23,7 @@ from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.planning.effects.judgement import simplified
 from pyworm.planning.expected_work import STEPS_OF_INSTANT, Kind, Work
 from pyworm.planning.model import Model
-from pyworm.planning.plan import Plan, plan
+from pyworm.planning.plan import Plan, plan_of
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 from pyworm.solver.kinds import SOLVERS
@@ -203,7 +203,7 @@ def calibrate() -> Calibration:
 
 def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
     """Processor times of a model from two grids, and nodes and seconds of a convolution on each."""
-    planned = plan(scene, CALIBRATION_ACCURACY, words)
+    planned = plan_of(scene, CALIBRATION_ACCURACY, words)
     planned = replace(planned, model=replace(planned.model, levels=levels))
     simple = simplified(scene, planned.on)
     solver = SOLVERS[type(simple)](simple, planned)

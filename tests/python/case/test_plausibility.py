@@ -9,11 +9,11 @@ import pytest
 
 import pyworm
 from pyworm.case.case import case_of
-from pyworm.case.plausibility import overheated
 from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
 from pyworm.report.page.build import build_report
 from pyworm.result.result import open_result
+from pyworm.scene.plausibility import overheated
 
 CASES = Path(__file__).parents[3] / "cases"
 FILES = {
@@ -193,7 +193,7 @@ def test_a_run_warns_of_a_film_that_is_too_hot(tmp_path, capsys):
     out = ("--json", "--accuracy", "30%", "--slide-roll-ratio", "3", "--out", str(tmp_path / "out"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
-        patch.setattr("pyworm.case.plausibility.HOTTEST_FILM", 61.0)
+        patch.setattr("pyworm.scene.plausibility.HOTTEST_FILM", 61.0)
         assert main(["run", str(CASES / "traction_steel.toml"), *out]) == 0
     said = capsys.readouterr()
     (warning,) = json.loads(said.out)["warnings"]

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import pi
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -82,7 +83,7 @@ def test_the_approach_of_a_cylinder_is_johnson_s():
     Johnson (1985), chapter 5.6: stresses of the Hertz pressure less the uniform stress of the free
     boundary, integrated along the line of action in plane strain.
     """
-    rigid, steel = Body(1e30, 0.3), Body(207e9, 0.29)
+    rigid, steel = SimpleNamespace(youngs_modulus=1e30, poisson_ratio=0.3), Body(207e9, 0.29)
     compliance = Compliance((rigid, steel))
     load, radius = 150e3, 6.5e-3
     curvature = 1 / radius

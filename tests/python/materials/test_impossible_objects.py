@@ -72,7 +72,7 @@ def line():
                 DENSITY,
                 heat=OilHeat(**HEAT | {"inlet_temperature": 60.0}, specific_heat=2e3),
             ),
-            "inlet_temperature = 60 K: must be above 138 K",
+            "inlet_temperature = 60 K: must be a temperature between .*; did you mean .60.0 degC",
         ),
         (lambda: Oil(VISCOSITY, DENSITY, supply=0.0), "supply = 0 m"),
         (lambda: Body(207e9, 0.6), "poisson_ratio = 0.6: must lie above -1 and be at most 0.5"),

@@ -35,6 +35,10 @@ THICK = 1 / 20
 """Film over the radius along the entrainment from which a film is reported as thick; thin-film theory takes
 it as small, and beyond 1 the surfaces do not make a contact."""
 
+LIGHT = 1 / 4000
+"""Hertz pressure over the reduced modulus below which a contact is reported as light: 57 MPa of steel on
+steel, where gears and bearings bear some hundred and more."""
+
 MOLECULE = 1e-9
 """Thickness of a few molecules of oil [m], below which a film is no fluid."""
 
@@ -42,6 +46,10 @@ MOLECULE = 1e-9
 HOTTEST_FILM = 300.0
 """Temperature [degC] from which the molecules of oils break within hours; flashes of microseconds may pass
 it, but no law of viscosity was measured there (from memory; makers say 250 to 350)."""
+
+
+class UnusualWarning(UserWarning):
+    """A value or a contact that may be meant, but is mostly a slip of a unit."""
 
 
 @dataclass(frozen=True)
@@ -125,6 +133,14 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
     where = str(Place.of(scene))
     where = f" at {where}" if where else ""
     yield from _of_pressure(scene, pressure, where)
+    if pressure < LIGHT * scene.reduced_modulus:
+        yield Doubt(
+            "lightness",
+            LIGHT * scene.reduced_modulus / pressure,
+            True,
+            f"the bodies are pressed together with {pressure / 1e6:.3g} MPa only by Hertz{where}, where the "
+            f"radii are {_radii(scene)}; from {LIGHT * scene.reduced_modulus / 1e6:.0f} MPa on as a rule",
+        )
     yield from _of_hardness(scene, pressure, where)
     if film > THICK * radius:
         possible = film <= radius
@@ -146,6 +162,10 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
 
 
 _DISPROPORTION = "they make no contact, load, speed and viscosity do not fit each other"
+
+
+def _radii(scene: Scene | LineScene) -> str:
+    return " and ".join(f"{radius * 1e3:.4g} mm" for radius in scene.radii_along)
 
 
 def _sizes(scene: Scene | LineScene) -> tuple[float, float, float]:

@@ -1,0 +1,203 @@
+"""Studies from Python: many scenes of a script, or a sweep file, to one table."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
+from itertools import product
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from pyworm.batch.case_run import SCENES
+from pyworm.batch.provenance import provenance
+from pyworm.batch.scene_task import SceneTask, require_sendable
+from pyworm.batch.solve_tasks import solve_all
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.sweep import Sweep, label, load_sweep
+from pyworm.batch.sweep_run import run_sweep
+from pyworm.io.console import progress_bar
+from pyworm.io.progress import Progress
+from pyworm.io.terminal import say
+from pyworm.result.result import Result
+from pyworm.result.sweep_result import SweepResult
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.slide_roll import with_slide_roll_ratio
+
+
+def sweep(
+    make: str | Path | Callable[..., Scene | LineScene],
+    *,
+    out: str | Path | None = None,
+    accuracy: float | str = 0.01,
+    effects: str = "auto",
+    quantities: Sequence[str] | None = None,
+    fields: bool = False,
+    processes: int = 1,
+    scheduler: str | None = None,
+    progress: bool | Progress = True,
+    title: str = "study",
+    **vary: Sequence[Any],
+) -> SweepResult:
+    """Solve a scene over ranges of its values, `sweep(make, load=(10, 20), speed=(0.5, 1.0))`.
+
+    Parameters
+    ----------
+    make : callable or path
+        Makes a scene of the varied values, given by name; or a sweep file, as `pyworm sweep` solves it.
+    out : path, optional
+        Directory where solved scenes are kept, and found again by another call; by default none are.
+    accuracy, effects, quantities
+        As of `pyworm.plan`; of a sweep file its own.
+    fields : bool, optional
+        Whether solutions are kept in full, or their scalars only.
+    processes : int, optional
+        Processes that solve; more than one need a script with `if __name__ == "__main__":`.
+    scheduler : str, optional
+        Address of a dask.distributed scheduler whose workers solve instead.
+    progress : bool or callable, optional
+        Whether a bar shows the progress, on a terminal or in a notebook; or what is called instead.
+    title : str, optional
+        Heading of the table's picture.
+    **vary
+        Values of each argument of `make`; all are crossed, the last one changing fastest.
+
+    Returns
+    -------
+    SweepResult
+        `table`, an xarray.Dataset, has a row a scene, also of those without a solution.
+
+    Raises
+    ------
+    ValueError
+        Nothing to vary, a scene that is none, cannot be planned, or cannot go to other processes.
+    """
+    with ExitStack() as stack:
+        directory = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)
+        told = stack.enter_context(_progress(progress))
+        workers = stack.enter_context(_executor(processes, scheduler))
+        if isinstance(make, str | Path):
+            study = _of_file(make, vary, workers, told)
+        else:
+            how = accuracy, effects, None if quantities is None else tuple(quantities)
+            study = _study(make, title, vary, how, sent=workers is not None)
+        return run_sweep(study, directory, fields, workers, told, say if progress else _unheard)
+
+
+def traction_curve(
+    scene: Scene,
+    slide_roll_ratios: Sequence[float],
+    *,
+    accuracy: float | str = 0.01,
+    effects: str = "auto",
+    out: str | Path | None = None,
+    processes: int = 1,
+    progress: bool | Progress = True,
+) -> Result:
+    """Friction of a scene over the slide-roll ratio, sliding over entrainment, at its entrainment.
+
+    Parameters
+    ----------
+    scene : Scene
+        A point contact whose surfaces translate (`RigidMotion`).
+    slide_roll_ratios : sequence of float
+        The curve's places.
+    accuracy, effects, out, processes, progress
+        As of `sweep`.
+
+    Returns
+    -------
+    Result
+        A solution a place, in their order; `pyworm.plots.draw_traction` draws it.
+
+    Raises
+    ------
+    ValueError
+        Surfaces that do not translate, or a scene that cannot be planned.
+    """
+    tasks = [
+        SceneTask(with_slide_roll_ratio(scene, ratio), accuracy, effects)
+        for ratio in slide_roll_ratios
+    ]
+    with ExitStack() as stack:
+        directory = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)
+        told = stack.enter_context(_progress(progress))
+        workers = stack.enter_context(_executor(processes, None))
+        store = Store(directory.absolute() / SCENES, fields=True)
+        reasons = solve_all(store.missing(tasks), store, workers, told)
+        for task in tasks:
+            if task.key in reasons:
+                raise ValueError(f"{task.scene.name} has no solution: {reasons[task.key]}")
+        solutions = tuple(store.result(task).solutions[0] for task in tasks)
+    return Result(scene.name, {}, solutions, None, provenance({task.key: {} for task in tasks}))
+
+
+def _of_file(
+    path: str | Path, vary: Mapping[str, Any], executor: Executor | None, told: Progress | None
+) -> Sweep:
+    """The scenes of a sweep file."""
+    if vary:
+        raise ValueError(f"{', '.join(vary)}: a sweep file says itself what varies")
+    return load_sweep(path, (1, 1), executor, told)
+
+
+def _study(
+    make: Callable[..., Scene | LineScene],
+    title: str,
+    vary: Mapping[str, Sequence[Any]],
+    how: tuple[Any, ...],
+    sent: bool,
+) -> Sweep:
+    """The scenes of all combinations, each planned before the first is solved."""
+    if not callable(make):
+        raise ValueError(f"make is a {type(make).__name__}: must be a function that makes a scene")
+    if not vary or not all(len(values) for values in vary.values()):
+        raise ValueError("nothing varies; name values of the function's arguments, load=(10, 20)")
+    combinations = [dict(zip(vary, one, strict=True)) for one in product(*vary.values())]
+    tasks = []
+    for values in combinations:
+        scene = make(**values)
+        if not isinstance(scene, Scene | LineScene):
+            raise ValueError(f"with {label(values)}: make gave a {type(scene).__name__}, no scene")
+        task = SceneTask(scene, *how)
+        try:
+            _ = task.plan
+        except ValueError as error:
+            raise ValueError(f"with {label(values)}: {error}") from error
+        if sent:
+            require_sendable(task)
+        tasks.append(task)
+    written = {"vary": [{name: list(map(str, values))} for name, values in vary.items()]}
+    return Sweep(
+        title, title, written, [[name] for name in vary], tuple(combinations), tuple(tasks)
+    )
+
+
+def _executor(processes: int, scheduler: str | None) -> AbstractContextManager[Executor | None]:
+    """The processes that solve; None for this one."""
+    if scheduler is not None:
+        from pyworm.batch.cluster import cluster
+
+        return cluster(scheduler, say)
+    if isinstance(processes, bool) or not isinstance(processes, int) or processes < 1:
+        raise ValueError(f"processes = {processes!r:.40}: must be a whole number from 1")
+    if processes == 1:
+        return nullcontext()
+    from pyworm.batch.workers import WorkerPool
+
+    return WorkerPool(processes)
+
+
+@contextmanager
+def _progress(wanted: bool | Progress) -> Iterator[Progress | None]:
+    if callable(wanted):
+        yield wanted
+    elif wanted:
+        with progress_bar() as bar:
+            yield bar
+    else:
+        yield None
+
+
+def _unheard(message: str) -> None:
+    """Where no progress is wanted."""

@@ -1,0 +1,70 @@
+"""Two solutions side by side: figure by figure, with error bars and their ratio."""
+
+from dataclasses import dataclass
+
+from pyworm.io.shown import Shown
+from pyworm.solver.estimate import Estimate
+from pyworm.solver.solution import Solution
+
+
+@dataclass(frozen=True, repr=False)
+class Comparison(Shown):
+    """Figures of two solutions.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Names of both.
+    figures : dict
+        Name of a figure that both have -> the pair.
+    """
+
+    names: tuple[str, str]
+    figures: dict[str, tuple[Estimate, Estimate]]
+
+    @property
+    def ratios(self) -> dict[str, Estimate]:
+        """Second over first by figure, with the error bars of both."""
+        return {name: other / one for name, (one, other) in self.figures.items() if one.value}
+
+    @property
+    def differ(self) -> tuple[str, ...]:
+        """Figures whose difference is more than both error bars."""
+        return tuple(
+            name for name, (one, other) in self.figures.items() if not one.agrees_with(other)
+        )
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the comparison in words."""
+        ratios = self.ratios
+        rows = {
+            name: f"{one} | {other} | times {ratios[name] if name in ratios else '-'}"
+            for name, (one, other) in self.figures.items()
+        }
+        return f"{self.names[0]} | {self.names[1]}", rows
+
+
+def compare(one: Solution, other: Solution) -> Comparison:
+    """Set the figures of two solutions beside each other.
+
+    Parameters
+    ----------
+    one, other : Solution
+        Two solutions, of point contacts or of line contacts.
+
+    Raises
+    ------
+    ValueError
+        Not two solutions, or of different kinds of contact: losses of lines are for each length.
+    """
+    for of in (one, other):
+        if not isinstance(of, Solution):
+            raise ValueError(f"compare takes two solutions, and was given a {type(of).__name__}")
+    if one.kind != other.kind:
+        raise ValueError(f"{one.name} is a {one.kind} contact, {other.name} a {other.kind} contact")
+    figures = {
+        name: (own, getattr(other.figures, name))
+        for name, own in vars(one.figures).items()
+        if isinstance(own, Estimate) and getattr(other.figures, name) is not None
+    }
+    return Comparison((one.name, other.name), figures)

@@ -1,0 +1,184 @@
+"""A figure with its error bar, and calculation with it."""
+
+from dataclasses import dataclass
+from math import hypot, inf, isnan
+from typing import Any
+
+from pyworm.io.shown import percent
+
+ORIGINS = ("grid", "domain", "algebra", "approximation")
+"""Attributes that make up an error bar."""
+
+
+@dataclass(frozen=True, repr=False)
+class Estimate:
+    """A figure, its relative error bar by origin (`pyworm.solver.error_estimate`), and its model uncertainty.
+
+    Attributes
+    ----------
+    value : float
+        The figure in SI units, extrapolated to infinitely fine grids and an endless window where it can be
+        (`pyworm.solver.grid_limit`, `pyworm.solver.window_limit`).
+    grid : float
+        Discretisation error, from grids of halving spacing [-].
+    domain : float
+        Window error, from a window of twice the reach [-].
+    algebra : float
+        Algebraic error by stopping the Newton iteration [-].
+    approximation : float
+        Error of a temperature by the approximation of conduction in the bodies
+        (`fortran/heat/conduction_model.f90`), of all figures by the levels across the film and, where it is
+        transient, by the integration in time (`pyworm.solver.transient`) [-].
+    reason : str or None
+        Reason why this figure alone has an infinite error bar.
+    on_grid : float or None
+        The figure on the finest grid in its window, to which the fields belong; None where it is not known
+        apart.
+    datum : float
+        What the error is relative to the distance from: of temperatures the inlet's [K], else zero.
+    model : float or None
+        Relative uncertainty by the assumptions of averaged roughness
+        (`pyworm.solver.roughness_uncertainty`), no part of `error`; None where roughness was not simulated.
+    """
+
+    value: float
+    grid: float
+    domain: float = 0.0
+    algebra: float = 0.0
+    approximation: float = 0.0
+    reason: str | None = None
+    on_grid: float | None = None
+    model: float | None = None
+    datum: float = 0.0
+
+    @property
+    def error(self) -> float:
+        """Relative numerical error bar [-].
+
+        Grid, window and algebra are estimates of errors of unknown and unrelated signs, whose squares add;
+        approximations are bounds of errors that do not depend on chance, which are added to that.
+        """
+        return hypot(self.grid, self.domain, self.algebra) + self.approximation
+
+    @property
+    def bar(self) -> float:
+        """The error bar in the unit of the figure."""
+        return self.error * abs(self.value - self.datum)
+
+    def __float__(self) -> float:
+        return float(self.value)
+
+    def __format__(self, form: str) -> str:
+        """The value in a form, by default of four digits, and its error bar."""
+        return f"{self.value:{form or '.4g'}} ± {self._relative}"
+
+    def __str__(self) -> str:
+        return format(self, "")
+
+    def __repr__(self) -> str:
+        return f"<Estimate {self}>"
+
+    @property
+    def _relative(self) -> str:
+        return f"{self.bar:.2g}" if self.datum else percent(self.error)
+
+    def __neg__(self) -> "Estimate":
+        return self._sum(self, -1.0, Estimate(0.0, 0.0), 0.0)
+
+    def __abs__(self) -> "Estimate":
+        return -self if self.value < 0 else self
+
+    def __add__(self, other: Any) -> "Estimate":
+        return self._with(other, lambda own, one: own._sum(own, 1.0, one, 1.0))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> "Estimate":
+        return self._with(other, lambda own, one: own._sum(own, 1.0, one, -1.0))
+
+    def __rsub__(self, other: Any) -> "Estimate":
+        return self._with(other, lambda own, one: own._sum(one, 1.0, own, -1.0))
+
+    def __mul__(self, other: Any) -> "Estimate":
+        return self._with(other, lambda own, one: own._power_product(one, 1.0))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> "Estimate":
+        return self._with(other, lambda own, one: own._power_product(one, -1.0))
+
+    def __rtruediv__(self, other: Any) -> "Estimate":
+        return self._with(other, lambda own, one: one._power_product(own, -1.0))
+
+    def __pow__(self, exponent: float) -> "Estimate":
+        if not isinstance(exponent, int | float):
+            return NotImplemented
+        return Estimate(1.0, 0.0)._power_product(self, float(exponent))
+
+    def __lt__(self, other: Any) -> bool:
+        return self._with(other, lambda own, one: own.value < one.value)
+
+    def __gt__(self, other: Any) -> bool:
+        return self._with(other, lambda own, one: own.value > one.value)
+
+    def __le__(self, other: Any) -> bool:
+        return self._with(other, lambda own, one: own.value <= one.value)
+
+    def __ge__(self, other: Any) -> bool:
+        return self._with(other, lambda own, one: own.value >= one.value)
+
+    def agrees_with(self, other: "Estimate | float") -> bool:
+        """Whether both error bars together cover the difference."""
+        difference = self - other
+        return abs(difference.value) <= difference.bar
+
+    def _with(self, other: Any, result: Any) -> Any:
+        """A result with a figure or an exact number."""
+        if isinstance(other, Estimate):
+            return result(self, other)
+        try:
+            return result(self, Estimate(float(other), 0.0))
+        except TypeError:
+            return NotImplemented
+
+    @staticmethod
+    def _sum(one: "Estimate", by: float, other: "Estimate", times: float) -> "Estimate":
+        """by one + times other; errors are added, since figures of one solve err together."""
+        value = by * one.value + times * other.value
+        datum = by * one.datum + times * other.datum
+        parts = (
+            (abs(by * (one.value - one.datum)), one),
+            (abs(times * (other.value - other.datum)), other),
+        )
+        return _made(value, datum, parts, abs(value - datum))
+
+    def _power_product(self, other: "Estimate", exponent: float) -> "Estimate":
+        """Self times other to a power; relative errors are added."""
+        parts = tuple(
+            (times * (1.0 if not of.datum else abs(of.value - of.datum) / abs(of.value)), of)
+            for times, of in ((1.0, self), (abs(exponent), other))
+        )
+        return _made(self.value * other.value**exponent, 0.0, parts, 1.0)
+
+
+def _made(
+    value: float, datum: float, parts: tuple[tuple[float, Estimate], ...], size: float
+) -> Estimate:
+    """A figure whose errors are those of others by their weights, over its size."""
+
+    def joined(name: str) -> float:
+        total = sum(weight * (getattr(of, name) or 0.0) for weight, of in parts if weight)
+        if size:
+            return total / size
+        return inf if total else 0.0
+
+    reasons = [of.reason for _, of in parts if of.reason is not None]
+    models = any(of.model is not None for _, of in parts)
+    errors = {name: joined(name) for name in ORIGINS}
+    return Estimate(
+        value,
+        **{name: inf if isnan(error) else error for name, error in errors.items()},
+        reason=reasons[0] if reasons else None,
+        model=joined("model") if models else None,
+        datum=datum,
+    )
