@@ -21,7 +21,7 @@ module bindings
     film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions
-  public :: compiled_with
+  public :: compiled_with, watch_signals
 
 contains
 
@@ -622,6 +622,13 @@ contains
 
     call interpolate_cubic(coarse, fine)
   end subroutine prolong_cubic
+
+  !> Lets Python's signals interrupt kernel calls, from now on.
+  subroutine watch_signals()
+    use python_interruption, only: heed_python
+
+    call heed_python()
+  end subroutine watch_signals
 
   !> The compiler of the kernel and its options, padded with blanks.
   subroutine compiled_with(compiler, options)

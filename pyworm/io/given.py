@@ -17,7 +17,7 @@ LONGEST = 40
 
 
 def take(owner: Any, *, sizes: bool = True) -> None:
-    """Replace the quantities of a frozen dataclass by numbers in SI; None stays.
+    """Replace the quantities of a frozen dataclass by numbers in SI; None stays where it is the default.
 
     Parameters
     ----------
@@ -31,9 +31,10 @@ def take(owner: Any, *, sizes: bool = True) -> None:
     ValueError
         No number and no text with a unit, or of a size that there is not.
     """
+    optional = {part.name for part in fields(owner) if part.default is None}
     for name, of in type(owner).QUANTITIES.items():
         value = getattr(owner, name)
-        if value is not None:
+        if value is not None or name not in optional:
             object.__setattr__(owner, name, number(name, value, kind_of(of), sizes=sizes))
 
 

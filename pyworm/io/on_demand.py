@@ -30,9 +30,9 @@ def take_in(name: str) -> None:
 xarray = _OnDemand("xarray")
 
 
-def later(module: str, name: str) -> property:
+def later(module: str, name: str, doc: str) -> property:
     """An attribute made of its owner by a class of a module that is loaded with the first use.
 
     So objects of one floor can be asked for what is built upon them, and know no more of it than where.
     """
-    return property(lambda owner: getattr(import_module(module), name)(owner))
+    return property(lambda owner: getattr(import_module(module), name)(owner), doc=doc)

@@ -9,6 +9,8 @@ from pyworm import _core
 bindings = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""
 
+bindings.watch_signals()
+
 EXTENSION = Path(_core.__file__)
 """File of the compiled extension."""
 

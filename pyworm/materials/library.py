@@ -164,10 +164,15 @@ def names() -> list[str]:
 
 
 def named_oil(name: str) -> NamedOil:
-    """An oil of the table, such as "PAG VG 460".
+    """An oil of the table, over temperature: `named_oil("PAG VG 460").oil(333.15)` is that of a contact.
 
     A grade that the table lacks has the viscosity index of the table's nearest grade of the same base stock,
     nearest by ratio.
+
+    Parameters
+    ----------
+    name : str
+        Base stock and grade, such as "PAG VG 460".
 
     Raises
     ------

@@ -27,6 +27,11 @@ def read_oil(path: str | Path) -> NamedOil:
         viscosity_100 = "27 mm^2/s"
         density_15 = "861 kg/m^3"
 
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
     Raises
     ------
     CaseError

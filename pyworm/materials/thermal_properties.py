@@ -26,7 +26,7 @@ class OilHeat:
     conductivity, conductivity_c1, conductivity_c2 : float
         k0 [W/(m K)], c1, c2 [1/Pa] of the conductivity k = k0 [1 + c1 p / (1 + c2 p)].
     specific_heat : float
-        c0 [J/(kg K)] of rho c = rho0 c0 [1 + b0 (1 + b1 p + b2 p^2) (T - T0)] [1 + k1 p / (1 + k2 p)].
+        c0 [J/(kg K)] of rho c = rho0 c0 {1 + b0 (1 + b1 p + b2 p^2) (T - T0)} {1 + k1 p / (1 + k2 p)}.
     heat_capacity_b0, heat_capacity_b1, heat_capacity_b2 : float
         b0 [1/K], b1 [1/Pa], b2 [1/Pa2] in it.
     heat_capacity_k1, heat_capacity_k2 : float

@@ -124,7 +124,12 @@ class Result(Shown):
 
 
 def open_result(path: str | os.PathLike) -> Result:
-    """Read a file written by `Result.save`.
+    """Read a file written by `Result.save`, such as `pyworm run` writes.
+
+    Parameters
+    ----------
+    path : path
+        The file.
 
     Raises
     ------

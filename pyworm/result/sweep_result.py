@@ -109,6 +109,11 @@ class SweepResult:
 def open_sweep(path: str | os.PathLike) -> SweepResult | None:
     """Read a file written by `SweepResult.save`; None if it is no table of a sweep.
 
+    Parameters
+    ----------
+    path : path
+        The file.
+
     Raises
     ------
     ValueError

@@ -165,7 +165,7 @@ _DISPROPORTION = "they make no contact, load, speed and viscosity do not fit eac
 
 
 def _radii(scene: Scene | LineScene) -> str:
-    return " and ".join(f"{radius * 1e3:.4g} mm" for radius in scene.radii_along)
+    return " and ".join(f"{radius:.4g} m" for radius in scene.radii_along)
 
 
 def _sizes(scene: Scene | LineScene) -> tuple[float, float, float]:

@@ -129,8 +129,8 @@ class Estimate:
 
     def agrees_with(self, other: "Estimate | float") -> bool:
         """Whether both error bars together cover the difference."""
-        difference = self - other
-        return abs(difference.value) <= difference.bar
+        bar = other.bar if isinstance(other, Estimate) else 0.0
+        return abs(self.value - float(other)) <= self.bar + bar
 
     def _with(self, other: Any, result: Any) -> Any:
         """A result with a figure or an exact number."""
@@ -145,7 +145,10 @@ class Estimate:
     def _sum(one: "Estimate", by: float, other: "Estimate", times: float) -> "Estimate":
         """by one + times other; errors are added, since figures of one solve err together."""
         value = by * one.value + times * other.value
-        datum = by * one.datum + times * other.datum
+        # an exact number only shifts what the error of a temperature is relative to
+        shifted = one.datum != 0 or other.datum != 0
+        own, its = (of.value if shifted and not of.error else of.datum for of in (one, other))
+        datum = by * own + times * its
         parts = (
             (abs(by * (one.value - one.datum)), one),
             (abs(times * (other.value - other.datum)), other),

@@ -64,7 +64,10 @@ class Figures(Shown):
         The dry contact; None for a line contact, where it is Hertz's in closed form.
     friction_coefficient, power_loss, shear_rate_max : Estimate or None
         Friction over load along the sliding [-], work of the friction [W] (of a line contact for each length
-        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not computed.
+        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not computed. They count
+        where both surfaces exist and the pressure is above 1 % of the largest. Friction is the sum there of
+        the shear stress in the middle of the film, of oil and asperities, times the area of a node, over the
+        whole load, a part of which may lie beyond the window of the fields.
     temperature_max_body_1, temperature_max_body_2, temperature_max_film : Estimate or None
         Largest temperature of each surface and inside the film [K], the error relative to the rise over the
         inlet temperature; None where heat was not simulated.
@@ -212,8 +215,9 @@ class Solution(Shown):
     effects: tuple[Judgement, ...] = ()
     accuracy: float = 0.0
 
-    plot = later("pyworm.plots.of_solution", "Pictures")
-    """Pictures of it, such as `solution.plot.film()`."""
+    plot = later(
+        "pyworm.plots.of_solution", "Pictures", "Its pictures, such as `solution.plot.film()`."
+    )
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the solution in words."""

@@ -1,0 +1,196 @@
+"""Wrong uses from Python: each refused, or warned of, in one sentence that says what would be right."""
+
+import warnings
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from contacts import ball, motions, roller, steel
+
+import pyworm
+
+HEAT = {"viscosity_exponent": 1.1, "conductivity": 0.14, "specific_heat": 2000.0}
+
+WRONG = {
+    "a percentage as load": (
+        lambda: ball(load="5 %"),
+        'load = "5 %": must be a force with its unit',
+    ),
+    "a pressure as load": (lambda: ball(load="1 GPa"), 'load = "1 GPa": must be a force'),
+    "a unit in capitals": (lambda: ball(load="50 KN"), 'did you mean "50 kN"'),
+    "no load": (lambda: ball(load=None), "load = None: must be a force as a number in N"),
+    "a truth as load": (lambda: ball(load=True), "load = True: must be a force as a number in N"),
+    "a negative load": (
+        lambda: ball(load=-50.0),
+        "load = -50: must be finite and greater than zero",
+    ),
+    "an endless load": (lambda: ball(load=float("inf")), "load = inf: must be finite"),
+    "a list as load": (lambda: ball(load=[50.0]), r"load = \[50.0\]: must be a force"),
+    "a gap that is a number": (
+        lambda: ball(gap=0.01),
+        "gap is a float: must be a function of places",
+    ),
+    "contradicting radii": (
+        lambda: ball(gap=pyworm.Paraboloid(0.01, 0.01), radii=(0.02, 0.02)),
+        "radii 0.02, 0.02 m contradict the gap",
+    ),
+    "a gap without radii": (
+        lambda: ball(gap=lambda x, y: (x * x, x == x)),
+        "radii are missing: a gap that is a function",
+    ),
+    "a negative radius": (lambda: pyworm.Paraboloid(-0.01, 0.01), "radius_x, radius_y = -0.01 m"),
+    "a radius in millimetres": (
+        lambda: pyworm.Paraboloid(1e6, 1e6),
+        'did you mean "1000000.0 um"|100 km',
+    ),
+    "one motion": (
+        lambda: ball(motions=pyworm.RigidMotion(1, 0)),
+        "motions: must be a tuple of two",
+    ),
+    "speeds for motions": (lambda: ball(motions=(1.1, 0.9)), "motions: must be a tuple of two"),
+    "a speed in words": (lambda: pyworm.RigidMotion("fast", 0), 'u = "fast": must be a velocity'),
+    "a speed that is none": (lambda: pyworm.RigidMotion(float("nan"), 0), "u, v, spin = nan"),
+    "one body": (lambda: ball(bodies=steel()), "bodies: must be a tuple of two"),
+    "bodies by name": (lambda: ball(bodies=("steel", "steel")), "a body is a str"),
+    "a modulus in gigapascals": (lambda: pyworm.Body(207, 0.3), 'did you mean "207.0 GPa"'),
+    "a modulus as force": (lambda: pyworm.Body("207 N", 0.3), 'youngs_modulus = "207 N"'),
+    "a Poisson ratio of metal in per cent": (lambda: pyworm.Body(2e11, 30.0), "poisson_ratio = 30"),
+    "a bulk temperature in Celsius": (
+        lambda: pyworm.Body(2e11, 0.3, bulk_temperature=60.0),
+        'did you mean "60.0 degC"',
+    ),
+    "a roughness in micrometres": (
+        lambda: pyworm.Body(2e11, 0.3, roughness=0.4),
+        'did you mean "0.4 um"',
+    ),
+    "an unknown material": (lambda: pyworm.named_body("stel"), 'material "stel": must be one of'),
+    "an oil by name": (lambda: ball(oil="PAO VG 220"), "oil is a str"),
+    "an oil without temperature": (
+        lambda: ball(oil=pyworm.named_oil("PAO VG 220")),
+        "oil is a NamedOil",
+    ),
+    "an unknown oil": (lambda: pyworm.named_oil("PAO 220"), "must be a base stock"),
+    "alpha in 1/GPa": (lambda: pyworm.Barus(0.04, 20.0), 'did you mean "20.0 1/GPa"'),
+    "alpha of Roelands in 1/GPa": (
+        lambda: pyworm.Roelands.from_alpha(0.04, 20.0),
+        'did you mean "20.0 1/GPa"',
+    ),
+    "a viscosity as density": (lambda: pyworm.Density.dowson_higginson(0.04), "rho0 = 0.04 kg/m"),
+    "a density in g/cm3": (
+        lambda: pyworm.Density.dowson_higginson(0.87),
+        'did you mean "0.87 g/cm.3"',
+    ),
+    "an inlet in Celsius": (
+        lambda: pyworm.OilHeat(inlet_temperature=60.0, **HEAT),
+        'did you mean "60.0 degC"',
+    ),
+    "a Carreau exponent that thickens": (
+        lambda: pyworm.FlowLaw("carreau", stress=6e6, exponent=1.4),
+        "exponent = 1.4: Carreau's n",
+    ),
+    "a negative stress": (lambda: pyworm.FlowLaw("eyring", stress=-3e6), "stress = -3e.06 Pa"),
+    "a misspelt law": (
+        lambda: pyworm.FlowLaw("ering", stress=3e6),
+        'law = "ering": must be one of',
+    ),
+    "velocities of a line as one": (lambda: roller(velocities=1.0), "velocities: must be a tuple"),
+    "a line load in newtons": (lambda: roller(load="100 N"), "must be a force per length"),
+    "an accuracy in per cent": (lambda: pyworm.plan(ball(), accuracy=5.0), "accuracy = 5"),
+    "an accuracy as length": (lambda: pyworm.plan(ball(), accuracy="1 mm"), 'accuracy = "1 mm"'),
+    "effects as a list": (
+        lambda: pyworm.plan(ball(), effects=["film"]),
+        "effects = .*must be a text",
+    ),
+    "an unknown quantity": (lambda: pyworm.plan(ball(), quantities="wear"), "wear is none of"),
+    "a plan of no scene": (lambda: pyworm.plan(pyworm.Paraboloid(1, 1)), "scene is a Paraboloid"),
+    "an impossible pressure": (lambda: pyworm.plan(ball(load="1 MN")), "nothing with a modulus"),
+    "a plan of another scene": (
+        lambda: pyworm.solve(ball(), pyworm.plan(ball(load=31.0), 0.2)),
+        "made for another contact than ball",
+    ),
+    "a plan of other speeds": (
+        lambda: pyworm.solve(ball(motions=motions(0.1)), pyworm.plan(ball(), 0.2)),
+        "made for another contact",
+    ),
+    "a comparison of a scene": (lambda: pyworm.compare(ball(), ball()), "takes two solutions"),
+    "a study of nothing": (lambda: pyworm.sweep(ball), "nothing varies"),
+    "a study of no scenes": (lambda: pyworm.sweep(lambda load: load, load=(1, 2)), "no scene"),
+    "half a process": (
+        lambda: pyworm.sweep(ball, load=(20.0, 30.0), processes=0.5),
+        "processes = 0.5: must be a whole number",
+    ),
+    "a lambda for other processes": (
+        lambda: pyworm.sweep(
+            lambda load: ball(
+                load=load, gap=lambda x, y: (x * x + y * y, x == x), radii=(0.5, 0.5)
+            ),
+            load=(20.0, 30.0),
+            processes=2,
+            accuracy=0.2,
+        ),
+        "its gap, .*lambda.*, cannot go to other processes.*define it with def",
+    ),
+    "a dry contact of no nodes": (lambda: pyworm.dry_contact(ball(), nodes=0), "nodes = 0"),
+    "a dry contact of a line": (lambda: pyworm.dry_contact(roller()), "must be a Scene"),
+    "a heightmap of one row": (
+        lambda: pyworm.SampledGap(np.linspace(-1, 1, 9), np.array([0.0]), np.zeros((1, 9))),
+        "at least 5 samples|least",
+    ),
+}
+
+
+def test_there_are_forty():
+    assert len(WRONG) >= 40
+
+
+@pytest.mark.parametrize("use", WRONG)
+def test_a_wrong_use_is_refused_in_one_sentence(use):
+    make, sentence = WRONG[use]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pyworm.UnusualWarning)
+        with pytest.raises(ValueError, match=sentence) as caught:
+            make()
+    said = str(caught.value)
+    assert "\n" not in said
+    assert len(said) < 400
+
+
+@pytest.mark.parametrize(
+    ("make", "sentence"),
+    [
+        (
+            lambda: ball(gap=pyworm.Paraboloid(10.0, 10.0), load=50.0),
+            "MPa only by Hertz, where the radii are 10 m and 10 m",
+        ),
+        (lambda: ball(load=3e3), "bear up to 4 GPa as a rule"),
+        (
+            lambda: ball(oil=replace(ball().oil, viscosity=pyworm.Barus(150.0, 2e-8))),
+            "oil.viscosity.eta0 = 150 Pa s: unusual",
+        ),
+    ],
+)
+def test_an_unusual_contact_is_told(make, sentence):
+    with pytest.warns(pyworm.UnusualWarning, match=sentence):
+        pyworm.plan(make(), 0.2, "isothermal")
+
+
+def test_a_usual_contact_gives_no_warning():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        pyworm.plan(ball(), 0.2)
+
+
+def test_texts_with_units_are_read():
+    by_text = ball(load="0.03 kN", gap=pyworm.Paraboloid("10 mm", "1 cm"))
+    assert by_text.load == 30.0
+    assert by_text.radii == (0.01, 0.01)
+    assert pyworm.Body("207 GPa", 0.3, roughness="0.4 um") == pyworm.Body(
+        207e9, 0.3, roughness=0.4e-6
+    )
+    assert pyworm.Roelands.from_alpha("40 mPa s", "20 1/GPa").alpha == pytest.approx(20e-9)
+    assert pyworm.RigidMotion("1.1 m/s", 0, spin="10 rad/s").spin == 10
+
+
+def test_radii_follow_from_the_gap():
+    assert ball(gap=pyworm.Paraboloid(0.01, 0.02)).radii == (0.01, 0.02)
+    assert roller(gap=pyworm.Parabola(0.02)).radius == 0.02

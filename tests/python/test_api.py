@@ -1,0 +1,108 @@
+"""The public names: all documented, found on demand, listed where a reader looks for them."""
+
+import dataclasses
+import inspect
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import pyworm
+
+PACKAGE = Path(pyworm.__file__).parent
+NAMES = [name for name in pyworm.__all__ if name not in ("__version__", "formulas", "plots")]
+
+
+def test_dir_is_what_is_exported():
+    assert dir(pyworm) == sorted(pyworm.__all__)
+    assert len(NAMES) == len(set(NAMES)) > 35
+
+
+def test_the_package_says_that_it_has_types():
+    assert (PACKAGE / "py.typed").is_file()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_public_name_is_in_the_table_of_contents_and_has_a_docstring(name):
+    assert f" {name}" in pyworm.__doc__
+    assert len(inspect.getdoc(getattr(pyworm, name))) > 20
+
+
+def test_editors_are_told_of_every_name():
+    """Imports for type checkers name the same modules as those on demand."""
+    text = Path(pyworm.__file__).read_text()
+    for name, home in pyworm._HOMES.items():
+        assert f"{name} as {name}" in text.split("_HOMES")[0], name
+        assert getattr(pyworm, name).__module__ == home, name
+
+
+def public_members(of):
+    """Methods and properties of a public class that are its own, and are no part of Python's protocols."""
+    for name, member in vars(of).items():
+        function = getattr(member, "fget", None) or getattr(member, "__func__", member)
+        if not name.startswith("_") and inspect.isfunction(function):
+            yield name, member
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_member_and_attribute_of_a_public_name_is_documented(name):
+    of = getattr(pyworm, name)
+    for part, member in public_members(of) if inspect.isclass(of) else ():
+        doc = inspect.getdoc(member) or ""
+        assert doc or name == part, f"{name}.{part}"
+    if dataclasses.is_dataclass(of):
+        documented = " ".join(inspect.getdoc(base) or "" for base in of.__mro__)
+        assert not [
+            part.name
+            for part in dataclasses.fields(of)
+            if not part.name.startswith("_") and part.name not in documented
+        ]
+    if inspect.isfunction(of):
+        doc = inspect.getdoc(of)
+        assert not [part for part in inspect.signature(of).parameters if part not in doc]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_type_hints_survive(name):
+    """Annotations are there for every argument of public functions and attribute of public dataclasses."""
+    of = getattr(pyworm, name)
+    if inspect.isfunction(of):
+        hints = inspect.signature(of)
+        assert hints.return_annotation is not inspect.Signature.empty
+        empty = inspect.Parameter.empty
+        assert all(one.annotation is not empty for one in hints.parameters.values())
+
+
+def test_help_reads_as_a_table_of_contents():
+    text = subprocess.run(
+        [sys.executable, "-c", "import pyworm; help(pyworm)"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    head = text[:4000]
+    for heading in ("A contact", "Solids and oils", "Solving", "Results", "What goes wrong"):
+        assert heading in head
+
+
+def test_importing_pyworm_loads_nothing_of_it():
+    program = (
+        "import sys, pyworm; print([name for name in sys.modules if name.startswith('pyworm.')])"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert run.stdout.strip() == "[]"
+
+
+def test_public_values_can_be_sent_to_other_processes():
+    for one in (pyworm.Paraboloid(0.01, 0.02), pyworm.Body(2e11, 0.3), pyworm.Estimate(1.0, 0.1)):
+        assert pickle.loads(pickle.dumps(one)) == one
+
+
+def test_formulas_and_plots_have_their_modules_on_demand():
+    assert pyworm.formulas.hertz.hertz(0.01, 0.01, 50.0, 2.2e11).pressure_max > 1e9
+    assert "film" in dir(pyworm.formulas)
+    assert callable(pyworm.plots.draw_traction)
