@@ -5,6 +5,8 @@ VENV := .venv
 INSTALLED := $(VENV)/.installed
 DEBUG := build/debug
 DOCS := $(VENV)/.docs-installed
+PREFIX ?= $(CURDIR)/build/installed
+MESON ?= meson
 CONTACT := zi_sharif_2001
 DRIVE := zi_drive
 
@@ -14,16 +16,18 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install demo test test-long test-fortran test-python hard mutants docs lint clean
+.PHONY: help install fortran-library fortran-docs demo test test-long test-fortran test-python hard mutants docs lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
+	@echo "make fortran-library  install the kernel for Fortran and C programs under PREFIX ($(PREFIX)), without Python"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test     run the Fortran and the Python tests"
 	@echo "make test-long  run the Python tests that take long, which make test leaves out"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
+	@echo "make fortran-docs  build the documentation of the kernel by FORD, build/fortran-docs/index.html"
 	@echo "make lint     run the linters"
 	@echo "make clean    remove the virtual environment and all that was built (results stay)"
 
@@ -33,6 +37,11 @@ install: $(INSTALLED)
 $(INSTALLED): pyproject.toml tools/setup.sh
 	tools/setup.sh $(PYTHON) $(VENV)
 	@touch $@
+
+# Needs meson, ninja, gfortran, FFTW and OpenBLAS alone; its own build, since the package's has the interpreter in it.
+fortran-library:
+	$(MESON) setup build/library -Dpython=false --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
+	$(MESON) install -C build/library
 
 demo: $(INSTALLED)
 	pyworm run cases/$(CONTACT).toml --phase 0.5 --out results/$(CONTACT)
@@ -64,6 +73,15 @@ $(DOCS): $(INSTALLED)
 
 docs: $(DOCS)
 	mkdocs build
+
+# FORD and mkdocs ask for different versions of Markdown.
+build/ford/bin/ford: pyproject.toml
+	$(PYTHON) -m venv build/ford
+	build/ford/bin/python -m pip install --quiet --disable-pip-version-check "ford>=7"
+	@touch $@
+
+fortran-docs: build/ford/bin/ford
+	build/ford/bin/ford fortran/ford.md
 
 lint: $(INSTALLED)
 	ruff check .

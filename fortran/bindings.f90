@@ -7,9 +7,9 @@
 !> No procedure may be called like a type that a contact holds (film_fields, film_work): gfortran takes it for that.
 module bindings
   use iso_c_binding, only: c_double, c_int, c_int64_t
-  use contact_handle, only: contact_of, handle_of
-  use status, only: status_ok, status_no_memory
-  use thermal_step, only: thermal_contact
+  use pyworm_contact_handle, only: contact_of, handle_of
+  use pyworm_status, only: status_ok, status_no_memory
+  use pyworm_thermal_step, only: thermal_contact
   implicit none
   private
 
@@ -27,7 +27,7 @@ contains
 
   !> Deflection w [m] of a half-space pair under pressure p [Pa].
   subroutine elastic_deflection(p, nx, ny, dx, dy, reduced_modulus, w, stat)
-    use half_space, only: elastic_half_space, new_half_space
+    use pyworm_half_space, only: elastic_half_space, new_half_space
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
     real(c_double), intent(in) :: dx, dy, reduced_modulus
@@ -44,8 +44,8 @@ contains
   !> Solves the dry contact of a gap [m]; p [Pa] is the initial guess, then the solution.
   subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, load, tolerance, &
       most_iterations, p, approach, iterations, stat)
-    use dry_contact, only: solve_dry_contact
-    use half_space, only: elastic_half_space, new_half_space
+    use pyworm_dry_contact, only: solve_dry_contact
+    use pyworm_half_space, only: elastic_half_space, new_half_space
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny)
     integer(c_int), intent(in) :: covered(nx, ny)
@@ -67,8 +67,8 @@ contains
   !> Presses a periodic rough surface against a rigid flat; see `cell_contact`. p [Pa] is the initial guess, then the solution.
   subroutine cell_press(height, nx, ny, dx, dy, reduced_modulus, separation, hardness, tolerance, most_iterations, p, gap, &
       iterations, stat)
-    use cell_contact, only: press_flat
-    use elastic_cell, only: elastic_surface, new_elastic_surface
+    use pyworm_cell_contact, only: press_flat
+    use pyworm_elastic_cell, only: elastic_surface, new_elastic_surface
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: height(nx, ny)
     real(c_double), intent(in) :: dx, dy, reduced_modulus, separation, hardness, tolerance
@@ -88,7 +88,7 @@ contains
 
   !> Flow through a periodic gap [m]; see `cell_flow` for the arguments.
   subroutine cell_conduct(gap, nx, ny, dx, dy, tolerance, most_iterations, conducted, carried, iterations, stat)
-    use cell_flow, only: flow_through
+    use pyworm_cell_flow, only: flow_through
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny)
     real(c_double), intent(in) :: dx, dy, tolerance
@@ -103,8 +103,8 @@ contains
   !> Makes a point contact; see `point_film` for the arguments and `viscosity_density` for the oil's.
   subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
       pole_pressure, d1, d2, load, floor, handle, stat)
-    use point_film, only: point_contact, new_point_contact
-    use viscosity_density, only: oil_law
+    use pyworm_point_film, only: point_contact, new_point_contact
+    use pyworm_viscosity_density, only: oil_law
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny)
     integer(c_int), intent(in) :: covered(nx, ny)
@@ -137,8 +137,8 @@ contains
   !> Makes a line contact; see `line_film` for the arguments and `viscosity_density` for the oil's.
   subroutine line_film_new(gap, covered, u, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
       d1, d2, load, floor, handle, stat)
-    use line_film, only: line_contact, new_line_contact
-    use viscosity_density, only: oil_law
+    use pyworm_line_film, only: line_contact, new_line_contact
+    use pyworm_viscosity_density, only: oil_law
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: gap(n), u(n)
     integer(c_int), intent(in) :: covered(n)
@@ -179,7 +179,7 @@ contains
 
   !> Sets the nodal entrainment of a point contact to (u, v) [m/s].
   subroutine point_film_entrain(handle, u, v, nx, ny)
-    use point_film, only: entrain
+    use pyworm_point_film, only: entrain
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u(nx, ny), v(nx, ny)
@@ -191,7 +191,7 @@ contains
 
   !> Sets the transient term of a contact's film; arguments as of `film_newton`.
   subroutine film_transient(handle, implicit_rate, explicit_rate, nx, ny, stat)
-    use film_newton, only: set_transient_term
+    use pyworm_film_newton, only: set_transient_term
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: implicit_rate, explicit_rate(nx, ny)
@@ -214,8 +214,8 @@ contains
   !> Sets the flow law of a contact's oil, without heat; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
       reference_decay, limit, limit_growth, exponent, slip_step, levels, stat)
-    use film_newton, only: shear_contact
-    use flow_laws, only: flow_law
+    use pyworm_film_newton, only: shear_contact
+    use pyworm_flow_laws, only: flow_law
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: sliding_x(nx, ny), sliding_y(nx, ny)
@@ -234,8 +234,8 @@ contains
 
   !> Makes the surfaces of a contact with a flow law rough; see `rough_surfaces` for the curves, (curve, row).
   subroutine film_roughen(handle, scale, first, spacing, value, slope, curves, rows, boundary_friction, stat)
-    use film_newton, only: roughen_contact
-    use rough_surfaces, only: gap_curves
+    use pyworm_film_newton, only: roughen_contact
+    use pyworm_rough_surfaces, only: gap_curves
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: curves, rows
     real(c_double), intent(in) :: scale, first, spacing, value(curves, rows), slope(curves, rows), boundary_friction
@@ -248,7 +248,7 @@ contains
 
   !> Sets where the oil has ruptured between rough surfaces, for the next evaluation.
   subroutine film_set_ruptured(handle, ruptured, nx, ny)
-    use film_newton, only: set_ruptured
+    use pyworm_film_newton, only: set_ruptured
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny, ruptured(nx, ny)
     type(thermal_contact), pointer :: contact
@@ -260,7 +260,7 @@ contains
   !> Pressure that asperities bear of the total, that of their curve at the present gap [Pa], which differs until the film is
   !> solved, and real area of contact over the nominal, as last evaluated.
   subroutine film_asperities(handle, nx, ny, pressure, curve, area)
-    use rough_surfaces, only: asperity_pressure
+    use pyworm_rough_surfaces, only: asperity_pressure
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: pressure(nx, ny), curve(nx, ny), area(nx, ny)
@@ -279,7 +279,7 @@ contains
 
   !> Sets the film, and what asperities bear of it, at pressure p [Pa] and rigid film h0 [m], without its flow.
   subroutine film_place(handle, p, nx, ny, h0)
-    use film_newton, only: set_film
+    use pyworm_film_newton, only: set_film
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
@@ -295,7 +295,7 @@ contains
 
   !> Evaluates residual and load error at pressure p [Pa] and rigid film h0 [m].
   subroutine film_evaluate(handle, p, nx, ny, h0, residual, load_error)
-    use film_newton, only: film_residual
+    use pyworm_film_newton, only: film_residual
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
@@ -315,8 +315,8 @@ contains
   !> `change` is the largest change of temperature [K], and `largest_rise` the largest rise of the film [K].
   subroutine film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
       load_error, krylov, step, change, largest_rise, stat)
-    use film_newton, only: newton_step => film_step
-    use thermal_step, only: heated_step
+    use pyworm_film_newton, only: newton_step => film_step
+    use pyworm_thermal_step, only: heated_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
@@ -383,7 +383,7 @@ contains
   !> Counts and processor times [s] of the parts of the work on a contact: convolutions, fields and flows, building
   !> the preconditioner, its solves, heat, and whole steps and evaluations.
   subroutine film_tally(handle, counts, seconds)
-    use tally, only: work_tally
+    use pyworm_tally, only: work_tally
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(out) :: counts(6)
     real(c_double), intent(out) :: seconds(6)
@@ -407,9 +407,9 @@ contains
   !> bulk temperature above the inlet's of each; `semi` the contact's semi-axes [m]. `errors` are
   !> those of the bodies' model of conduction (`conduction_model`).
   subroutine point_film_heat(handle, u1, v1, u2, v2, nx, ny, oil, bodies, semi, errors, stat)
-    use conducting_body, only: new_conducting_body
-    use heated_surface, only: heated_body
-    use point_heat, only: heat_point_contact
+    use pyworm_conducting_body, only: new_conducting_body
+    use pyworm_heated_surface, only: heated_body
+    use pyworm_point_heat, only: heat_point_contact
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: u1(nx, ny), v1(nx, ny), u2(nx, ny), v2(nx, ny)
@@ -435,9 +435,9 @@ contains
   !>
   !> `oil` and `bodies` as in `point_film_heat`; `velocities` [m/s] are those of both surfaces, neither of them zero.
   subroutine line_film_heat(handle, u1, n, oil, bodies, velocities, stat)
-    use heated_surface, only: heated_body
-    use line_heat, only: heat_line_contact
-    use line_source, only: line_body, new_line_body
+    use pyworm_heated_surface, only: heated_body
+    use pyworm_line_heat, only: heat_line_contact
+    use pyworm_line_source, only: line_body, new_line_body
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: u1(n)
@@ -471,7 +471,7 @@ contains
 
   !> Temperature terms of an oil's viscosity and density, from the argument of `point_film_heat`.
   subroutine set_oil_temperature(law, oil)
-    use viscosity_density, only: oil_law
+    use pyworm_viscosity_density, only: oil_law
     type(oil_law), intent(inout) :: law
     real(c_double), intent(in) :: oil(13)
 
@@ -483,7 +483,7 @@ contains
 
   !> Conductivity and heat capacity of an oil, from the argument of `point_film_heat`.
   function heat_law(oil) result(law)
-    use thermal_properties, only: oil_heat_law
+    use pyworm_thermal_properties, only: oil_heat_law
     real(c_double), intent(in) :: oil(13)
     type(oil_heat_law) :: law
 
@@ -492,7 +492,7 @@ contains
 
   !> Makes one sweep of heat (`thermal_step`); `change` is the largest change of temperature [K].
   subroutine film_warm(handle, change, stat)
-    use thermal_step, only: heat_sweep
+    use pyworm_thermal_step, only: heat_sweep
     integer(c_int64_t), intent(in) :: handle
     real(c_double), intent(out) :: change
     integer(c_int), intent(out) :: stat
@@ -528,7 +528,7 @@ contains
 
   !> Sets the temperature above the inlet's [K].
   subroutine film_set_rise(handle, rise, nx, ny, levels)
-    use thermal_step, only: start_temperature
+    use pyworm_thermal_step, only: start_temperature
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny, levels
     real(c_double), intent(in) :: rise(nx, ny, levels)
@@ -540,7 +540,7 @@ contains
 
   !> Fields of a contact's shear; see `shear_fields`.
   subroutine film_shear_fields(handle, factors_wanted, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
-    use shear_fields, only: shear_field, nodal_shear
+    use pyworm_shear_fields, only: shear_field, nodal_shear
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: factors_wanted, nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), along(nx, ny), &
@@ -565,7 +565,7 @@ contains
   !> Stress at the middle of the film [Pa], heat of shearing [W/m2] and the largest shear rate across the film [1/s] of a
   !> point contact, as of the last sweep of heat.
   subroutine point_film_swept_shear(handle, nx, ny, stress_x, stress_y, friction, rate)
-    use point_heat, only: swept_shear
+    use pyworm_point_heat, only: swept_shear
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny)
@@ -589,7 +589,7 @@ contains
 
   !> Velocity [m/s] across the film at node (i, j), counted from 1, body 1 moving with (u1, v1).
   subroutine film_profile(handle, i, j, u1, v1, levels, u, v, stat)
-    use shear_fields, only: profile => film_profile
+    use pyworm_shear_fields, only: profile => film_profile
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: i, j, levels
     real(c_double), intent(in) :: u1, v1
@@ -603,7 +603,7 @@ contains
 
   !> Positions of `count` levels across a film, from -1/2 at body 1 to 1/2 at body 2.
   subroutine level_positions(count, z)
-    use gauss_lobatto, only: levels_across, new_levels
+    use pyworm_gauss_lobatto, only: levels_across, new_levels
     integer(c_int), intent(in) :: count
     real(c_double), intent(out) :: z(count)
     type(levels_across) :: levels
@@ -614,7 +614,7 @@ contains
 
   !> Interpolates a field to half the spacing.
   subroutine prolong_cubic(coarse, nx, ny, fine)
-    use cubic_refinement, only: interpolate_cubic
+    use pyworm_cubic_refinement, only: interpolate_cubic
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: coarse(nx, ny)
     real(c_double), intent(out) :: fine(2*nx - 1, 2*ny - 1)

@@ -3,7 +3,7 @@
 !> What an interrupted call gives does not matter, since the wrapper of f2py raises the exception that Python has set.
 module python_interruption
   use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr
-  use interruption, only: interrupt_by, interruption_query
+  use pyworm_interruption, only: interrupt_by, interruption_query
   implicit none(type, external)
   private
 

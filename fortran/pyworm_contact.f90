@@ -4,30 +4,30 @@
 !> reach into the inlet, some three contact radii upstream. The kernel never stops and never prints: each procedure
 !> gives a status, `pyworm_ok` or one of the numbers below.
 module pyworm_contact
-  use conducting_body, only: new_conducting_body
-  use cubic_refinement, only: interpolate_cubic
-  use dry_contact, only: solve_dry_contact
-  use film_newton, only: film_residual, film_step, shear_contact
-  use flow_laws, only: flow_law
-  use half_space, only: elastic_half_space, new_half_space
-  use heated_surface, only: heated_body
-  use interruption, only: interrupt_by, interruption_query
-  use kinds, only: pyworm_real => wp
-  use point_film, only: new_point_contact, point_contact
-  use point_heat, only: heat_point_contact
-  use shear_fields, only: nodal_shear, shear_field
-  use status, only: pyworm_ok => status_ok, pyworm_bad_argument => status_bad_argument, &
+  use pyworm_conducting_body, only: new_conducting_body
+  use pyworm_cubic_refinement, only: interpolate_cubic
+  use pyworm_dry_contact, only: solve_dry_contact
+  use pyworm_film_newton, only: film_residual, film_step, shear_contact
+  use pyworm_flow_laws, only: flow_law
+  use pyworm_half_space, only: elastic_half_space, new_half_space
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_interruption, only: interrupt_by, interruption_query
+  use pyworm_kinds, only: pyworm_real => wp
+  use pyworm_point_film, only: new_point_contact, point_contact
+  use pyworm_point_heat, only: heat_point_contact
+  use pyworm_shear_fields, only: nodal_shear, shear_field
+  use pyworm_status, only: pyworm_ok => status_ok, pyworm_bad_argument => status_bad_argument, &
     pyworm_not_finite => status_not_finite, pyworm_no_plan => status_no_plan, &
     pyworm_not_converged => status_not_converged, pyworm_no_descent => status_no_descent, &
     pyworm_no_memory => status_no_memory, pyworm_interrupted => status_interrupted
-  use thermal_properties, only: oil_heat_law
-  use thermal_step, only: heated_step, thermal_contact
-  use viscosity_density, only: oil_law
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_thermal_step, only: heated_step, thermal_contact
+  use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
   private
 
   public :: pyworm_real, pyworm_oil, pyworm_flow, pyworm_body, pyworm_point
-  public :: pyworm_dry_contact, pyworm_setup, pyworm_solve, pyworm_read, pyworm_shear
+  public :: pyworm_solve_dry, pyworm_setup, pyworm_solve, pyworm_read, pyworm_shear
   public :: pyworm_interrupt_by, interruption_query
   public :: pyworm_ok, pyworm_bad_argument, pyworm_not_finite, pyworm_no_plan, pyworm_not_converged, &
     pyworm_no_descent, pyworm_no_memory, pyworm_interrupted
@@ -106,7 +106,7 @@ contains
   end subroutine pyworm_interrupt_by
 
   !> Pressure `p` [Pa] and rigid approach [m] of a dry contact of a gap [m] under a load [N].
-  subroutine pyworm_dry_contact(gap, dx, dy, reduced_modulus, load, tolerance, p, approach, stat)
+  subroutine pyworm_solve_dry(gap, dx, dy, reduced_modulus, load, tolerance, p, approach, stat)
     real(wp), intent(in) :: gap(:, :), dx, dy, reduced_modulus, load, tolerance
     real(wp), intent(out) :: p(:, :), approach
     integer, intent(out) :: stat
@@ -121,7 +121,7 @@ contains
     allocate (covered(size(gap, 1), size(gap, 2)), source=.true.)
     call new_half_space(space, size(gap, 1), size(gap, 2), dx, dy, reduced_modulus, stat)
     if (stat == pyworm_ok) call solve_dry_contact(space, gap, covered, load, tolerance, 2000, p, approach, iterations, stat)
-  end subroutine pyworm_dry_contact
+  end subroutine pyworm_solve_dry
 
   !> Sets up a contact: gap [m] on the nodes, surfaces of uniform velocities [m/s] along x and y, reduced modulus [Pa], load
   !> [N]. With a `flow` the film is sheared by it, and with `bodies` too heat is simulated.
@@ -247,7 +247,7 @@ contains
     gap = contact%gap(::step, ::step)
     if (allocated(contact%p)) deallocate (contact%p)
     allocate (contact%p, mold=gap)
-    call pyworm_dry_contact(gap, step*contact%dx, step*contact%dy, contact%reduced_modulus, contact%load, 1e-3_wp, &
+    call pyworm_solve_dry(gap, step*contact%dx, step*contact%dy, contact%reduced_modulus, contact%load, 1e-3_wp, &
       contact%p, approach, stat)
     if (stat == pyworm_not_converged) stat = pyworm_ok
     contact%expected_film = central_film(contact, maxval(contact%p), approach)

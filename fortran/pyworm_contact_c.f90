@@ -2,12 +2,12 @@
 module pyworm_contact_c
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funptr, c_int, c_loc, &
     c_null_ptr, c_ptr
-  use pyworm_contact, only: interruption_query, pyworm_bad_argument, pyworm_body, pyworm_dry_contact, pyworm_flow, &
+  use pyworm_contact, only: interruption_query, pyworm_bad_argument, pyworm_body, pyworm_solve_dry, pyworm_flow, &
     pyworm_interrupt_by, pyworm_ok, pyworm_oil, pyworm_point, pyworm_read, pyworm_setup, pyworm_shear, pyworm_solve
   implicit none(type, external)
   private
 
-  public :: c_dry_contact, c_setup, c_solve, c_read, c_shear, c_free, c_interrupt_by
+  public :: c_solve_dry, c_setup, c_solve, c_read, c_shear, c_free, c_interrupt_by
 
   abstract interface
     !> Not zero once the present call is to end.
@@ -34,22 +34,22 @@ module pyworm_contact_c
     real(c_double) :: conductivity, heat_capacity, bulk_rise
   end type c_body
 
-  procedure(c_query), pointer, save :: c_asked => null()
+  procedure(c_query), pointer :: c_asked => null()
 
 contains
 
-  !> As `pyworm_dry_contact`.
-  integer(c_int) function c_dry_contact(nx, ny, gap, dx, dy, reduced_modulus, load, tolerance, p, approach) &
-      bind(c, name="pyworm_dry_contact")
+  !> As `pyworm_solve_dry`.
+  integer(c_int) function c_solve_dry(nx, ny, gap, dx, dy, reduced_modulus, load, tolerance, p, approach) &
+      bind(c, name="pyworm_solve_dry")
     integer(c_int), value :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny)
     real(c_double), value :: dx, dy, reduced_modulus, load, tolerance
     real(c_double), intent(out) :: p(nx, ny), approach
     integer :: stat
 
-    call pyworm_dry_contact(gap, dx, dy, reduced_modulus, load, tolerance, p, approach, stat)
-    c_dry_contact = stat
-  end function c_dry_contact
+    call pyworm_solve_dry(gap, dx, dy, reduced_modulus, load, tolerance, p, approach, stat)
+    c_solve_dry = stat
+  end function c_solve_dry
 
   !> As `pyworm_setup`; `flow` and `bodies` may be null.
   type(c_ptr) function c_setup(nx, ny, gap, dx, dy, velocity_1, velocity_2, reduced_modulus, load, oil, flow, bodies, status) &

@@ -1,6 +1,6 @@
 !> Modified Bessel functions of the second kind.
-module bessel
-  use kinds, only: wp
+module pyworm_bessel
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -39,4 +39,4 @@ contains
     k1 = k1*step
   end subroutine scaled_bessel_k
 
-end module bessel
+end module pyworm_bessel

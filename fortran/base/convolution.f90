@@ -1,13 +1,14 @@
 !> Convolution of a field on a grid with any kernel, by fast Fourier transforms in single precision.
 !>
 !> The kernel need not be even: its transform is complex, and padding to 2n - 1 points is needed.
-module convolution
+module pyworm_convolution
   use, intrinsic :: iso_c_binding, only: c_float_complex
-  use kinds, only: pp, wp
+  use pyworm_kinds, only: pp, wp
   use omp_lib, only: omp_get_thread_num
-  use padded_transform, only: field_transform, new_field_transform, padded_size, block_columns, transform_row, transform_rows, &
+  use pyworm_padded_transform, only: field_transform, new_field_transform, padded_size, block_columns, transform_row, &
+    transform_rows, &
     transform_rows_back, transform_block, transform_columns, transform_columns_back
-  use status, only: status_ok, status_bad_argument, status_no_memory
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)
   private
 
@@ -97,4 +98,4 @@ contains
     call transform_rows_back(self%transform, self%unit, y)
   end subroutine convolve
 
-end module convolution
+end module pyworm_convolution

@@ -1,6 +1,6 @@
 !> Interpolation of fields to a grid of half the spacing.
-module cubic_refinement
-  use kinds, only: wp
+module pyworm_cubic_refinement
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -46,4 +46,4 @@ contains
     at_end = (5*a + 15*b - 5*c + d)/16
   end function at_end
 
-end module cubic_refinement
+end module pyworm_cubic_refinement

@@ -1,9 +1,9 @@
 !> The C interface of FFTW 3 as Fortran sees it.
-module fftw
+module pyworm_fftw
   use, intrinsic :: iso_c_binding
   implicit none(type, external)
   public
 
   include 'fftw3.f03'
 
-end module fftw
+end module pyworm_fftw

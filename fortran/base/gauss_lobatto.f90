@@ -2,8 +2,8 @@
 !>
 !> Position z runs over the film from -1/2 at body 1 to 1/2 at body 2; the first and last level are the walls. With n
 !> levels integrals of polynomials up to degree 2n - 3 are exact (Canuto et al., Spectral Methods, 2006, sec. 2.3).
-module gauss_lobatto
-  use kinds, only: wp
+module pyworm_gauss_lobatto
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -104,4 +104,4 @@ contains
     end do
   end function lagrange_slope
 
-end module gauss_lobatto
+end module pyworm_gauss_lobatto

@@ -3,7 +3,7 @@
 !> A kernel call may take seconds, in which a keyboard interrupt would wait. Iterations therefore poll here
 !> once each, from the thread that called and never within a parallel region, and end as soon as they can. Whom they
 !> ask is the caller's affair: a procedure that is set once, by default none, so that nobody interrupts.
-module interruption
+module pyworm_interruption
   implicit none(type, external)
   private
 
@@ -15,7 +15,7 @@ module interruption
     end function interruption_query
   end interface
 
-  procedure(interruption_query), pointer, save :: query => null()
+  procedure(interruption_query), pointer :: query => null()
 
 contains
 
@@ -32,4 +32,4 @@ contains
     if (associated(query)) interrupted = query()
   end function interrupted
 
-end module interruption
+end module pyworm_interruption

@@ -1,5 +1,5 @@
 !> The real kinds of the kernel.
-module kinds
+module pyworm_kinds
   use, intrinsic :: iso_c_binding, only: c_double, c_float
   implicit none(type, external)
   private
@@ -10,4 +10,4 @@ module kinds
   !> Precision of preconditioners, which affect the rate of convergence and not the solution.
   integer, parameter, public :: pp = c_float
 
-end module kinds
+end module pyworm_kinds

@@ -6,10 +6,10 @@
 !> The basis, most of the memory traffic of an iteration, is in single precision and orthogonalised by classical
 !> Gram-Schmidt, which reads it twice whatever the number of vectors. That limits the reduction of the residual
 !> to some 1e-6, far below the forcing of a Newton step.
-module krylov
-  use interruption, only: interrupted
-  use kinds, only: pp, wp
-  use vectors, only: dot, normalise, project_out, combine
+module pyworm_krylov
+  use pyworm_interruption, only: interrupted
+  use pyworm_kinds, only: pp, wp
+  use pyworm_vectors, only: dot, normalise, project_out, combine
   implicit none(type, external)
   private
 
@@ -139,4 +139,4 @@ contains
     b = cosine*b - sine*first
   end subroutine rotate
 
-end module krylov
+end module pyworm_krylov

@@ -1,6 +1,6 @@
 !> Explicit interfaces to the LAPACK procedures in use.
-module lapack
-  use kinds, only: pp, wp
+module pyworm_lapack
+  use pyworm_kinds, only: pp, wp
   implicit none(type, external)
   private
 
@@ -52,4 +52,4 @@ module lapack
     end subroutine sgbtrs
   end interface
 
-end module lapack
+end module pyworm_lapack

@@ -6,14 +6,14 @@
 !> The two-dimensional transform is done by hand, rows first and then blocks of columns that stay in cache through forward
 !> transform, the caller's product with the transform of the kernel, and backward transform. Rows of padding are never
 !> transformed.
-module padded_transform
+module pyworm_padded_transform
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, c_float_complex
-  use fftw, only: fftwf_alloc_complex, fftwf_free, fftwf_plan_many_dft, fftwf_plan_many_dft_r2c, fftwf_plan_many_dft_c2r, &
+  use pyworm_fftw, only: fftwf_alloc_complex, fftwf_free, fftwf_plan_many_dft, fftwf_plan_many_dft_r2c, fftwf_plan_many_dft_c2r, &
     fftwf_execute_dft, fftwf_execute_dft_r2c, fftwf_execute_dft_c2r, fftwf_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, &
     FFTW_BACKWARD
-  use kinds, only: pp, wp
+  use pyworm_kinds, only: pp, wp
   use omp_lib, only: omp_get_max_threads
-  use status, only: status_ok, status_no_plan, status_no_memory
+  use pyworm_status, only: status_ok, status_no_plan, status_no_memory
   implicit none(type, external)
   private
 
@@ -193,4 +193,4 @@ contains
     if (c_associated(self%columns_memory)) call fftwf_free(self%columns_memory)
   end subroutine release
 
-end module padded_transform
+end module pyworm_padded_transform

@@ -1,6 +1,6 @@
 !> Status numbers of kernel procedures, which never stop the process and never print.
 !> `pyworm/kernel/core.py` turns them into exceptions.
-module status
+module pyworm_status
   implicit none(type, external)
   private
 
@@ -20,4 +20,4 @@ module status
   !> The user interrupted the call (`interruption`); Python raises its exception first.
   integer, parameter, public :: status_interrupted = 7
 
-end module status
+end module pyworm_status

@@ -1,7 +1,7 @@
 !> Fields in the order of a sweep along the oil's flow: the nodes of a line contiguous in memory, the lines in the order in
 !> which oil reaches them. Lines lie across the main direction of the entrainment.
-module sweep_order
-  use kinds, only: wp
+module pyworm_sweep_order
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -95,4 +95,4 @@ contains
     place = merge(way%lines + 1 - line, line, way%backward)
   end function place
 
-end module sweep_order
+end module pyworm_sweep_order

@@ -1,6 +1,6 @@
 !> Count and processor time of one part of the work.
-module tally
-  use kinds, only: wp
+module pyworm_tally
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -35,4 +35,4 @@ contains
     self%count = self%count + 1
   end subroutine finish
 
-end module tally
+end module pyworm_tally

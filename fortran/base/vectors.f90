@@ -4,8 +4,8 @@
 !> last bit whatever the number of threads. Within a block they go in lanes, which gfortran 12 turns into
 !> vector instructions; a simd directive's reduction it does not, and leave to reorder all sums would spoil
 !> those that are in good order.
-module vectors
-  use kinds, only: pp, wp
+module pyworm_vectors
+  use pyworm_kinds, only: pp, wp
   implicit none(type, external)
   private
 
@@ -161,4 +161,4 @@ contains
     end do
   end subroutine combine
 
-end module vectors
+end module pyworm_vectors

@@ -5,13 +5,13 @@
 !> join it. As in Vollebregt's BCCG (2014, J. Optim. Theory Appl. 162:931) the gradients are preconditioned
 !> with a transform, directions are continued through a change of the set (Polak and Ribiere's beta damps them
 !> then), and the deflection after a step that no bound limits needs no further convolution.
-module constrained_gradients
-  use half_space, only: elastic_half_space
-  use interruption, only: interrupted
-  use kinds, only: wp
-  use periodic_stiffness, only: periodic_half_space, new_periodic_half_space
-  use status, only: status_ok, status_interrupted, status_no_memory, status_not_converged, status_not_finite
-  use vectors, only: dot
+module pyworm_constrained_gradients
+  use pyworm_half_space, only: elastic_half_space
+  use pyworm_interruption, only: interrupted
+  use pyworm_kinds, only: wp
+  use pyworm_periodic_stiffness, only: periodic_half_space, new_periodic_half_space
+  use pyworm_status, only: status_ok, status_interrupted, status_no_memory, status_not_converged, status_not_finite
+  use pyworm_vectors, only: dot
   implicit none(type, external)
   private
 
@@ -142,4 +142,4 @@ contains
     end do
   end subroutine advance
 
-end module constrained_gradients
+end module pyworm_constrained_gradients

@@ -2,14 +2,14 @@
 !>
 !> Nested iteration on grids of halving spacing, each started from the pressure of the one before, so that only
 !> the boundary of the contact changes; conjugate gradients with bounds on each (`constrained_gradients`).
-module dry_contact
+module pyworm_dry_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use constrained_gradients, only: close_gap
-  use half_space, only: elastic_half_space, new_half_space
-  use kinds, only: wp
-  use pressure_refinement, only: refine_pressure
-  use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite, status_no_memory
-  use vectors, only: total
+  use pyworm_constrained_gradients, only: close_gap
+  use pyworm_half_space, only: elastic_half_space, new_half_space
+  use pyworm_kinds, only: wp
+  use pyworm_pressure_refinement, only: refine_pressure
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite, status_no_memory
+  use pyworm_vectors, only: total
   implicit none(type, external)
   private
 
@@ -108,4 +108,4 @@ contains
     end associate
   end function reduced_modulus
 
-end module dry_contact
+end module pyworm_dry_contact

@@ -5,13 +5,13 @@
 !> on every grid over one interval, whatever its spacing.
 !>
 !> The convolution is done by FFT. Its kernel is even, so that zero padding to 2 (n - 1) points is exact.
-module half_plane
+module pyworm_half_plane
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
-  use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_1d, fftw_plan_dft_c2r_1d, fftw_plan_r2r_1d, &
+  use pyworm_fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_1d, fftw_plan_dft_c2r_1d, fftw_plan_r2r_1d, &
     fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_REDFT00
-  use padded_transform, only: padded_size
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
+  use pyworm_padded_transform, only: padded_size
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)
   private
 
@@ -140,4 +140,4 @@ contains
     if (c_associated(self%memory)) call fftw_free(self%memory)
   end subroutine release
 
-end module half_plane
+end module pyworm_half_plane

@@ -6,16 +6,16 @@
 !>
 !> The two-dimensional transform is done by hand, rows first and then blocks of columns that stay in cache
 !> through forward transform, product and backward transform. Rows of padding are never transformed.
-module half_space
+module pyworm_half_space
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, &
     c_double_complex
-  use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_many_dft, fftw_plan_many_dft_r2c, &
+  use pyworm_fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_many_dft, fftw_plan_many_dft_r2c, &
     fftw_plan_many_dft_c2r, fftw_plan_r2r_2d, fftw_execute_dft, fftw_execute_dft_r2c, fftw_execute_dft_c2r, &
     fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, FFTW_BACKWARD, FFTW_REDFT00
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use kinds, only: wp
-  use padded_transform, only: padded_size, block_columns
-  use status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
+  use pyworm_kinds, only: wp
+  use pyworm_padded_transform, only: padded_size, block_columns
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
   implicit none(type, external)
   private
 
@@ -212,4 +212,4 @@ contains
     if (c_associated(self%columns_memory)) call fftw_free(self%columns_memory)
   end subroutine release
 
-end module half_space
+end module pyworm_half_space

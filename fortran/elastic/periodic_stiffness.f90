@@ -3,13 +3,13 @@
 !> In wavenumbers, pressure is E' |k| / 4 times deflection (Johnson, Contact Mechanics, section 13.2, with
 !> E* = E'/2). Periodicity and the absence of an edge make it an approximate inverse of the half-space within
 !> a contact, at a quarter of the cost of a padded convolution: a preconditioner.
-module periodic_stiffness
+module pyworm_periodic_stiffness
   use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
-  use fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, &
+  use pyworm_fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, &
     fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_destroy_plan, FFTW_ESTIMATE
-  use padded_transform, only: padded_size
-  use kinds, only: wp
-  use status, only: status_ok, status_no_plan, status_no_memory
+  use pyworm_padded_transform, only: padded_size
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_no_plan, status_no_memory
   implicit none(type, external)
   private
 
@@ -99,4 +99,4 @@ contains
     if (c_associated(self%memory)) call fftw_free(self%memory)
   end subroutine release
 
-end module periodic_stiffness
+end module pyworm_periodic_stiffness

@@ -1,6 +1,6 @@
 !> Interpolation of a contact pressure to a grid of half the spacing.
-module pressure_refinement
-  use kinds, only: wp
+module pyworm_pressure_refinement
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -62,4 +62,4 @@ contains
     beyond = min(sum(2*near - far, mask=leaves)/max(count(leaves), 1), 0.0_wp)
   end function beyond
 
-end module pressure_refinement
+end module pyworm_pressure_refinement

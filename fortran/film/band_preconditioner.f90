@@ -7,10 +7,10 @@
 !> Rejected by measurement: dense LU of the free nodes, the same Newton steps at 0.1 s each for 1500 nodes and
 !> growing with their cube, whole solves 20 to 50 times slower; the kernel's centre value alone in place of the
 !> cut-off kernel, 18 to 46 iterations to a millionth where this takes 9 to 14 (1041 nodes).
-module band_preconditioner
-  use kinds, only: wp
-  use lapack, only: dgbtrf, dgbtrs
-  use status, only: status_ok, status_no_descent
+module pyworm_band_preconditioner
+  use pyworm_kinds, only: wp
+  use pyworm_lapack, only: dgbtrf, dgbtrs
+  use pyworm_status, only: status_ok, status_no_descent
   implicit none(type, external)
   private
 
@@ -87,4 +87,4 @@ contains
     call dgbtrs("N", size(x), half, half, 1, self%factors, size(self%factors, 1), self%pivots, x, size(x), info)
   end subroutine solve
 
-end module band_preconditioner
+end module pyworm_band_preconditioner

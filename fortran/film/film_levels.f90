@@ -3,14 +3,14 @@
 !> The model couples the five nearest points: diffusion, first-order upwind wedge, and the deflection kernel replaced by a
 !> multiple of its centre value. Fields have the direction of the lines that the cycle solves as their first
 !> index, (length, count): they are those of the film, transposed if the entrainment is mainly along x.
-module film_levels
-  use kinds, only: pp, wp
-  use line_relaxation, only: line_systems, new_line_systems
-  use reynolds, only: arithmetic_share, film_fields, film_grid
-  use rough_surfaces, only: rough_film
-  use sheared_couplings, only: couple_row
-  use sheared_reynolds, only: sheared_film
-  use status, only: status_ok, status_no_memory
+module pyworm_film_levels
+  use pyworm_kinds, only: pp, wp
+  use pyworm_line_relaxation, only: line_systems, new_line_systems
+  use pyworm_reynolds, only: arithmetic_share, film_fields, film_grid
+  use pyworm_rough_surfaces, only: rough_film
+  use pyworm_sheared_couplings, only: couple_row
+  use pyworm_sheared_reynolds, only: sheared_film
+  use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -273,4 +273,4 @@ contains
     end do
   end subroutine orient
 
-end module film_levels
+end module pyworm_film_levels

@@ -13,19 +13,19 @@
 !>
 !> A kind of contact adds its deflection K p, its flow and the approximate solve that precedes the exact Jacobian in
 !> GMRES. Fields have shape (nx, ny); a line contact's have ny = 1.
-module film_newton
-  use flow_laws, only: flow_law
-  use interruption, only: interrupted
-  use kinds, only: pp, wp
-  use krylov, only: linear_system, gmres
-  use reynolds, only: film_fields, new_film_fields
-  use rough_surfaces, only: gap_curves, new_rough_film, share_pressure
-  use sheared_reynolds, only: sheared_film, new_sheared_film
-  use status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
+module pyworm_film_newton
+  use pyworm_flow_laws, only: flow_law
+  use pyworm_interruption, only: interrupted
+  use pyworm_kinds, only: pp, wp
+  use pyworm_krylov, only: linear_system, gmres
+  use pyworm_reynolds, only: film_fields, new_film_fields
+  use pyworm_rough_surfaces, only: gap_curves, new_rough_film, share_pressure
+  use pyworm_sheared_reynolds, only: sheared_film, new_sheared_film
+  use pyworm_status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
     status_no_memory
-  use tally, only: work_tally
-  use vectors, only: total
-  use viscosity_density, only: oil_law
+  use pyworm_tally, only: work_tally
+  use pyworm_vectors, only: total
+  use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
   private
 
@@ -549,4 +549,4 @@ contains
     end do
   end subroutine precondition
 
-end module film_newton
+end module pyworm_film_newton

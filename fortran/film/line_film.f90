@@ -1,15 +1,15 @@
 !> The film of a line contact: deflection of half-planes, flow in one direction, a band solve before GMRES.
-module line_film
-  use band_preconditioner, only: band_model, set_band_model
-  use film_newton, only: film_contact, film_status, new_film_contact, weigh_load
-  use half_plane, only: elastic_half_plane, new_half_plane
-  use kinds, only: wp
-  use line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
+module pyworm_line_film
+  use pyworm_band_preconditioner, only: band_model, set_band_model
+  use pyworm_film_newton, only: film_contact, film_status, new_film_contact, weigh_load
+  use pyworm_half_plane, only: elastic_half_plane, new_half_plane
+  use pyworm_kinds, only: wp
+  use pyworm_line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
     band_product
-  use line_shear, only: sheared_flow
-  use reynolds, only: set_film_fields
-  use status, only: status_ok, status_no_memory
-  use viscosity_density, only: oil_law
+  use pyworm_line_shear, only: sheared_flow
+  use pyworm_reynolds, only: set_film_fields
+  use pyworm_status, only: status_ok, status_no_memory
+  use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
   private
 
@@ -139,4 +139,4 @@ contains
     self%grid%explicit_rate = explicit_rate(:, 1)
   end subroutine set_transient
 
-end module line_film
+end module pyworm_line_film

@@ -2,9 +2,9 @@
 !>
 !> Each tridiagonal system is factored beforehand from both ends towards its middle, so that a line has
 !> two independent recurrences and no divisions. Of the matrix only the couplings between lines are stored.
-module line_relaxation
-  use kinds, only: pp
-  use status, only: status_ok, status_no_memory
+module pyworm_line_relaxation
+  use pyworm_kinds, only: pp
+  use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -141,4 +141,4 @@ contains
     if (mod(n, 2) == 1) x(n - 1) = g(n - 1) - inward(n - 1)*high
   end subroutine substitute
 
-end module line_relaxation
+end module pyworm_line_relaxation

@@ -4,10 +4,10 @@
 !> mobility of a face's two nodes, wedge fluxes with second-order upwind rho h. Hot rollers whose walls slip are lost
 !> with the scheme of third order, and lines are cheap. The Jacobian is assembled as two bands, one for the change of
 !> pressure and one for that of the film. The Poiseuille flow may be that of a sheared film (`line_shear`).
-module line_reynolds
-  use kinds, only: wp
-  use reynolds, only: film_fields
-  use status, only: status_ok, status_no_memory
+module pyworm_line_reynolds
+  use pyworm_kinds, only: wp
+  use pyworm_reynolds, only: film_fields
+  use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -158,4 +158,4 @@ contains
     end if
   end function wedge_weights
 
-end module line_reynolds
+end module pyworm_line_reynolds

@@ -3,13 +3,13 @@
 !> The flow through a face is that of `sheared_reynolds`, on a grid of one row without gradient or sliding along
 !> it, with the arithmetic mean of the mobility and exact derivatives. For an isothermal Newtonian oil it is that of
 !> `line_reynolds` to rounding.
-module line_shear
-  use kinds, only: wp
-  use line_reynolds, only: line_grid, line_flow
-  use viscosity_density, only: oil_law
+module pyworm_line_shear
+  use pyworm_kinds, only: wp
+  use pyworm_line_reynolds, only: line_grid, line_flow
+  use pyworm_viscosity_density, only: oil_law
   use omp_lib, only: omp_get_thread_num
-  use reynolds, only: film_fields
-  use sheared_reynolds, only: sheared_film, set_oil, flow_through, strip
+  use pyworm_reynolds, only: film_fields
+  use pyworm_sheared_reynolds, only: sheared_film, set_oil, flow_through, strip
   implicit none(type, external)
   private
 
@@ -63,4 +63,4 @@ contains
       film%strips(omp_get_thread_num()), film%along_x)
   end subroutine flow_through_strip
 
-end module line_shear
+end module pyworm_line_shear

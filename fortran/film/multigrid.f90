@@ -8,16 +8,16 @@
 !> A cycle is limited by memory traffic. Hence a sweep from zero leaves a residual that only the line
 !> after each adds to, which is restricted as it is computed; and the coarse grid's correction is added to a
 !> line just before its neighbour is solved against it, since a line's own old values are never read.
-module multigrid
-  use kinds, only: pp, wp
-  use lapack, only: sgbtrf, sgbtrs
-  use film_levels, only: grid_level, new_level, coarsen_entrainment, set_level, set_mobility, model_line, &
+module pyworm_multigrid
+  use pyworm_kinds, only: pp, wp
+  use pyworm_lapack, only: sgbtrf, sgbtrs
+  use pyworm_film_levels, only: grid_level, new_level, coarsen_entrainment, set_level, set_mobility, model_line, &
     leaving_rate, orient
-  use line_relaxation, only: factor_line, relax_line, relax_first
-  use reynolds, only: film_fields, film_grid
-  use rough_surfaces, only: rough_film
-  use sheared_reynolds, only: sheared_film
-  use status, only: status_ok, status_not_converged, status_no_memory
+  use pyworm_line_relaxation, only: factor_line, relax_line, relax_first
+  use pyworm_reynolds, only: film_fields, film_grid
+  use pyworm_rough_surfaces, only: rough_film
+  use pyworm_sheared_reynolds, only: sheared_film
+  use pyworm_status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)
   private
 
@@ -348,4 +348,4 @@ contains
     end associate
   end subroutine solve_coarsest
 
-end module multigrid
+end module pyworm_multigrid

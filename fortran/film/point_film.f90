@@ -1,13 +1,13 @@
 !> The film of a point contact: deflection of half-spaces, flow in two directions, a multigrid cycle before GMRES.
-module point_film
-  use film_newton, only: film_contact, film_status, new_film_contact, weigh_load
-  use half_space, only: elastic_half_space, new_half_space
-  use kinds, only: pp, wp
-  use multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
-  use reynolds, only: film_grid, set_film_fields, flow_imbalance, flow_imbalance_change
-  use sheared_reynolds, only: set_sheared_fields, sheared_imbalance, sheared_imbalance_change
-  use status, only: status_ok
-  use viscosity_density, only: oil_law
+module pyworm_point_film
+  use pyworm_film_newton, only: film_contact, film_status, new_film_contact, weigh_load
+  use pyworm_half_space, only: elastic_half_space, new_half_space
+  use pyworm_kinds, only: pp, wp
+  use pyworm_multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
+  use pyworm_reynolds, only: film_grid, set_film_fields, flow_imbalance, flow_imbalance_change
+  use pyworm_sheared_reynolds, only: set_sheared_fields, sheared_imbalance, sheared_imbalance_change
+  use pyworm_status, only: status_ok
+  use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
   private
 
@@ -171,4 +171,4 @@ contains
     self%cycles%implicit_rate = real(implicit_rate, pp)
   end subroutine set_transient
 
-end module point_film
+end module pyworm_point_film

@@ -3,11 +3,11 @@
 !> Node-centred finite volumes: diffusive fluxes with a mean mobility of a face's two nodes that is near the
 !> logarithmic one, wedge fluxes with rho h of third order, biased upwind by the sign of the entrainment at the face.
 !> Density is taken relative to that at ambient pressure, so that the residual is a volume flow per area [m/s].
-module reynolds
-  use kinds, only: wp
-  use rough_surfaces, only: rough_film
-  use viscosity_density, only: oil_law, viscosities, densities
-  use status, only: status_ok, status_no_memory
+module pyworm_reynolds
+  use pyworm_kinds, only: wp
+  use pyworm_rough_surfaces, only: rough_film
+  use pyworm_viscosity_density, only: oil_law, viscosities, densities
+  use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -351,4 +351,4 @@ contains
     r(:, size(r, 2)) = 0
   end subroutine clear_outline
 
-end module reynolds
+end module pyworm_reynolds

@@ -4,9 +4,9 @@
 !> Wear 19 (1972) 91). Pressure of the asperities, real area of contact, mean thickness of the gap and the flow factors of
 !> Patir and Cheng (J. Lubr. Technol. 100 (1978) 12, 101 (1979) 220) depend on the gap between the surfaces' mean planes
 !> alone; they are given as tables. Components of a tensor are in the order xx, yy, xy.
-module rough_surfaces
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_no_memory, status_not_finite
+module pyworm_rough_surfaces
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory, status_not_finite
   implicit none(type, external)
   private
 
@@ -155,4 +155,4 @@ contains
     pressure = self%total(:, j) - p(:, j)
   end function asperity_pressure
 
-end module rough_surfaces
+end module pyworm_rough_surfaces

@@ -1,10 +1,10 @@
 !> Flow factors D along and C across the sliding of a film of known shear stress (Sharif, Kong, Evans and Snidle 2001,
 !> eqs 13a and 14a).
-module sharif_flow_factors
-  use flow_laws, only: flow_law, thinning
-  use gauss_lobatto, only: levels_across
-  use kinds, only: wp
-  use strip_of_points, only: shear_strip
+module pyworm_sharif_flow_factors
+  use pyworm_flow_laws, only: flow_law, thinning
+  use pyworm_gauss_lobatto, only: levels_across
+  use pyworm_kinds, only: wp
+  use pyworm_strip_of_points, only: shear_strip
   implicit none(type, external)
   private
 
@@ -97,4 +97,4 @@ contains
     end do
   end subroutine flow_factor
 
-end module sharif_flow_factors
+end module pyworm_sharif_flow_factors

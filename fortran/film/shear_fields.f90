@@ -1,15 +1,15 @@
 !> Shear of a film at the nodes, by the model of the flow through the faces.
-module shear_fields
-  use film_newton, only: film_contact, first_row, last_row
-  use flow_laws, only: has_limit, slip_stress, stress_scales
-  use kinds, only: wp
-  use viscosity_density, only: oil_law, hot_fluidity
-  use sharif_flow_factors, only: flow_factors
-  use shear_profile, only: film_velocity, film_shear_rate, film_heat
-  use shear_stress, only: solve_shear
-  use strip_of_points, only: shear_strip, new_shear_strip
-  use sheared_reynolds, only: sheared_oil
-  use status, only: status_ok
+module pyworm_shear_fields
+  use pyworm_film_newton, only: film_contact, first_row, last_row
+  use pyworm_flow_laws, only: has_limit, slip_stress, stress_scales
+  use pyworm_kinds, only: wp
+  use pyworm_viscosity_density, only: oil_law, hot_fluidity
+  use pyworm_sharif_flow_factors, only: flow_factors
+  use pyworm_shear_profile, only: film_velocity, film_shear_rate, film_heat
+  use pyworm_shear_stress, only: solve_shear
+  use pyworm_strip_of_points, only: shear_strip, new_shear_strip
+  use pyworm_sheared_reynolds, only: sheared_oil
+  use pyworm_status, only: status_ok
   implicit none(type, external)
   private
 
@@ -162,4 +162,4 @@ contains
     v = v_levels(1, :)
   end subroutine film_profile
 
-end module shear_fields
+end module pyworm_shear_fields

@@ -1,11 +1,11 @@
 !> Flow of an oil between two sliding walls under a pressure gradient, with its exact derivatives by film, gradient and the
 !> stresses of its flow law; for the matrices A, B and C see `shear_stress`.
-module shear_flow
-  use flow_laws, only: flow_law, thinning_by_stresses
-  use gauss_lobatto, only: levels_across
-  use kinds, only: wp
-  use shear_stress, only: square_stress
-  use strip_of_points, only: shear_strip
+module pyworm_shear_flow
+  use pyworm_flow_laws, only: flow_law, thinning_by_stresses
+  use pyworm_gauss_lobatto, only: levels_across
+  use pyworm_kinds, only: wp
+  use pyworm_shear_stress, only: square_stress
+  use pyworm_strip_of_points, only: shear_strip
   implicit none(type, external)
   private
 
@@ -132,4 +132,4 @@ contains
     end associate
   end subroutine flow_change_by_stresses
 
-end module shear_flow
+end module pyworm_shear_flow

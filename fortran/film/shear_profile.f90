@@ -1,9 +1,9 @@
 !> Velocity, slip, rate of shear and heat across a film whose shear stress is known.
-module shear_profile
-  use flow_laws, only: flow_law, slip_stress, thinning
-  use gauss_lobatto, only: levels_across
-  use kinds, only: wp
-  use strip_of_points, only: shear_strip, slip_at_body_1
+module pyworm_shear_profile
+  use pyworm_flow_laws, only: flow_law, slip_stress, thinning
+  use pyworm_gauss_lobatto, only: levels_across
+  use pyworm_kinds, only: wp
+  use pyworm_strip_of_points, only: shear_strip, slip_at_body_1
   implicit none(type, external)
   private
 
@@ -140,4 +140,4 @@ contains
     end do
   end subroutine film_heat
 
-end module shear_profile
+end module pyworm_shear_profile

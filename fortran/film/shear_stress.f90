@@ -10,11 +10,11 @@
 !>
 !> Points are solved a strip at a time, so that loops are over points. Fluidity is constant in all derivatives
 !> by film, gradient and stresses.
-module shear_stress
-  use flow_laws, only: flow_law, law_newton, has_limit, slip_stress, thinning, stress_guess
-  use gauss_lobatto, only: levels_across
-  use kinds, only: wp
-  use strip_of_points, only: shear_strip, slip_at_body_1, slip_at_body_2
+module pyworm_shear_stress
+  use pyworm_flow_laws, only: flow_law, law_newton, has_limit, slip_stress, thinning, stress_guess
+  use pyworm_gauss_lobatto, only: levels_across
+  use pyworm_kinds, only: wp
+  use pyworm_strip_of_points, only: shear_strip, slip_at_body_1, slip_at_body_2
   implicit none(type, external)
   private
 
@@ -390,4 +390,4 @@ contains
     end do
   end subroutine find_slip
 
-end module shear_stress
+end module pyworm_shear_stress

@@ -1,10 +1,10 @@
 !> Couplings of neighbouring pressures through a sheared film, for the preconditioner: the exact derivatives of the flow
 !> through faces, but those by the pressure gradient along a face, on a grid or on a coarser one. Diffusion is added where
 !> a coupling would be negative, as where the walls' slip carries the oil: sweeps grow without bound otherwise.
-module sheared_couplings
-  use kinds, only: pp, wp
-  use rough_surfaces, only: rough_film
-  use sheared_reynolds, only: face_flow
+module pyworm_sheared_couplings
+  use pyworm_kinds, only: pp, wp
+  use pyworm_rough_surfaces, only: rough_film
+  use pyworm_sheared_reynolds, only: face_flow
   implicit none(type, external)
   private
 
@@ -61,4 +61,4 @@ contains
     end do
   end subroutine couple_row
 
-end module sheared_couplings
+end module pyworm_sheared_couplings

@@ -9,18 +9,18 @@
 !>
 !> Between rough surfaces the oil shears over the mean thickness of the gap; the pressure flow factors multiply S, and the
 !> shear flow factors carry oil with the rougher wall (Patir and Cheng 1979, their tensors by the lay; see `rough_surfaces`).
-module sheared_reynolds
-  use gauss_lobatto, only: levels_across, new_levels
-  use flow_laws, only: flow_law, hardens, stress_scales
-  use kinds, only: wp
+module pyworm_sheared_reynolds
+  use pyworm_gauss_lobatto, only: levels_across, new_levels
+  use pyworm_flow_laws, only: flow_law, hardens, stress_scales
+  use pyworm_kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use viscosity_density, only: oil_law, hot_fluidity, hot_density
-  use reynolds, only: arithmetic_share, film_grid, film_fields, add_wedge
-  use rough_surfaces, only: rough_film
-  use shear_flow, only: flow_change, flow_change_by_stresses
-  use shear_stress, only: solve_shear
-  use strip_of_points, only: shear_strip, new_shear_strip
-  use status, only: status_ok, status_no_memory
+  use pyworm_viscosity_density, only: oil_law, hot_fluidity, hot_density
+  use pyworm_reynolds, only: arithmetic_share, film_grid, film_fields, add_wedge
+  use pyworm_rough_surfaces, only: rough_film
+  use pyworm_shear_flow, only: flow_change, flow_change_by_stresses
+  use pyworm_shear_stress, only: solve_shear
+  use pyworm_strip_of_points, only: shear_strip, new_shear_strip
+  use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -523,4 +523,4 @@ contains
     end do
   end subroutine take_inflow
 
-end module sheared_reynolds
+end module pyworm_sheared_reynolds

@@ -1,7 +1,7 @@
 !> Points of a film with their levels, for the flow across the film; strips of points, so that loops are over points.
-module strip_of_points
-  use kinds, only: wp
-  use status, only: status_ok, status_no_memory
+module pyworm_strip_of_points
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
 
@@ -66,4 +66,4 @@ contains
     strip%limit = 1
   end subroutine new_shear_strip
 
-end module strip_of_points
+end module pyworm_strip_of_points

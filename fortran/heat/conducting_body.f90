@@ -1,11 +1,11 @@
 !> A body under a contact, with the model of conduction that suits its motion.
-module conducting_body
-  use conduction_model, only: conduction_errors
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use moving_source, only: moving_body, new_moving_body
-  use status, only: status_ok
-  use surface_path, only: fast_body, new_fast_body
+module pyworm_conducting_body
+  use pyworm_conduction_model, only: conduction_errors
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_status, only: status_ok
+  use pyworm_surface_path, only: fast_body, new_fast_body
   implicit none(type, external)
   private
 
@@ -42,4 +42,4 @@ contains
     call move_alloc(uniform, body)
   end subroutine new_conducting_body
 
-end module conducting_body
+end module pyworm_conducting_body

@@ -4,8 +4,8 @@
 !> The error estimates below were fitted to differences of the models, between and within each, for Hertzian
 !> sources of axes 1:10 to 10:1. An error is the largest of the temperature where the flux exceeds half of the
 !> greatest, over the greatest rise.
-module conduction_model
-  use kinds, only: wp
+module pyworm_conduction_model
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -55,4 +55,4 @@ contains
     if (speed > 0) along_paths = by_conduction*diffusivity/min(along, across)/speed
   end subroutine conduction_errors
 
-end module conduction_model
+end module pyworm_conduction_model

@@ -9,10 +9,10 @@
 !> stress everywhere. Its derivative d source_k / d T_l has the form
 !>   growth_k delta_kl - sum_s loading_ks relief_ls,
 !> s being the two components of the shear stress.
-module film_column
-  use gauss_lobatto, only: levels_across
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_no_memory
+module pyworm_film_column
+  use pyworm_gauss_lobatto, only: levels_across
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)
   private
 
@@ -311,4 +311,4 @@ contains
     end do
   end subroutine warm_walls
 
-end module film_column
+end module pyworm_film_column

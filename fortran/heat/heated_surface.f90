@@ -1,6 +1,6 @@
 !> Base of the models of conduction in a body: the temperature of its surface under a heat flux.
-module heated_surface
-  use kinds, only: wp
+module pyworm_heated_surface
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -27,4 +27,4 @@ module heated_surface
     end subroutine rise_under
   end interface
 
-end module heated_surface
+end module pyworm_heated_surface

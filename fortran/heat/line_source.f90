@@ -4,12 +4,12 @@
 !> 1942; Carslaw and Jaeger 1959, sec. 10.7): conduction along and into the body, for any velocity. For fast bodies
 !> it tends to one-dimensional conduction into depth, q/sqrt(pi k rho c u x). A body at rest has no steady state: its
 !> temperature grows as the logarithm of time. The kernel is integrated over cells in closed form.
-module line_source
-  use bessel, only: scaled_bessel_k
-  use convolution, only: grid_convolution, new_grid_convolution
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument
+module pyworm_line_source
+  use pyworm_bessel, only: scaled_bessel_k
+  use pyworm_convolution, only: grid_convolution, new_grid_convolution
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument
   implicit none(type, external)
   private
 
@@ -83,4 +83,4 @@ contains
     call self%response%convolve(q, temperature_rise)
   end subroutine rise
 
-end module line_source
+end module pyworm_line_source

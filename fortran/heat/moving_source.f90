@@ -6,11 +6,11 @@
 !> convolution is its integral over all past times, exact in three dimensions for any velocity and for none;
 !> time is integrated by the trapezoidal rule in a variable in which the spot of heat grows, and moves by its
 !> own size, uniformly.
-module moving_source
-  use convolution, only: grid_convolution, new_grid_convolution
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_no_memory
+module pyworm_moving_source
+  use pyworm_convolution, only: grid_convolution, new_grid_convolution
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)
   private
 
@@ -188,4 +188,4 @@ contains
     end do
   end subroutine spot_factor
 
-end module moving_source
+end module pyworm_moving_source

@@ -10,11 +10,11 @@
 !> whose integrals need only the line of the grid before: lines are taken one after another with the motion,
 !> the integrals of each node start from the departure point of its path on the line before, and the flux in
 !> between is linear in time. Diffusion along the line is an implicit step of exact variance.
-module surface_path
-  use heated_surface, only: heated_body
-  use kinds, only: pp, wp
-  use sweep_order, only: sweep_frame, new_sweep_frame, to_sweep, from_sweep
-  use status, only: status_ok, status_bad_argument, status_not_finite, status_no_memory
+module pyworm_surface_path
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: pp, wp
+  use pyworm_sweep_order, only: sweep_frame, new_sweep_frame, to_sweep, from_sweep
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_finite, status_no_memory
   implicit none(type, external)
   private
 
@@ -351,4 +351,4 @@ contains
     sum_of_lanes = ((a(1) + a(5)) + (a(3) + a(7))) + ((a(2) + a(6)) + (a(4) + a(8)))
   end function sum_of_lanes
 
-end module surface_path
+end module pyworm_surface_path

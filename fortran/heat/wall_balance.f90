@@ -6,11 +6,11 @@
 !> The film conducts heat from wall to wall three to ten times as well as a body takes it up over a lubricated
 !> contact, so that fixed-point iteration between film and bodies diverges. As an integral equation of the second
 !> kind it suits GMRES.
-module wall_balance
-  use heated_surface, only: heated_body
-  use kinds, only: pp, wp
-  use krylov, only: linear_system, gmres
-  use status, only: status_ok, status_bad_argument, status_no_memory
+module pyworm_wall_balance
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: pp, wp
+  use pyworm_krylov, only: linear_system, gmres
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
   implicit none(type, external)
   private
 
@@ -165,4 +165,4 @@ contains
     end do
   end subroutine precondition
 
-end module wall_balance
+end module pyworm_wall_balance

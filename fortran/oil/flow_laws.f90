@@ -5,8 +5,8 @@
 !> half a per cent below it they are continued exponentially: there a body slips over its film, and the slip
 !> follows the shear stress at its wall. Thinning then keeps a derivative. The stress passes the limit by half a
 !> per cent where a body slips 500 times as fast as its film would shear at 0.995 of it, by one per cent at 100 000.
-module flow_laws
-  use kinds, only: wp
+module pyworm_flow_laws
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -399,4 +399,4 @@ contains
     end select
   end function stress_guess
 
-end module flow_laws
+end module pyworm_flow_laws

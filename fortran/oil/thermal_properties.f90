@@ -1,7 +1,7 @@
 !> Conductivity and heat capacity of an oil against pressure and temperature (Sharif, Kong, Evans and Snidle 2001,
 !> appendix).
-module thermal_properties
-  use kinds, only: wp
+module pyworm_thermal_properties
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -36,4 +36,4 @@ contains
     heat_capacity = oil%capacity*(1 + oil%k1*p/(1 + oil%k2*p))*(1 + oil%b0*(1 + p*(oil%b1 + p*oil%b2))*rise)
   end function heat_capacity
 
-end module thermal_properties
+end module pyworm_thermal_properties

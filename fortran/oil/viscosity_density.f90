@@ -1,6 +1,6 @@
 !> Viscosity and density of an oil against pressure and temperature, with their derivatives.
-module viscosity_density
-  use kinds, only: wp
+module pyworm_viscosity_density
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -159,4 +159,4 @@ contains
     end do
   end subroutine densities
 
-end module viscosity_density
+end module pyworm_viscosity_density

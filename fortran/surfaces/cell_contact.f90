@@ -5,14 +5,14 @@
 !> bound are found in the iteration of conjugate gradients: after each step nodes with the wrong sign of the gap leave their
 !> bound. Gradients are preconditioned with the stiffness of the whole surface (`constrained_gradients` has more on that).
 !> The separation and not the load is given, since where most of the contact yields a load leaves it hardly determined.
-module cell_contact
+module pyworm_cell_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use elastic_cell, only: elastic_surface
-  use interruption, only: interrupted
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_interrupted, status_no_memory, status_not_converged, &
+  use pyworm_elastic_cell, only: elastic_surface
+  use pyworm_interruption, only: interrupted
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_interrupted, status_no_memory, status_not_converged, &
     status_not_finite
-  use vectors, only: dot
+  use pyworm_vectors, only: dot
   implicit none(type, external)
   private
 
@@ -109,4 +109,4 @@ contains
     closed = squares <= count*tolerance**2
   end function closed
 
-end module cell_contact
+end module pyworm_cell_contact

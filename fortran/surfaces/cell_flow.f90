@@ -9,11 +9,11 @@
 !> of a face that at which a row of nodes carries what the closed form has: ridges along and across are exact up to the
 !> integral over nodes. Conjugate gradients are preconditioned with a W cycle over cells of two by two, between which pressure
 !> is constant; that is twice too stiff, hence half the conductance on the coarser grid (Braess 1995, Computing 55:379).
-module cell_flow
+module pyworm_cell_flow
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use interruption, only: interrupted
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_interrupted, status_no_memory, status_not_converged, &
+  use pyworm_interruption, only: interrupted
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_interrupted, status_no_memory, status_not_converged, &
     status_not_finite
   implicit none(type, external)
   private
@@ -283,4 +283,4 @@ contains
     end do
   end subroutine sweep
 
-end module cell_flow
+end module pyworm_cell_flow

@@ -2,12 +2,12 @@
 !>
 !> In wavenumbers, pressure is E' |k| / 4 times deflection (Johnson, Contact Mechanics, section 13.2, with
 !> E* = E'/2). The mean of the deflection is left out: it belongs to the bodies' shape, not to one cell of their surface.
-module elastic_cell
+module pyworm_elastic_cell
   use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_null_ptr, c_ptr, c_size_t
-  use fftw, only: fftw_alloc_complex, fftw_destroy_plan, fftw_execute_dft_c2r, fftw_execute_dft_r2c, fftw_free, &
+  use pyworm_fftw, only: fftw_alloc_complex, fftw_destroy_plan, fftw_execute_dft_c2r, fftw_execute_dft_r2c, fftw_free, &
     fftw_plan_dft_c2r_2d, fftw_plan_dft_r2c_2d, FFTW_ESTIMATE
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_no_memory, status_no_plan
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory, status_no_plan
   implicit none(type, external)
   private
 
@@ -107,4 +107,4 @@ contains
     if (c_associated(self%memory)) call fftw_free(self%memory)
   end subroutine release
 
-end module elastic_cell
+end module pyworm_elastic_cell

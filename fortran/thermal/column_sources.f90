@@ -1,13 +1,13 @@
 !> Heat of the columns of a film: shearing, compression and conduction (Sharif et al. 2001, eq. 18 and appendix), from the
 !> shear that `shear_flow` has found. The caller adds convection from other columns.
-module column_sources
-  use film_column, only: film_strip
-  use kinds, only: wp
-  use thermal_properties, only: oil_heat_law, conductivity, heat_capacity
-  use viscosity_density, only: oil_law, expansivity
-  use shear_profile, only: film_velocity, film_heat
-  use strip_of_points, only: shear_strip
-  use sheared_reynolds, only: sheared_oil
+module pyworm_column_sources
+  use pyworm_film_column, only: film_strip
+  use pyworm_kinds, only: wp
+  use pyworm_thermal_properties, only: oil_heat_law, conductivity, heat_capacity
+  use pyworm_viscosity_density, only: oil_law, expansivity
+  use pyworm_shear_profile, only: film_velocity, film_heat
+  use pyworm_strip_of_points, only: shear_strip
+  use pyworm_sheared_reynolds, only: sheared_oil
   implicit none(type, external)
   private
 
@@ -73,4 +73,4 @@ contains
     end do
   end subroutine carried_away
 
-end module column_sources
+end module pyworm_column_sources

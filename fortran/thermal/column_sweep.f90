@@ -2,19 +2,19 @@
 !>
 !> Lines lie across the direction of a sweep. The temperature of a column takes its upwind values, by the velocity of each
 !> level, from the lines before; values of later lines, and along a line, lag behind.
-module column_sweep
-  use column_sources, only: set_heat, carried_away
-  use film_column, only: film_strip, new_film_strip, solve_columns
-  use film_newton, only: film_contact
-  use kinds, only: wp
-  use oil_convection, only: carry_level
+module pyworm_column_sweep
+  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_film_column, only: film_strip, new_film_strip, solve_columns
+  use pyworm_film_newton, only: film_contact
+  use pyworm_kinds, only: wp
+  use pyworm_oil_convection, only: carry_level
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use shear_fields, only: shear_columns
-  use shear_profile, only: film_shear_rate
-  use status, only: status_ok, status_no_memory
-  use strip_of_points, only: shear_strip, new_shear_strip
-  use sweep_order, only: sweep_frame, to_sweep, from_sweep
-  use thermal_properties, only: oil_heat_law
+  use pyworm_shear_fields, only: shear_columns
+  use pyworm_shear_profile, only: film_shear_rate
+  use pyworm_status, only: status_ok, status_no_memory
+  use pyworm_strip_of_points, only: shear_strip, new_shear_strip
+  use pyworm_sweep_order, only: sweep_frame, to_sweep, from_sweep
+  use pyworm_thermal_properties, only: oil_heat_law
   implicit none(type, external)
   private
 
@@ -336,4 +336,4 @@ contains
     end do
   end subroutine carry
 
-end module column_sweep
+end module pyworm_column_sweep

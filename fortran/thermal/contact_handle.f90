@@ -1,7 +1,7 @@
 !> A contact as an integer that a caller in another language may hold.
-module contact_handle
+module pyworm_contact_handle
   use, intrinsic :: iso_c_binding, only: c_int64_t, c_loc, c_null_ptr, c_f_pointer
-  use thermal_step, only: thermal_contact
+  use pyworm_thermal_step, only: thermal_contact
   implicit none(type, external)
   private
 
@@ -24,4 +24,4 @@ contains
     call c_f_pointer(transfer(handle, c_null_ptr), contact)
   end function contact_of
 
-end module contact_handle
+end module pyworm_contact_handle

@@ -3,19 +3,19 @@
 !> A sweep runs once against the entrainment, over the columns with backflow, and once with it, over all columns: each
 !> column uses the latest values of its neighbours, whatever the direction of flow of its levels. Derivatives along the film
 !> are upwind differences of second order.
-module line_heat
-  use column_sources, only: set_heat, carried_away
-  use film_column, only: film_strip, new_film_strip, solve_column
-  use film_newton, only: film_contact
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use line_film, only: line_contact
+module pyworm_line_heat
+  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_film_column, only: film_strip, new_film_strip, solve_column
+  use pyworm_film_newton, only: film_contact
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_line_film, only: line_contact
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use shear_fields, only: shear_nodes
-  use strip_of_points, only: shear_strip, new_shear_strip
-  use status, only: status_ok, status_bad_argument, status_no_memory
-  use thermal_properties, only: oil_heat_law
-  use thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
+  use pyworm_shear_fields, only: shear_nodes
+  use pyworm_strip_of_points, only: shear_strip, new_shear_strip
+  use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
   implicit none(type, external)
   private
 
@@ -281,4 +281,4 @@ contains
     end associate
   end subroutine take_up
 
-end module line_heat
+end module pyworm_line_heat

@@ -1,6 +1,6 @@
 !> Convection of heat along a film, from column to column, by upwind differences along the path of the oil.
-module oil_convection
-  use kinds, only: wp
+module pyworm_oil_convection
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -53,4 +53,4 @@ contains
     end do
   end subroutine carry_level
 
-end module oil_convection
+end module pyworm_oil_convection

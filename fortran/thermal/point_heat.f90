@@ -3,16 +3,17 @@
 !> A sweep goes with the entrainment. Oil that flows back, or to a side, as beside the contact where pressure stops the
 !> entrained oil, takes its upwind temperature from later columns or from its own line: until it converges, sweeps in its
 !> own directions precede. Without them heat would be convected by one node a sweep there.
-module point_heat
-  use column_sweep, only: swept_columns, column_work, new_swept_columns, new_column_work, enter_sweep, sweep_lines, swept_rise
-  use film_newton, only: film_contact
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use point_film, only: point_contact
-  use status, only: status_ok, status_bad_argument
-  use sweep_order, only: sweep_frame, new_sweep_frame, from_sweep
-  use thermal_properties, only: oil_heat_law
-  use thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
+module pyworm_point_heat
+  use pyworm_column_sweep, only: swept_columns, column_work, new_swept_columns, new_column_work, enter_sweep, sweep_lines, &
+    swept_rise
+  use pyworm_film_newton, only: film_contact
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_point_film, only: point_contact
+  use pyworm_status, only: status_ok, status_bad_argument
+  use pyworm_sweep_order, only: sweep_frame, new_sweep_frame, from_sweep
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
   implicit none(type, external)
   private
 
@@ -180,4 +181,4 @@ contains
     call swept_rise(self%aside, film)
   end subroutine sweep_aside
 
-end module point_heat
+end module pyworm_point_heat

@@ -6,17 +6,17 @@
 !> whole contact: in a thin film the flux depends so strongly on the walls that alternating solves diverge.
 !>
 !> Conduction along the film is neglected: relative to that across, it is of the order (film over contact length)^2.
-module thermal_step
-  use column_sources, only: hottest
-  use film_newton, only: film_contact, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
-  use heated_surface, only: heated_body
-  use interruption, only: interrupted
-  use kinds, only: wp
-  use rough_surfaces, only: asperity_pressure
-  use status, only: status_ok, status_interrupted, status_not_finite, status_no_memory
-  use tally, only: work_tally
-  use thermal_properties, only: oil_heat_law
-  use wall_balance, only: wall_pair, new_wall_pair, balance_walls
+module pyworm_thermal_step
+  use pyworm_column_sources, only: hottest
+  use pyworm_film_newton, only: film_contact, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_interruption, only: interrupted
+  use pyworm_kinds, only: wp
+  use pyworm_rough_surfaces, only: asperity_pressure
+  use pyworm_status, only: status_ok, status_interrupted, status_not_finite, status_no_memory
+  use pyworm_tally, only: work_tally
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
   private
 
@@ -333,4 +333,4 @@ contains
     end associate
   end subroutine set_walls
 
-end module thermal_step
+end module pyworm_thermal_step

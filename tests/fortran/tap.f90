@@ -1,6 +1,6 @@
 !> A printer of the Test Anything Protocol: one line a check, the plan at the end.
 module tap
-  use kinds, only: wp
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 

@@ -1,17 +1,17 @@
 !> Heat of a film's columns: shearing, compression, conduction and capacity under pressure, against Couette and Poiseuille
 !> flow; its derivatives; and what oil carries away.
 program test_column_sources
-  use column_sources, only: set_heat, carried_away
-  use film_column, only: film_strip, new_film_strip, solve_columns
-  use gauss_lobatto, only: new_levels
-  use flow_laws, only: flow_law, law_newton, law_eyring
-  use kinds, only: wp
-  use shear_fields, only: shear_columns
-  use thermal_properties, only: oil_heat_law
-  use viscosity_density, only: oil_law, law_barus
-  use strip_of_points, only: shear_strip, new_shear_strip
-  use sheared_reynolds, only: sheared_oil
-  use status, only: status_ok
+  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_film_column, only: film_strip, new_film_strip, solve_columns
+  use pyworm_gauss_lobatto, only: new_levels
+  use pyworm_flow_laws, only: flow_law, law_newton, law_eyring
+  use pyworm_kinds, only: wp
+  use pyworm_shear_fields, only: shear_columns
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_viscosity_density, only: oil_law, law_barus
+  use pyworm_strip_of_points, only: shear_strip, new_shear_strip
+  use pyworm_sheared_reynolds, only: sheared_oil
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
 

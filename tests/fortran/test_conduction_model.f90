@@ -1,10 +1,10 @@
 !> Estimated errors of the models of conduction against those that they have.
 program test_conduction_model
-  use conduction_model, only: conduction_errors
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use moving_source, only: moving_body, new_moving_body
-  use surface_path, only: fast_body, new_fast_body
+  use pyworm_conduction_model, only: conduction_errors
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_surface_path, only: fast_body, new_fast_body
   use tap, only: check, close_to, done
   implicit none(type, external)
 

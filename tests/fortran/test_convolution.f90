@@ -1,8 +1,8 @@
 !> Convolution by transforms against the sum over all pairs of nodes, with a kernel that has no symmetry.
 program test_convolution
-  use convolution, only: grid_convolution, new_grid_convolution
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument
+  use pyworm_convolution, only: grid_convolution, new_grid_convolution
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -1,11 +1,11 @@
 program test_dry_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
-  use dry_contact, only: solve_dry_contact
-  use half_space, only: elastic_half_space, new_half_space
-  use kinds, only: wp
-  use periodic_stiffness, only: periodic_half_space, new_periodic_half_space
-  use pressure_refinement, only: refine_pressure
-  use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
+  use pyworm_dry_contact, only: solve_dry_contact
+  use pyworm_half_space, only: elastic_half_space, new_half_space
+  use pyworm_kinds, only: wp
+  use pyworm_periodic_stiffness, only: periodic_half_space, new_periodic_half_space
+  use pyworm_pressure_refinement, only: refine_pressure
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
 

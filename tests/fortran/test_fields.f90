@@ -1,8 +1,8 @@
 program test_fields
-  use cubic_refinement, only: interpolate_cubic
-  use kinds, only: wp
+  use pyworm_cubic_refinement, only: interpolate_cubic
+  use pyworm_kinds, only: wp
   use tap, only: check, close_to, done
-  use vectors, only: dot, total
+  use pyworm_vectors, only: dot, total
   implicit none(type, external)
 
   real(wp) :: coarse(7, 6), fine(13, 11), x, y, worst

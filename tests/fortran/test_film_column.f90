@@ -1,10 +1,10 @@
 !> Energy across the film: exact thermal Couette flow, polynomials, convection, the heat balance and the
 !> derivatives.
 program test_film_column
-  use film_column, only: film_strip, new_film_strip, solve_columns, warm_walls
-  use gauss_lobatto, only: new_levels
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument
+  use pyworm_film_column, only: film_strip, new_film_strip, solve_columns, warm_walls
+  use pyworm_gauss_lobatto, only: new_levels
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
 

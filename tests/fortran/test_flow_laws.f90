@@ -1,6 +1,6 @@
 program test_flow_laws
-  use kinds, only: wp
-  use flow_laws, only: flow_law, has_limit, slip_stress, stress_scales, thinning, thinning_by_stresses, stress_guess, &
+  use pyworm_kinds, only: wp
+  use pyworm_flow_laws, only: flow_law, has_limit, slip_stress, stress_scales, thinning, thinning_by_stresses, stress_guess, &
     law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
   use tap, only: check, close_to, done
   implicit none(type, external)

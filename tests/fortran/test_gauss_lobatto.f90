@@ -1,7 +1,7 @@
 !> Levels across a film: quadrature, integrals from the wall and conduction are exact for polynomials.
 program test_gauss_lobatto
-  use gauss_lobatto, only: levels_across, new_levels
-  use kinds, only: wp
+  use pyworm_gauss_lobatto, only: levels_across, new_levels
+  use pyworm_kinds, only: wp
   use tap, only: check, done
   implicit none(type, external)
 

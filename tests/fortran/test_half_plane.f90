@@ -1,8 +1,8 @@
 !> Deflection of a half-plane: by Hertz's pressure a parabola flat, and its constant the same on every grid.
 program test_half_plane
-  use half_plane, only: elastic_half_plane, new_half_plane
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument
+  use pyworm_half_plane, only: elastic_half_plane, new_half_plane
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
 

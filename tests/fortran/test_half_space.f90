@@ -1,8 +1,8 @@
 program test_half_space
-  use half_space, only: elastic_half_space, new_half_space
-  use kinds, only: wp
-  use padded_transform, only: padded_size
-  use status, only: status_ok, status_bad_argument
+  use pyworm_half_space, only: elastic_half_space, new_half_space
+  use pyworm_kinds, only: wp
+  use pyworm_padded_transform, only: padded_size
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
 

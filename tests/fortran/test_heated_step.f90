@@ -1,18 +1,18 @@
 !> Steps of film and heat together, of a sliding contact in Hertz units (`test_point_film`) whose heat thins its film much:
 !> what is taken of each sweep is Aitken's share, and with it film and temperature settle.
 program test_heated_step
-  use point_heat, only: point_film_heat, new_point_heat
-  use flow_laws, only: flow_law, law_newton
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use moving_source, only: moving_body, new_moving_body
-  use thermal_properties, only: oil_heat_law
-  use viscosity_density, only: oil_law, law_barus
-  use film_newton, only: shear_contact, film_residual, film_step
-  use point_film, only: point_contact, new_point_contact
-  use status, only: status_ok
+  use pyworm_point_heat, only: point_film_heat, new_point_heat
+  use pyworm_flow_laws, only: flow_law, law_newton
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_viscosity_density, only: oil_law, law_barus
+  use pyworm_film_newton, only: shear_contact, film_residual, film_step
+  use pyworm_point_film, only: point_contact, new_point_contact
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
-  use thermal_step, only: heated_step
+  use pyworm_thermal_step, only: heated_step
   implicit none(type, external)
 
   real(wp), parameter :: pi = acos(-1.0_wp), load = 2*pi/3, modulus = pi

@@ -1,6 +1,6 @@
 module small_system
-  use kinds, only: wp
-  use krylov, only: linear_system
+  use pyworm_kinds, only: wp
+  use pyworm_krylov, only: linear_system
   implicit none(type, external)
   private
 
@@ -34,10 +34,9 @@ contains
   end subroutine precondition
 
 end module small_system
-
 program test_krylov
-  use kinds, only: pp, wp
-  use krylov, only: gmres
+  use pyworm_kinds, only: pp, wp
+  use pyworm_krylov, only: gmres
   use small_system, only: dense
   use tap, only: check, close_to, done
   implicit none(type, external)

@@ -2,11 +2,11 @@
 !> exact rigid film, and what is refused.
 program test_line_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-  use kinds, only: wp
-  use film_newton, only: set_transient_term, film_residual, film_step, set_system
-  use line_film, only: line_contact, new_line_contact
-  use viscosity_density, only: oil_law, law_barus, law_roelands
-  use status, only: status_ok, status_bad_argument, status_not_finite
+  use pyworm_kinds, only: wp
+  use pyworm_film_newton, only: set_transient_term, film_residual, film_step, set_system
+  use pyworm_line_film, only: line_contact, new_line_contact
+  use pyworm_viscosity_density, only: oil_law, law_barus, law_roelands
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -1,18 +1,18 @@
 !> Temperature of a line contact's film: thermal Couette flow, heat carried by a film of one velocity, compression,
 !> partition of heat between fast bodies, its balance, opposite flow and its mirror image.
 program test_line_heat
-  use film_newton, only: set_transient_term, shear_contact, film_residual
-  use flow_laws, only: flow_law, law_newton
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact
-  use line_source, only: line_body, new_line_body
-  use shear_fields, only: shear_field, nodal_shear
-  use line_heat, only: line_film_heat, new_line_heat
-  use thermal_properties, only: oil_heat_law
-  use thermal_step, only: heat_sweep
-  use viscosity_density, only: oil_law, law_barus
-  use status, only: status_ok
+  use pyworm_film_newton, only: set_transient_term, shear_contact, film_residual
+  use pyworm_flow_laws, only: flow_law, law_newton
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_line_film, only: line_contact, new_line_contact
+  use pyworm_line_source, only: line_body, new_line_body
+  use pyworm_shear_fields, only: shear_field, nodal_shear
+  use pyworm_line_heat, only: line_film_heat, new_line_heat
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_thermal_step, only: heat_sweep
+  use pyworm_viscosity_density, only: oil_law, law_barus
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -1,6 +1,6 @@
 program test_line_relaxation
-  use kinds, only: pp, wp
-  use line_relaxation, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
+  use pyworm_kinds, only: pp, wp
+  use pyworm_line_relaxation, only: line_systems, new_line_systems, factor_line, relax_line, relax_first
   use tap, only: close_to, done
   implicit none(type, external)
 

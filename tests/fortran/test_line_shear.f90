@@ -1,12 +1,12 @@
 !> The flow of a sheared line contact: Newton's in its limit, its bands the derivative of its imbalance, a closed form.
 program test_line_shear
-  use film_newton, only: set_transient_term, shear_contact, film_residual, film_step
-  use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
-  use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact
-  use shear_fields, only: shear_field, nodal_shear
-  use viscosity_density, only: oil_law, law_barus, law_roelands
-  use status, only: status_ok
+  use pyworm_film_newton, only: set_transient_term, shear_contact, film_residual, film_step
+  use pyworm_flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
+  use pyworm_kinds, only: wp
+  use pyworm_line_film, only: line_contact, new_line_contact
+  use pyworm_shear_fields, only: shear_field, nodal_shear
+  use pyworm_viscosity_density, only: oil_law, law_barus, law_roelands
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
 

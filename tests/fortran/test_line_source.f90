@@ -1,10 +1,10 @@
 !> Surface temperature under moving lines of heat against exact solutions.
 program test_line_source
-  use bessel, only: scaled_bessel_k
-  use kinds, only: wp
-  use line_source, only: line_body, new_line_body
-  use moving_source, only: moving_body, new_moving_body
-  use status, only: status_ok, status_bad_argument
+  use pyworm_bessel, only: scaled_bessel_k
+  use pyworm_kinds, only: wp
+  use pyworm_line_source, only: line_body, new_line_body
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -1,8 +1,8 @@
 !> Surface temperature under moving sources against exact solutions.
 program test_moving_source
-  use kinds, only: wp
-  use moving_source, only: moving_body, new_moving_body
-  use status, only: status_ok, status_bad_argument
+  use pyworm_kinds, only: wp
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
   implicit none(type, external)
 

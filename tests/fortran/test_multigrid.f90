@@ -1,9 +1,9 @@
 program test_multigrid
-  use kinds, only: wp
-  use multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
-  use viscosity_density, only: oil_law, law_barus
-  use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance_change
-  use status, only: status_ok
+  use pyworm_kinds, only: wp
+  use pyworm_multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
+  use pyworm_viscosity_density, only: oil_law, law_barus
+  use pyworm_reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance_change
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -2,11 +2,11 @@
 !> a^2/R are 1, so that F = 2 pi / 3, E' = pi and the wedge is set by eta0 alone.
 program test_point_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-  use kinds, only: wp
-  use viscosity_density, only: oil_law, law_barus
-  use film_newton, only: set_transient_term, film_residual, film_step
-  use point_film, only: point_contact, new_point_contact
-  use status, only: status_ok, status_bad_argument, status_not_finite
+  use pyworm_kinds, only: wp
+  use pyworm_viscosity_density, only: oil_law, law_barus
+  use pyworm_film_newton, only: set_transient_term, film_residual, film_step
+  use pyworm_point_film, only: point_contact, new_point_contact
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -2,19 +2,19 @@
 !> carried in all directions, also across the entrainment, the balance of heat, and what is taken of a sweep that
 !> overshoots.
 program test_point_heat
-  use point_heat, only: point_film_heat, new_point_heat
-  use flow_laws, only: flow_law, law_newton
-  use heated_surface, only: heated_body
-  use kinds, only: wp
-  use moving_source, only: moving_body, new_moving_body
-  use shear_fields, only: shear_field, nodal_shear
-  use thermal_properties, only: oil_heat_law
-  use viscosity_density, only: oil_law, law_barus
-  use film_newton, only: shear_contact, set_transient_term, film_residual
-  use point_film, only: point_contact, new_point_contact
-  use status, only: status_ok
+  use pyworm_point_heat, only: point_film_heat, new_point_heat
+  use pyworm_flow_laws, only: flow_law, law_newton
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_shear_fields, only: shear_field, nodal_shear
+  use pyworm_thermal_properties, only: oil_heat_law
+  use pyworm_viscosity_density, only: oil_law, law_barus
+  use pyworm_film_newton, only: shear_contact, set_transient_term, film_residual
+  use pyworm_point_film, only: point_contact, new_point_contact
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
-  use thermal_step, only: heat_sweep
+  use pyworm_thermal_step, only: heat_sweep
   implicit none(type, external)
 
   integer, parameter :: levels = 9, halfway = 5

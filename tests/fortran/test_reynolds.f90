@@ -1,10 +1,10 @@
 !> Exact solutions of Reynolds' equation for h = h0 + x^2/2Rx + y^2/2Ry with constant viscosity and no
 !> rupture, for entrainment along x, along y, spin and squeeze; and the Jacobian against differences.
 module rigid_film
-  use kinds, only: wp
-  use krylov, only: linear_system
-  use multigrid, only: film_multigrid, film_cycle
-  use reynolds, only: film_grid, film_fields, flow_imbalance_change
+  use pyworm_kinds, only: wp
+  use pyworm_krylov, only: linear_system
+  use pyworm_multigrid, only: film_multigrid, film_cycle
+  use pyworm_reynolds, only: film_grid, film_fields, flow_imbalance_change
   implicit none(type, external)
   private
 
@@ -46,16 +46,15 @@ contains
   end subroutine precondition
 
 end module rigid_film
-
 program test_reynolds
-  use kinds, only: pp, wp
-  use krylov, only: gmres
-  use multigrid, only: new_film_multigrid, set_film_multigrid
-  use viscosity_density, only: oil_law, law_barus, law_roelands
-  use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
+  use pyworm_kinds, only: pp, wp
+  use pyworm_krylov, only: gmres
+  use pyworm_multigrid, only: new_film_multigrid, set_film_multigrid
+  use pyworm_viscosity_density, only: oil_law, law_barus, law_roelands
+  use pyworm_reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
     flow_imbalance_change
   use rigid_film, only: rigid
-  use status, only: status_ok
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
 

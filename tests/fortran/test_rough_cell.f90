@@ -1,11 +1,11 @@
 !> Contact of, and flow between, periodic rough surfaces against closed forms.
 program test_rough_cell
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf, ieee_quiet_nan
-  use cell_contact, only: press_flat
-  use cell_flow, only: flow_through
-  use elastic_cell, only: elastic_surface, new_elastic_surface
-  use kinds, only: wp
-  use status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
+  use pyworm_cell_contact, only: press_flat
+  use pyworm_cell_flow, only: flow_through
+  use pyworm_elastic_cell, only: elastic_surface, new_elastic_surface
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
 

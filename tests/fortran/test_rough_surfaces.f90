@@ -2,15 +2,15 @@
 !> free, ruptured and boundary rows.
 program test_rough_surfaces
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-  use film_newton, only: film_contact, film_residual, film_step, roughen_contact, set_ruptured, set_system, shear_contact
-  use flow_laws, only: flow_law, law_newton, law_eyring
-  use kinds, only: wp
-  use line_film, only: line_contact, new_line_contact
-  use point_film, only: point_contact, new_point_contact
-  use rough_surfaces, only: asperity_pressure, curve_count, gap_curves, new_rough_film, rough_film, share_pressure
-  use status, only: status_ok, status_bad_argument, status_not_finite
+  use pyworm_film_newton, only: film_contact, film_residual, film_step, roughen_contact, set_ruptured, set_system, shear_contact
+  use pyworm_flow_laws, only: flow_law, law_newton, law_eyring
+  use pyworm_kinds, only: wp
+  use pyworm_line_film, only: line_contact, new_line_contact
+  use pyworm_point_film, only: point_contact, new_point_contact
+  use pyworm_rough_surfaces, only: asperity_pressure, curve_count, gap_curves, new_rough_film, rough_film, share_pressure
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
-  use viscosity_density, only: oil_law, law_roelands
+  use pyworm_viscosity_density, only: oil_law, law_roelands
   implicit none(type, external)
 
   integer, parameter :: nx = 25, ny = 21, levels = 5, rows = 400

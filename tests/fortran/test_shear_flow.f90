@@ -1,13 +1,13 @@
 program test_shear_flow
-  use kinds, only: wp
-  use gauss_lobatto, only: levels_across, new_levels
-  use flow_laws, only: flow_law, has_limit, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau, &
+  use pyworm_kinds, only: wp
+  use pyworm_gauss_lobatto, only: levels_across, new_levels
+  use pyworm_flow_laws, only: flow_law, has_limit, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau, &
     slip_stress
-  use sharif_flow_factors, only: flow_factors
-  use shear_flow, only: flow_deficit, flow_change, flow_change_by_stresses
-  use shear_profile, only: film_velocity, film_shear_rate, film_heat, wall_slip
-  use shear_stress, only: solve_shear
-  use strip_of_points, only: shear_strip, new_shear_strip, slip_at_body_1, slip_at_body_2
+  use pyworm_sharif_flow_factors, only: flow_factors
+  use pyworm_shear_flow, only: flow_deficit, flow_change, flow_change_by_stresses
+  use pyworm_shear_profile, only: film_velocity, film_shear_rate, film_heat, wall_slip
+  use pyworm_shear_stress, only: solve_shear
+  use pyworm_strip_of_points, only: shear_strip, new_shear_strip, slip_at_body_1, slip_at_body_2
   use tap, only: check, close_to, done
   implicit none(type, external)
 

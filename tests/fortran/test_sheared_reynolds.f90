@@ -1,13 +1,13 @@
 !> The flow of a sheared film: Newton's in its limit, its Jacobian that of its imbalance.
 program test_sheared_reynolds
-  use flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
-  use film_levels, only: grid_level, new_level, set_level, set_mobility, model_line
-  use kinds, only: pp, wp
-  use viscosity_density, only: oil_law, law_roelands
-  use reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
-  use sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
+  use pyworm_flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
+  use pyworm_film_levels, only: grid_level, new_level, set_level, set_mobility, model_line
+  use pyworm_kinds, only: pp, wp
+  use pyworm_viscosity_density, only: oil_law, law_roelands
+  use pyworm_reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
+  use pyworm_sheared_reynolds, only: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, &
     sheared_imbalance_change
-  use status, only: status_ok
+  use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)
 

@@ -1,9 +1,9 @@
 !> Linear heat flow along the paths of a fast surface against closed forms and quadrature along the paths.
 program test_surface_path
-  use kinds, only: wp
-  use moving_source, only: moving_body, new_moving_body
-  use status, only: status_ok, status_bad_argument
-  use surface_path, only: fast_body, new_fast_body
+  use pyworm_kinds, only: wp
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_status, only: status_ok, status_bad_argument
+  use pyworm_surface_path, only: fast_body, new_fast_body
   use tap, only: check, close_to, done
   implicit none(type, external)
 

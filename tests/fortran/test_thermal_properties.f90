@@ -1,7 +1,7 @@
 !> The oil of Sharif, Kong, Evans and Snidle (2001): table 2 and appendix.
 program test_thermal_properties
-  use kinds, only: wp
-  use thermal_properties, only: oil_heat_law, conductivity, heat_capacity
+  use pyworm_kinds, only: wp
+  use pyworm_thermal_properties, only: oil_heat_law, conductivity, heat_capacity
   use tap, only: close_to, done
   implicit none(type, external)
 

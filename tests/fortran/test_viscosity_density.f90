@@ -1,6 +1,6 @@
 program test_viscosity_density
-  use kinds, only: wp
-  use viscosity_density, only: oil_law, viscosity, density, hot_fluidity, hot_density, expansivity, law_barus, law_roelands
+  use pyworm_kinds, only: wp
+  use pyworm_viscosity_density, only: oil_law, viscosity, density, hot_fluidity, hot_density, expansivity, law_barus, law_roelands
   use tap, only: close_to, check, done
   implicit none(type, external)
 

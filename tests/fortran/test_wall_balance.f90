@@ -1,6 +1,6 @@
 module local_surface
-  use heated_surface, only: heated_body
-  use kinds, only: wp
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
   implicit none(type, external)
   private
 
@@ -21,17 +21,16 @@ contains
   end subroutine rise
 
 end module local_surface
-
 !> Balance of walls and bodies: partition of heat in closed form, symmetries, a direct solution, and
 !> iterations counted.
 program test_wall_balance
-  use heated_surface, only: heated_body
-  use kinds, only: wp
+  use pyworm_heated_surface, only: heated_body
+  use pyworm_kinds, only: wp
   use local_surface, only: local_body
-  use moving_source, only: moving_body, new_moving_body
-  use status, only: status_ok, status_bad_argument
+  use pyworm_moving_source, only: moving_body, new_moving_body
+  use pyworm_status, only: status_ok, status_bad_argument
   use tap, only: check, close_to, done
-  use wall_balance, only: wall_pair, new_wall_pair, balance_walls
+  use pyworm_wall_balance, only: wall_pair, new_wall_pair, balance_walls
   implicit none(type, external)
 
   integer :: stat

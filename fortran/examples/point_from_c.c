@@ -1,0 +1,36 @@
+/* The isothermal film of a steel ball on a steel disc, from C. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "pyworm_contact.h"
+
+#define N 129
+
+int main(void) {
+    static double gap[N * N], p[N * N], h[N * N], rise[N * N];
+    const double radius = 0.01, load = 20.0, modulus = 230e9, velocity[2] = {1.0, 0.0};
+    const double a = cbrt(3 * load * radius / (2 * modulus)), dx = 6 * a / (N - 1), dy = 5 * a / (N - 1);
+    const struct pyworm_oil oil = {
+        .law = PYWORM_ROELANDS, .viscosity = 0.04, .exponent = 0.6, .pole_pressure = 1.96e8, .d1 = 0.6e-9, .d2 = 1.7e-9,
+    };
+    double residual, load_error, least = 1, largest = 0;
+    int status, steps;
+
+    for (int j = 0; j < N; j++)
+        for (int i = 0; i < N; i++) {
+            const double x = -4.2 * a + i * dx, y = -2.5 * a + j * dy;
+            gap[j * N + i] = (x * x + y * y) / (2 * radius);
+        }
+    struct pyworm_point *contact =
+        pyworm_setup(N, N, gap, dx, dy, velocity, velocity, modulus, load, &oil, NULL, NULL, &status);
+    if (status == PYWORM_OK) status = pyworm_solve(contact, 1e-6, &residual, &load_error, &steps);
+    if (status != PYWORM_OK) return EXIT_FAILURE;
+    pyworm_read(contact, N, N, p, h, rise);
+    for (int i = 0; i < N * N; i++) {
+        least = fmin(least, h[i]);
+        largest = fmax(largest, p[i]);
+    }
+    printf("least film [nm]         %8.2f\nlargest pressure [MPa]  %8.2f\nsteps %d\n", least * 1e9, largest / 1e6, steps);
+    pyworm_free(contact);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,38 @@
+!> A steel ball that rolls and slides on a steel disc in an oil that thins and warms.
+program thermal_point
+  use pyworm_contact, only: wp => pyworm_real, pyworm_body, pyworm_eyring, pyworm_flow, pyworm_oil, pyworm_ok, &
+    pyworm_point, pyworm_read, pyworm_roelands, pyworm_setup, pyworm_shear, pyworm_solve
+  implicit none(type, external)
+  integer, parameter :: nx = 129, ny = 129
+  real(wp), parameter :: radius = 0.01_wp, load = 20.0_wp, modulus = 230e9_wp
+  type(pyworm_point) :: contact
+  real(wp), dimension(nx, ny) :: gap, p, h, rise, stress_x, stress_y, heat
+  real(wp) :: a, x(nx), y(ny), dx, dy, residual, load_error
+  integer :: i, j, steps, status
+  type(pyworm_oil) :: oil
+  type(pyworm_flow) :: flow
+  type(pyworm_body), parameter :: steel = pyworm_body(conductivity=47.0_wp, heat_capacity=3.7e6_wp)
+
+  oil = pyworm_oil(pyworm_roelands, viscosity=0.04_wp, exponent=0.6_wp, d1=0.6e-9_wp, d2=1.7e-9_wp, &
+    temperature=333.15_wp, thermal_exponent=1.1_wp, expansivity=7e-4_wp, conductivity=0.14_wp, heat_capacity=1.7e6_wp)
+  flow = pyworm_flow(pyworm_eyring, stress=5e6_wp)
+  a = (3*load*radius/(2*modulus))**(1/3.0_wp)
+  dx = 6*a/(nx - 1)
+  dy = 5*a/(ny - 1)
+  x = [(-4.2_wp*a + dx*(i - 1), i=1, nx)]
+  y = [(-2.5_wp*a + dy*(j - 1), j=1, ny)]
+  do j = 1, ny
+    gap(:, j) = (x**2 + y(j)**2)/(2*radius)
+  end do
+
+  call pyworm_setup(contact, gap, dx, dy, [1.1_wp, 0.0_wp], [0.9_wp, 0.0_wp], modulus, load, oil, status, flow, &
+    [steel, steel])
+  if (status == pyworm_ok) call pyworm_solve(contact, 1e-4_wp, residual, load_error, steps, status)
+  if (status /= pyworm_ok) stop 1
+  call pyworm_read(contact, p, h, rise)
+  call pyworm_shear(contact, stress_x, stress_y, heat, status)
+  print '(a, f8.2)', 'least film [nm]        ', minval(h)*1e9_wp
+  print '(a, f8.2)', 'largest pressure [MPa] ', maxval(p)/1e6_wp
+  print '(a, f8.4)', 'friction coefficient   ', abs(sum(stress_x, mask=p > 0.01_wp*maxval(p)))*dx*dy/load
+  print '(a, f8.2)', 'rise in the middle [K] ', maxval(rise)
+end program thermal_point

@@ -1,0 +1,143 @@
+"""The kernel in Fortran and C programs: the examples, built with the compilers and without Python."""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import pyworm
+from pyworm.kernel.core import EXTENSION
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "fortran/examples"
+BUILT = EXTENSION.parent
+ONE = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+FLAGS = ["-lfftw3", "-lfftw3f", "-lopenblas", "-fopenmp", "-lm"]
+
+
+def run(*command, **how):
+    return subprocess.run(
+        list(map(str, command)), capture_output=True, text=True, check=True, env=ONE, **how
+    ).stdout
+
+
+def numbers(text):
+    return [float(number) for number in re.findall(r"\d+\.\d+", text)]
+
+
+@pytest.fixture(scope="module")
+def linked(tmp_path_factory):
+    """What compiles an example with the library of the package's own build."""
+    if not (BUILT / "libworm.a").is_file():
+        pytest.skip("an installed package has no library beside its extension")
+    folder = tmp_path_factory.mktemp("examples")
+
+    def program(source):
+        made = folder / source.stem
+        compiler = "gfortran" if source.suffix == ".f90" else "gcc"
+        runtime = [] if compiler == "gfortran" else ["-lgfortran"]
+        include = [f"-I{BUILT / 'libworm.a.p'}", f"-I{ROOT / 'fortran/library'}"]
+        folders = run("pkg-config", "--libs-only-L", "fftw3", "openblas").split()
+        library = [BUILT / "libworm.a", *folders, *FLAGS, *runtime]
+        run(compiler, "-O2", "-Wall", "-Werror", source, *include, *library, "-o", made)
+        return run(made)
+
+    return program
+
+
+def test_the_dry_contact_is_hertz(linked):
+    pressure, hertz, approach, closed, load = numbers(linked(EXAMPLES / "dry_hertz.f90"))
+    assert pressure == pytest.approx(hertz, rel=1e-3)
+    assert approach == pytest.approx(closed, rel=1e-3)
+    assert load == pytest.approx(50.0, rel=1e-6)
+
+
+def test_a_thermal_point_contact_is_that_of_python(linked):
+    film, pressure, friction, rise = numbers(linked(EXAMPLES / "thermal_point.f90"))
+    figures = in_python(sliding=0.2, stress=5e6)
+    assert film == pytest.approx(figures.film_min.value * 1e9, rel=0.05)
+    assert pressure == pytest.approx(figures.pressure_max.value / 1e6, rel=0.05)
+    assert friction == pytest.approx(float(figures.friction_coefficient), rel=0.05)
+    assert 0 < rise < 1.05 * float(figures.temperature_max_film - 333.15)
+
+
+def test_a_c_program_solves_the_film_of_python(linked):
+    film, pressure = numbers(linked(EXAMPLES / "point_from_c.c"))
+    figures = in_python(sliding=0.0, stress=None)
+    assert film == pytest.approx(figures.film_min.value * 1e9, rel=0.05)
+    assert pressure == pytest.approx(figures.pressure_max.value / 1e6, rel=0.05)
+
+
+def in_python(sliding, stress):
+    """Figures of the examples' contact by the package, in a window that ends farther out."""
+    density, viscosity = pyworm.Density.dowson_higginson(850.0), pyworm.Roelands(0.04, 0.6)
+    heat = pyworm.OilHeat(333.15, 1.1, 0.14, 2000.0, expansivity=7e-4)
+    flow = None if stress is None else pyworm.FlowLaw("eyring", stress=stress)
+    oil = pyworm.Oil(viscosity, density, flow, None if stress is None else heat)
+    # 2/E' = 2 (1 - nu^2)/E
+    steel = pyworm.Body(230e9 * 0.91, 0.3, 7850.0, 47.0, 3.7e6 / 7850.0, 333.15)
+    scene = pyworm.Scene(
+        name="ball",
+        gap=pyworm.Paraboloid(0.01, 0.01),
+        load=20.0,
+        motions=(pyworm.RigidMotion(1 + sliding / 2, 0), pyworm.RigidMotion(1 - sliding / 2, 0)),
+        bodies=(steel, steel),
+        oil=oil,
+    )
+    effects = "isothermal" if stress is None else "all"
+    return pyworm.solve(scene, pyworm.plan(scene, 0.05, effects)).figures
+
+
+def test_examples_have_forty_lines_at_most():
+    for source in EXAMPLES.iterdir():
+        assert len(source.read_text().splitlines()) <= 40, source.name
+
+
+def test_no_library_object_knows_python():
+    if not (BUILT / "libworm.a").is_file():
+        pytest.skip("an installed package has no library beside its extension")
+    assert not re.findall(r" U (Py\w+)", run("nm", BUILT / "libworm.a"))
+
+
+def test_modules_have_the_prefix():
+    """Module files of other programs are not taken for the kernel's, nor their symbols."""
+    outside = {"bindings.f90", "python_interruption.f90"}
+    for source in (ROOT / "fortran").rglob("*.f90"):
+        if source.name in outside or "examples" in source.parts:
+            continue
+        (name,) = re.findall(r"^module (\w+)\s*$", source.read_text(), re.M)
+        assert name == "pyworm_" + source.stem.removeprefix("pyworm_")
+
+
+@pytest.mark.long
+def test_the_library_is_built_from_a_bare_clone(tmp_path):
+    """make fortran-library, and a program that asks pkg-config alone."""
+    run("git", "clone", "--quiet", ROOT, tmp_path / "clone")
+    meson = shutil.which("meson")
+    run(
+        "make",
+        "fortran-library",
+        f"PREFIX={tmp_path}/installed",
+        f"MESON={meson}",
+        cwd=tmp_path / "clone",
+    )
+    installed = tmp_path / "installed"
+    found = {
+        path.relative_to(installed).as_posix() for path in installed.rglob("*") if path.is_file()
+    }
+    assert {"lib/libpyworm.a", "include/pyworm_contact.mod", "include/pyworm_contact.h"} <= found
+    assert not re.findall(r" U (Py\w+)", run("nm", "-D", installed / "lib/libpyworm.so"))
+    ask = {**ONE, "PKG_CONFIG_PATH": str(installed / "lib/pkgconfig")}
+    flags = subprocess.run(
+        ["pkg-config", "--cflags", "--libs", "pyworm"],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=ask,
+    ).stdout.split()
+    made = tmp_path / "dry_hertz"
+    run("gfortran", EXAMPLES / "dry_hertz.f90", *flags, f"-Wl,-rpath,{installed}/lib", "-o", made)
+    assert numbers(run(made))[0] == pytest.approx(1085.65, rel=1e-3)
