@@ -17,8 +17,8 @@ module bindings
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
-    film_transient, film_hold, film_shear, film_roughen, film_asperities, film_set_ruptured, film_warm, film_rise, &
-    film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
+    film_transient, film_hold, film_shear, film_roughen, film_asperities, film_tabulate, film_set_ruptured, film_warm, &
+    film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions
   public :: compiled_with, watch_signals
@@ -213,14 +213,17 @@ contains
 
   !> Sets the flow law of a contact's oil, without heat; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &
-      reference_decay, limit, limit_growth, exponent, slip_step, levels, stat)
+      reference_decay, limit, limit_growth, exponent, by_stress, by_rate, cells, per_log, slip_step, levels, stat)
     use pyworm_film_newton, only: shear_contact
     use pyworm_flow_laws, only: flow_law
+    use pyworm_thinning_table, only: thinning_table
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: sliding_x(nx, ny), sliding_y(nx, ny)
     integer(c_int), intent(in) :: law
-    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent, slip_step
+    real(c_double), intent(in) :: reference, reference_growth, reference_decay, limit, limit_growth, exponent
+    integer(c_int), intent(in) :: cells
+    real(c_double), intent(in) :: by_stress(4, cells), by_rate(4, cells), per_log, slip_step
     integer(c_int), intent(in) :: levels
     integer(c_int), intent(out) :: stat
     type(thermal_contact), pointer :: contact
@@ -229,8 +232,24 @@ contains
     contact => contact_of(handle)
     if (allocated(contact%heat)) deallocate (contact%heat)
     call shear_contact(contact%film, flow_law(law, reference, reference_growth, reference_decay, limit, &
-      limit_growth, exponent, slip_step), levels, sliding_x, sliding_y, stat)
+      limit_growth, exponent, slip_step, thinning_table(per_log, by_stress), &
+      thinning_table(per_log, by_rate)), levels, sliding_x, sliding_y, stat)
   end subroutine film_shear
+
+  !> Sets the table of a contact's viscosity (1) or density (2), right after it was made; see `property_table`.
+  subroutine film_tabulate(handle, property, coefficient, cold, cells, warmths, per_pressure, per_rise, first_rise)
+    use pyworm_property_table, only: property_table
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: property, cells, warmths
+    real(c_double), intent(in) :: coefficient(4, 4, cells, warmths), cold(4, cells), per_pressure, per_rise, first_rise
+    type(thermal_contact), pointer :: contact
+    type(property_table) :: table
+
+    contact => contact_of(handle)
+    table = property_table(per_pressure, per_rise, first_rise, coefficient, cold)
+    if (property == 1) contact%film%oil%viscosity_table = table
+    if (property == 2) contact%film%oil%density_table = table
+  end subroutine film_tabulate
 
   !> Makes the surfaces of a contact with a flow law rough; see `rough_surfaces` for the curves, (curve, row).
   subroutine film_roughen(handle, scale, first, spacing, value, slope, curves, rows, boundary_friction, stat)

@@ -12,6 +12,7 @@ module pyworm_interruption
   abstract interface
     !> True once the present call is to end.
     logical function interruption_query()
+      implicit none(type, external)
     end function interruption_query
   end interface
 

@@ -7,6 +7,7 @@
 !> per cent where a body slips 500 times as fast as its film would shear at 0.995 of it, by one per cent at 100 000.
 module pyworm_flow_laws
   use pyworm_kinds, only: wp
+  use pyworm_thinning_table, only: tabulated_factor, thinning_table
   implicit none(type, external)
   private
 
@@ -22,6 +23,8 @@ module pyworm_flow_laws
   integer, parameter, public :: law_eyring_limited = 3
   !> F = tau/eta [1 + (tau/G)^2]^((1/n - 1)/2) (Carreau's law by stress, as Bair and Habchi use it)
   integer, parameter, public :: law_carreau = 4
+  !> F = g(tau/G) tau/eta by a table, without and with a limiting stress as that of law 3
+  integer, parameter, public :: law_tabulated = 5, law_tabulated_limited = 6
 
   !> Fraction of the limit at which a wall slips (Sharif et al., text to fig. 4).
   real(wp), parameter :: slip_fraction = 0.995_wp
@@ -49,6 +52,8 @@ module pyworm_flow_laws
     !> Stress, in fractions of that at slip, in which the rate grows e-fold beyond it. With a tenth of this, films that slip
     !> everywhere had no solution: the slipping wall depends on a gradient that Newton steps cannot resolve.
     real(wp) :: slip_step = 1e-3_wp
+    !> Tables of the thinning g over (tau/G)^2, and of eta rate/tau over (eta rate/G)^2.
+    type(thinning_table) :: by_stress, by_rate
   end type flow_law
 
 contains
@@ -57,7 +62,7 @@ contains
   elemental logical function has_limit(law)
     type(flow_law), intent(in) :: law
 
-    has_limit = law%law == law_bair_winer .or. law%law == law_eyring_limited
+    has_limit = law%law == law_bair_winer .or. law%law == law_eyring_limited .or. law%law == law_tabulated_limited
   end function has_limit
 
   !> Whether a stress of the law depends on pressure.
@@ -127,6 +132,11 @@ contains
       end if
     case (law_carreau)
       call carreau((1/law%exponent - 1)/2, count, square, per_reference, g, slope)
+    case (law_tabulated)
+      call tabulated_thinning(law%by_stress, count, square, per_reference, g, slope)
+    case (law_tabulated_limited)
+      call tabulated_thinning(law%by_stress, count, square, per_reference, g, slope)
+      call limit_thinning_by_power(law%exponent, count, square, per_limit, g, slope)
     case default
       g = 1
       slope = 0
@@ -303,6 +313,20 @@ contains
     end do
   end subroutine carreau
 
+  !> g by a table of s = square/reference^2.
+  pure subroutine tabulated_thinning(table, count, square, per_reference, g, slope)
+    type(thinning_table), intent(in) :: table
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), per_reference(count)
+    real(wp), intent(out) :: g(count), slope(count)
+    integer :: i
+
+    do i = 1, count
+      call tabulated_factor(table, square(i)*per_reference(i), g(i), slope(i))
+      slope(i) = slope(i)*per_reference(i)
+    end do
+  end subroutine tabulated_thinning
+
   !> Beyond the stress c at slip: F = F(c) + F'(c) l [exp((tau - c)/l) - 1].
   pure subroutine continue_slip(law, square, per_reference, per_limit, g, slope)
     type(flow_law), intent(in) :: law
@@ -335,11 +359,11 @@ contains
     by_reference = 0
     by_limit = 0
     select case (law%law)
-    case (law_eyring, law_carreau)
+    case (law_eyring, law_carreau, law_tabulated)
       by_reference = -2*square*slope/reference
     case (law_bair_winer)
       by_limit = -2*square*slope/limit
-    case (law_eyring_limited)
+    case (law_eyring_limited, law_tabulated_limited)
       do i = 1, count
         by_limit(i) = max(min(square(i)/limit(i)**2, slip_fraction**2), least_ratio)
       end do
@@ -365,6 +389,10 @@ contains
     real(wp), intent(in) :: square, reference, limit
     real(wp) :: c, step, stress, x, ratio, excess, excess_slope, growth
 
+    if (law%law == law_tabulated_limited) then
+      slip_by_reference = slip_difference(law, square, reference, limit)
+      return
+    end if
     slip_by_reference = 0
     c = slip_stress(limit)
     x = c/reference
@@ -378,11 +406,24 @@ contains
     slip_by_reference = ((sinh(x) - x*cosh(x))*(excess + excess_slope*growth) - x*sinh(x)*excess*growth/reference)/stress
   end function slip_by_reference
 
+  !> The same derivative of a law by a table, by differences.
+  elemental real(wp) function slip_difference(law, square, reference, limit)
+    type(flow_law), intent(in) :: law
+    real(wp), intent(in) :: square, reference, limit
+    real(wp), parameter :: part = 1e-5_wp
+    real(wp) :: less, more, slope
+
+    call continue_slip(law, square, 1/(reference*(1 - part))**2, 1/limit**2, less, slope)
+    call continue_slip(law, square, 1/(reference*(1 + part))**2, 1/limit**2, more, slope)
+    slip_difference = (more - less)/(2*part*reference)
+  end function slip_difference
+
   !> Approximate stress [Pa], an initial guess, at which the law has the shear rate of a Newtonian oil at
   !> `newtonian` [Pa].
   elemental real(wp) function stress_guess(law, newtonian, reference, limit)
     type(flow_law), intent(in) :: law
     real(wp), intent(in) :: newtonian, reference, limit
+    real(wp) :: factor, slope
 
     select case (law%law)
     case (law_eyring)
@@ -394,6 +435,12 @@ contains
       stress_guess = min(stress_guess/sqrt(1 + (stress_guess/limit)**2), 0.95_wp*slip_stress(limit))
     case (law_carreau)
       stress_guess = newtonian*(1 + (newtonian/reference)**2)**((law%exponent - 1)/2)
+    case (law_tabulated, law_tabulated_limited)
+      call tabulated_factor(law%by_rate, (newtonian/reference)**2, factor, slope)
+      stress_guess = newtonian/factor
+      if (law%law == law_tabulated_limited) then
+        stress_guess = min(stress_guess/sqrt(1 + (stress_guess/limit)**2), 0.95_wp*slip_stress(limit))
+      end if
     case default
       stress_guess = newtonian
     end select

@@ -1,6 +1,7 @@
 !> Viscosity and density of an oil against pressure and temperature, with their derivatives.
 module pyworm_viscosity_density
   use pyworm_kinds, only: wp
+  use pyworm_property_table, only: property_table, tabulated, tabulated_cold
   implicit none(type, external)
   private
 
@@ -10,6 +11,8 @@ module pyworm_viscosity_density
   integer, parameter, public :: law_barus = 1
   !> eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966)
   integer, parameter, public :: law_roelands = 2
+  !> ln(eta/eta0) by a table over pressure and temperature
+  integer, parameter, public :: law_tabulated = 3
 
   !> Minus the logarithm of the viscosity [Pa s] where Roelands' isotherms meet.
   real(wp), parameter :: roelands_pole_log = 9.67_wp
@@ -34,6 +37,8 @@ module pyworm_viscosity_density
     real(wp) :: thermal_exponent = 0
     !> Expansivity at ambient pressure [1/K], and its logarithmic decay with pressure [1/Pa].
     real(wp) :: expansivity = 0, expansivity_decay = 0
+    !> Tables of ln(eta/eta0), and of rho over that at ambient pressure and the oil's temperature in place of the laws.
+    type(property_table), allocatable :: viscosity_table, density_table
   end type oil_law
 
 contains
@@ -48,6 +53,8 @@ contains
     if (oil%law == law_barus) then
       rise = oil%exponent*p
       slope = oil%exponent
+    else if (oil%law == law_tabulated) then
+      call tabulated_cold(oil%viscosity_table, p, rise, slope)
     else
       growth = exp(oil%exponent*log(1 + p/oil%pole_pressure))*(log(oil%eta0) + roelands_pole_log)
       rise = growth - (log(oil%eta0) + roelands_pole_log)
@@ -82,6 +89,10 @@ contains
       end do
       return
     end if
+    if (oil%law == law_tabulated) then
+      call tabulated_fluidity(oil, p, rise, fluidity, by_pressure, by_temperature)
+      return
+    end if
     pole = log(oil%eta0) + roelands_pole_log
     span = oil%temperature - roelands_pole_temperature
     last = size(rise, 2)
@@ -103,6 +114,25 @@ contains
     end do
   end subroutine hot_fluidity
 
+  !> The same by a table.
+  pure subroutine tabulated_fluidity(oil, p, rise, fluidity, by_pressure, by_temperature)
+    type(oil_law), intent(in) :: oil
+    real(wp), contiguous, intent(in) :: p(:), rise(:, :)
+    real(wp), contiguous, intent(out) :: fluidity(:, :), by_pressure(:, :), by_temperature(:, :)
+    real(wp) :: logarithm, by_p, by_rise, within
+    integer :: i, k
+
+    do k = 1, size(rise, 2)
+      do i = 1, size(p)
+        call tabulated(oil%viscosity_table, p(i), rise(i, k), logarithm, by_p, by_rise)
+        within = merge(1.0_wp, 0.0_wp, logarithm < largest_exponent)
+        fluidity(i, k) = exp(-min(logarithm, largest_exponent))/oil%eta0
+        by_pressure(i, k) = -by_p*within
+        by_temperature(i, k) = -by_rise*within
+      end do
+    end do
+  end subroutine tabulated_fluidity
+
   !> Evaluates the law over a row of pressures; inlined here, the loop is vectorised.
   pure subroutine viscosities(oil, p, eta, slope)
     type(oil_law), intent(in) :: oil
@@ -121,6 +151,10 @@ contains
     real(wp), intent(in) :: p
     real(wp), intent(out) :: rho, slope
 
+    if (allocated(oil%density_table)) then
+      call tabulated_cold(oil%density_table, p, rho, slope)
+      return
+    end if
     rho = 1 + oil%d1*p/(1 + oil%d2*p)
     slope = oil%d1/(1 + oil%d2*p)**2
   end subroutine density
@@ -129,7 +163,13 @@ contains
   elemental real(wp) function expansivity(oil, p)
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: p
+    real(wp) :: rho, by_pressure, by_rise
 
+    if (allocated(oil%density_table)) then
+      call tabulated(oil%density_table, p, 0.0_wp, rho, by_pressure, by_rise)
+      expansivity = -by_rise/rho
+      return
+    end if
     expansivity = oil%expansivity*exp(-oil%expansivity_decay*p)
   end function expansivity
 
@@ -141,6 +181,10 @@ contains
     real(wp), intent(out) :: rho, slope
     real(wp) :: cold, cold_slope, expansion
 
+    if (allocated(oil%density_table)) then
+      call tabulated(oil%density_table, p, rise, rho, slope, expansion)
+      return
+    end if
     call density(oil, p, cold, cold_slope)
     expansion = expansivity(oil, p)*rise
     rho = cold*(1 - expansion)

@@ -9,7 +9,9 @@ from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.numbers import flow_numbers
 from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
 from pyworm.materials.rough_surfaces import GapCurves
+from pyworm.materials.tabulated import Tabulated
 
 
 @dataclass(frozen=True)
@@ -174,6 +176,16 @@ class Film:
         self.boundary_friction = 0.0
         self._warming = 0.0
         weakref.finalize(self, core.bindings.film_free, self._handle)
+
+    def _tabulate(self, oil: Oil) -> None:
+        """Give the kernel the tables of an oil that has some, before the film is first evaluated."""
+        for number, law in ((1, oil.viscosity), (2, oil.density)):
+            if isinstance(law, Tabulated):
+                table = law.kernel_table
+                scales = table.per_pressure, table.per_rise, table.first_rise
+                core.bindings.film_tabulate(
+                    self._handle, number, table.coefficient, table.cold, *scales
+                )
 
     def _on_nodes(self, field) -> np.ndarray:
         """A field in the kernel's shape, with a second direction of one node for a line contact; no copy."""

@@ -45,6 +45,7 @@ class LineFilm(Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+        self._tabulate(oil)
 
     def heat(self, oil: Oil, bodies, velocities, rise=None) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.

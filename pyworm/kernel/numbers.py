@@ -1,34 +1,48 @@
 """Oils and bodies as the numbers that the kernel takes."""
 
-import numpy as np
+from functools import lru_cache
 
-from pyworm.materials.flow_laws import FlowLaw
+import numpy as np
+import scipy
+
+from pyworm.materials.flow_laws import SHAPED, FlowLaw
 from pyworm.materials.oil import Oil
+from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus
 
-_FLOW_LAWS = {"newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3, "carreau": 4}
+_FLOW_LAWS = {
+    "newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3, "carreau": 4,
+    "carreau-yasuda": 5, "tabulated": 5,
+}  # fmt: skip
 """Numbers of the laws in `fortran/oil/flow_laws.f90`."""
 
 
 def oil_numbers(oil: Oil) -> tuple:
     """The oil for the kernel: law, eta0, exponent, pole pressure, d1, d2 (`viscosity_density`)."""
     law, density = oil.viscosity, oil.density
+    compressed = (0.0, 0.0) if isinstance(density, TabulatedDensity) else (density.d1, density.d2)
+    if isinstance(law, TabulatedViscosity):
+        return 3, law.eta0, law.alpha, 1.0, *compressed
     if isinstance(law, Barus):
-        return 1, law.eta0, law.alpha, 1.0, density.d1, density.d2
-    return 2, law.eta0, law.z, law.p0, density.d1, density.d2
+        return 1, law.eta0, law.alpha, 1.0, *compressed
+    return 2, law.eta0, law.z, law.p0, *compressed
 
 
 def flow_numbers(law: FlowLaw) -> tuple:
-    """A flow law as the kernel takes it: law, stress and its courses, limit and its rise, exponent."""
+    """A flow law for the kernel: law, stress and its courses, limit and its rise, exponent, tables."""
+    shaped = law.law in SHAPED
+    tables = _shape_tables(law) if shaped else (np.zeros((4, 1), order="F"),) * 2
     return (
-        _FLOW_LAWS[law.law],
+        _FLOW_LAWS[law.law] + (shaped and law.limited),
         law.stress or 1.0,
         law.stress_pressure,
         law.stress_temperature,
         law.limit,
         law.limit_pressure,
-        law.exponent,
+        1.0 if shaped else law.exponent,
+        *tables,
+        CELLS_PER_LOG,
     )
 
 
@@ -65,3 +79,31 @@ def bodies_numbers(bodies, heat: OilHeat) -> np.ndarray:
         for body in bodies
     ]
     return np.array(columns).T
+
+
+CELLS_PER_LOG, LOG_CELLS = 20, 600
+"""Cells of a table of thinning for each unit of ln(1 + s), and all: to s = 1e13."""
+
+
+@lru_cache(maxsize=8)
+def _shape_tables(law: FlowLaw) -> tuple[np.ndarray, np.ndarray]:
+    """Tables of eta rate/tau over (tau/G)^2 and (eta rate/G)^2 (`fortran/oil/thinning_table.f90`)."""
+    newtonian = np.geomspace(1e-6, 1e16, 8000)
+    stress = law.shape_at(newtonian)
+    thinning = np.log(newtonian / stress)
+    return _factor_table(stress, thinning), _factor_table(newtonian, thinning)
+
+
+def _factor_table(ratio: np.ndarray, logarithm: np.ndarray) -> np.ndarray:
+    """Coefficients of the cubic spline of a logarithm over ln(1 + ratio^2), shape (4, cells)."""
+    places, chosen = np.unique(np.log1p(ratio**2), return_index=True)
+    course = scipy.interpolate.PchipInterpolator(
+        np.concatenate([[0.0], places]),
+        np.concatenate([[0.0], logarithm[chosen]]),
+        extrapolate=False,
+    )
+    nodes = np.arange(LOG_CELLS + 1) / CELLS_PER_LOG
+    values = course(np.minimum(nodes, places[-1]))
+    beyond = np.maximum(nodes - places[-1], 0.0) * float(course(places[-1], nu=1))
+    spline = scipy.interpolate.CubicSpline(nodes * CELLS_PER_LOG, values + beyond)
+    return np.asfortranarray(spline.c[::-1])

@@ -42,6 +42,7 @@ class PointFilm(Film):
             floor,
         )
         super().__init__(made, np.shape(gap))
+        self._tabulate(oil)
         self._told = self._tallies()
 
     def _tallies(self) -> np.ndarray:

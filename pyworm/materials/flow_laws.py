@@ -1,19 +1,52 @@
 """Flow laws of oils: the shear rate under a stress."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import asinh, exp, expm1, inf, sinh
 from typing import Any, ClassVar, Literal, get_args
 
+import numpy as np
 import scipy
 
 from pyworm.formulas.ranges import one_of, positive, within
 from pyworm.io import units
-from pyworm.io.given import take
+from pyworm.io.given import kind_of, number, take
 
 LEAST_LIMIT = 0.1e6
 """Limiting stress below which none falls [Pa]."""
 
-FlowLawName = Literal["newtonian", "eyring", "bair-winer", "eyring-limited", "carreau"]
+FlowLawName = Literal[
+    "newtonian", "eyring", "bair-winer", "eyring-limited", "carreau", "carreau-yasuda", "tabulated"
+]
+"""Names of the laws; the stress of the last two may be limited."""
+
+
+@dataclass(frozen=True)
+class Branch:
+    """One branch of a liquid of several: a part of its viscosity that thins by Carreau and Yasuda's law.
+
+    Attributes
+    ----------
+    fraction : float
+        Its part of the viscosity at rest [-].
+    ratio : float
+        Its stress G over that of the flow law [-].
+    exponent, yasuda : float
+        n and a [-].
+    """
+
+    fraction: float
+    ratio: float
+    exponent: float
+    yasuda: float = 2.0
+
+    def __post_init__(self) -> None:
+        """Refuse what is no branch."""
+        within("fraction", self.fraction, 0, 1, "")
+        positive("ratio", self.ratio, "")
+        positive("yasuda", self.yasuda, "")
+        if not 0 < self.exponent <= 1:
+            raise ValueError(f"exponent = {self.exponent:g}: a branch's n is above 0 and at most 1")
 
 
 @dataclass(frozen=True)
@@ -26,11 +59,14 @@ class FlowLaw:
     | eyring         | tau0/eta sinh(tau/tau0)                                                  |
     | bair-winer     | -tauL/eta ln(1 - tau/tauL)           (Sharif et al. 2001, equation 5)    |
     | eyring-limited | tau0/eta sinh(tau/tau0) [tauL^(2 n)/(tauL^(2 n) - tau^(2 n))]     (eq. 6) |
-    | carreau        | that at which tau = eta rate [1 + (eta rate/G)^2]^((n - 1)/2)            |
+    | carreau        | tau/eta [1 + (tau/G)^2]^((1/n - 1)/2)                                    |
+    | carreau-yasuda | that at which tau = eta rate sum f [1 + (eta rate/(r G))^a]^((n - 1)/a)  |
+    | tabulated      | that at which tau/G is what `table` has at eta rate/G                    |
 
     tau0 and G are `stress` exp[`stress_pressure` p - `stress_temperature` (T - T0)], T being the mean
     temperature across the film and T0 the inlet's; tauL = `limit` + `limit_pressure` p,
-    but at least 0.1 MPa; n = `exponent`.
+    but at least 0.1 MPa; n = `exponent`, a = `yasuda`, or f, r, n, a of each of several
+    `branches`. The last two laws are limited as eyring-limited is where `limit` or `limit_pressure` is given.
     What a law does not name it does not read.
 
     Attributes
@@ -47,6 +83,12 @@ class FlowLaw:
         Its rise with pressure [-].
     exponent : float
         lambda of equation 6, which the paper takes as 1, or Carreau's n [-].
+    yasuda : float
+        Yasuda's a [-]; 2 is Carreau's law.
+    branches : tuple of Branch
+        Branches of a liquid of several, whose fractions add up to one.
+    table : tuple of tuple of float
+        Pairs of Newtonian stress eta rate and stress tau, both over G, increasing (`FlowLaw.of`).
     """
 
     law: FlowLawName
@@ -56,6 +98,9 @@ class FlowLaw:
     limit: float = 0.0
     limit_pressure: float = 0.0
     exponent: float = 1.0
+    yasuda: float = 2.0
+    branches: tuple[Branch, ...] = ()
+    table: tuple[tuple[float, float], ...] = ()
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "stress": units.StressOrZero,
@@ -68,7 +113,7 @@ class FlowLaw:
         """Refuse impossible values of the constants that the law uses."""
         take(self, sizes=False)  # a continuation goes through larger stresses than any oil has
         one_of("law", self.law, get_args(FlowLawName))
-        if self.law in ("eyring", "eyring-limited", "carreau"):
+        if self.law in ("eyring", "eyring-limited", "carreau", *SHAPED):
             positive("stress", self.stress, "Pa")
             courses = [self.stress_pressure, self.stress_temperature]
             within("stress_pressure, stress_temperature", courses, -inf, inf, "")
@@ -80,10 +125,52 @@ class FlowLaw:
             )
         if self.law == "eyring-limited":
             positive("exponent", self.exponent, "")
-        if self.law == "carreau" and not 0 < self.exponent <= 1:
+        if self.law == "tabulated":
+            _require_table(self.table)
+        if self.law == "carreau-yasuda":
+            positive("yasuda", self.yasuda, "")
+            _require_branches(self.branches)
+        single = self.law == "carreau-yasuda" and not self.branches
+        if (single or self.law == "carreau") and not 0 < self.exponent <= 1:
             raise ValueError(
                 f"exponent = {self.exponent:g}: Carreau's n is above 0 and at most 1, since oils thin"
             )
+
+    @classmethod
+    def of(cls, function: Callable[[float], float], stress: float, **limit: float) -> "FlowLaw":
+        """The law by which a function gives the stress [Pa] at a Newtonian one, viscosity times rate [Pa].
+
+        Parameters
+        ----------
+        function : callable
+            Newtonian stress -> stress, both at ambient pressure [Pa]; increasing, never above its argument.
+        stress : float
+            Stress at which the oil begins to thin [Pa], by which both scale with pressure and temperature.
+        **limit
+            `limit`, `limit_pressure`, `stress_pressure` and `stress_temperature`.
+        """
+        stress = number("stress", stress, kind_of(units.Stress))
+        places = np.geomspace(1e-4, 1e8, 400)
+        table = tuple((float(y), float(function(y * stress)) / stress) for y in places)
+        return cls("tabulated", stress=stress, table=table, **limit)
+
+    def shape_at(self, newtonian: np.ndarray) -> np.ndarray:
+        """Stress over G at a Newtonian stress over G, without the limit, of the laws in `SHAPED`."""
+        if self.law == "carreau-yasuda":
+            branches = self.branches or (Branch(1.0, 1.0, self.exponent, self.yasuda),)
+            factors = (
+                of.fraction
+                * (1 + (newtonian / of.ratio) ** of.yasuda) ** ((of.exponent - 1) / of.yasuda)
+                for of in branches
+            )
+            return newtonian * sum(factors)
+        places, stresses = np.log(np.array(self.table)).T
+        place = np.log(newtonian)
+        inside = np.clip(place, places[0], places[-1])
+        curve = scipy.interpolate.PchipInterpolator(places, stresses)
+        # before the table the oil is Newtonian, beyond it a power law
+        slope = np.where(place < places[0], 1.0, float(curve(places[-1], nu=1)))
+        return np.exp(curve(inside) + slope * (place - inside))
 
     def limit_at(self, pressure: float) -> float:
         """Limiting stress tauL [Pa] at a pressure [Pa]."""
@@ -106,6 +193,8 @@ class FlowLaw:
             return -limit * expm1(-newtonian / limit)
         if self.law == "carreau":
             return newtonian * (1 + (newtonian / onset) ** 2) ** ((self.exponent - 1) / 2)
+        if self.law in SHAPED:
+            return self._shaped_stress(newtonian, onset, limit)
         thinned = onset * asinh(newtonian / onset)
         if self.law == "eyring":
             return thinned
@@ -121,6 +210,21 @@ class FlowLaw:
             return highest
         return scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
 
+    def _shaped_stress(self, newtonian: float, onset: float, limit: float) -> float:
+        """Stress [Pa] of a law in `SHAPED`: its own, of which a limit holds back a part."""
+        if not self.limited:
+            return onset * float(self.shape_at(np.array(newtonian / onset)))
+
+        def excess(stress: float) -> float:
+            held = newtonian * (1 - (stress / limit) ** 2)
+            return stress - onset * float(self.shape_at(np.array(held / onset)))
+
+        highest = limit * (1 - 1e-12)
+        low, high = excess(0.0), excess(highest)
+        if low * high > 0:
+            return onset * float(self.shape_at(np.array(newtonian / onset)))
+        return scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
+
     @property
     def thins(self) -> bool:
         """Whether the law thins the oil under shear."""
@@ -129,6 +233,8 @@ class FlowLaw:
     @property
     def limited(self) -> bool:
         """Whether the law has a limiting stress."""
+        if self.law in SHAPED:
+            return self.limit > 0 or self.limit_pressure > 0
         return self.law in ("bair-winer", "eyring-limited")
 
     def firmer(self, times: float) -> "FlowLaw":
@@ -139,6 +245,28 @@ class FlowLaw:
             limit=times * self.limit,
             limit_pressure=times * self.limit_pressure,
         )
+
+
+SHAPED = ("carreau-yasuda", "tabulated")
+"""Laws that the kernel has by a table of their shape (`kernel/numbers.py`)."""
+
+
+def _require_branches(branches: tuple[Branch, ...]) -> None:
+    """Refuse branches that are not the whole liquid."""
+    whole = sum(branch.fraction for branch in branches)
+    if branches and abs(whole - 1) > 1e-6:
+        raise ValueError(f"branches: their fractions add up to {whole:g}, and must to 1")
+
+
+def _require_table(table: tuple[tuple[float, float], ...]) -> None:
+    """Refuse a table that no thinning oil has."""
+    pairs = np.array(table, dtype=float)
+    if pairs.ndim != 2 or pairs.shape[1:] != (2,) or len(pairs) < 4:
+        raise ValueError("table: must have four or more pairs of a Newtonian stress and a stress")
+    if not (np.isfinite(pairs).all() and (pairs > 0).all() and (np.diff(pairs, axis=0) > 0).all()):
+        raise ValueError("table: both stresses must be above zero and increase from pair to pair")
+    if (pairs[:, 1] > pairs[:, 0] * (1 + 1e-9)).any():
+        raise ValueError("table: no stress may exceed its Newtonian one, since oils thin")
 
 
 NEWTONIAN = FlowLaw("newtonian")

@@ -13,12 +13,17 @@ from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import take
 from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.tabulated import Tabulated, TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
 
 BOUNDARY_FRICTION = 0.1
 """Friction coefficient of asperities in contact where none is given: that to which the worm standard's base
 friction rises towards standstill, 0.094 to 0.1 (DIN 3996, bronze wheels; `formulas.worm_standard`)."""
+
+
+SAME_WARMTH = 0.01
+"""Largest difference of temperatures that count as one [K]."""
 
 
 def require_kinds(name: str, law: Any, *kinds: type) -> None:
@@ -46,9 +51,9 @@ class Oil:
 
     Attributes
     ----------
-    viscosity : Barus or Roelands
+    viscosity : Barus, Roelands or TabulatedViscosity
         Viscosity against pressure at the inlet temperature.
-    density : Density
+    density : Density or TabulatedDensity
         Density against pressure at the inlet temperature.
     flow : FlowLaw or None
         How it shears under stress; None if nothing is known but its viscosity.
@@ -60,8 +65,8 @@ class Oil:
         Friction coefficient of the bodies' asperities in contact under this oil [-].
     """
 
-    viscosity: Barus | Roelands
-    density: Density
+    viscosity: Barus | Roelands | TabulatedViscosity
+    density: Density | TabulatedDensity
     flow: FlowLaw | None = None
     heat: OilHeat | None = None
     supply: float | None = None
@@ -72,16 +77,25 @@ class Oil:
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""
         take(self)
-        require_kinds("viscosity", self.viscosity, Barus, Roelands)
-        require_kinds("density", self.density, Density)
+        require_kinds("viscosity", self.viscosity, Barus, Roelands, TabulatedViscosity)
+        require_kinds("density", self.density, Density, TabulatedDensity)
         require_kinds("flow", self.flow, FlowLaw, type(None))
         require_kinds("heat", self.heat, OilHeat, type(None))
+        for law in (self.viscosity, self.density):
+            inlet = self.heat and self.heat.inlet_temperature
+            if inlet and isinstance(law, Tabulated) and abs(law.reference - inlet) > SAME_WARMTH:
+                raise ValueError(
+                    f"a {type(law).__name__} is of {law.reference:g} K, but the oil enters at {inlet:g} K; "
+                    "give both one temperature"
+                )
         if self.supply is not None:
             positive("supply", self.supply, "m")
         positive("boundary_friction", self.boundary_friction, "")
 
     def eta(self, pressure: float, rise: float = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""
+        if isinstance(self.viscosity, TabulatedViscosity):
+            return self.viscosity(pressure, rise)
         if self.heat is None or rise == 0:
             return self.viscosity(pressure)
         exponent = self.heat.viscosity_exponent
@@ -92,6 +106,17 @@ class Oil:
         warmed = (1 + pressure / law.p0) ** law.z * (1 + rise / inlet) ** -exponent
         return law.eta0 * exp(span * (warmed - 1))
 
+    @property
+    def beta(self) -> float:
+        """Decay of the viscosity with temperature at the inlet, -d ln eta/dT [1/K]; of an oil with `heat`."""
+        if isinstance(self.viscosity, TabulatedViscosity):
+            return log(self.eta(0.0, -0.5) / self.eta(0.0, 0.5))
+        beta = self.heat.viscosity_exponent
+        if isinstance(self.viscosity, Roelands):
+            span = self.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
+            beta *= (log(self.viscosity.eta0) + ROELANDS_POLE_LOG) / span
+        return beta
+
     def warmed(self, rise: float) -> "Oil":
         """The oil at an inlet temperature higher by some kelvin, by its own laws.
 
@@ -99,8 +124,15 @@ class Oil:
         pressure, so that z stays what it is. Density and heat capacity follow their laws at ambient pressure.
         """
         heat = self.heat
-        thinner = replace(self.viscosity, eta0=self.eta(0.0, rise))
+        if isinstance(self.viscosity, TabulatedViscosity):
+            thinner = self.viscosity.at(self.viscosity.reference + rise)
+        else:
+            thinner = replace(self.viscosity, eta0=self.eta(0.0, rise))
         lighter = 1 - heat.expansivity * rise
+        if isinstance(self.density, TabulatedDensity):
+            density = self.density.at(self.density.reference + rise)
+        else:
+            density = replace(self.density, rho0=self.density.rho0 * lighter)
         held = 1 + heat.heat_capacity_b0 * rise
         flow = self.flow and replace(
             self.flow, stress=self.flow.stress * exp(-self.flow.stress_temperature * rise)
@@ -108,7 +140,7 @@ class Oil:
         return replace(
             self,
             viscosity=thinner,
-            density=replace(self.density, rho0=self.density.rho0 * lighter),
+            density=density,
             flow=flow,
             heat=replace(
                 heat,

@@ -7,7 +7,6 @@ import numpy as np
 from pyworm.drives.roller_worm.envelope import Array
 from pyworm.drives.roller_worm.motion import LineMotion
 from pyworm.formulas.film import dowson_higginson, line_groups, moes_line
-from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.regimes import (
     ISOVISCOUS_ELASTIC,
     ISOVISCOUS_RIGID,
@@ -20,7 +19,6 @@ from pyworm.formulas.thermal_reduction import thermal_loading, wilson_sheu
 from pyworm.formulas.wear_distress import specific_film
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil
-from pyworm.materials.viscosity_density import Roelands
 
 REGIMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
 """Regimes in the order of their numbers in data."""
@@ -133,10 +131,7 @@ def _heated_share(oil: Oil, motion: LineMotion) -> Array:
     first, second = motion.worm[0], motion.roller[0]
     if oil.heat is None:
         return np.full(first.shape, np.nan)
-    beta = oil.heat.viscosity_exponent
-    if isinstance(oil.viscosity, Roelands):
-        log_rise = np.log(oil.viscosity.eta0) + ROELANDS_POLE_LOG
-        beta *= log_rise / (oil.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE)
+    beta = oil.beta
     speed = np.abs(first + second) / 2
     loading = thermal_loading(oil.viscosity.eta0, beta, speed, oil.heat.conductivity)
     sliding = np.abs(first - second)

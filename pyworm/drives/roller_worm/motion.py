@@ -172,7 +172,9 @@ def flow_stress(flow: FlowLaw, viscosity: Array, pressure: Array, rate: Array) -
         return limit * -np.expm1(-newtonian / limit)
     if flow.law == "carreau":
         return newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
-    return _limited_eyring_stress(newtonian, stress, limit, 2 * flow.exponent)
+    if flow.law == "eyring-limited":
+        return _limited_eyring_stress(newtonian, stress, limit, 2 * flow.exponent)
+    return np.vectorize(flow.stress_at, otypes=[float])(newtonian, pressure)
 
 
 def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: float) -> Array:

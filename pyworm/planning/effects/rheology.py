@@ -120,13 +120,14 @@ UNREACHED = 1e12
 
 def unthinned(flow: FlowLaw) -> FlowLaw:
     """A flow law without its thinning."""
-    return replace(flow, stress=UNREACHED) if flow.law == "eyring-limited" else NEWTONIAN
+    return replace(flow, stress=UNREACHED) if flow.limited and flow.stress > 0 else NEWTONIAN
 
 
 def _unlimited(flow: FlowLaw) -> FlowLaw:
     if flow.law == "bair-winer" or flow.stress == UNREACHED:
         return NEWTONIAN
-    return replace(flow, law="eyring", limit=0.0, limit_pressure=0.0)
+    law = "eyring" if flow.law == "eyring-limited" else flow.law
+    return replace(flow, law=law, limit=0.0, limit_pressure=0.0)
 
 
 def _flowing(by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]):

@@ -12,6 +12,7 @@ from pyworm.case.case import Case
 from pyworm.case.contact import GapCase
 from pyworm.drives.misalignment import MountingError
 from pyworm.materials.oil import Oil
+from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.materials.viscosity_density import Barus, Roelands
 from pyworm.report.page.content import Block, Section, Table, Words
 from pyworm.report.page.figures import composite_roughness
@@ -177,4 +178,6 @@ def thickened(oil: Oil, ratio: float) -> Oil:
     law = oil.viscosity
     if isinstance(law, Barus):
         return replace(oil, viscosity=Barus(law.eta0 * ratio, law.alpha))
+    if isinstance(law, TabulatedViscosity):
+        return replace(oil, viscosity=replace(law, values=law.values * ratio))
     return replace(oil, viscosity=Roelands.from_alpha(law.eta0 * ratio, law.alpha, law.p0))
