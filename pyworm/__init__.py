@@ -28,6 +28,9 @@ Solids and oils
     Density         density against pressure
     FlowLaw         how an oil shears under stress
     OilHeat         how an oil takes heat
+    TabulatedViscosity, TabulatedDensity    a function or measurements over pressure and temperature
+    Branch          one branch of a Carreau-Yasuda law
+    named_liquid    a liquid of the literature, with its laws over pressure and temperature
     NamedOil        an oil over temperature
     named_oil       an oil of the list of oils
     read_oil        an oil from a file
@@ -83,15 +86,19 @@ if (
     from pyworm.batch.study import traction_curve as traction_curve
     from pyworm.case.case import Case as Case
     from pyworm.case.case import load as load
+    from pyworm.case.oil import named_liquid as named_liquid
     from pyworm.io.input_error import CaseError as CaseError
     from pyworm.kernel.core import KernelError as KernelError
     from pyworm.materials.body import Body as Body
     from pyworm.materials.body import named_body as named_body
+    from pyworm.materials.flow_laws import Branch as Branch
     from pyworm.materials.flow_laws import FlowLaw as FlowLaw
     from pyworm.materials.library import NamedOil as NamedOil
     from pyworm.materials.library import named_oil as named_oil
     from pyworm.materials.oil import Oil as Oil
     from pyworm.materials.oil_file import read_oil as read_oil
+    from pyworm.materials.tabulated import TabulatedDensity as TabulatedDensity
+    from pyworm.materials.tabulated import TabulatedViscosity as TabulatedViscosity
     from pyworm.materials.thermal_properties import OilHeat as OilHeat
     from pyworm.materials.viscosity_density import (
         Barus as Barus,
@@ -136,6 +143,7 @@ if (
 _HOMES = {
     "Barus": "pyworm.materials.viscosity_density",
     "Body": "pyworm.materials.body",
+    "Branch": "pyworm.materials.flow_laws",
     "Case": "pyworm.case.case",
     "CaseError": "pyworm.io.input_error",
     "Comparison": "pyworm.result.compare",
@@ -158,11 +166,14 @@ _HOMES = {
     "Scene": "pyworm.scene.point",
     "Solution": "pyworm.solver.solution",
     "SweepResult": "pyworm.result.sweep_result",
+    "TabulatedDensity": "pyworm.materials.tabulated",
+    "TabulatedViscosity": "pyworm.materials.tabulated",
     "UnusualWarning": "pyworm.scene.plausibility",
     "compare": "pyworm.result.compare",
     "dry_contact": "pyworm.solver.point.dry",
     "load": "pyworm.case.case",
     "named_body": "pyworm.materials.body",
+    "named_liquid": "pyworm.case.oil",
     "named_oil": "pyworm.materials.library",
     "open_result": "pyworm.result.result",
     "open_sweep": "pyworm.result.sweep_result",

@@ -7,7 +7,7 @@
 !> per cent where a body slips 500 times as fast as its film would shear at 0.995 of it, by one per cent at 100 000.
 module pyworm_flow_laws
   use pyworm_kinds, only: wp
-  use pyworm_thinning_table, only: tabulated_factor, thinning_table
+  use pyworm_thinning_table, only: tabulate_factors, tabulated_factor, thinning_table
   implicit none(type, external)
   private
 
@@ -133,9 +133,9 @@ contains
     case (law_carreau)
       call carreau((1/law%exponent - 1)/2, count, square, per_reference, g, slope)
     case (law_tabulated)
-      call tabulated_thinning(law%by_stress, count, square, per_reference, g, slope)
+      call tabulate_factors(law%by_stress, count, square, per_reference, g, slope)
     case (law_tabulated_limited)
-      call tabulated_thinning(law%by_stress, count, square, per_reference, g, slope)
+      call tabulate_factors(law%by_stress, count, square, per_reference, g, slope)
       call limit_thinning_by_power(law%exponent, count, square, per_limit, g, slope)
     case default
       g = 1
@@ -312,20 +312,6 @@ contains
       slope(i) = power*g(i)/(1 + s)*per_reference(i)*merge(1.0_wp, 0.0_wp, s < largest_carreau)
     end do
   end subroutine carreau
-
-  !> g by a table of s = square/reference^2.
-  pure subroutine tabulated_thinning(table, count, square, per_reference, g, slope)
-    type(thinning_table), intent(in) :: table
-    integer, intent(in) :: count
-    real(wp), intent(in) :: square(count), per_reference(count)
-    real(wp), intent(out) :: g(count), slope(count)
-    integer :: i
-
-    do i = 1, count
-      call tabulated_factor(table, square(i)*per_reference(i), g(i), slope(i))
-      slope(i) = slope(i)*per_reference(i)
-    end do
-  end subroutine tabulated_thinning
 
   !> Beyond the stress c at slip: F = F(c) + F'(c) l [exp((tau - c)/l) - 1].
   pure subroutine continue_slip(law, square, per_reference, per_limit, g, slope)

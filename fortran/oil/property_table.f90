@@ -7,7 +7,7 @@ module pyworm_property_table
   implicit none(type, external)
   private
 
-  public :: property_table, tabulated, tabulated_cold
+  public :: property_table, tabulated, tabulated_cold, tabulate_row
 
   type :: property_table
     !> Cells for each pascal and each kelvin, and the least temperature above the reference [K].
@@ -62,5 +62,18 @@ contains
     by_rise = 0
     if (abs(v - k - u) <= 0) by_rise = (r(1) + t*(r(2) + t*(r(3) + t*r(4))))*table%per_rise
   end subroutine tabulated
+
+  !> The same over a row of points; inlined here, its cells are read as vectors.
+  pure subroutine tabulate_row(table, count, p, rise, f, by_pressure, by_rise)
+    type(property_table), intent(in) :: table
+    integer, intent(in) :: count
+    real(wp), intent(in) :: p(count), rise(count)
+    real(wp), intent(out) :: f(count), by_pressure(count), by_rise(count)
+    integer :: m
+
+    do m = 1, count
+      call tabulated(table, p(m), rise(m), f(m), by_pressure(m), by_rise(m))
+    end do
+  end subroutine tabulate_row
 
 end module pyworm_property_table

@@ -6,7 +6,7 @@ module pyworm_thinning_table
   implicit none(type, external)
   private
 
-  public :: thinning_table, tabulated_factor
+  public :: thinning_table, tabulated_factor, tabulate_factors
 
   !> Largest square of the ratio, and largest logarithm of the factor: a stray stress does not overflow.
   real(wp), parameter :: largest_square = 1e60_wp, largest_log = 300.0_wp
@@ -40,5 +40,19 @@ contains
     slope = 0
     if (logarithm < largest_log .and. s < largest_square) slope = f*by_place*table%per_log/(1 + bounded)
   end subroutine tabulated_factor
+
+  !> The same at `count` squares times `scale`, the derivative by the square.
+  pure subroutine tabulate_factors(table, count, square, scale, f, slope)
+    type(thinning_table), intent(in) :: table
+    integer, intent(in) :: count
+    real(wp), intent(in) :: square(count), scale(count)
+    real(wp), intent(out) :: f(count), slope(count)
+    integer :: m
+
+    do m = 1, count
+      call tabulated_factor(table, square(m)*scale(m), f(m), slope(m))
+      slope(m) = slope(m)*scale(m)
+    end do
+  end subroutine tabulate_factors
 
 end module pyworm_thinning_table

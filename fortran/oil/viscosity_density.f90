@@ -1,7 +1,7 @@
 !> Viscosity and density of an oil against pressure and temperature, with their derivatives.
 module pyworm_viscosity_density
   use pyworm_kinds, only: wp
-  use pyworm_property_table, only: property_table, tabulated, tabulated_cold
+  use pyworm_property_table, only: property_table, tabulate_row, tabulated, tabulated_cold
   implicit none(type, external)
   private
 
@@ -119,16 +119,16 @@ contains
     type(oil_law), intent(in) :: oil
     real(wp), contiguous, intent(in) :: p(:), rise(:, :)
     real(wp), contiguous, intent(out) :: fluidity(:, :), by_pressure(:, :), by_temperature(:, :)
-    real(wp) :: logarithm, by_p, by_rise, within
+    real(wp) :: within
     integer :: i, k
 
     do k = 1, size(rise, 2)
+      call tabulate_row(oil%viscosity_table, size(p), p, rise(:, k), fluidity(:, k), by_pressure(:, k), by_temperature(:, k))
       do i = 1, size(p)
-        call tabulated(oil%viscosity_table, p(i), rise(i, k), logarithm, by_p, by_rise)
-        within = merge(1.0_wp, 0.0_wp, logarithm < largest_exponent)
-        fluidity(i, k) = exp(-min(logarithm, largest_exponent))/oil%eta0
-        by_pressure(i, k) = -by_p*within
-        by_temperature(i, k) = -by_rise*within
+        within = merge(-1.0_wp, 0.0_wp, fluidity(i, k) < largest_exponent)
+        fluidity(i, k) = exp(-min(fluidity(i, k), largest_exponent))/oil%eta0
+        by_pressure(i, k) = by_pressure(i, k)*within
+        by_temperature(i, k) = by_temperature(i, k)*within
       end do
     end do
   end subroutine tabulated_fluidity

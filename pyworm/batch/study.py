@@ -15,7 +15,9 @@ from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
+from pyworm.io import units
 from pyworm.io.console import progress_bar
+from pyworm.io.given import kind_of, number
 from pyworm.io.progress import Progress
 from pyworm.io.terminal import say
 from pyworm.result.result import Result
@@ -79,7 +81,7 @@ def sweep(
         if isinstance(make, str | Path):
             study = _of_file(make, vary, workers, told)
         else:
-            how = accuracy, effects, None if quantities is None else tuple(quantities)
+            how = _accuracy(accuracy), effects, quantities and tuple(quantities)
             study = _study(make, title, vary, how, sent=workers is not None)
         return run_sweep(study, directory, fields, workers, told, say if progress else _unheard)
 
@@ -116,7 +118,7 @@ def traction_curve(
         Surfaces that do not translate, or a scene that cannot be planned.
     """
     tasks = [
-        SceneTask(with_slide_roll_ratio(scene, ratio), accuracy, effects)
+        SceneTask(with_slide_roll_ratio(scene, ratio), _accuracy(accuracy), effects)
         for ratio in slide_roll_ratios
     ]
     with ExitStack() as stack:
@@ -171,6 +173,11 @@ def _study(
     return Sweep(
         title, title, written, [[name] for name in vary], tuple(combinations), tuple(tasks)
     )
+
+
+def _accuracy(given: float | str) -> float:
+    """An accuracy as a number."""
+    return number("accuracy", given, kind_of(units.Share))
 
 
 def _executor(processes: int, scheduler: str | None) -> AbstractContextManager[Executor | None]:

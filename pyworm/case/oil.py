@@ -6,13 +6,25 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, field_validator, model_validator
 
 from pyworm.case.named_oil import spelled_out
+from pyworm.case.own_oil import (
+    CarreauYasudaTable,
+    DoolittleTable,
+    MeasuredTable,
+    OwnViscosity,
+    RoelandsFitTable,
+    TaitTable,
+    liquids,
+)
 from pyworm.case.table import NumberOrZero, PositiveNumber, Table, Text
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
+from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
+from pyworm.io.given import kind_of, number
 from pyworm.materials.base_stock import HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import names
 from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
+from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
 
@@ -157,7 +169,14 @@ class CarreauTable(_ThinningStress):
     exponent: Annotated[float, Field(strict=True, gt=0, le=1)]
 
 
-ShearTable = NewtonianTable | EyringTable | BairWinerTable | LimitedEyringTable | CarreauTable
+ShearTable = (
+    NewtonianTable
+    | EyringTable
+    | BairWinerTable
+    | LimitedEyringTable
+    | CarreauTable
+    | CarreauYasudaTable
+)
 """`[oil.shear]`: how the oil shears; the laws are those of `FlowLaw`."""
 
 
@@ -175,10 +194,12 @@ class HeatTable(HeatCourseTable):
     specific_heat: units.SpecificHeat
     expansivity: units.TemperatureCoefficientOrZero = 0.0
 
-    def heat(self, viscosity: Barus | Roelands) -> OilHeat:
+    def heat(self, viscosity: Barus | Roelands | TabulatedViscosity) -> OilHeat:
         """The laws of an oil of this viscosity."""
         constants = self.model_dump(exclude={"s0", "beta"})
-        if isinstance(viscosity, Barus):
+        if isinstance(viscosity, TabulatedViscosity):
+            exponent = 0.0  # the table has it
+        elif isinstance(viscosity, Barus):
             exponent = self.beta
         elif self.s0 is not None:
             exponent = self.s0
@@ -196,8 +217,12 @@ class OilTable(Table):
 
     name: Text
     temperature: units.Temperature | None = Field(default=None, exclude=True)
-    viscosity: Annotated[BarusTable | RoelandsTable, Field(discriminator="law")]
-    density: Annotated[DensityTable | GeneralDensityTable, Field(discriminator="law")]
+    liquid: Text | None = Field(default=None, exclude=True)
+    viscosity: Annotated[
+        BarusTable | RoelandsTable | DoolittleTable | RoelandsFitTable | MeasuredTable,
+        Field(discriminator="law"),
+    ]
+    density: Annotated[DensityTable | GeneralDensityTable | TaitTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
     supply: units.Film | None = None
@@ -208,12 +233,21 @@ class OilTable(Table):
     def _by_name(cls, table: Any) -> Any:
         if not isinstance(table, dict):
             return table
+        if "liquid" in table:
+            return _of_liquid(table)
         # A known name alone lacks its temperature rather than the tables.
         bare = table.keys() == {"name"} and table["name"] in names()
         return spelled_out(table) if "temperature" in table or bare else table
 
     @model_validator(mode="after")
     def _one_exponent_of_temperature(self):
+        if isinstance(self.viscosity, OwnViscosity):
+            if self.heat is not None and not self.heat.s0 is self.heat.beta is None:
+                raise ValueError(
+                    f"heat needs neither s0 nor beta, which {self.viscosity.law} has itself"
+                )
+            self.oil()  # tables that make no law are refused here
+            return self
         if self.heat is None:
             return self
         if self.viscosity.law == "barus" and (self.heat.beta is None or self.heat.s0 is not None):
@@ -222,14 +256,69 @@ class OilTable(Table):
             raise ValueError("heat needs either s0 or beta, one of the two")
         return self
 
+    @property
+    def _inlet(self) -> float:
+        """Temperature at which the oil enters [K]: that of its heat, or at which its laws are given."""
+        if self.heat is not None:
+            return self.heat.inlet_temperature
+        if self.temperature is not None:
+            return self.temperature
+        if isinstance(self.density, TaitTable):
+            return self.density.reference_temperature
+        if isinstance(self.viscosity, MeasuredTable) and len(self.viscosity.temperature) == 1:
+            return self.viscosity.temperature[0]
+        return DEGREES_40
+
     def oil(self) -> Oil:
         """The oil as the kernel sees it."""
-        viscosity = self.viscosity.viscosity()
+        inlet = self._inlet
+        own = isinstance(self.viscosity, OwnViscosity)
+        viscosity = (
+            self.viscosity.viscosity(inlet, self.density) if own else self.viscosity.viscosity()
+        )
+        tait = isinstance(self.density, TaitTable)
         return Oil(
             viscosity=viscosity,
-            density=self.density.density(),
-            flow=None if self.shear is None else FlowLaw(**dict(self.shear)),
+            density=self.density.density(inlet) if tait else self.density.density(),
+            flow=None if self.shear is None else FlowLaw(**_constants(self.shear)),
             heat=None if self.heat is None else self.heat.heat(viscosity),
             supply=self.supply,
             boundary_friction=self.boundary_friction,
         )
+
+
+def _constants(shear: ShearTable) -> dict[str, Any]:
+    """A shear table as arguments of `FlowLaw`."""
+    return shear.constants if isinstance(shear, CarreauYasudaTable) else dict(shear)
+
+
+def _of_liquid(table: dict[str, Any]) -> dict[str, Any]:
+    """`[oil]` of a liquid of the literature and a temperature, with all its tables."""
+    name, known = table["liquid"], liquids()
+    if name not in known:
+        raise ValueError(f'liquid = "{name}": must be one of {", ".join(known)}')
+    if "temperature" not in table:
+        raise ValueError(f"temperature is missing, at which {name} enters")
+    own = {key: part for key, part in known[name].items() if key != "source"}
+    own["heat"] = {**own["heat"], "inlet_temperature": table["temperature"]}
+    return {"name": name, **own, **table}
+
+
+def named_liquid(name: str, temperature: float | str) -> Oil:
+    """A liquid of the literature whose laws were fitted to measurements (`pyworm/materials/liquids.toml`).
+
+    Parameters
+    ----------
+    name : str
+        "squalane" or "PAO-B".
+    temperature : float or str
+        At which it enters a contact [K].
+
+    Raises
+    ------
+    ValueError
+        No such liquid, or no temperature.
+    """
+    kelvin = number("temperature", temperature, kind_of(units.Temperature))
+    table = {"liquid": name, "temperature": f"{kelvin!r} K"}
+    return OilTable.model_validate(_of_liquid(table)).oil()

@@ -142,6 +142,11 @@ Hardness = quantity(
 Pressure = quantity(
     "a pressure", "Pa", "196 MPa", possible=("1 Pa", "1000 GPa"), usual=("1 kPa", "10 GPa")
 )
+PressureCoordinate = quantity(
+    "a pressure", "Pa", "400 MPa", "not negative", ("1 Pa", "1000 GPa"), usual=("", "10 GPa")
+)
+"""A pressure of a measurement, zero for ambient."""
+
 _SHEAR = {"possible": ("1 Pa", "1000 GPa"), "usual": ("0.01 MPa", "2 GPa")}
 Stress = quantity("a stress", "Pa", "3 MPa", **_SHEAR)
 StressOrZero = quantity("a stress", "Pa", "100 MPa", sign="not negative", **_SHEAR)

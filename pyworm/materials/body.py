@@ -1,6 +1,6 @@
 """The solids in contact: elastic and thermal constants."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from pyworm.formulas import wear_distress
@@ -104,6 +104,10 @@ class Body:
         for name, unit in _POSITIVE.items():
             if getattr(self, name) is not None:
                 positive(name, getattr(self, name), unit)
+
+    def warm_at(self, inlet: float) -> "Body":
+        """The solid under oil that enters at a temperature [K]: as warm where it has none of its own."""
+        return replace(self, bulk_temperature=inlet) if self.bulk_temperature is None else self
 
 
 _POSITIVE = {

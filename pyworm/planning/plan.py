@@ -233,7 +233,9 @@ def planned(
     # without sliding friction has no size, and without its flow law it means nothing
     sheared = model.heated or simple.oil.flow not in (None, NEWTONIAN)
     law = sheared or asked is None or simple.oil.flow == scene.oil.flow
-    aim = _aim(quantities, model, rubs=law and prediction.sliding > 0, beta=prediction.inlet_beta)
+    told = simple.oil.flow is not None or simple.oil.heat is not None
+    rubs = told and law and prediction.sliding > 0
+    aim = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
     regime = (line_regime if isinstance(scene, LineScene) else point_regime)(prediction.groups)
     return Plan(
         accuracy,

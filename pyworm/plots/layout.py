@@ -295,8 +295,9 @@ def scale_from_zero(axes: Axes, values: np.ndarray, room: float) -> None:
         axes.set_ylim(0, room * float(np.nanmax(values)))
 
 
-def write(figure: Figure, path: Path) -> Path:
+def write(figure: Figure, path: str | Path) -> Path:
     """Write a picture to a file; returns that."""
+    path = Path(path)
     # little compressed, a PNG takes less time and some more room
     options = {"pil_kwargs": {"compress_level": 1}} if path.suffix == ".png" else {}
     figure.savefig(path, dpi=DOTS_PER_INCH, **options)

@@ -42,7 +42,7 @@ class Contact(Shown, ABC):
     load : float
         Normal load [N], of a line contact that for each length [N/m].
     bodies : tuple of Body
-        Body 1 and body 2.
+        Body 1 and body 2; where the oil has heat, as warm as it is at the inlet unless they say otherwise.
     oil : Oil
         The oil at its inlet temperature.
     phase : float or None
@@ -103,6 +103,10 @@ class Contact(Shown, ABC):
             raise ValueError("bodies: must be a tuple of two, body 1 and body 2")
         for body in self.bodies:
             require_kinds("a body", body, Body)
+        if self.oil.heat is not None:
+            inlet = self.oil.heat.inlet_temperature
+            bodies = tuple(body.warm_at(inlet) for body in self.bodies)
+            object.__setattr__(self, "bodies", bodies)
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the contact in words."""

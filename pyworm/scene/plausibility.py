@@ -133,14 +133,6 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
     where = str(Place.of(scene))
     where = f" at {where}" if where else ""
     yield from _of_pressure(scene, pressure, where)
-    if pressure < LIGHT * scene.reduced_modulus:
-        yield Doubt(
-            "lightness",
-            LIGHT * scene.reduced_modulus / pressure,
-            True,
-            f"the bodies are pressed together with {pressure / 1e6:.3g} MPa only by Hertz{where}, where the "
-            f"radii are {_radii(scene)}; from {LIGHT * scene.reduced_modulus / 1e6:.0f} MPa on as a rule",
-        )
     yield from _of_hardness(scene, pressure, where)
     if film > THICK * radius:
         possible = film <= radius
@@ -151,6 +143,14 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
             f"a film of {film * 1e3:.3g} mm is expected{where} between surfaces of a radius of "
             f"{radius * 1e3:.3g} mm; "
             + ("films are thin against it as a rule" if possible else _DISPROPORTION),
+        )
+    elif pressure < LIGHT * scene.reduced_modulus:
+        yield Doubt(
+            "lightness",
+            LIGHT * scene.reduced_modulus / pressure,
+            True,
+            f"the bodies are pressed together with {pressure / 1e6:.3g} MPa only by Hertz{where}, where the "
+            f"radii are {_radii(scene)}; from {LIGHT * scene.reduced_modulus / 1e6:.0f} MPa on as a rule",
         )
     if film < MOLECULE:
         yield Doubt(

@@ -20,7 +20,7 @@ from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.effect import QUANTITIES
 from pyworm.planning.effects.geometry import departure
-from pyworm.planning.plan import planned
+from pyworm.planning.plan import plan_of, planned
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
@@ -66,7 +66,7 @@ def test_every_effect_is_judged_with_a_reason():
 )
 def test_what_is_left_out_stays_within_the_accuracy(sliding, speed, load, eta0, accuracy):
     scene = ball(sliding, speed, load, eta0)
-    plan = pyworm.plan(scene, accuracy)
+    plan = plan_of(scene, accuracy)
     left = [
         judgement
         for judgement in plan.effects

@@ -1,0 +1,142 @@
+"""Laws of `[oil]` beyond the usual ones: free volume, fits and measurements over pressure and temperature."""
+
+from functools import cache
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from pyworm.case.table import Number, NumberOrZero, PositiveNumber, Table
+from pyworm.formulas.liquids import Doolittle, RoelandsFit, Tait
+from pyworm.io import units
+from pyworm.io.toml import read_toml
+from pyworm.materials.flow_laws import Branch
+from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
+
+_LIQUIDS = Path(units.__file__).parents[1] / "materials/liquids.toml"
+
+_Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
+
+
+@cache
+def liquids() -> dict[str, dict[str, Any]]:
+    """Tables of liquids of the literature by name, as a case file has them."""
+    return read_toml(_LIQUIDS)
+
+
+class TaitTable(Table):
+    """`[oil.density]`, law = "tait": Tait's equation of state (`formulas.liquids.Tait`)."""
+
+    law: Literal["tait"]
+    reference_temperature: units.Temperature
+    rho0: units.OilDensity
+    bulk_modulus: units.Modulus
+    bulk_decay: units.TemperatureCoefficientOrZero = 0.0
+    bulk_rate: PositiveNumber
+    expansivity: units.TemperatureCoefficientOrZero = 0.0
+
+    @property
+    def tait(self) -> Tait:
+        """The equation."""
+        return Tait(
+            self.reference_temperature,
+            self.rho0,
+            self.bulk_modulus,
+            self.bulk_decay,
+            self.bulk_rate,
+            self.expansivity,
+        )
+
+    def density(self, inlet: float) -> TabulatedDensity:
+        """The law of an oil that enters at a temperature [K]."""
+        return TabulatedDensity.of(self.tait, inlet)
+
+
+class DoolittleTable(Table):
+    """`[oil.viscosity]`, law = "tait-doolittle": free volume of Tait's density (`Doolittle`)."""
+
+    law: Literal["tait-doolittle"]
+    eta0: units.Viscosity
+    parameter: PositiveNumber
+    occupied: _Fraction
+    occupied_expansivity: units.TemperatureCoefficientAnySign = 0.0
+
+    def viscosity(self, inlet: float, density: Any) -> TabulatedViscosity:
+        """The law of an oil that enters at a temperature [K]."""
+        if not isinstance(density, TaitTable):
+            raise ValueError(
+                'viscosity.law = "tait-doolittle" needs density.law = "tait" for its volume'
+            )
+        law = Doolittle(
+            density.tait, self.eta0, self.parameter, self.occupied, self.occupied_expansivity
+        )
+        return TabulatedViscosity.of(law, inlet)
+
+
+class RoelandsFitTable(Table):
+    """`[oil.viscosity]`, law = "roelands-fit": Roelands' law fitted over temperature (`RoelandsFit`)."""
+
+    law: Literal["roelands-fit"]
+    g0: PositiveNumber
+    s0: PositiveNumber
+    dz: Number
+    cz: Number
+
+    def viscosity(self, inlet: float, density: Any) -> TabulatedViscosity:
+        """The law of an oil that enters at a temperature [K]."""
+        return TabulatedViscosity.of(RoelandsFit(self.g0, self.s0, self.dz, self.cz), inlet)
+
+
+class MeasuredTable(Table):
+    """`[oil.viscosity]`, law = "tabulated": measurements, a list of viscosities for each pressure."""
+
+    law: Literal["tabulated"]
+    pressure: Annotated[list[units.PressureCoordinate], Field(min_length=4)]
+    temperature: Annotated[list[units.Temperature], Field(min_length=1)]
+    viscosity_at: list[list[units.Viscosity]]
+
+    def viscosity(self, inlet: float, density: Any) -> TabulatedViscosity:
+        """The law of an oil that enters at a temperature [K]."""
+        table = np.array(self.viscosity_at)
+        return TabulatedViscosity(np.array(self.pressure), np.array(self.temperature), table, inlet)
+
+
+OwnViscosity = DoolittleTable | RoelandsFitTable | MeasuredTable
+"""Laws of viscosity over pressure and temperature, in which no exponent of temperature is missing."""
+
+
+class BranchTable(Table):
+    """One of `[[oil.shear.branches]]`."""
+
+    fraction: _Fraction
+    ratio: PositiveNumber
+    exponent: Annotated[float, Field(strict=True, gt=0, le=1)]
+    yasuda: PositiveNumber = 2.0
+
+
+class CarreauYasudaTable(Table):
+    """`[oil.shear]`, law = "carreau-yasuda", of one branch or several, with or without a limiting stress."""
+
+    law: Literal["carreau-yasuda"]
+    stress: units.Stress
+    stress_pressure: units.PressureCoefficientAnySign = 0.0
+    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
+    limit: units.StressOrZero = 0.0
+    limit_pressure: NumberOrZero = 0.0
+    exponent: Annotated[float, Field(strict=True, gt=0, le=1)] = 1.0
+    yasuda: PositiveNumber = 2.0
+    branches: list[BranchTable] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _whole(self):
+        total = sum(branch.fraction for branch in self.branches)
+        if self.branches and abs(total - 1) > 1e-6:
+            raise ValueError(f"the fractions of branches add up to {total:g}, and must to 1")
+        return self
+
+    @property
+    def constants(self) -> dict[str, Any]:
+        """Constants of the flow law."""
+        given = dict(self)
+        return given | {"branches": tuple(Branch(**dict(one)) for one in self.branches)}
