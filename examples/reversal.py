@@ -1,4 +1,4 @@
-"""Reversal: a roller that slows down; the oil that it squeezes holds a thicker film than a steady one."""
+"""Reversal: a line contact whose entrainment changes its sign; the film lags behind a steady one."""
 
 import sys
 

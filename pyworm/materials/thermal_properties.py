@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import take
+from pyworm.io.given import kind_of, number, take
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,8 @@ class OilHeat:
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
-        take(self)
+        take(self, sizes=False)  # a conductivity without end stands for an oil that stays cold
+        number("inlet_temperature", self.inlet_temperature, kind_of(units.Temperature))
         positive("inlet_temperature", self.inlet_temperature, "K")
         positive("conductivity", self.conductivity, "W/(m K)")
         positive("specific_heat", self.specific_heat, "J/(kg K)")

@@ -49,7 +49,8 @@ class Barus:
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
-        take(self)
+        take(self, sizes=False)  # a law that is warmed may thin beyond what an oil has
+        number("alpha", self.alpha, kind_of(units.PressureViscosityOrZero))
         positive("eta0", self.eta0, "Pa s")
         within("alpha", self.alpha, 0, LARGEST_ALPHA, "1/Pa")
 
@@ -80,7 +81,7 @@ class Roelands:
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
-        take(self)
+        take(self, sizes=False)  # likewise
         positive("eta0", self.eta0, "Pa s")
         if self.eta0 <= exp(-ROELANDS_POLE_LOG):
             raise ValueError(

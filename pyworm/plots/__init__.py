@@ -4,7 +4,6 @@ from importlib import import_module
 from typing import Any
 
 _HOMES = {
-    "draw": "pyworm.plots.draw",
     "draw_regimes": "pyworm.plots.regimes",
     "draw_sweep": "pyworm.plots.sweep",
     "draw_traction": "pyworm.plots.traction",

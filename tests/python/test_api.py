@@ -106,3 +106,8 @@ def test_formulas_and_plots_have_their_modules_on_demand():
     assert pyworm.formulas.hertz.hertz(0.01, 0.01, 50.0, 2.2e11).pressure_max > 1e9
     assert "film" in dir(pyworm.formulas)
     assert callable(pyworm.plots.draw_traction)
+
+
+def test_the_page_of_the_interface_has_every_name():
+    page = (PACKAGE.parent / "docs/reference/python.md").read_text()
+    assert not [name for name in NAMES if f"::: {pyworm._HOMES[name]}.{name}\n" not in page]

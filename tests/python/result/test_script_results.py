@@ -41,12 +41,13 @@ def test_a_figure_is_a_number_with_a_bar(solution):
 
 def test_bars_are_carried_through_calculation():
     one, other = pyworm.Estimate(3.0, 0.1), pyworm.Estimate(2.0, 0.05, 0.05)
-    assert (one + other).bar == pytest.approx(0.5)
-    assert (one - other).bar == pytest.approx(0.5)
+    # errors of one origin add up, those of several by their squares
+    assert (one + other).bar == pytest.approx(np.hypot(0.3 + 0.1, 0.1))
+    assert (one - other).bar == pytest.approx(np.hypot(0.3 + 0.1, 0.1))
     assert (one - other).value == 1.0
-    assert (one * other).error == pytest.approx(0.2)
-    assert (one / other).error == pytest.approx(0.2)
-    assert (other**2).error == pytest.approx(0.2)
+    assert (one * other).error == pytest.approx(np.hypot(0.15, 0.05))
+    assert (one / other).error == pytest.approx(np.hypot(0.15, 0.05))
+    assert (other**2).error == pytest.approx(2 * other.error)
     assert (1 / one).value == pytest.approx(1 / 3)
     assert (one / other).grid == pytest.approx(0.15)
     assert one > other
