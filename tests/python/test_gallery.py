@@ -35,7 +35,7 @@ def test_a_script_draws_its_picture(script, tmp_path, monkeypatch, capsys):
 
 @pytest.mark.parametrize("script", EXAMPLES, ids=lambda script: script.stem)
 def test_the_page_shows_it(script):
-    page = (ROOT / "docs/tutorials/gallery.md").read_text()
+    page = (ROOT / "docs/how-to/gallery.md").read_text()
     assert f"`examples/{script.name}`" in page
     assert f"../pictures/gallery/{script.stem}.png" in page
     assert (ROOT / f"docs/pictures/gallery/{script.stem}.png").is_file()
