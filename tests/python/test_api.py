@@ -111,3 +111,7 @@ def test_formulas_and_plots_have_their_modules_on_demand():
 def test_the_page_of_the_interface_has_every_name():
     page = (PACKAGE.parent / "docs/reference/python.md").read_text()
     assert not [name for name in NAMES if f"::: {pyworm._HOMES[name]}.{name}\n" not in page]
+
+
+def test_the_changelog_has_the_version():
+    assert f"\n## {pyworm.__version__}, " in (PACKAGE.parent / "CHANGELOG.md").read_text()
