@@ -8,7 +8,8 @@
 module bindings
   use iso_c_binding, only: c_double, c_int, c_int64_t
   use pyworm_contact_handle, only: contact_of, handle_of
-  use pyworm_status, only: status_ok, status_no_memory
+  use pyworm_kinds, only: wp
+  use pyworm_status, only: status_ok, status_no_memory, status_not_finite
   use pyworm_thermal_step, only: thermal_contact
   implicit none
   private
@@ -17,8 +18,8 @@ module bindings
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
-    film_transient, film_hold, film_shear, film_roughen, film_asperities, film_tabulate, film_set_ruptured, film_warm, &
-    film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
+    film_transient, film_hold, film_remember, film_shear, film_roughen, film_asperities, film_tabulate, film_set_ruptured, &
+    film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions
   public :: compiled_with, watch_signals
@@ -210,6 +211,24 @@ contains
     contact => contact_of(handle)
     contact%film%held = .true.
   end subroutine film_hold
+
+  !> Sets what both bodies of a heated contact remember of other fluxes before [K]; see `wall_balance`.
+  subroutine film_remember(handle, remembered, nx, ny, stat)
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: remembered(nx, ny, 2)
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+    integer :: wall
+
+    stat = status_not_finite
+    if (.not. all(abs(remembered) <= huge(1.0_wp))) return
+    stat = status_ok
+    contact => contact_of(handle)
+    do wall = 1, 2
+      contact%heat%walls%body(wall)%remembered = remembered(:, :, wall)
+    end do
+  end subroutine film_remember
 
   !> Sets the flow law of a contact's oil, without heat; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &

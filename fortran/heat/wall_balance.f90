@@ -2,7 +2,8 @@
 !>
 !> The film's flux into its walls, linearised about their present temperature, and the rise by it in the bodies
 !> satisfy
-!>   T_i = bulk_i + rise_i(q_i),  q_i = flux_i + sum_j admittance_ij (T_j - wall_j).
+!>   T_i = bulk_i + rise_i(q_i),  q_i = flux_i + sum_j admittance_ij (T_j - wall_j),
+!> to which a body adds what it remembers of another flux before.
 !> The film conducts heat from wall to wall three to ten times as well as a body takes it up over a lubricated
 !> contact, so that fixed-point iteration between film and bodies diverges. As an integral equation of the second
 !> kind it suits GMRES.
@@ -24,6 +25,8 @@ module pyworm_wall_balance
   type :: bounding_body
     class(heated_body), allocatable :: surface
     real(wp) :: bulk = 0
+    !> Rise by flux at other times less that by the present one at these times [K], (nx, ny); not allocated in a steady state.
+    real(wp), allocatable :: remembered(:, :)
   end type bounding_body
 
   type, extends(linear_system) :: wall_pair
@@ -93,6 +96,8 @@ contains
     do wall = 1, 2
       call self%body(wall)%surface%rise(self%flux(:, :, wall), self%missed(:, :, wall))
       self%missed(:, :, wall) = self%missed(:, :, wall) + self%body(wall)%bulk - self%wall(:, :, wall)
+      if (allocated(self%body(wall)%remembered)) self%missed(:, :, wall) = self%missed(:, :, wall) &
+        + self%body(wall)%remembered
     end do
     missed = maxval(abs(self%missed))
     right(1:size(self%missed)) => self%missed

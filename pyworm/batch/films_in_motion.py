@@ -76,7 +76,8 @@ class LifePart:
             else:
                 grid = list(vars(rates[at].grid).values())
                 kept = as_arrays(until(moments, ends[at]))
-                _write(file, grid=grid, rate=rates[at].rate, since=since[at], **kept)
+                heat = {} if rates[at].rise is None else {"rise": rates[at].rise}
+                _write(file, grid=grid, rate=rates[at].rate, since=since[at], **heat, **kept)
 
 
 def solve_lives(
@@ -118,7 +119,8 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
                 if "flaw" in data:
                     return Rates((), flaw=str(data["flaw"]))
                 numbers = data["grid"].tolist()
-                found.append(RateOfChange(_grid(numbers), data["rate"]))
+                rise = data["rise"] if "rise" in data else None
+                found.append(RateOfChange(_grid(numbers), data["rate"], rise))
                 moments.append(from_arrays(data))
                 since = float(data["since"])
         except (OSError, ValueError, LookupError, EOFError, BadZipFile):

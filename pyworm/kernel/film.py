@@ -253,6 +253,18 @@ class Film:
         """Keep the rigid film as it is started, whatever load the film then carries."""
         core.bindings.film_hold(self._handle)
 
+    def remember(self, rise) -> None:
+        """Set what the surfaces are warmer by than steady conduction has them [K]; restart before a step.
+
+        Raises
+        ------
+        KernelError
+            If a value is not finite.
+        """
+        field = fortran_array(rise)
+        of_nodes = field[:, np.newaxis] if len(self._shape) == 1 else field
+        check_status(core.bindings.film_remember(self._handle, of_nodes))
+
     def step(self, forcing: float) -> Step:
         """Make one Newton step and, where heat is simulated, one sweep of it at the new pressure.
 

@@ -267,7 +267,7 @@ class ContactSolver(ABC):
         """
         cold, steps = level.state(), []
         while True:
-            self._warm(level, None)
+            self._heat(level, None)
             level.film.restart()
             steps += self._to_own_entrainment(level)
             steps += lead(level, HEATED_TOLERANCE)
@@ -339,7 +339,7 @@ class ContactSolver(ABC):
         heated = level.film.heated
         self._shear(level, stresses)
         if heated:
-            self._warm(level, guess.rise)
+            self._heat(level, guess.rise)
         level.film.start(guess.pressure, guess.rigid_film, guess.oil)
 
     def _shear(self, level: Level, stresses: float = 1.0) -> None:
@@ -355,12 +355,19 @@ class ContactSolver(ABC):
         if self._curves is not None:
             level.film.roughen(self._curves, self._scene.boundary_friction)
 
+    def _heat(self, level: Level, rise: Array | None) -> None:
+        """Add heat from an initial rise, with what the surfaces remember of films before."""
+        self._warm(level, rise)
+        remembered = level.transient_term and level.transient_term.remembered(level.grid)
+        if remembered is not None:
+            level.film.remember(remembered)
+
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""
         if self._model.levels:
             self._shear(level)
         if self._model.heated:
-            self._warm(level, guess.rise)
+            self._heat(level, guess.rise)
         if self._model.levels:
             level.film.start(level.film.pressure, level.film.rigid_film, guess.oil)
 

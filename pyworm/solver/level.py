@@ -48,10 +48,13 @@ too."""
 
 
 class TransientTerm(Protocol):
-    """d(rho h)/dt of the Reynolds equation."""
+    """d(rho h)/dt of the Reynolds equation, and the heat that surfaces remember."""
 
     def on(self, grid: Any) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, as of `Film.set_transient_term`."""
+
+    def remembered(self, grid: Any) -> Array | None:
+        """What both surfaces are warmer by than in steady conduction [K]; None where that is not known."""
 
 
 @dataclass(frozen=True)

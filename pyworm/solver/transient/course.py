@@ -140,7 +140,7 @@ def course_of(life: Life, plan: Plan) -> Course:
         times[-1],
         _sides(grids, coarsening),
         _spacings(at[some], grids, coarsening),
-        _pace(at, of_all, predictions, life.duration),
+        _pace(at, of_all, predictions, life),
     )
 
 
@@ -240,14 +240,18 @@ def _pace(
     times: Sequence[float],
     contacts: Sequence[Contact],
     predictions: Sequence[Prediction],
-    duration: float,
+    life: Life,
 ) -> "scipy.interpolate.PPoly":
     """Transits over time; the integral of the inverse of the transit time.
 
-    An e-fold of load, or of the distance of surfaces that are apart, counts as one.
+    In a written course, which may change far faster than oil passes, an e-fold of load, or of the distance of
+    surfaces that are apart, counts as one. In a tooth pair's films are worse with time steps far below the
+    time in which oil passes a cell.
     """
+    duration = life.duration
     paces = [max(1 / of.transit, LEAST_TRANSITS / duration) for of in predictions]
-    for number, (before, after) in enumerate(pairwise(zip(times, contacts, strict=True))):
+    written = list(zip(times, contacts, strict=True)) if life.kinks else []
+    for number, (before, after) in enumerate(pairwise(written)):
         folds = _folds(before[1], after[1]) / (after[0] - before[0])
         for end in (number, number + 1):
             paces[end] = max(paces[end], folds)

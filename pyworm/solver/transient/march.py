@@ -27,6 +27,11 @@ from pyworm.solver.memory import shortage
 from pyworm.solver.newton import lead, newton_step
 from pyworm.solver.transient.course import Course
 from pyworm.solver.transient.differences import weights
+from pyworm.solver.transient.heat_memory import (
+    HeatedInstant,
+    remembered_rise,
+    velocities_at_origin,
+)
 from pyworm.solver.transient.moments import Moment, moment
 from pyworm.solver.transient.moving_grid import at_places, seen_from, slopes
 
@@ -66,14 +71,25 @@ class RateOfChange:
         The grid on which it was found.
     rate : numpy.ndarray
         Rate of change at its nodes [m/s].
+    rise : numpy.ndarray or None
+        What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
+        [K]; None where heat is not simulated.
     """
 
     grid: Grid | LineGrid
     rate: Array
+    rise: Array | None = None
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
         return 0.0, at_places(self.grid, self.rate, grid)
+
+    def remembered(self, grid: Grid | LineGrid) -> Array | None:
+        """What both surfaces are warmer by at nodes of a grid [K]."""
+        if self.rise is None:
+            return None
+        of_each = [at_places(self.grid, of, grid) for of in np.moveaxis(self.rise, -1, 0)]
+        return np.stack(of_each, axis=-1)
 
 
 @dataclass(frozen=True)
@@ -82,18 +98,23 @@ class _Backwards:
 
     implicit: float
     explicit: Array
+    rise: Array | None
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         return self.implicit, self.explicit
 
+    def remembered(self, grid: Grid | LineGrid) -> Array | None:
+        return self.rise
+
 
 @dataclass(frozen=True)
 class _Instant:
-    """The film at one time."""
+    """The film at one time, and what its surfaces remember."""
 
     seconds: float
     content: Array
     state: InitialGuess
+    rise: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -152,28 +173,32 @@ def march(
     framed = set(asked[:: 2**refinement])
     instants, level, before, steps = _begun(course, refinement, asked, min(wanted))
     needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
-    contents: dict[float, Array] = {}
+    kept: dict[float, _Instant] = {}
+    heat: list[HeatedInstant] = []
     moments, lost = [], None
     last: deque[_Instant] = deque(maxlen=2 * AROUND)
     for seconds in instants:
         try:
             if before:
-                level, taken = _onward(course, refinement, seconds, before)
+                level, taken = _onward(course, refinement, seconds, before, heat)
                 steps += taken
         except LostError as error:
             lost = str(error)
             break
         film, density, _ = level.film.fields()
-        now = _Instant(seconds, density * film, level.state())
+        term = level.transient_term
+        rise = term and term.remembered(level.grid)
+        now = _Instant(seconds, density * film, level.state(), rise)
+        heat = [*_heated(level, seconds), *heat]
         before = [now, *before[: ORDER - 1]]
         moments.append(moment(level, seconds, refinement, seconds in framed))
         last.append(now)
         if seconds in needed:
-            contents[seconds] = now.content
-    contents |= {one.seconds: one.content for one in last}
+            kept[seconds] = now
+    kept |= {one.seconds: one for one in last}
     found = [one.seconds for one in moments]
     rates = {
-        at: _rate_at(course, refinement, at, _nearest(found, at), contents)
+        at: _rate_at(course, refinement, at, _nearest(found, at), kept)
         for at in wanted
         if at <= found[-1]
     }
@@ -240,14 +265,22 @@ def _steady(course: Course, refinement: int, seconds: float) -> tuple[Level, int
 
 
 def _onward(
-    course: Course, refinement: int, seconds: float, before: Sequence[_Instant]
+    course: Course,
+    refinement: int,
+    seconds: float,
+    before: Sequence[_Instant],
+    heat: Sequence[HeatedInstant],
 ) -> tuple[Level, int]:
-    """The film at a time, from those at earlier times, the latest first, and its Newton steps."""
+    """The film at a time, from those before and their heat, the latest first, and its Newton steps."""
     contact, mesh = _contact_at(course, seconds), course.mesh(seconds)
     grid = course.grid(seconds, refinement)
     _, (implicit, *earlier) = weights([seconds, *(one.seconds for one in before)], seconds)
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
-    term = _Backwards(implicit + mesh.divergence, explicit)
+    rise = None
+    if heat:
+        coarse = course.grid(seconds, 0)
+        rise = remembered_rise(heat, contact, grid, coarse, seconds, course.life.turning(seconds))
+    term = _Backwards(implicit + mesh.divergence, explicit, rise)
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
     tolerances = _tolerances(course, refinement)
     with _told(seconds):
@@ -340,19 +373,31 @@ def _rate_at(
     refinement: int,
     at: float,
     times: Sequence[float],
-    contents: Mapping[float, Array],
+    kept: Mapping[float, _Instant],
 ) -> RateOfChange:
     """Rate of change at a time, by interpolation between some times; equation 1 of `moving_grid`."""
     grid, mesh = course.grid(at, refinement), course.mesh(at)
     of_value, of_rate = weights(times, at)
-    near = [contents[seconds] for seconds in times]
+    near = [kept[seconds].content for seconds in times]
     content = sum(weight * one for weight, one in zip(of_value, near, strict=True))
     at_node = sum(weight * one for weight, one in zip(of_rate, near, strict=True))
     carried = sum(
         component * slope
         for component, slope in zip(mesh(*grid.mesh()), slopes(grid, content), strict=True)
     )
-    return RateOfChange(grid, at_node - carried)
+    rises = [kept[seconds].rise for seconds in times]
+    rise = None
+    if all(one is not None for one in rises):
+        rise = sum(weight * one for weight, one in zip(of_value, rises, strict=True))
+    return RateOfChange(grid, at_node - carried, rise)
+
+
+def _heated(level: Level, seconds: float) -> list[HeatedInstant]:
+    """Heat of a level's surfaces, where it is simulated."""
+    if not level.film.heated:
+        return []
+    flux = level.film.heat_fields().flux
+    return [HeatedInstant(seconds, level.grid, flux, velocities_at_origin(level.scene))]
 
 
 def _failed(seconds: float) -> str:

@@ -1,0 +1,145 @@
+"""Heat that surfaces remember of films before, against quadratures of conduction along their paths."""
+
+from dataclasses import replace
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+import scipy
+from plan_scenes import STEEL, mineral, point
+
+from pyworm.planning.effects.geometry import as_line
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
+from pyworm.scene.point import RigidMotion
+from pyworm.solver.transient.heat_memory import HeatedInstant, remembered_rise
+
+HALF, FLUX = 0.2e-3, 2e8
+EFFUSIVITY = sqrt(STEEL.conductivity * STEEL.density * STEEL.specific_heat)
+SPEEDS = (3.0, 0.6)
+STEP = 2 * HALF / 1.8 / 24
+
+
+def course(seconds):
+    """Factor of the flux over time."""
+    return 1 + 0.4 * np.sin(seconds / (40 * STEP)) + 0.2 * np.tanh(seconds / (8 * STEP))
+
+
+def shape(x):
+    return np.sqrt(np.maximum(1 - (x / HALF) ** 2, 0.0))
+
+
+def line(speeds=SPEEDS):
+    ball = point(
+        "ball", (0.02, 0.02), 50.0, ((1.0, 0.0), (1.0, 0.0)), (STEEL, STEEL), mineral(0.09, 2e-8)
+    )
+    return replace(as_line(ball), velocities=speeds)
+
+
+def exact(x, moved, speed, factor):
+    """Rise less steady rise at a place, by quadrature over the age of its heat."""
+
+    def over_root(root):  # s = root^2, ds / sqrt(s) = 2 d root
+        age = root**2
+        then = shape(x - moved(age)) * factor(-age)
+        return 2 * (then - shape(x - speed * age) * factor(0.0))
+
+    last = sqrt(3 * HALF / min(abs(speed), 0.3))
+    return FLUX / (sqrt(pi) * EFFUSIVITY) * scipy.integrate.quad(over_root, 0, last, limit=2000)[0]
+
+
+def history(grid, speed_at, factor, count=400):
+    """Fluxes at times before the present, 0, on a grid that does not move."""
+    flux = FLUX * shape(grid.x)
+    return [
+        HeatedInstant(
+            -STEP * k, grid, np.stack([flux, flux], -1) * factor(-STEP * k), speed_at(-STEP * k)
+        )
+        for k in range(1, count)
+    ]
+
+
+GRID = LineGrid(HALF / 60, -90, 181)
+
+
+@pytest.mark.parametrize("body", [0, 1])
+def test_a_flux_that_changes_is_remembered(body):
+    found = remembered_rise(
+        history(GRID, lambda at: tuple((of,) for of in SPEEDS), course),
+        line(),
+        GRID,
+        GRID,
+        0.0,
+        0.0,
+    )
+    places = np.arange(45, 150, 15)
+    expected = [
+        exact(GRID.x[at], lambda s: SPEEDS[body] * s, SPEEDS[body], course) for at in places
+    ]
+    assert found[places, body] == pytest.approx(expected, abs=0.05 * np.abs(expected).max())
+
+
+def test_a_speed_that_changes_is_remembered():
+    """The slower surface has doubled its speed within the time that oil takes."""
+
+    def speed(seconds):
+        return 0.6 * (1 + seconds / (24 * STEP) / 2) if seconds > -24 * STEP else 0.3
+
+    def moved(age):
+        ramp = min(age, 24 * STEP)
+        return 0.6 * (ramp - ramp**2 / (96 * STEP)) + 0.3 * max(age - 24 * STEP, 0.0)
+
+    found = remembered_rise(
+        history(GRID, lambda at: ((3.0,), (speed(at),)), lambda seconds: 1.0),
+        line(),
+        GRID,
+        GRID,
+        0.0,
+        0.0,
+    )
+    places = np.arange(45, 150, 15)
+    expected = [exact(GRID.x[at], moved, 0.6, lambda seconds: 1.0) for at in places]
+    assert (
+        np.abs(found[:, 0]).max() < 1e-3 * np.abs(expected).max()
+    )  # the other one has kept its own
+    assert found[places, 1] == pytest.approx(expected, abs=0.05 * np.abs(expected).max())
+
+
+def test_points_remember_as_lines_do_in_any_direction():
+    grid = Grid(-90 * HALF / 60, -4e-5, HALF / 60, 1e-5, 181, 9)
+    along = line()
+    ball = point(
+        "ball", (0.02, 0.02), 50.0, ((1.0, 0.0), (1.0, 0.0)), (STEEL, STEEL), mineral(0.09, 2e-8)
+    )
+    ball = replace(ball, motions=tuple(RigidMotion(of, 0.0) for of in SPEEDS))
+    lines = history(GRID, lambda at: tuple((of,) for of in SPEEDS), course)
+    points = [
+        HeatedInstant(
+            one.seconds,
+            grid,
+            np.repeat(one.flux[:, None], 9, axis=1),
+            tuple((of, 0.0) for of in SPEEDS),
+        )
+        for one in lines
+    ]
+    of_line = remembered_rise(lines, along, GRID, GRID, 0.0, 0.0)
+    assert remembered_rise(points, ball, grid, grid, 0.0, 0.0)[:, 4] == pytest.approx(
+        of_line, abs=1e-9
+    )
+    turned = [
+        HeatedInstant(
+            one.seconds,
+            Grid(grid.south, grid.west, grid.dy, grid.dx, 9, 181),
+            np.swapaxes(one.flux, 0, 1),
+            tuple((0.0, of) for of in SPEEDS),
+        )
+        for one in points
+    ]
+    ball = replace(ball, motions=tuple(RigidMotion(0.0, of) for of in SPEEDS))
+    found = remembered_rise(turned, ball, turned[0].grid, turned[0].grid, 0.0, 0.0)
+    assert found[4] == pytest.approx(of_line, abs=1e-9)
+
+
+def test_a_steady_flux_leaves_nothing_to_remember():
+    still = history(GRID, lambda at: tuple((of,) for of in SPEEDS), lambda seconds: 1.0)
+    assert np.abs(remembered_rise(still, line(), GRID, GRID, 0.0, 0.0)).max() < 1e-9
