@@ -185,10 +185,7 @@ def march(
         except LostError as error:
             lost = str(error)
             break
-        film, density, _ = level.film.fields()
-        term = level.transient_term
-        rise = term and term.remembered(level.grid)
-        now = _Instant(seconds, density * film, level.state(), rise)
+        now = _instant(level, seconds)
         heat = [*_heated(level, seconds), *heat]
         before = [now, *before[: ORDER - 1]]
         moments.append(moment(level, seconds, refinement, seconds in framed))
@@ -203,6 +200,14 @@ def march(
         if at <= found[-1]
     }
     return March(rates, tuple(moments), steps, lost)
+
+
+def _instant(level: Level, seconds: float) -> _Instant:
+    """What later films need of the one at a time."""
+    film, density, _ = level.film.fields()
+    term = level.transient_term
+    rise = None if term is None else term.remembered(level.grid)
+    return _Instant(seconds, density * film, level.state(), rise)
 
 
 def _instants(course: Course, refinement: int, begin: float, last: float) -> list[float]:
