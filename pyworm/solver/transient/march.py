@@ -7,7 +7,7 @@ instants of that part, and the rates of change that films on other grids take, f
 """
 
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
@@ -166,9 +166,7 @@ def march(
     LostError
         No film was found from which to begin.
     """
-    short = shortage(course.grid(course.begin, refinement), course.plan.model)
-    if short is not None:
-        raise LostError(short)
+    _require_memory(course, refinement)
     asked = _instants(course, refinement, begin, max(*wanted, until))
     framed = set(asked[:: 2**refinement])
     instants, level, before, steps = _begun(course, refinement, asked, min(wanted))
@@ -195,11 +193,18 @@ def march(
     kept |= {one.seconds: one for one in last}
     found = [one.seconds for one in moments]
     rates = {
-        at: _rate_at(course, refinement, at, _nearest(found, at), kept)
+        at: _rate_at(course, refinement, at, [kept[one] for one in _nearest(found, at)])
         for at in wanted
         if at <= found[-1]
     }
     return March(rates, tuple(moments), steps, lost)
+
+
+def _require_memory(course: Course, refinement: int) -> None:
+    """LostError where memory will not hold the grid."""
+    short = shortage(course.grid(course.begin, refinement), course.plan.model)
+    if short is not None:
+        raise LostError(short)
 
 
 def _instant(level: Level, seconds: float) -> _Instant:
@@ -373,27 +378,19 @@ def _extrapolated(before: Sequence[_Instant], seconds: float) -> InitialGuess:
     return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)
 
 
-def _rate_at(
-    course: Course,
-    refinement: int,
-    at: float,
-    times: Sequence[float],
-    kept: Mapping[float, _Instant],
-) -> RateOfChange:
-    """Rate of change at a time, by interpolation between some times; equation 1 of `moving_grid`."""
+def _rate_at(course: Course, refinement: int, at: float, near: Sequence[_Instant]) -> RateOfChange:
+    """Rate of change at a time, by interpolation between some instants; equation 1 of `moving_grid`."""
     grid, mesh = course.grid(at, refinement), course.mesh(at)
-    of_value, of_rate = weights(times, at)
-    near = [kept[seconds].content for seconds in times]
-    content = sum(weight * one for weight, one in zip(of_value, near, strict=True))
-    at_node = sum(weight * one for weight, one in zip(of_rate, near, strict=True))
+    of_value, of_rate = weights([one.seconds for one in near], at)
+    content = sum(weight * one.content for weight, one in zip(of_value, near, strict=True))
+    at_node = sum(weight * one.content for weight, one in zip(of_rate, near, strict=True))
     carried = sum(
         component * slope
         for component, slope in zip(mesh(*grid.mesh()), slopes(grid, content), strict=True)
     )
-    rises = [kept[seconds].rise for seconds in times]
     rise = None
-    if all(one is not None for one in rises):
-        rise = sum(weight * one for weight, one in zip(of_value, rises, strict=True))
+    if all(one.rise is not None for one in near):
+        rise = sum(weight * one.rise for weight, one in zip(of_value, near, strict=True))
     return RateOfChange(grid, at_node - carried, rise)
 
 
