@@ -29,7 +29,7 @@ from pyworm.planning.model import Model, model_for
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.planning.target import FILMS, HEAT_FIGURES, Aim
 from pyworm.scene.line import LineScene
-from pyworm.scene.plausibility import UnusualWarning, doubts, require_possible
+from pyworm.scene.plausibility import UnusualWarning, doubts, require_conceivable
 from pyworm.scene.point import Scene
 
 
@@ -163,13 +163,13 @@ def plan(
     ------
     ValueError
         For an unknown name, an accuracy out of range, an effect for which data of the scene are missing, or
-        a scene without load or size, or that no bodies and no film could make.
+        a scene without load or size, or that not even a model's bodies or films could make.
     """
     if not isinstance(scene, Scene | LineScene):
         raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene or a LineScene")
     for sentence in (*unusual(scene), *doubts((scene,), "load")):
         warnings.warn(f"{scene.name}: {sentence}", UnusualWarning, stacklevel=2)
-    require_possible(scene, f"{scene.name}: load")
+    require_conceivable(scene, f"{scene.name}: load")
     return plan_of(scene, accuracy, effects, quantities)
 
 

@@ -31,6 +31,11 @@ Contact Mechanics, 1985, sections 4.2 and 6.3): at 4 GPa of bearing steel, as in
 of 180 HB. At a twentieth of its modulus the mean pressure is the hardness of the hardest steel; rubber does
 not yield, but at a quarter the contact is as large as the radius."""
 
+LARGEST = 1 / 4
+"""Hertz pressure over the modulus of the softer body beyond which a contact is wide as its radius: a
+half-width over the radius is 4 p / E' of a line contact and pi p / E' of a point contact (Johnson, eqs 4.22,
+4.24, 4.43 and 4.45). Model contacts of given Moes parameters stay below, real ones far below."""
+
 THICK = 1 / 20
 """Film over the radius along the entrainment from which a film is reported as thick; thin-film theory takes
 it as small, and beyond 1 the surfaces do not make a contact."""
@@ -63,7 +68,9 @@ class Doubt:
     excess : float
         How far it is beyond what is usual [-]; above 1.
     possible : bool
-        Whether it may be all the same.
+        Whether real bodies may make it all the same.
+    conceivable : bool
+        Whether a model contact, of given dimensionless groups, may have it.
     sentence : str
         The sentence without its key.
     """
@@ -71,6 +78,7 @@ class Doubt:
     of: str
     excess: float
     possible: bool
+    conceivable: bool
     sentence: str
 
 
@@ -89,9 +97,20 @@ def require_possible(scene: Scene | LineScene, key: str) -> None:
     CaseError
         Its Hertz pressure or its film is beyond all bodies.
     """
-    for doubt in _judged(scene):
-        if not doubt.possible:
-            raise CaseError(f"{key}: {doubt.sentence}; check their units")
+    _refuse((doubt for doubt in _judged(scene) if not doubt.possible), key)
+
+
+def require_conceivable(scene: Scene | LineScene, key: str) -> None:
+    """Refuse a contact that not even a model's bodies could make; arguments and errors as above.
+
+    Bodies of a study by dimensionless groups bear more than real ones.
+    """
+    _refuse((doubt for doubt in _judged(scene) if not doubt.conceivable), key)
+
+
+def _refuse(doubts: Iterator[Doubt], key: str) -> None:
+    for doubt in doubts:
+        raise CaseError(f"{key}: {doubt.sentence}; check their units")
 
 
 def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
@@ -140,6 +159,7 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
             "film",
             film / (THICK * radius),
             possible,
+            possible,
             f"a film of {film * 1e3:.3g} mm is expected{where} between surfaces of a radius of "
             f"{radius * 1e3:.3g} mm; "
             + ("films are thin against it as a rule" if possible else _DISPROPORTION),
@@ -149,6 +169,7 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
             "lightness",
             LIGHT * scene.reduced_modulus / pressure,
             True,
+            True,
             f"the bodies are pressed together with {pressure / 1e6:.3g} MPa only by Hertz{where}, where the "
             f"radii are {_radii(scene)}; from {LIGHT * scene.reduced_modulus / 1e6:.0f} MPa on as a rule",
         )
@@ -156,6 +177,7 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
         yield Doubt(
             "molecules",
             MOLECULE / film,
+            True,
             True,
             f"a film of {film * 1e9:.2g} nm is expected{where}; below 1 nm, a few molecules, oil is no fluid",
         )
@@ -195,7 +217,8 @@ def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Itera
             f"; nothing with a modulus of {softer / 1e9:.3g} GPa, as the softer body has, bears more than "
             f"{fraction * softer / 1e9:.3g} GPa"
         )
-    yield Doubt("pressure", pressure / usual, possible, sentence)
+    conceivable = pressure <= LARGEST * softer
+    yield Doubt("pressure", pressure / usual, possible, conceivable, sentence)
 
 
 def _of_hardness(scene: Scene | LineScene, pressure: float, where: str) -> Iterator[Doubt]:
@@ -208,10 +231,12 @@ def _of_hardness(scene: Scene | LineScene, pressure: float, where: str) -> Itera
     if not yielding or pressure <= min(yielding):
         return
     softer = min(yielding)
+    possible = 2 / 3 * pressure <= softer
     yield Doubt(
         "hardness",
         pressure / softer,
-        2 / 3 * pressure <= softer,
+        possible,
+        possible,
         f"the bodies are pressed together with {pressure / 1e9:.3g} GPa by Hertz{where}, more than the "
         f"hardness of {softer / 1e9:.3g} GPa of the softer body: it yields as a whole, not in its "
         "asperities alone",

@@ -10,6 +10,7 @@ from contacts import ball, motions, roller, steel
 import pyworm
 
 HEAT = {"viscosity_exponent": 1.1, "conductivity": 0.14, "specific_heat": 2000.0}
+ELASTIC = (replace(steel(), hardness=None),) * 2
 
 WRONG = {
     "a percentage as load": (
@@ -103,7 +104,11 @@ WRONG = {
     ),
     "an unknown quantity": (lambda: pyworm.plan(ball(), quantities="wear"), "wear is none of"),
     "a plan of no scene": (lambda: pyworm.plan(pyworm.Paraboloid(1, 1)), "scene is a Paraboloid"),
-    "an impossible pressure": (lambda: pyworm.plan(ball(load="1 MN")), "nothing with a modulus"),
+    "an impossible pressure": (
+        lambda: pyworm.plan(roller(load=1e9, bodies=ELASTIC)),
+        "nothing with a modulus",
+    ),
+    "a load beyond the hardness": (lambda: pyworm.plan(ball(load="1 MN")), "yields as a whole"),
     "a plan of another scene": (
         lambda: pyworm.solve(ball(), pyworm.plan(ball(load=31.0), 0.2)),
         "made for another contact than ball",
@@ -163,6 +168,10 @@ def test_a_wrong_use_is_refused_in_one_sentence(use):
             "MPa only by Hertz, where the radii are 10 m and 10 m",
         ),
         (lambda: ball(load=3e3), "bear up to 4 GPa as a rule"),
+        (
+            lambda: ball(load=1e6, bodies=ELASTIC),
+            "nothing with a modulus of .* GPa, as the softer body has, bears",
+        ),
         (
             lambda: ball(oil=replace(ball().oil, viscosity=pyworm.Barus(150.0, 2e-8))),
             "oil.viscosity.eta0 = 150 Pa s: unusual",

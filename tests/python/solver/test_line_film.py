@@ -15,7 +15,6 @@ from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.planning.line_grid import LineGrid
-from pyworm.planning.plan import plan_of
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales
 
@@ -50,7 +49,7 @@ def line(m, lubricant, oil="compressible"):
 
 
 def solved(scene, accuracy=0.01):
-    return pyworm.solve(scene, plan_of(scene, accuracy))
+    return pyworm.solve(scene, pyworm.plan(scene, accuracy))
 
 
 def on_grids(scene, count):
