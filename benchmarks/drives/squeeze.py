@@ -76,6 +76,19 @@ def overlap(scene: pyworm.Scene, accuracy: float) -> None:
     print(f"where the second part of the life takes over, films and friction differ by {worst:.2%}")
 
 
+def work_on_two_grids(scene: pyworm.Scene, accuracy: float) -> None:
+    """Work of friction over the whole life, by the first transient solve and by the second."""
+    course = course_of(scene.past.life, pyworm.plan(scene, accuracy))
+    works = []
+    for refinement in (0, 1):
+        moments = march(course, refinement, course.begin, [course.end]).moments
+        losses = [one.figures["power_loss"] for one in moments]
+        works.append(np.trapezoid(losses, [one.seconds for one in moments]))
+    print(
+        f"work of friction over the life: {works[1]:.4g} J, {works[0] / works[1] - 1:+.2%} on the grid before"
+    )
+
+
 def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: str) -> None:
     """A row for each contact that the case lists, or at some of its phases."""
     case = pyworm.load(path)
@@ -105,6 +118,7 @@ def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: st
     ratio = moving[1] / steady[1]
     print(f"processor time {moving[1]:.0f} s, steady {steady[1]:.0f} s: {ratio:.2f} times")
     overlap(scene, accuracy)
+    work_on_two_grids(scene, accuracy)
 
 
 if __name__ == "__main__":

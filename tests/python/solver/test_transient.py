@@ -227,3 +227,42 @@ def test_half_the_spacing_with_half_the_time_step_leaves_a_quarter_of_the_error(
         for before, after in pairwise(films)
     )
     assert 3 < coarse / fine < 5
+
+
+def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():
+    """Sugimura, Okumura, Yamamoto and Spikes (1999, Tribology International 32, 117-123).
+
+    The film at a place is the steady one of the speed at which its oil passed the inlet; by squeeze, which
+    they leave out, films under acceleration are somewhat thinner.
+    """
+    first, rise = 0.5, 0.25  # m/s, and that in a passage of the line at 1 m/s
+    of = predicted(as_line(ball()))
+    acceleration = rise / of.transit
+
+    def speed(seconds):
+        return first + acceleration * seconds
+
+    def way(seconds):
+        return first * seconds + acceleration * seconds**2 / 2
+
+    duration = 4 * of.transit
+    life = Life(duration, lambda seconds: as_line(ball(speed(seconds))))
+    scene = replace(as_line(ball(speed(duration))), past=Past(life, duration))
+    course = course_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
+    moments = march_module.march(course, 1, 0.0, [0.95 * duration]).moments
+    speeds = np.array([0.4, 0.8, 1.6])
+    steady_films = [
+        films(solved(as_line(ball(one)), accuracy=0.01))["film_central"] for one in speeds
+    ]
+    steady = np.polynomial.Polynomial.fit(np.log(speeds), np.log(steady_films), 2)
+    for one in moments[::20]:
+        if way(one.seconds) < 1.5 * of.half_width:  # oil that was in the contact when it began
+            continue
+        # its root: the time at which the oil in the middle was half a width before it
+        entry = (
+            np.sqrt(first**2 + 2 * acceleration * (way(one.seconds) - of.half_width)) - first
+        ) / (acceleration)
+        carried, present = (np.exp(steady(np.log(speed(at)))) for at in (entry, one.seconds))
+        film = one.figures["film_central"]
+        assert 0 < 1 - film / carried < 0.06
+        assert 1 - film / carried < 0.4 * (1 - film / present)
