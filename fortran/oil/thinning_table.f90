@@ -11,6 +11,9 @@ module pyworm_thinning_table
   !> Largest square of the ratio, and largest logarithm of the factor: a stray stress does not overflow.
   real(wp), parameter :: largest_square = 1e60_wp, largest_log = 300.0_wp
 
+  !> Points of a block, whose intermediates stay near the processor.
+  integer, parameter :: block_points = 32
+
   type :: thinning_table
     !> Cells for each unit of ln(1 + s).
     real(wp) :: per_log = 1
@@ -25,20 +28,11 @@ contains
     type(thinning_table), intent(in) :: table
     real(wp), intent(in) :: s
     real(wp), intent(out) :: f, slope
-    real(wp) :: place, t, by_place, logarithm, bounded
-    integer :: i
+    real(wp) :: factor(1), by_square(1)
 
-    bounded = min(s, largest_square)
-    place = log(1 + bounded)*table%per_log
-    i = min(int(place), size(table%coefficient, 2) - 1)
-    t = min(place - i, 1.0_wp)
-    associate (c => table%coefficient(:, i + 1))
-      by_place = c(2) + t*(2*c(3) + t*3*c(4))
-      logarithm = c(1) + t*(c(2) + t*(c(3) + t*c(4))) + by_place*(place - i - t)
-    end associate
-    f = exp(min(logarithm, largest_log))
-    slope = 0
-    if (logarithm < largest_log .and. s < largest_square) slope = f*by_place*table%per_log/(1 + bounded)
+    call tabulate_factors(table, 1, [s], [1.0_wp], factor, by_square)
+    f = factor(1)
+    slope = by_square(1)
   end subroutine tabulated_factor
 
   !> The same at `count` squares times `scale`, the derivative by the square.
@@ -47,12 +41,42 @@ contains
     integer, intent(in) :: count
     real(wp), intent(in) :: square(count), scale(count)
     real(wp), intent(out) :: f(count), slope(count)
-    integer :: m
+    integer :: first, last
 
-    do m = 1, count
-      call tabulated_factor(table, square(m)*scale(m), f(m), slope(m))
-      slope(m) = slope(m)*scale(m)
+    do first = 1, count, block_points
+      last = min(first + block_points - 1, count)
+      call tabulate_block(size(table%coefficient, 2), table%coefficient, table%per_log, last - first + 1, square(first:last), &
+        scale(first:last), f(first:last), slope(first:last))
     end do
   end subroutine tabulate_factors
+
+  !> The same of a block. Logarithms and exponentials have loops of their own, which are vectorised: beside the look-up,
+  !> or with branches, they would be scalar calls.
+  pure subroutine tabulate_block(cells, coefficient, per_log, count, square, scale, f, slope)
+    integer, intent(in) :: cells, count
+    real(wp), intent(in) :: coefficient(4, cells), per_log, square(count), scale(count)
+    real(wp), intent(out) :: f(count), slope(count)
+    real(wp) :: place(block_points), t, beyond
+    integer :: i, m
+
+    do m = 1, count
+      place(m) = log(1 + min(square(m)*scale(m), largest_square))*per_log
+    end do
+    do m = 1, count
+      i = min(int(place(m)), cells - 1)
+      t = min(place(m) - i, 1.0_wp)
+      beyond = place(m) - i - t
+      i = i + 1
+      slope(m) = coefficient(2, i) + t*(2*coefficient(3, i) + t*3*coefficient(4, i))
+      f(m) = coefficient(1, i) + t*(coefficient(2, i) + t*(coefficient(3, i) + t*coefficient(4, i))) + slope(m)*beyond
+    end do
+    do m = 1, count
+      ! a weight instead of a branch
+      slope(m) = slope(m)*per_log*scale(m)/(1 + min(square(m)*scale(m), largest_square)) &
+        *merge(1.0_wp, 0.0_wp, f(m) < largest_log)*merge(1.0_wp, 0.0_wp, square(m)*scale(m) < largest_square)
+      f(m) = exp(min(f(m), largest_log))
+      slope(m) = slope(m)*f(m)
+    end do
+  end subroutine tabulate_block
 
 end module pyworm_thinning_table
