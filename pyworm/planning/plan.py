@@ -167,10 +167,25 @@ def plan(
     """
     if not isinstance(scene, Scene | LineScene):
         raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene or a LineScene")
+    _require_conduction(scene)
     for sentence in (*unusual(scene), *doubts((scene,), "load")):
         warnings.warn(f"{scene.name}: {sentence}", UnusualWarning, stacklevel=2)
     require_conceivable(scene, f"{scene.name}: load")
     return plan_of(scene, accuracy, effects, quantities)
+
+
+def _require_conduction(scene: Scene | LineScene) -> None:
+    """Refuse bodies that are to take up heat and have no constants for it; ValueError."""
+    if scene.oil.heat is None:
+        return
+    for which, body in enumerate(scene.bodies, 1):
+        constants = ("conductivity", "density", "specific_heat")
+        missing = [name for name in constants if getattr(body, name) is None]
+        if missing:
+            raise ValueError(
+                f"{scene.name}: its oil has heat, but body {which} has no {' or '.join(missing)}; give both "
+                "bodies theirs, or the oil no heat"
+            )
 
 
 def plan_of(

@@ -51,6 +51,10 @@ WRONG = {
     "speeds for motions": (lambda: ball(motions=(1.1, 0.9)), "motions: must be a tuple of two"),
     "a speed in words": (lambda: pyworm.RigidMotion("fast", 0), 'u = "fast": must be a velocity'),
     "a speed that is none": (lambda: pyworm.RigidMotion(float("nan"), 0), "u, v, spin = nan"),
+    "bodies that take up no heat": (
+        lambda: pyworm.plan(ball(bodies=(pyworm.Body(2.1e11, 0.3),) * 2)),
+        "its oil has heat, but body 1 has no conductivity or density or specific_heat",
+    ),
     "one body": (lambda: ball(bodies=steel()), "bodies: must be a tuple of two"),
     "bodies by name": (lambda: ball(bodies=("steel", "steel")), "a body is a str"),
     "a modulus in gigapascals": (lambda: pyworm.Body(207, 0.3), 'did you mean "207.0 GPa"'),
