@@ -78,7 +78,9 @@ class Figures:
     def pair(self, first: Plan, second: Plan) -> tuple[Numbers, Numbers]:
         """Two plans compared so that the errors of their grids do not show."""
         kinds = {type(plan.simplified(self.scene)) for plan in (first, second)}
-        by = on_one_grid if len(kinds) == 1 else solved
+        # heated films have first grids of their own
+        same = len(kinds) == 1 and first.grids == second.grids
+        by = on_one_grid if same else solved
         return self._of(by, first), self._of(by, second)
 
     def _of(self, by, plan: Plan) -> Numbers:
