@@ -39,25 +39,25 @@ def run(
     progress: Progress | None = None,
     say: Callable[[str], None] = lambda message: None,
     cycle_of: CycleOf = methodcaller("cycle_data"),
+    all_digits: bool = False,
 ) -> Result:
     """Solve a case and write its result.
 
     Parameters
     ----------
-    case : Case
-        The case.
-    tasks : sequence of Task
-        Scenes of this case.
+    case, tasks : Case, sequence of Task
+        The case and scenes of it.
     directory : Path
         Where the result is written as `RESULT_NAME`; what it, or a run that was stopped, left there is used.
     executor : Executor, optional
         Whose processes solve; by default this one does.
-    progress : callable, optional
-        Told what is being done and which share of all is done, 0 to 1.
-    say : callable, optional
-        Told once if scenes were solved before, and if an earlier result cannot be used.
+    progress, say : callable, optional
+        Told what is being done and which share of all is done, 0 to 1; told once if scenes were solved
+        before, and if an earlier result cannot be used.
     cycle_of : callable, optional
         What is written of the mesh cycle of a drive, all that is known of it by default.
+    all_digits : bool, optional
+        Whether fields keep all their digits; by default they are rounded to the accuracy they have.
 
     Returns
     -------
@@ -72,8 +72,8 @@ def run(
     OSError
         The result cannot be written; what was solved is kept where that is possible.
     """
-    store = Store(directory.absolute() / SCENES, fields=True)
-    earlier = _solved_before(directory / RESULT_NAME, say)
+    store = Store(directory.absolute() / SCENES, fields=True, all_digits=all_digits)
+    earlier = _solved_before(directory / RESULT_NAME, store, say)
     missing = store.missing(task for task in tasks if task.key not in earlier)
     before = sum(task not in missing for task in tasks)
     if before:
@@ -138,14 +138,15 @@ def _collected(
             except OSError as error:
                 unread[task.key] = str(error)
     if unread:
-        kept |= _solved_before(file, lambda message: None)
+        kept |= _solved_before(file, store, lambda message: None)
     return kept, {key: why for key, why in unread.items() if key not in kept}
 
 
-def _solved_before(path: Path, say: Callable[[str], None]) -> _Kept:
-    """Solutions of an earlier result, if there is one; a message if it cannot be used."""
+def _solved_before(path: Path, store: Store, say: Callable[[str], None]) -> _Kept:
+    """Solutions of an earlier result, if there is one, that serve; a message if it cannot be used."""
     try:
-        return _of_each(open_result(path))
+        every = _of_each(open_result(path))
+        return {key: kept for key, kept in every.items() if store.serves(kept[0])}
     except FileNotFoundError:
         return {}
     except ValueError as error:

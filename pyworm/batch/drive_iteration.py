@@ -64,15 +64,22 @@ def run_balanced(
     executor: Executor | None = None,
     progress: Progress | None = None,
     say: Callable[[str], None] = lambda message: None,
+    all_digits: bool = False,
 ) -> tuple[Result, Sequence[Task]]:
     """Solve a case, iterating friction, lifts and loss where these are not given.
 
     Arguments and errors as of `batch.case_run.run`; also returns the tasks as they were solved in the end.
     """
-    how = directory, executor, progress, say
+    how = {
+        "directory": directory,
+        "executor": executor,
+        "progress": progress,
+        "say": say,
+        "all_digits": all_digits,
+    }
     open_ = case.left_open
     if not open_:
-        return run(case, tasks, *how), tasks
+        return run(case, tasks, **how), tasks
     earlier = _earlier(case, directory)
     search = _Search(open_, tasks[0].accuracy, say)
     if earlier:
@@ -95,12 +102,12 @@ class _Search:
     accuracy: float
     say: Callable[[str], None]
 
-    def glance(self, case: Case, tasks: Sequence[Task], how: tuple) -> Case:
+    def glance(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with the values found by films of lower accuracy."""
         less = {"accuracy": GLANCE, "wider_window": False}
         for _ in range(GLANCES):
             tasks = [replace(task, case=case, **less) for task in tasks]
-            before, result = case, run(case, tasks, *how, methodcaller("loaded_cycle"))
+            before, result = case, run(case, tasks, **how, cycle_of=methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
             if case is before:
                 break
@@ -110,13 +117,13 @@ class _Search:
         return case
 
     def settle(
-        self, case: Case, tasks: Sequence[Task], how: tuple, passes: int
+        self, case: Case, tasks: Sequence[Task], how: dict[str, Any], passes: int
     ) -> tuple[Case, Result, Sequence[Task]]:
         """The case as last solved, its result and tasks, after at most `passes` passes."""
         losses: list[tuple[float, float]] = []
         while True:
             tasks = [task if task.case is case else replace(task, case=case) for task in tasks]
-            result = run(case, tasks, *how)
+            result = run(case, tasks, **how)
             passes -= 1
             new = case if passes == 0 else self._next(case, result, losses)
             if new is case:

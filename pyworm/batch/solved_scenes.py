@@ -3,13 +3,15 @@
 import json
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from pyworm.batch.task import Task, key_of
 from pyworm.io.atomic import remove_abandoned, whole_file
 from pyworm.result.result import Result, open_result
+from pyworm.result.rounded_fields import is_rounded, rounded
+from pyworm.solver.solution import Solution
 
 
 @dataclass(frozen=True)
@@ -27,11 +29,14 @@ class Store:
         `KEY.json`, with all that decided them.
     sole : bool
         Whether one scene is solved, which goes into a result at once, without a file of its own.
+    all_digits : bool
+        Whether fields keep all their digits; else they are rounded to the accuracy they have.
     """
 
     directory: Path
     fields: bool
     sole: bool = False
+    all_digits: bool = False
     _solved_here: dict[str, Result] = field(default_factory=dict, compare=False, repr=False)
 
     def file(self, task: Task) -> Path:
@@ -42,6 +47,8 @@ class Store:
         """Store the solution of a task; OSError if that is not possible."""
         file = self.file(task)
         if self.fields:
+            if not self.all_digits:
+                result = replace(result, solutions=tuple(map(rounded, result.solutions)))
             self._solved_here[task.key] = result
             if not self.sole:
                 result.save(file)
@@ -84,7 +91,13 @@ class Store:
             raise OSError(f"{error}; the same command solves it again") from error
         if result.provenance.get("keys") != [task.key] or len(result.solutions) != 1:
             raise OSError(f"{file} holds another scene; the same command solves it again")
+        if not self.serves(result.solutions[0]):
+            raise OSError(f"{file} has rounded fields; the same command solves it again")
         return result
+
+    def serves(self, solution: Solution) -> bool:
+        """Whether a solution of an earlier run has the digits wanted."""
+        return not (self.all_digits and is_rounded(solution))
 
     def summary(self, task: Task) -> dict[str, Any]:
         """The scalars of a stored solution, as `Solution.summary`; OSError if its file is missing or bad."""

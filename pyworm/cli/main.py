@@ -12,6 +12,7 @@ from typing import NoReturn
 from pyworm.batch.workers import WorkerDiedError
 from pyworm.cli.check import add_check
 from pyworm.cli.doctor import add_doctor
+from pyworm.cli.explore import add_explore
 from pyworm.cli.new import add_new
 from pyworm.cli.oil import add_oil
 from pyworm.cli.plot import add_plot
@@ -86,6 +87,7 @@ def _parser() -> argparse.ArgumentParser:
         add_sweep,
         add_plot,
         add_report,
+        add_explore,
         add_rate,
         add_oil,
         add_setup,

@@ -1,6 +1,7 @@
 """pyworm plot: draw the pictures of a results file again."""
 
 import argparse
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,12 +29,17 @@ def add_plot(commands: argparse._SubParsersAction) -> None:
         choices=("gif", "mp4"),
         help="an animation of film and pressure of films in motion instead (default: gif)",
     )
+    plot.add_argument(
+        "--pictures",
+        default="key",
+        metavar="NAMES",
+        help="key (default): as run draws them; all; or names with commas, such as pressure,mesh_cycle",
+    )
     add_compared_case(plot)
     plot.set_defaults(command=_plot)
 
 
 def _plot(options: argparse.Namespace) -> int:
-    from pyworm.plots.draw import draw
     from pyworm.plots.sweep import draw_sweep
     from pyworm.result.result import open_result
     from pyworm.result.sweep_result import open_sweep
@@ -58,11 +64,29 @@ def _plot(options: argparse.Namespace) -> int:
     if sweep is not None:
         draw_all, old = (lambda aside: draw_sweep(sweep, aside / SWEEP_PICTURE)), ()
     else:
-        draw_all, old = partial(draw, result), PICTURES
+        draw_all, old = _chosen(options, result)
     pictures, complete = drawn_pictures(directory, draw_all, old)
     for name in pictures:
         put(f"{directory / name}")
     return CONVERGED if complete else FAILED
+
+
+def _chosen(
+    options: argparse.Namespace, result: "Result"
+) -> tuple[Callable[[Path], list[Path]], Sequence[str]]:
+    """What draws the pictures asked for, and patterns of those of an earlier run that go."""
+    from pyworm.plots.draw import draw, picture_names
+
+    if options.pictures in ("key", "all"):
+        return partial(draw, result, key_only=options.pictures == "key"), PICTURES
+    names, known = options.pictures.split(","), picture_names(result)
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise CaseError(
+            f"--pictures {options.pictures}: {options.result} has no picture {unknown[0]!r}, "
+            f"it has key, all, {', '.join(known)}"
+        )
+    return partial(draw, result, names=names), ()
 
 
 def _animate(options: argparse.Namespace, result: "Result | None", directory: Path) -> int:

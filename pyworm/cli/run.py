@@ -38,6 +38,12 @@ def add_run(commands: argparse._SubParsersAction) -> None:
     run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
     add_processes(run)
     run.add_argument(
+        "--fields",
+        choices=("rounded", "full"),
+        default="rounded",
+        help="rounded (default): fields in the results file to a tenth of the error bars; full: all digits",
+    )
+    run.add_argument(
         "--pictures",
         choices=("key", "all", "none"),
         default="key",
@@ -63,7 +69,8 @@ def _run(options: argparse.Namespace) -> int:
     with batch_executor(options) as executor:
         try:
             with progress_bar() as progress:
-                result, tasks = run_balanced(case, tasks, directory, executor, progress, say)
+                how = executor, progress, say, options.fields == "full"
+                result, tasks = run_balanced(case, tasks, directory, *how)
         except NothingSolvedError as error:
             return end_with(f"{case.name}: {error}", FAILED)
         for warning in result.provenance["warnings"][len(case.warnings) :]:

@@ -8,6 +8,7 @@ from pyworm.drives.duty import Duty
 from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.shape import Shape
 from pyworm.drives.shim import Shim
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
@@ -62,6 +63,10 @@ class Drive(ABC):
     def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """Data that pictures of one scene show beside the fields of its solution; may be empty."""
         return PlainDataset({}, (), {})
+
+    def shapes(self, phases: Sequence[float]) -> tuple[Shape, ...]:
+        """Its flanks in space with their turns at some phases; none where that is not known."""
+        return ()
 
     def normal_load(self, phase: float) -> float:
         """Normal load of the contact at a phase [N], for each length of a line contact [N/m]."""

@@ -14,15 +14,15 @@ def print_json(content: dict[str, Any]) -> None:
 
 def as_json(content: dict[str, Any]) -> str:
     """An object as JSON; NaN and infinity become null."""
-    return json.dumps(_finite(content), indent=2, default=_plain)
+    return json.dumps(finite(content), indent=2, default=_plain)
 
 
-def _finite(content: Any) -> Any:
+def finite(content: Any) -> Any:
     """Replace NaN and infinity, which JSON does not have, by null."""
     if isinstance(content, dict):
-        return {key: _finite(value) for key, value in content.items()}
+        return {key: finite(value) for key, value in content.items()}
     if isinstance(content, list | tuple):
-        return [_finite(value) for value in content]
+        return [finite(value) for value in content]
     if isinstance(content, float) and not math.isfinite(content):
         return None
     return content

@@ -1,7 +1,7 @@
 """Pictures of a result; they read results and nothing else."""
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import replace
 from functools import partial
@@ -74,6 +74,7 @@ def draw(
     executor: Executor | None = None,
     *,
     key_only: bool = False,
+    names: Collection[str] = (),
 ) -> list[Path]:
     """Draw the pictures of a result as PNG.
 
@@ -87,6 +88,8 @@ def draw(
         Whose processes draw those of the scenes; by default this one does.
     key_only : bool, optional
         Whether to draw of all contacts only that with the thinnest film, and of it only `KEY_PICTURES`.
+    names : collection of str, optional
+        Only these, of `picture_names`, those of contacts for each; by default all.
 
     Returns
     -------
@@ -105,28 +108,48 @@ def draw(
     made = Attempts()
     if key_only and result.solutions:
         thinnest = result.solutions[result.thinnest]
-        names = KEY_PICTURES[thinnest.kind]
-        made.add(_draw_scene(result, directory, result.thinnest, thinnest, names))
+        key = KEY_PICTURES[thinnest.kind]
+        made.add(_draw_scene(result, directory, result.thinnest, thinnest, key))
     elif not key_only:
-        for scene in _scene_pictures(result, directory, executor):
+        for scene in _scene_pictures(result, directory, executor, names):
             made.add(scene)
-    for name, picture in cycle_pictures(result).items():
-        made.draw(directory / f"{name}.png", partial(picture.draw, result))
-    if result.solutions:
-        made.draw(directory / "regimes.png", partial(draw_regimes, result))
-    if traction_curve(result):
-        made.draw(directory / "traction.png", partial(draw_traction, result))
-    for name, life in life_names(result).items():
-        made.draw(directory / f"{name}.png", partial(draw_life, result, life))
+    for name, picture in _whole_pictures(result).items():
+        if not names or name in names:
+            made.draw(directory / f"{name}.png", picture)
     return made.result()
 
 
+def picture_names(result: Result) -> list[str]:
+    """Names of the pictures that there may be of a result: those of contacts, then those of the whole."""
+    kinds = {solution.kind: None for solution in result.solutions}
+    of_scenes = {name: None for kind in kinds for name in SCENE_PICTURES[kind]}
+    return [*of_scenes, *_whole_pictures(result)]
+
+
+def _whole_pictures(result: Result) -> dict[str, Callable[[], Figure | None]]:
+    """Name in the file name -> what draws a picture of the whole result."""
+    pictures = {
+        name: partial(picture.draw, result) for name, picture in cycle_pictures(result).items()
+    }
+    if result.solutions:
+        pictures["regimes"] = partial(draw_regimes, result)
+    if traction_curve(result):
+        pictures["traction"] = partial(draw_traction, result)
+    for name, life in life_names(result).items():
+        pictures[name] = partial(draw_life, result, life)
+    return pictures
+
+
 def _scene_pictures(
-    result: Result, directory: Path, executor: Executor | None
+    result: Result, directory: Path, executor: Executor | None, names: Collection[str]
 ) -> Iterator[Attempts]:
     """Pictures of each scene and their failures; a process that dies loses only those of its scene."""
     scenes = [
-        (number, solution, tuple(SCENE_PICTURES[solution.kind]))
+        (
+            number,
+            solution,
+            tuple(of for of in SCENE_PICTURES[solution.kind] if of in names or not names),
+        )
         for number, solution in enumerate(result.solutions)
     ]
     shown = replace(result, solutions=(), mesh_cycle=None)  # what goes to other processes is small

@@ -216,10 +216,11 @@ def _extreme(
 
 
 def _largest_at(solution: Solution) -> tuple[float, float]:
-    """Node of the largest pressure [m]."""
-    pressure = solution.fields["pressure"]
-    node = pressure.argmax(dim=("x", "y"))
-    return float(pressure["x"][node["x"]]), float(pressure["y"][node["y"]])
+    """Place of the largest pressure [m]: the middle of its nodes, of which rounded fields have several."""
+    pressure = solution.fields["pressure"].transpose("x", "y")
+    nodes = np.nonzero(pressure.values == pressure.values.max())
+    x, y = (pressure[axis].values[of].mean() for axis, of in zip("xy", nodes, strict=True))
+    return float(x), float(y)
 
 
 def flank_place(solution: Solution, x: Array, y: Array) -> tuple:

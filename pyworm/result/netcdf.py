@@ -14,7 +14,11 @@ from pyworm.io.plain_dataset import PlainDataset
 
 _WORTH, _REPEATED = 1000, 0.9
 """Least number of values, and least fraction that repeat their neighbours, for compression: of marks
-and constants hardly anything is left, other fields take longer to compress than to write."""
+and constants hardly anything is left."""
+
+_LOW_BYTE = np.uint32(0xFF)
+"""Last digits of single precision: where all are zero, as of rounded fields, compression is worth it. Other
+fields take longer to compress than to write."""
 
 
 def as_netcdf(groups: "Mapping[str, PlainDataset | xr.Dataset]") -> memoryview:
@@ -51,7 +55,17 @@ def _defined(group: Any, data: "PlainDataset | xr.Dataset") -> list[tuple[Any, n
 
 
 def _storage(values: np.ndarray) -> dict[str, Any]:
-    """Storage options: values that hardly ever change from one to the next are compressed."""
-    if values.size < _WORTH or np.mean(values[1:] == values[:-1]) < _REPEATED:
+    """Storage options: values that repeat their neighbours, or are rounded, are compressed."""
+    if values.size < _WORTH or not (_is_rounded(values) or _repeats(values)):
         return {"fill_value": False}
     return {"zlib": True, "complevel": 1, "shuffle": True, "chunksizes": values.shape}
+
+
+def _is_rounded(values: np.ndarray) -> bool:
+    if values.dtype != np.float32:
+        return False
+    return not (np.ascontiguousarray(values).view(np.uint32) & _LOW_BYTE).any()
+
+
+def _repeats(values: np.ndarray) -> bool:
+    return bool(np.mean(values[1:] == values[:-1]) >= _REPEATED)

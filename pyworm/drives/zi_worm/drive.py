@@ -13,6 +13,7 @@ from pyworm.drives.duty import WormDuty
 from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.shape import Shape
 from pyworm.drives.shim import Shim
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.zi_worm.checks import check_values
@@ -37,6 +38,7 @@ from pyworm.drives.zi_worm.mesh_springs import mesh_springs
 from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
+from pyworm.drives.zi_worm.shapes import shapes
 from pyworm.drives.zi_worm.shim import found_shim
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
 from pyworm.drives.zi_worm.wanted_pattern import set_up
@@ -395,6 +397,10 @@ class ZiWormDrive(ZiWormGears, Drive):
     def duty(self) -> WormDuty:
         """The drive as input of ratings by standards of worm gears."""
         return worm_duty(self)
+
+    def shapes(self, phases: Sequence[float]) -> tuple[Shape, ...]:
+        """The thread that drives and the flank of the wheel that it drives."""
+        return shapes(self, phases)
 
     def scene_data(self, scene: Scene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""

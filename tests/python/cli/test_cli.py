@@ -251,7 +251,9 @@ def test_a_kernel_that_gives_up_is_reported_in_one_sentence(tmp_path, capsys, mo
 def test_plot_draws_the_pictures_again(tmp_path, capsys, solved):
     directory, _ = solved
     result = str(directory / "result.nc")
-    assert main(["plot", result, "--out", str(tmp_path / "again")]) == CONVERGED
+    assert (
+        main(["plot", result, "--pictures", "all", "--out", str(tmp_path / "again")]) == CONVERGED
+    )
     printed = capsys.readouterr().out.split()
     drawn = {Path(name).name for name in printed}
     assert drawn > {path.name for path in directory.glob("*.png")}

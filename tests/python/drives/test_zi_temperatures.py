@@ -57,7 +57,7 @@ def test_the_loss_found_agrees_with_its_own_temperatures(case, monkeypatch, tmp_
     """Teeth that lose less the warmer the oil: found = 1100 W + fall (assumed - 1000 W)."""
     ran, said = [], []
 
-    def run(case, tasks, directory, *rest):
+    def run(case, tasks, directory, **rest):
         assumed = drive_iteration.tooth_loss_of(tasks[0].case)
         ran.append((len(tasks), assumed, 1100 + fall * (assumed - 1000)))
 

@@ -111,7 +111,7 @@ def test_figures_and_table_come_first_and_the_exit_code_is_theirs(
     else:
         assert "Minimum film" in shown[0] and "result.nc" in shown[0]
     # the pictures alone are what `plot` is asked for
-    assert main(["plot", str(out / "result.nc")]) == FAILED
+    assert main(["plot", str(out / "result.nc"), "--pictures", "all"]) == FAILED
 
 
 def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monkeypatch, capsys):

@@ -204,7 +204,7 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     """The solver is replaced by one that always finds a friction of 0.02."""
     ran, said = [], []
 
-    def run(case, tasks, directory, *rest):
+    def run(case, tasks, directory, **rest):
         ran.append([task.case.drive.load.friction for task in tasks])
         found = replace(cycle_result(PHASES[::6]), case=case.resolved)
         solutions = tuple(
@@ -248,7 +248,7 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, monkeypatch):
     places = [place for place in case.places() if place.phase in (0.1, 0.34, 0.82)]
     ran, said = [], []
 
-    def run(case, tasks, directory, *rest):
+    def run(case, tasks, directory, **rest):
         ran.append((tasks[0].accuracy, case.drive.load.lifts))
         found = cycle_result([task.place.phase for task in tasks])
         solutions = tuple(

@@ -1,0 +1,94 @@
+"""Threads of the worm and teeth of the wheel in space, for pictures.
+
+The thread is swept from its section with a plane through the axis: its height there, of any profile, and the
+screw. A contact point, which lies on it, says where on the axis it stands.
+"""
+
+from collections.abc import Sequence
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.shape import Shape
+from pyworm.drives.zi_worm.contact_pattern import flank_grid
+from pyworm.drives.zi_worm.helicoid import Array
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+HEIGHTS = 7
+"""Points from the root of the thread to its tip."""
+
+ANGLES = 48
+"""Points in a turn of the thread."""
+
+THREAD_TURNS = 1.5
+"""Length of the worm shown, in turns of a thread."""
+
+TEETH = 3
+"""Teeth of the wheel on each side of the one in contact."""
+
+
+def shapes(gears: "ZiWormGears", phases: Sequence[float]) -> tuple[Shape, ...]:
+    """The thread that drives and the flank of the wheel that it drives.
+
+    Parameters
+    ----------
+    gears : ZiWormGears
+        Their geometry.
+    phases : sequence of float
+        Phases of the mesh cycle for the turns.
+    """
+    contacts = [gears.cycle.contact(phase) for phase in phases]
+    return (
+        Shape(
+            1,
+            gears.worm_flank.axis_point,
+            gears.worm_flank.axes[:, 2],
+            thread(gears),
+            np.array([one.worm_angle for one in contacts]),
+            tuple(2 * pi * np.arange(1, gears.worm.threads) / gears.worm.threads),
+        ),
+        _wheel(gears, np.array([one.wheel_angle for one in contacts])),
+    )
+
+
+def thread(gears: "ZiWormGears") -> Array:
+    """Points of the driving flank at worm angle zero, (heights, angles, 3) [m]."""
+    flank, tooth = gears.worm_flank, gears.worm_tooth
+    radius = np.linspace(tooth.start_radius, tooth.tip_radius, HEIGHTS)
+    section = np.array([flank.axial_profile(of) for of in radius])
+    middle = gears.cycle.contact(0.5)
+    own = flank.axes.T @ (middle.point - flank.axis_point)
+    met = float(np.hypot(own[0], own[1]))
+    # turning the screw takes its advance off the height, so this is the height at angle zero, in the section
+    turn = float(np.arctan2(own[1], own[0]))
+    height = section - flank.axial_profile(met) + own[2] - flank.screw * (turn - middle.worm_angle)
+    centre = -height[HEIGHTS // 2] / flank.screw  # whole turns off are the same thread
+    reach = pi * THREAD_TURNS
+    angle = centre + np.linspace(-reach, reach, round(ANGLES * THREAD_TURNS) + 1)
+    at = np.stack(
+        [
+            radius[:, None] * np.cos(angle),
+            radius[:, None] * np.sin(angle),
+            height[:, None] + flank.screw * angle,
+        ]
+    )
+    return np.moveaxis(flank.axis_point[:, None, None] + np.tensordot(flank.axes, at, 1), 0, -1)
+
+
+def _wheel(gears: "ZiWormGears", angles: Array) -> Shape:
+    grid, flank = flank_grid(gears), gears.wheel_flank
+    points = np.where(grid.found, flank.point(*grid.q), np.nan)
+    around = 2 * pi * np.array([one for one in range(-TEETH, TEETH + 1) if one]) / gears.wheel.teeth
+    return Shape(
+        2,
+        np.zeros(3),
+        np.array([0.0, 1.0, 0.0]),
+        np.moveaxis(points.reshape(3, *grid.face.shape), 0, -1),
+        -angles,
+        tuple(around),
+        grid.face,
+        grid.radius,
+    )

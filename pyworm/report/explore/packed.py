@@ -1,0 +1,32 @@
+"""Numbers for a page: whole numbers of two bytes between the least and the largest value, as text."""
+
+from base64 import b64encode
+from math import log
+from typing import Any
+
+import numpy as np
+
+LEVELS = 65534
+"""Largest whole number of a value: one step is far below any error bar. One more says there is none."""
+
+
+def packed(values: np.ndarray, logarithmic: bool = False) -> dict[str, Any]:
+    """Values as the page unpacks them (`unpacked` in base.js).
+
+    Parameters
+    ----------
+    values : numpy.ndarray
+        Of any shape, row by row; NaN where there are none.
+    logarithmic : bool
+        Whether steps are even in the logarithm of the values, which are above zero.
+    """
+    known = values[np.isfinite(values)]
+    if not known.size:
+        known = np.ones(1)
+    low, high = float(known.min()), float(known.max())
+    if logarithmic:
+        low, high, values = log(low), log(high), np.log(values)
+    step = (high - low) / LEVELS or 1.0
+    numbers = np.where(np.isfinite(values), np.rint((values - low) / step), LEVELS + 1)
+    data = b64encode(numbers.astype("<u2").tobytes()).decode("ascii")
+    return {"low": low, "step": step, "logarithmic": logarithmic, "data": data}

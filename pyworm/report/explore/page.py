@@ -1,0 +1,75 @@
+"""A result as one page of HTML to explore, without network: its data, its script and its style inside."""
+
+import json
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from pyworm.io.json import finite
+from pyworm.report.explore.flank import flank
+from pyworm.report.explore.quantities import FIELDS, FLANK, shown, used
+from pyworm.report.explore.scenes import reduced, scenes
+from pyworm.report.explore.space import space
+from pyworm.result.headline import headline, of_all
+from pyworm.result.result import Result
+
+_HERE = Path(__file__).parent
+
+SCRIPTS = ("base.js", "map.js", "profiles.js", "flank.js", "space.js", "page.js")
+"""Parts of the script in their order; each uses only those before it."""
+
+
+def content(result: Result) -> dict[str, Any]:
+    """What the script shows.
+
+    Parameters
+    ----------
+    result : Result
+        With one solution at least.
+    """
+    grids = [reduced(solution) for solution in result.solutions]
+    found, on_flank = scenes(result, grids), flank(result, grids)
+    fields = shown(FIELDS, {name for one in found for name in one["fields"]}, result.body_names)
+    maps = {} if on_flank is None else shown(FLANK, set(on_flank["fields"]), result.body_names)
+    return {
+        "bodies": result.body_names,
+        "scenes": found,
+        "fields": fields,
+        "flank": on_flank,
+        "maps": maps,
+        "shapes": space(result, grids),
+        "colours": used(fields, maps, shown(FIELDS, {"pressure"}, result.body_names)),
+    }
+
+
+def explore(result: Result) -> str:
+    """The page."""
+    title = result.case.get("title", result.case_name)
+    # a script ends at the first "</", whatever it is in
+    data = json.dumps(finite(content(result)), separators=(",", ":")).replace("</", "<\\/")
+    script = "\n".join((_HERE / name).read_text(encoding="utf-8") for name in SCRIPTS)
+    words = " ".join(filter(None, (of_all(result.solutions).sentence, headline(result.solutions))))
+    body = (_HERE / "body.html").read_text(encoding="utf-8")
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(title)}</title>
+<style>
+{(_HERE / "page.css").read_text(encoding="utf-8")}</style>
+</head>
+<body>
+<header>
+<h1>{escape(title)}</h1>
+<p class="source">{escape(result.case.get("source", ""))}</p>
+<p class="headline">{escape(words)}</p>
+</header>
+{body}
+<script type="application/json" id="data">{data}</script>
+<script>
+{script}
+</script>
+</body>
+</html>
+"""

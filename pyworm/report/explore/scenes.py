@@ -1,0 +1,147 @@
+"""The contacts of a result on reduced grids, for the page."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pyworm.io.on_demand import xarray as xr
+from pyworm.plots.layout import MILLI, contact_window
+from pyworm.report.explore.packed import packed
+from pyworm.report.explore.quantities import FIELDS, Quantity
+from pyworm.report.page.figures import place_of
+from pyworm.result.mesh_cycle import flank_place
+from pyworm.result.result import Result
+from pyworm.solver.estimate import Estimate
+from pyworm.solver.solution import Solution
+
+NODES = 160, 80
+"""Most nodes along x and y that a field keeps on the page."""
+
+LINE_NODES = 1000
+"""The same of a line contact."""
+
+VECTORS = {
+    "shear_stress": ("shear_stress_x", "shear_stress_y"),
+    "sliding": ("sliding_x", "sliding_y"),
+}
+"""Length of a vector -> its components."""
+
+_ROWS = (
+    ("film_min", "Least film", 1e6, "µm"),
+    ("film_central", "Central film", 1e6, "µm"),
+    ("pressure_max", "Largest pressure", 1e-6, "MPa"),
+    ("friction_coefficient", "Friction coefficient", 1.0, ""),
+    ("power_loss", "Power loss", 1.0, "W"),
+    ("asperity_load_fraction", "Load on asperities", 100.0, "%"),
+)
+
+
+def scenes(result: Result, grids: "Sequence[xr.Dataset]") -> list[dict[str, Any]]:
+    """Every contact: its name, figures, grid and fields.
+
+    Parameters
+    ----------
+    result : Result
+        The contacts.
+    grids : sequence of xarray.Dataset
+        Their `reduced` fields.
+    """
+    pairs = zip(result.solutions, grids, strict=True)
+    return [_scene(solution, grid, result.body_names) for solution, grid in pairs]
+
+
+def _scene(solution: Solution, grid: "xr.Dataset", bodies: tuple[str, str]) -> dict[str, Any]:
+    fields = {
+        name: packed(_drawn(values, FIELDS[name]), FIELDS[name].logarithmic)
+        for name, values in _values(grid, solution.kind).items()
+    }
+    figures = solution.figures
+    return {
+        "name": place_of(solution),
+        "converged": solution.converged,
+        "x": _axis(grid["x"].values),
+        "y": _axis(grid["y"].values) if "y" in grid else None,
+        "fields": fields,
+        "rows": [["Load", _load(solution)], *_rows(solution, bodies)],
+        "least": [MILLI * at for at in figures.film_min_at],
+        "stopped": "" if solution.converged else solution.stop_reason,
+    }
+
+
+def reduced(solution: Solution) -> "xr.Dataset":
+    """The fields around the contact on no more than `NODES`, by interpolation, with places on the flank."""
+    fields = solution.fields
+    if solution.kind == "line":
+        pressure = fields["pressure"].values
+        loaded = fields["x"].values[pressure > 0.002 * pressure.max()]
+        width = loaded[-1] - loaded[0]
+        inside = fields.sel(x=slice(loaded[0] - 0.5 * width, loaded[-1] + 0.2 * width))
+        x = np.linspace(
+            float(inside["x"][0]), float(inside["x"][-1]), min(inside.sizes["x"], LINE_NODES)
+        )
+        return inside.interp(x=x, assume_sorted=True)
+    window = contact_window(fields)
+    sides = ((window.left, window.right), (window.bottom, window.top))
+    places = {
+        axis: np.linspace(
+            max(low / MILLI, float(fields[axis][0])),
+            min(high / MILLI, float(fields[axis][-1])),
+            min(count, int(((fields[axis] >= low / MILLI) & (fields[axis] <= high / MILLI)).sum())),
+        )
+        for axis, (low, high), count in zip("xy", sides, NODES, strict=True)
+    }
+    names = [name for name in fields.data_vars if set(fields[name].dims) == {"x", "y"}]
+    grid = fields[names].interp(places, assume_sorted=True).transpose("y", "x")
+    if "tooth_face" in fields:
+        face, radius = flank_place(solution, *np.meshgrid(places["x"], places["y"]))
+        grid = grid.assign(face=(("y", "x"), face), radius=(("y", "x"), radius))
+    return grid
+
+
+def _values(grid: "xr.Dataset", kind: str) -> dict[str, np.ndarray]:
+    """Fields shown, vectors by their lengths; a line contact has no components along y."""
+    found = {}
+    for name in FIELDS:
+        parts = [part for part in VECTORS.get(name, (name,)) if part in grid]
+        if parts and (kind == "line" or len(parts) == len(VECTORS.get(name, (name,)))):
+            found[name] = (
+                np.sqrt(sum(grid[of].values ** 2 for of in parts))
+                if name in VECTORS
+                else grid[name].values
+            )
+    return found
+
+
+def _drawn(values: np.ndarray, quantity: Quantity) -> np.ndarray:
+    """Values in the unit shown."""
+    return (values.astype(float) - quantity.offset) * quantity.scale
+
+
+def _axis(values: np.ndarray) -> list[float]:
+    """First and last place [mm] and their number."""
+    return [float(values[0]) * MILLI, float(values[-1]) * MILLI, len(values)]
+
+
+def _load(solution: Solution) -> str:
+    return f"{solution.load:.4g} {'N' if solution.kind == 'point' else 'N/m'}"
+
+
+def _rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
+    """The figures in words."""
+    figures = solution.figures
+    rows = [
+        [label, _shown(of, scale, unit)]
+        for name, label, scale, unit in _ROWS
+        if (of := getattr(figures, name)) is not None
+    ]
+    for place, words in zip(("body_1", "body_2", "film"), (*bodies, "film"), strict=True):
+        of = getattr(figures, f"temperature_max_{place}")
+        if of is not None:
+            celsius = of.value - FIELDS["temperature_middle"].offset
+            rows.append([f"Hottest point, {words}", f"{celsius:.1f} °C ± {of.bar:.2g} K"])
+    return [*rows, ["Converged", "yes" if solution.converged else "NO"]]
+
+
+def _shown(figure: Estimate, scale: float, unit: str) -> str:
+    return f"{figure.value * scale:.4g} {unit} ± {100 * figure.error:.2g} %".replace("  ", " ")
