@@ -9,7 +9,9 @@ from pyworm.case.drive_case import DriveCase
 from pyworm.case.one_oil import check_one_oil
 from pyworm.case.table import Count, Number, PositiveNumber, Table, Text
 from pyworm.formulas.bearing_life import Direction, Elements
-from pyworm.formulas.worm_standard import OilKind
+from pyworm.formulas.worm_curves import Lubrication, OilKind
+from pyworm.formulas.worm_losses import Bearings
+from pyworm.formulas.worm_wheel_material import WheelMaterialName
 from pyworm.io import units
 from pyworm.materials.base_stock import Base
 
@@ -71,22 +73,50 @@ class OilChoiceTable(Table):
     coldest_start: units.Temperature | None = None
 
 
+class LoadStepTable(Table):
+    """One of `[[worm_rating.spectrum]]`: a torque and speed that last some hours of the life."""
+
+    wheel_torque: units.Torque
+    worm_speed: units.Speed
+    duration: units.Duration
+
+
+_Starts = Annotated[float, Field(strict=True, ge=0, le=1e4)]
+_Rim = Annotated[float, Field(strict=True, ge=1, le=100)]
+
+
 class WormRatingTable(Table):
     """`[worm_rating]`: data that the worm gear standards need beside the drive.
 
     What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the
-    wheel's bulk temperature counts.
+    wheel's bulk temperature counts. Without `sump_temperature` that of the standard is taken, of a usual
+    housing with or without `fan`. A `spectrum` of loads takes the place of the drive's own torque, speed
+    and of `life`.
     """
 
     oil: Text
-    sump_temperature: units.Temperature
+    lubrication: Lubrication = "bath"
+    sump_temperature: units.Temperature | None = None
+    ambient_temperature: units.Temperature = 293.15
+    fan: bool = False
     temperature_limit: units.Temperature | None = None
-    material_factor: PositiveNumber = 1.0
-    wheel_material: Literal["CuSn12Ni2", "CuSn12"] | None = None
+    material_factor: PositiveNumber | None = None
+    wheel_material: WheelMaterialName | None = None
     life: units.Duration | None = None
+    spectrum: tuple[LoadStepTable, ...] = ()
+    application_factor: PositiveNumber = 1.0
+    starts_per_hour: _Starts = 0.0
     structure_factor: PositiveNumber | None = None
-    pressure_factor: PositiveNumber = 1.0
+    pressure_factor: PositiveNumber | None = None
     immersion_factor: PositiveNumber = 1.0
+    rim_over_module: _Rim = 2.0
+    bearings: Bearings = "adjusted"
+
+    @model_validator(mode="after")
+    def _one_life(self):
+        if self.spectrum and self.life is not None:
+            raise ValueError("give either life or spectrum, whose durations make it up")
+        return self
 
 
 class GearRatingTable(Table):

@@ -116,8 +116,24 @@ def _print(console, rating: "Rating") -> None:
     for figure in rating.figures:
         table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
     console.print(table)
+    if rating.safeties:
+        console.print(_safeties(rating))
+        for of in rating.safeties:
+            console.print(f"{of.symbol}: {of.made_of}")
     for reason in rating.failed:
         console.print(f"FAILED: {reason}", style="bold")
     for words in rating.words:
         console.print(words)
     console.print()
+
+
+def _safeties(rating: "Rating"):
+    from rich.table import Table
+
+    table = Table("Safety", title="Safeties", title_justify="left")
+    table.add_column("Value", justify="right")
+    table.add_column("Required", justify="right")
+    table.add_column("Verdict")
+    for of in rating.safeties:
+        table.add_row(f"{of.symbol} {of.label}", of.shown, f"{of.minimum:g}", of.verdict)
+    return table

@@ -7,7 +7,6 @@ import numpy as np
 
 from pyworm.formulas.wear_distress import composite_roughness
 from pyworm.formulas.worm_gear import WormGear
-from pyworm.formulas.worm_standard import deflection_limit
 
 Array = np.ndarray
 
@@ -44,13 +43,6 @@ class WormDuty:
     driver: Literal["worm", "wheel"] = "worm"
     words: tuple[str, ...] = ()
     deflection: float | None = None
-
-    @property
-    def deflection_safety(self) -> float | None:
-        """Largest deflection that the standard allows over that of the shaft, S_delta [-]; None likewise."""
-        if not self.deflection:
-            return None
-        return deflection_limit(self.gear.module) / self.deflection
 
     @property
     def composite_roughness(self) -> float:

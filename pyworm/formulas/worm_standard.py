@@ -1,48 +1,37 @@
 """Cylindrical worm gears by the methods of DIN 3996:2012 and ISO/TS 14521, as far as they could be checked.
 
-Neither text could be read. Every formula here is from memory and is checked by dimension, by the limits
-it must have, and by the worked values of a reference gear; each docstring names the check. Lengths are in
-metres, speeds in rad/s, torques in N m, pressures in Pa, temperatures in kelvin; the standards' own
-units are used inside only.
+Neither text could be read. Formulas here are from memory or a public transcription (the worksheet on worm
+gears of MITCalc), checked by dimension, by the limits they must have, and by the worked values of a
+reference gear; each docstring names the check. Base curves, materials, wear, roots, deflection and losses
+have files of their own. Lengths are in metres, speeds in rad/s, torques in N m, pressures in Pa,
+temperatures in kelvin; the standards' own units are used inside only.
 """
 
 from dataclasses import dataclass
 from math import atan, pi, sqrt, tan
-from typing import Literal
 
 from pyworm.formulas.ranges import one_of, positive, within
 from pyworm.formulas.unit_factors import RPM, ZERO_CELSIUS
+from pyworm.formulas.worm_curves import OIL_KINDS, Lubrication, OilKind, base_friction
 from pyworm.formulas.worm_gear import REFERENCE_FILM, WormGear
+from pyworm.formulas.worm_wheel_material import Family
 
-OilKind = Literal["mineral", "PAO", "PAG"]
-
-SOURCE = "methods of DIN 3996:2012, ISO/TS 14521, from memory"
-
-OIL_KINDS: tuple[OilKind, ...] = ("mineral", "PAO", "PAG")
-"""Oils that the standards have constants for."""
+SOURCE = "methods of DIN 3996:2012, ISO/TS 14521, from memory and a public transcription"
 
 PRESSURE_VISCOSITY = {"mineral": 1.7e-8, "PAO": 1.4e-8, "PAG": 1.3e-8}
 """c_alpha [1/Pa] of each kind of oil; the values of mineral oil and PAG also stand in the sources."""
 
-PITTING_STRENGTH = {"CuSn12Ni2": 520e6, "CuSn12": 425e6}
-"""sigma_HlimT [Pa] of wheel bronzes (centrifugally cast), not checked."""
-
 _OIL_LIFE = {"mineral": 0.89, "PAO": 0.94, "PAG": 1.0}
 
-# a, b, c, d, largest of mu_0T = a + b/(vg + c)^d
-_FRICTION = {
-    "mineral": (0.028, 0.026, 0.17, 0.76, 0.1),
-    "PAO": (0.026, 0.017, 0.17, 0.92, 0.096),
-    "PAG": (0.02, 0.02, 0.2, 0.97, 0.094),
-}
+STATIC_FRICTION = {"tin bronze": 0.13, "aluminium bronze": 0.15, "cast iron": 0.18}
+"""mu_0 at rest of steel on wheels [-]. From a public transcription of DIN 3996 (the worksheet on worm gears
+of MITCalc), not checked against its text."""
 
-# factor and exponent of J_0T, and its largest value; wheel of CuSn12Ni2
-WEAR_INTENSITIES = {"mineral": (2.4e-11, -3.1, 400e-9), "PAG": (1.27e-10, -2.24, 400e-9)}
+OIL_LIMITS = {"mineral": 363.15, "PAO": 373.15, "PAG": 383.15}
+"""Usual limits of the sump's temperature [K] (the same transcription). Doubtful: other notes give PAO and
+PAG the same limit; the oil's maker decides."""
 
-
-STATIC_FRICTION = 0.13
-"""mu_0 at rest of steel on tin bronze; aluminium bronze has 0.15 and cast iron 0.18. From a public
-transcription of DIN 3996 (the worksheet on worm gears of MITCalc), not checked against its text."""
+_REFERENCE_RATIO = 20.5
 
 
 def minimum_film(
@@ -132,17 +121,19 @@ def tooth_friction(
     film_parameter: float,
     roughness: float,
     material_factor: float = 1.0,
+    lubrication: Lubrication = "injection",
+    family: Family = "tin bronze",
 ) -> float:
     """Mean coefficient of tooth friction mu_zm [-] = mu_0T Y_S Y_G Y_W Y_R.
 
-        mu_0T   0.028 + 0.026/(vg + 0.17)^0.76 (mineral), 0.026 + 0.017/(vg + 0.17)^0.92 (PAO),
-                0.02 + 0.02/(vg + 0.2)^0.97 (PAG), at most 0.1, 0.096, 0.094
-        Y_S     sqrt(100 mm/a)
-        Y_G     sqrt(0.07/h*)
+        mu_0T   `pyworm.formulas.worm_curves.base_friction`
+        Y_S     sqrt(100 mm/a), a at least 65 and at most 250 mm
+        Y_G     sqrt(0.07/h*), at most 2
         Y_R     (Ra/0.5 um)^(1/4)
 
-    Checked: falls with sliding speed to the first number; PAG below PAO below mineral oil from 0.25
-    m/s on; 1 is each factor of the reference gear. Range: vg from 0.05 to 25 m/s.
+    Checked: falls with sliding speed; PAG below PAO below mineral oil from 0.25 m/s on; 1 is each factor of
+    the reference gear. The bounds of Y_S and Y_G are those of the transcription. Range: vg from 0.05 to 25
+    m/s.
 
     Parameters
     ----------
@@ -158,27 +149,39 @@ def tooth_friction(
         Mean roughness Ra of the worm's flanks [m].
     material_factor : float
         Y_W of the wheel's material [-]; 1 for the bronze of the tests.
+    lubrication, family : str
+        As of `base_friction`.
     """
-    one_of("oil", oil, OIL_KINDS)
-    within("sliding speed", sliding_speed, 0.05, 25, "m/s")
-    within("centre distance", centre_distance, 0.025, 2, "m")
+    base = base_friction(oil, sliding_speed, lubrication, family)
     within("h*", film_parameter, 0.005, 0.5, "")
+    shape = min(sqrt(REFERENCE_FILM / film_parameter), 2.0)
+    size = _size_factor(centre_distance)
+    return base * size * shape * _rubbing(roughness, material_factor)
+
+
+def _size_factor(centre_distance: float) -> float:
+    """Y_S [-]."""
+    within("centre distance", centre_distance, 0.025, 2, "m")
+    return sqrt(0.1 / min(max(centre_distance, 0.065), 0.25))
+
+
+def _rubbing(roughness: float, material_factor: float) -> float:
+    """Y_W Y_R [-]."""
     within("roughness Ra", roughness, 1e-8, 1e-5, "m")
     within("Y_W", material_factor, 0.5, 2, "")
-    a, b, c, d, largest = _FRICTION[oil]
-    base = min(a + b / (sliding_speed + c) ** d, largest)
-    size = sqrt(0.1 / centre_distance)
-    shape = sqrt(REFERENCE_FILM / film_parameter)
-    return base * size * shape * material_factor * (roughness / 0.5e-6) ** 0.25
+    return material_factor * (roughness / 0.5e-6) ** 0.25
 
 
 def static_friction(
-    centre_distance: float, roughness: float, material_factor: float = 1.0
+    centre_distance: float,
+    roughness: float,
+    material_factor: float = 1.0,
+    family: Family = "tin bronze",
 ) -> float:
     """Coefficient of tooth friction at rest [-], mu_0 sqrt(Y_S) Y_W Y_R with `STATIC_FRICTION` as mu_0.
 
     The factors are those of `tooth_friction`. Source as of `STATIC_FRICTION`. Checked: above the friction of
-    running teeth at every speed. Range: tin bronze.
+    running teeth at every speed.
 
     Parameters
     ----------
@@ -188,12 +191,11 @@ def static_friction(
         Mean roughness Ra of the worm's flanks [m].
     material_factor : float
         Y_W of the wheel's material [-].
+    family : str
+        Group of the wheel's material.
     """
-    within("centre distance", centre_distance, 0.025, 2, "m")
-    within("roughness Ra", roughness, 1e-8, 1e-5, "m")
-    within("Y_W", material_factor, 0.5, 2, "")
-    size = (0.1 / centre_distance) ** 0.25
-    return STATIC_FRICTION * size * material_factor * (roughness / 0.5e-6) ** 0.25
+    size = sqrt(_size_factor(centre_distance))
+    return STATIC_FRICTION[family] * size * _rubbing(roughness, material_factor)
 
 
 def forward_efficiency(tan_lead: float, friction: float) -> float:
@@ -224,17 +226,6 @@ def self_locking_margin(tan_lead: float, friction: float) -> float:
     return friction / tan_lead
 
 
-def deflection_limit(module: float) -> float:
-    """Largest deflection of the worm's shaft at the mesh, delta_lim [m], 0.04 sqrt(m_x) mm with m_x in mm.
-
-    From memory, not checked. The help of a design program (Autodesk Inventor, worm gears component generator)
-    allows 0.004 m_x with hardened worms and 0.01 m_x with heat-treated ones: 0.016 and 0.04 mm instead of
-    0.08 mm at m_x = 4 mm.
-    """
-    positive("module", module, "m")
-    return 0.04e-3 * sqrt(module * 1e3)
-
-
 def pitting_safety(
     mean_pressure: float,
     strength: float,
@@ -242,12 +233,13 @@ def pitting_safety(
     sliding_speed: float,
     centre_distance: float,
     oil: OilKind,
+    ratio: float = _REFERENCE_RATIO,
 ) -> float:
-    """Safety against pitting of the wheel S_H [-], sigma_HlimT Z_h Z_v Z_S Z_oil / sigma_Hm.
+    """Safety against pitting of the wheel S_H [-], sigma_HlimT Z_h Z_v Z_S Z_u Z_oil / sigma_Hm.
 
     Z_h = (25000 h/Lh)^(1/6), at most 1.6; Z_v = sqrt(5/(4 + vg)); Z_S = sqrt(3000/(2900 + a)), a in mm;
-    Z_oil of PAG 1, PAO 0.94, mineral 0.89. Checked: 1 is each factor of the reference test (25000 h, 1
-    m/s, 100 mm, PAG).
+    Z_u = (u/20.5)^(1/6) below 20.5, else 1; Z_oil of PAG 1, PAO 0.94, mineral 0.89. Checked: 1 is each factor
+    of the reference test (25000 h, 1 m/s, 100 mm, PAG, u = 20.5).
 
     Parameters
     ----------
@@ -263,82 +255,21 @@ def pitting_safety(
         [m].
     oil : str
         "mineral", "PAO" or "PAG".
+    ratio : float
+        u [-].
     """
     positive("mean contact stress", mean_pressure, "Pa")
     within("pitting strength", strength, 5e7, 2e9, "Pa")
     within("life", life, 1, 1e6, "h")
     within("sliding speed", sliding_speed, 0, 25, "m/s")
     within("centre distance", centre_distance, 0.025, 2, "m")
+    positive("u", ratio, "")
     one_of("oil", oil, OIL_KINDS)
     lasting = min((25000 / life) ** (1 / 6), 1.6)
     speed = sqrt(5 / (4 + sliding_speed))
     size = sqrt(3000 / (2900 + centre_distance * 1e3))
-    return strength * lasting * speed * size * _OIL_LIFE[oil] / mean_pressure
-
-
-def wear_intensity(
-    oil: OilKind, film: float, structure_factor: float, pressure_factor: float = 1.0
-) -> float:
-    """Wear of a CuSn12Ni2 wheel per sliding path J_0T [-].
-
-    2.4e-11 K_W^-3.1 (mineral), 1.27e-10 K_W^-2.24 (PAG), at most 400e-9, K_W = h_min,m W_S W_H with the
-    film in um. Only its fall with the film and its cap could be checked. Range: mineral oil and PAG; PAO
-    has no constants here.
-
-    Parameters
-    ----------
-    oil : str
-        "mineral" or "PAG".
-    film : float
-        h_min,m [m].
-    structure_factor, pressure_factor : float
-        W_S of the oil's structure and W_H of the pressure [-], from the standard; 1 is mineral oil at
-        moderate pressure.
-    """
-    one_of("oil of the wear rating", oil, tuple(WEAR_INTENSITIES))
-    within("mean minimum film", film, 1e-9, 1e-4, "m")
-    positive("W_S", structure_factor, "")
-    positive("W_H", pressure_factor, "")
-    factor, exponent, largest = WEAR_INTENSITIES[oil]
-    return min(factor * (film * 1e6 * structure_factor * pressure_factor) ** exponent, largest)
-
-
-def wear_depth(
-    intensity: float,
-    sliding_parameter: float,
-    mean_pressure: float,
-    centre_distance: float,
-    reduced_modulus: float,
-    cycles: float,
-) -> float:
-    """Depth [m] worn off the wheel's flanks, J s* sigma_Hm a/E_red N_L.
-
-    Checked by dimension.
-
-    Parameters
-    ----------
-    intensity : float
-        J_W [-], `wear_intensity` times the factor of the wheel's material.
-    sliding_parameter : float
-        s* [-].
-    mean_pressure : float
-        sigma_Hm [Pa].
-    centre_distance : float
-        [m].
-    reduced_modulus : float
-        [Pa].
-    cycles : float
-        Turns of the wheel N_L in its life [-].
-    """
-    positive("wear intensity", intensity, "")
-    within("wear intensity", intensity, 0, 1e-4, "")
-    positive("s*", sliding_parameter, "")
-    within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
-    within("centre distance", centre_distance, 0.025, 2, "m")
-    within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
-    positive("load cycles", cycles, "")
-    path = sliding_parameter * mean_pressure * centre_distance / reduced_modulus * cycles
-    return intensity * path
+    turns = min(ratio / _REFERENCE_RATIO, 1.0) ** (1 / 6)
+    return strength * lasting * speed * size * turns * _OIL_LIFE[oil] / mean_pressure
 
 
 def bulk_temperature(
@@ -348,9 +279,10 @@ def bulk_temperature(
     cooled_area: float,
     immersion_factor: float,
 ) -> float:
-    """Bulk temperature of the wheel theta_M [K], sump temperature + P_Vz/(alpha_L A_R).
+    """Bulk temperature of a wheel in a bath theta_M [K], sump temperature + P_Vz/(alpha_L A_R).
 
-    alpha_L = c_k (1940 + 15 n1) W/(m2 K), n1 in rpm. Checked by dimension and by its limit without loss.
+    alpha_L = c_k (1940 + 15 n1) W/(m2 K), n1 in rpm and at least 150. Checked by dimension and by its limit
+    without loss.
 
     Parameters
     ----------
@@ -370,15 +302,49 @@ def bulk_temperature(
     within("worm speed", worm_speed * RPM, 0.1, 1e5, "rpm")
     within("cooled area", cooled_area, 1e-5, 1, "m2")
     within("c_k", immersion_factor, 0.1, 2, "")
-    transfer = immersion_factor * (1940 + 15 * worm_speed * RPM)
+    transfer = immersion_factor * (1940 + 15 * max(worm_speed * RPM, 150))
     return sump_temperature + tooth_loss / (transfer * cooled_area)
+
+
+def injected_bulk_temperature(
+    oil_temperature: float,
+    tooth_loss: float,
+    worm_speed: float,
+    gear: WormGear,
+    kinematic_viscosity: float,
+) -> float:
+    """Bulk temperature of a wheel with injected oil theta_M [K], theta_E + 16 K_n K_nu K_S P_Vz in kW.
+
+    K_n = (72.5 u/n1)^0.35 with n1 at least 150 rpm, K_nu = (nu/55 mm2/s)^0.35, K_S = (160 mm/a)^0.6. From a
+    public transcription of DIN 3996 (the worksheet on worm gears of MITCalc). Checked by its limit without
+    loss.
+
+    Parameters
+    ----------
+    oil_temperature : float
+        Of the injected oil theta_E [K].
+    tooth_loss : float
+        P_Vz [W].
+    worm_speed : float
+        [rad/s].
+    gear : WormGear
+        Geometry.
+    kinematic_viscosity : float
+        Of the injected oil [m2/s].
+    """
+    within("oil temperature", oil_temperature, 230, 470, "K")
+    within("tooth loss", tooth_loss, 0, 1e7, "W")
+    within("viscosity of the injected oil", kinematic_viscosity, 1e-6, 1e-2, "m2/s")
+    speed = (72.5 * gear.ratio / max(worm_speed * RPM, 150)) ** 0.35
+    thick = (kinematic_viscosity / 55e-6) ** 0.35
+    size = (0.16 / gear.centre_distance) ** 0.6
+    return oil_temperature + 16 * speed * thick * size * tooth_loss * 1e-3
 
 
 def temperature_safety(sump_temperature: float, limit: float) -> float:
     """S_T [-], limiting over actual sump temperature, both in degC inside; arguments in kelvin.
 
-    The limit is a property of the oil, given by its maker; 90 degC is usual for mineral oils, 100 degC
-    for PAO and PAG.
+    The limit is a property of the oil, given by its maker; `OIL_LIMITS` are usual.
     """
     within("sump temperature", sump_temperature, 273.16, 470, "K")
     within("limit of the sump temperature", limit, 273.16, 470, "K")
@@ -412,6 +378,8 @@ def teeth_loss(
     torque: float,
     roughness: float,
     material_factor: float = 1.0,
+    lubrication: Lubrication = "injection",
+    family: Family = "tin bronze",
 ) -> TeethLoss:
     """Loss between the teeth by `tooth_friction`; arguments as of `WormConditions`."""
     friction = tooth_friction(
@@ -421,6 +389,8 @@ def teeth_loss(
         gear.film_parameter,
         roughness,
         material_factor,
+        lubrication,
+        family,
     )
     forward = forward_efficiency(gear.tan_lead, friction)
     output = torque * worm_speed / gear.ratio

@@ -46,6 +46,68 @@ class RatedFigure:
 
 
 @dataclass(frozen=True)
+class Safety:
+    """A safety of a standard, with the least it requires.
+
+    Attributes
+    ----------
+    symbol, label : str
+        Its name in the standard and for people: "S_H", "pitting of the wheel's flanks".
+    minimum : float
+        Least value that the standard requires [-].
+    value : float or None
+        What it comes to [-]; None where it cannot be rated.
+    why : str
+        Why it cannot be rated; empty where it is.
+    inputs : dict
+        What it was made of, by symbol and unit.
+    doubts : tuple of str
+        What was assumed, and constants whose value or sign is not certain; a sentence each.
+    """
+
+    symbol: str
+    label: str
+    minimum: float
+    value: float | None = None
+    why: str = ""
+    inputs: dict[str, Value] = field(default_factory=dict)
+    doubts: tuple[str, ...] = ()
+
+    @property
+    def verdict(self) -> str:
+        """Either "sufficient", "not sufficient" or "cannot be rated"."""
+        if self.value is None:
+            return "cannot be rated"
+        return "sufficient" if self.value >= self.minimum else "not sufficient"
+
+    @property
+    def shown(self) -> str:
+        """The value as text."""
+        return "" if self.value is None else _short(self.value)
+
+    @property
+    def made_of(self) -> str:
+        """Its inputs, or why there are none, in a line."""
+        if self.value is None:
+            return self.why
+        return ", ".join(
+            f"{key} {of if isinstance(of, str) else _short(of)}" for key, of in self.inputs.items()
+        )
+
+    def summary(self) -> dict[str, Any]:
+        """The safety as an object for JSON."""
+        return {
+            "label": self.label,
+            "value": self.value,
+            "minimum": self.minimum,
+            "verdict": self.verdict,
+            "why": self.why,
+            "inputs": self.inputs,
+            "doubts": list(self.doubts),
+        }
+
+
+@dataclass(frozen=True)
 class Rating:
     """Rating of one object.
 
@@ -59,6 +121,8 @@ class Rating:
         Where the values come from: "computed", "printed", "standard", `SIMULATION`.
     figures : tuple of RatedFigure
         The figures.
+    safeties : tuple of Safety
+        Safeties of the standard; none of methods that have none.
     words : tuple of str
         What they mean, and what was assumed.
     failed : tuple of str
@@ -74,6 +138,7 @@ class Rating:
     source: str
     columns: tuple[str, ...]
     figures: tuple[RatedFigure, ...]
+    safeties: tuple[Safety, ...] = ()
     words: tuple[str, ...] = ()
     failed: tuple[str, ...] = ()
     not_rated: tuple[str, ...] = ()
@@ -108,6 +173,11 @@ class Rating:
                 }
                 for number, column in enumerate(self.columns)
             },
+            **(
+                {"safeties": {of.symbol: of.summary() for of in self.safeties}}
+                if self.safeties
+                else {}
+            ),
             "words": list(self.words),
             "failed": list(self.failed),
             "not_rated": list(self.not_rated),

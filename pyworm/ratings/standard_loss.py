@@ -8,11 +8,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from pyworm.case.case import Case, case_again
+from pyworm.case.ratings import WormRatingTable
 from pyworm.drives.duty import GearPairDuty, WormDuty
+from pyworm.formulas.worm_curves import Lubrication
 from pyworm.formulas.worm_standard import SOURCE, teeth_loss
+from pyworm.formulas.worm_wheel_material import Family
 from pyworm.io.input_error import CaseError
 from pyworm.materials.oil_file import oil_called
-from pyworm.ratings.worm import MEAN_TO_RMS
+from pyworm.ratings.worm_loads import MEAN_TO_RMS, wheel_material
 from pyworm.result.result import Result
 
 
@@ -107,7 +110,7 @@ def _worm(case: Case, duty: WormDuty) -> StandardLoss | NoStandard:
         duty.worm_speed,
         duty.torque,
         MEAN_TO_RMS * duty.roughness[0],
-        1.0 if table is None else table.material_factor,
+        *_rubbing(table),
     )
     if duty.driver == "worm":
         return StandardLoss(lost.friction, lost.forward_efficiency, lost.power, SOURCE)
@@ -115,6 +118,20 @@ def _worm(case: Case, duty: WormDuty) -> StandardLoss | NoStandard:
         return NoStandard(f"at its friction of {lost.friction:.3g} the wheel cannot drive the worm")
     power = duty.torque * duty.worm_speed / duty.gear.ratio * (1 - lost.backward_efficiency)
     return StandardLoss(lost.friction, lost.backward_efficiency, power, SOURCE)
+
+
+def _rubbing(table: WormRatingTable | None) -> tuple[float, Lubrication, Family]:
+    """Y_W, lubrication and group of the wheel's material, as `teeth_loss` takes them."""
+    if table is None:
+        return 1.0, "bath", "tin bronze"
+    material, factor = wheel_material(table), table.material_factor
+    if material is None:
+        return (1.0 if factor is None else factor), table.lubrication, "tin bronze"
+    return (
+        material.friction_factor if factor is None else factor,
+        table.lubrication,
+        material.family,
+    )
 
 
 def _gear_pair(duty: GearPairDuty) -> StandardLoss | NoStandard:

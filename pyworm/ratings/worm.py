@@ -1,6 +1,5 @@
 """Worm gears by the standards' methods, beside the simulation of the same drive."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,19 +10,15 @@ from pyworm.drives.duty import WormDuty
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
-from pyworm.formulas.worm_rating import WormConditions, WormRating, rate_worm
-from pyworm.formulas.worm_standard import OIL_KINDS, PITTING_STRENGTH
-from pyworm.io.input_error import CaseError
-from pyworm.materials.oil_file import oil_called
+from pyworm.formulas.worm_rating import WormRating
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
-from pyworm.ratings.worm_verdict import failures, left_unrated, locking
+from pyworm.ratings.worm_loads import MEAN_TO_RMS, RatedLoad, hardest, rated_loads, standard_oil
+from pyworm.ratings.worm_safeties import safeties, total_wear
+from pyworm.ratings.worm_verdict import NEVER_RATED, failures, locking
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut
-
-MEAN_TO_RMS = 0.8
-"""Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""
 
 
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
@@ -46,42 +41,8 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
 
 
 def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> WormRating:
-    """The worm gear by the standards, with the oil at the temperature of the wheel's flanks.
-
-    Raises
-    ------
-    CaseError
-        An oil that the standards have no constants for.
-    ValueError
-        What lies outside the methods.
-    """
-    oil = oil_called(table.oil, directory)
-    kind = oil.stock.name
-    if kind not in OIL_KINDS:
-        raise CaseError(
-            f'worm_rating.oil = "{table.oil}": the standards know {", ".join(OIL_KINDS)} only'
-        )
-    strength = None if table.wheel_material is None else PITTING_STRENGTH[table.wheel_material]
-
-    conditions = WormConditions(
-        oil=kind,
-        viscosity=float(oil.viscosity(table.sump_temperature)),
-        worm_speed=duty.worm_speed,
-        torque=duty.torque,
-        reduced_modulus=duty.reduced_modulus,
-        roughness=MEAN_TO_RMS * duty.roughness[0],
-        material_factor=table.material_factor,
-        pitting_strength=strength,
-        life=None if table.life is None else table.life / 3600,
-        structure_factor=table.structure_factor,
-        pressure_factor=table.pressure_factor,
-        sump_temperature=table.sump_temperature,
-        immersion_factor=table.immersion_factor,
-        temperature_limit=table.temperature_limit,
-    )
-    # The bulk temperature follows from friction, in which the standards see no viscosity.
-    hot = rate_worm(duty.gear, conditions).bulk_temperature
-    return rate_worm(duty.gear, replace(conditions, viscosity=float(oil.viscosity(hot))))
+    """The worm gear by the standards under its largest torque; errors as of `rated_loads`."""
+    return hardest(rated_loads(table, duty, directory)).rated
 
 
 def rate_worm_table(
@@ -106,15 +67,48 @@ def rate_worm_table(
     result : Result, optional
         Its solved mesh phases.
     """
-    rated = standard_rating(table, duty, directory)
+    loads = rated_loads(table, duty, directory)
+    rated = hardest(loads).rated
+    made = safeties(table, duty, loads, directory)
     simulated = {} if result is None or drive is None else _simulated(duty, drive, result)
-    oil = oil_called(table.oil, directory)
     figures = []
-    for key, label, value, scale, unit in _rows(duty, rated):
+    for key, label, value, scale, unit in _rows(duty, loads):
         if value is not None or key in simulated:
             others = (simulated.get(key),) if simulated else ()
             figures.append(RatedFigure(key, label, (value, *others), scale, unit))
+    return Rating(
+        key="worm",
+        title="Worm gear",
+        source=rated.source,
+        columns=("standard", SIMULATION) if simulated else ("standard",),
+        figures=tuple(figures),
+        safeties=made,
+        words=tuple(_words(table, duty, loads, directory, bool(simulated))),
+        failed=failures(duty, made, total_wear(loads)),
+        not_rated=(
+            *(f"{of.symbol}, {of.label}: {of.why}" for of in made if of.value is None),
+            *NEVER_RATED,
+        ),
+        left_out=of_all(result.solutions) if simulated else LeftOut(),
+    )
+
+
+def _words(
+    table: WormRatingTable,
+    duty: WormDuty,
+    loads: tuple[RatedLoad, ...],
+    directory: Path,
+    simulated: bool,
+) -> list[str]:
+    """What the figures mean, and what was assumed."""
+    oil, rated = standard_oil(table, directory), hardest(loads).rated
     words = [*duty.words]
+    if len(loads) > 1:
+        words.append(
+            f"Spectrum of {len(loads)} loads, {sum(of.hours for of in loads):.5g} h together: figures are "
+            "those of its largest torque, pitting adds up by Miner's rule, wear adds up, roots and shaft are "
+            "rated for the largest torque, the oil for its hottest."
+        )
     if simulated:
         words.append(
             "Simulated films are means over the solved mesh phases, of one tooth at a time; pressure "
@@ -129,30 +123,27 @@ def rate_worm_table(
         f"{duty.composite_roughness * 1e6:.3g} µm together; Ra of the worm taken as {MEAN_TO_RMS:g} Rq."
     )
     words.append(
-        f"{oil.name}: {oil.viscosity(rated.bulk_temperature) * 1e3:.0f} mPa s on the wheel's flanks of "
+        f"{oil.name}, {table.lubrication} lubrication: "
+        f"{oil.viscosity(rated.bulk_temperature) * 1e3:.0f} mPa s on the wheel's flanks of "
         f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
     )
     words.append(locking(duty.gear, rated))
-    return Rating(
-        key="worm",
-        title="Worm gear",
-        source=rated.source,
-        columns=("standard", SIMULATION) if simulated else ("standard",),
-        figures=tuple(figures),
-        words=tuple(words),
-        failed=failures(duty, rated),
-        not_rated=left_unrated(table, duty, rated),
-        left_out=of_all(result.solutions) if simulated else LeftOut(),
-    )
+    words += [
+        f"{of.symbol}: {doubt}"
+        for of in safeties(table, duty, loads, directory)
+        for doubt in of.doubts
+    ]
+    return words
 
 
-def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
+def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
     """Key, label, the standard's value, scale and unit of every row."""
+    worst = hardest(loads)
+    rated, worn = worst.rated, total_wear(loads)
     ratio = float(specific_film(rated.film, duty.composite_roughness))
     bulk = None if rated.bulk_temperature is None else rated.bulk_temperature - ZERO_CELSIUS
-    worn = rated.wear_depth
     return [
-        ("wheel_torque_Nm", "Wheel torque T2", duty.torque, 1e-3, "kN m"),
+        ("wheel_torque_Nm", "Wheel torque T2", worst.torque, 1e-3, "kN m"),
         ("sliding_speed_m_s", "Sliding speed v_g", rated.sliding_speed, 1.0, "m/s"),
         ("film_parameter", "Film parameter h*", rated.film_parameter, 1.0, ""),
         ("film_m", "Mean minimum film h_min,m", rated.film, 1e6, "µm"),
@@ -176,13 +167,29 @@ def _rows(duty: WormDuty, rated: WormRating) -> list[tuple]:
         ("loss_W", "Loss between the teeth", rated.tooth_loss, 1e-3, "kW"),
         ("bulk_temperature_C", "Wheel's bulk temperature", bulk, 1.0, "°C"),
         ("surface_temperature_max_C", "Largest flank temperature", None, 1.0, "°C"),
-        ("pitting_safety", "Safety against pitting S_H", rated.pitting_safety, 1.0, ""),
-        ("wear_depth_m", "Wear in its life", rated.wear_depth, 1e6, "µm"),
+        ("wear_depth_m", "Wear in its life", worn, 1e6, "µm"),
         ("wear_limit_m", "Wear allowed", worn and duty.gear.wear_limit, 1e6, "µm"),
-        ("wear_safety", "Safety against wear S_W", rated.wear_safety, 1.0, ""),
-        ("temperature_safety", "Safety of temperature S_T", rated.temperature_safety, 1.0, ""),
         ("shaft_deflection_m", "Deflection of the worm's shaft", duty.deflection, 1e6, "µm"),
-        ("deflection_safety", "Safety of deflection S_delta", duty.deflection_safety, 1.0, ""),
+        *_gearbox_rows(rated),
+    ]
+
+
+def _gearbox_rows(rated: WormRating) -> list[tuple]:
+    """Rows about the whole gearbox: losses besides the teeth, and efficiencies with them."""
+    other, back = rated.other, rated.gearbox_efficiency_back
+    return [
+        ("loss_churning_W", "Loss of churning", other.churning, 1e-3, "kW"),
+        ("loss_bearings_W", "Loss of bearings", other.bearings, 1e-3, "kW"),
+        ("loss_seals_W", "Loss of seals", other.seals, 1e-3, "kW"),
+        ("loss_gearbox_W", "Loss of the gearbox", rated.loss, 1e-3, "kW"),
+        (
+            "efficiency_gearbox",
+            "Efficiency of the gearbox, worm driving",
+            rated.gearbox_efficiency,
+            100.0,
+            "%",
+        ),
+        ("efficiency_gearbox_back", "Efficiency of the gearbox, wheel driving", back, 100.0, "%"),
     ]
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.drives.zi_worm.contact_pattern import THICKNESS
 from pyworm.drives.zi_worm.design import AS_DESIGNED
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
-from pyworm.formulas.worm_standard import deflection_limit
+from pyworm.formulas.worm_deflection import deflection_limit
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive

@@ -36,6 +36,8 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
         diameter_factor=factor,
         face_width=drive.wheel.face_width,
         profile_shift=drive.profile_shift,
+        pressure_angle=drive.worm_flank.pressure_angle(drive.reference_radius),
+        concave=drive.worm.profile in ("ZC", "ZC2"),
     )
     torque = "wheel torque as the drive has it"
     if not isinstance(drive.load, Transmission):

@@ -125,4 +125,17 @@ def _rating_blocks(rating: Rating) -> list[Block]:
         note=f"Source: {rating.source}.",
     )
     sentences = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)
-    return [table, Items(sentences)] if sentences else [table]
+    tables: list[Block] = [table, _safeties(rating)] if rating.safeties else [table]
+    return [*tables, Items(sentences)] if sentences else tables
+
+
+def _safeties(rating: Rating) -> Table:
+    """The safeties of a rating with what they require and were made of."""
+    return Table(
+        head=("Safety", "Value", "Required", "Verdict", "Made of"),
+        rows=tuple(
+            (f"{of.symbol}, {of.label}", of.shown, f"{of.minimum:g}", of.verdict, of.made_of)
+            for of in rating.safeties
+        ),
+        title=f"{rating.title}: safeties",
+    )

@@ -25,9 +25,7 @@ DECIDE = (
     "wear_probability",
     "scuffing_probability",
     "scuffing_risk",
-    "pitting_safety",
     "wear_depth_m",
-    "temperature_safety",
     "modified_life_h",
 )
 """Keys of the rated figures in the summary of a report."""
@@ -96,8 +94,17 @@ def glance_section(
 
 
 def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
-    """Decisive figures of ratings."""
-    return tuple(
+    """Decisive figures of ratings, and the safeties with their verdicts."""
+    safeties = tuple(
+        (
+            f"{of.symbol}, {of.label}",
+            f"{of.shown}, required {of.minimum:g}: {of.verdict}".removeprefix(", "),
+            f"{rating.title}, {rating.columns[0]}",
+        )
+        for rating in made
+        for of in rating.safeties
+    )
+    return safeties + tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
         for rating in made
         for figure in rating.figures

@@ -38,6 +38,15 @@ RANGES = {
     r"(film\w*|roughness|approach|wear_depth|^film_min\.value)_m$": (1e-9, 1e-4),
     r"(dowson|chittenden|moes|khonsari|toyoda|higginson)_m$": (1e-9, 1e-4),
     r"(length|width|jet_diameter)_m$": (1e-4, 0.1),
+    r"wear_limit_m$": (1e-4, 1e-2),
+    r"\.minimum$": (1, 2),
+    r"^S_\w+\.value$": (0, 1e3),
+    r"^S_\w+\.inputs\..*_um$": (1e-3, 1e4),
+    r"^S_\w+\.inputs\..*_MPa$": (1, 2e3),
+    r"^S_\w+\.inputs\..*_kN$": (1e-2, 1e3),
+    r"^S_\w+\.inputs\.(W_S|W_H|s\*|p_m\*|rim_over_module)$": (1e-2, 1e3),
+    r"^S_\w+\.inputs\.J_": (1e-13, 1e-5),
+    r"^S_\w+\.inputs\.L_h$": (1, 1e6),
     r"face_m$": (-0.1, 0.1),
     r"(radius_m|radii_m|radius_\w+_m)$": (1e-3, 10),
     # temperatures: no kelvin of a machine that stands in a room is below 250
@@ -70,6 +79,7 @@ RANGES = {
     # without unit
     r"(phase|phases)$": (0, 1),
     r"(efficiency|efficiency_back|probability|contamination|reliability_factor)$": (0, 1),
+    r"efficiency_gearbox(_back)?$": (0, 1),
     r"(friction|friction_coefficient|friction_rest|loss_factor|film_parameter)$": (1e-3, 0.3),
     r"(specific_film|lambda_(min|central)\.value|modification|kappa|safety)$": (0, 100),
     r"(locking|locking_rest|heat)$": (0, 100),

@@ -4,16 +4,18 @@ import tomllib
 from dataclasses import replace
 from math import atan, cos, radians, tan
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from zi_drives import coarse_springs
 
 from pyworm.case.case import case_of
+from pyworm.case.ratings import WormRatingTable
 from pyworm.drives.zi_worm.worm_shaft import WormShaft, mesh_force
-from pyworm.formulas.worm_standard import deflection_limit
+from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.io.input_error import CaseError
+from pyworm.ratings.worm_loads import rated_loads
+from pyworm.ratings.worm_safeties import safeties
 from pyworm.ratings.worm_verdict import failures
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -111,10 +113,11 @@ def test_shafts_that_do_not_carry_the_worm_are_refused(shaft, right):
 
 def test_the_standard_rates_the_deflection(drive):
     assert drive.duty().deflection == drive.bent.deflection
+    table = WormRatingTable(oil="PAG VG 220", sump_temperature="80 degC")
     duty = replace(drive.duty(), deflection=0.1e-3)
-    assert duty.deflection_safety == pytest.approx(0.8)
-    unrated = SimpleNamespace(wear_depth=None, pitting_safety=None, temperature_safety=None)
-    assert failures(duty, unrated) == (
-        "Safety of deflection of 0.8 is below 1: the worm's shaft bends 100 µm.",
+    made = safeties(table, duty, rated_loads(table, duty, Path()), Path())
+    bent = next(of for of in made if of.symbol == "S_delta")
+    assert bent.value == pytest.approx(0.8) and bent.verdict == "not sufficient"
+    assert failures(duty, made, None) == (
+        "S_delta = 0.8 against deflection of the worm's shaft is below 1.",
     )
-    assert failures(replace(duty, deflection=None), unrated) == ()

@@ -209,7 +209,8 @@ def test_the_summary_shows_the_worst_of_every_figure(worm):
     output = 6.69e3 * 50 * np.pi * 3 / 59  # 14 kN on each of two teeth, on an arm of 239 mm
     efficiency = float(glance["Efficiency of the teeth, forward, as if smooth"][0].split(" %")[0])
     assert efficiency == pytest.approx(100 * output / (output + loss), abs=0.02)
-    assert glance["Safety against pitting S_H"] == ("1.231", "Worm gear, standard")
+    pitting = glance["S_H, pitting of the wheel's flanks"]
+    assert pitting == ("1.284, required 1: sufficient", "Worm gear, standard")
     assert glance["Modified life L_nmh"][0].endswith(" h")
 
 

@@ -305,7 +305,8 @@ def test_without_a_rating_table_the_case_s_own_oil_counts_or_the_reason_is_given
         f'{bare[:start]}[oil]\nname = "PAG VG 460"\ntemperature = "60 degC"\n{bare[end:]}'
     )
     named = standard_loss(pyworm.load(path))
-    assert named == standard_loss(pyworm.load(CASES / "zi_sharif_2001.toml"))
+    whole = standard_loss(pyworm.load(CASES / "zi_sharif_2001.toml"))
+    assert named.friction * 0.95 == pytest.approx(whole.friction)  # Y_W of its bronze
     for name, reason in (
         ("zi_drive", "roughness is missing"),
         ("ball_pag_460", "a contact without a drive"),

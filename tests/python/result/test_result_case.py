@@ -85,7 +85,7 @@ def test_a_report_takes_the_ratings_of_the_case(kept, capsys):
     page = Path("report.html").read_text()
     assert main(["rate", "case.toml", "--result", "result.nc", "--json"]) == 0
     out = capsys.readouterr().out
-    rated = json.loads(out[out.index("{") :])["ratings"][0]["standard"]["pitting_safety"]
+    rated = json.loads(out[out.index("{") :])["ratings"][0]["safeties"]["S_H"]["value"]
     assert f"{rated:.4g}" in page
 
 

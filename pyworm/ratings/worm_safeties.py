@@ -1,0 +1,228 @@
+"""The five safeties of the worm-gear standard, over all loads of a life, each with what it was made of."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from pyworm.case.ratings import WormRatingTable
+from pyworm.drives.duty import WormDuty
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.formulas.worm_deflection import deflection_limit
+from pyworm.formulas.worm_losses import oil_factor
+from pyworm.formulas.worm_root import root_shear
+from pyworm.formulas.worm_standard import OIL_LIMITS, temperature_safety
+from pyworm.ratings.rating import Safety
+from pyworm.ratings.worm_loads import (
+    RatedLoad,
+    hardest,
+    standard_oil,
+    sump_by_standard,
+    wheel_material,
+)
+
+REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1}
+"""Least safeties (a public transcription of DIN 3996, the worksheet on worm gears of MITCalc)."""
+
+_LABELS = {
+    "S_W": "wear of the wheel's flanks",
+    "S_H": "pitting of the wheel's flanks",
+    "S_delta": "deflection of the worm's shaft",
+    "S_F": "shear at the roots of the wheel's teeth",
+    "S_T": "temperature of the oil",
+}
+
+_PITTING_POWER = 6
+"""Hours of pitting fall with this power of the stress: Z_h = (25000 h/Lh)^(1/6)."""
+
+_MOST_LASTING = 1.6
+"""Largest Z_h [-]."""
+
+
+@dataclass(frozen=True)
+class _Rated:
+    """What all safeties are made of."""
+
+    table: WormRatingTable
+    duty: WormDuty
+    loads: tuple[RatedLoad, ...]
+    directory: Path
+
+
+def safeties(
+    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+) -> tuple[Safety, ...]:
+    """S_W, S_H, S_delta, S_F and S_T of a worm gear.
+
+    Parameters
+    ----------
+    table : WormRatingTable
+        The case's `[worm_rating]`.
+    duty : WormDuty
+        The worm gear.
+    loads : tuple of RatedLoad
+        Every load of its life.
+    directory : Path
+        Where the case lies.
+    """
+    of = _Rated(table, duty, loads, directory)
+    return _wear(of), _pitting(of), _deflection(of), _root(of), _temperature(of)
+
+
+def total_wear(loads: tuple[RatedLoad, ...]) -> float | None:
+    """Depth worn off the flanks under all loads together [m]; None where it is not rated."""
+    if any(of.rated.wear is None for of in loads):
+        return None
+    return sum(of.rated.wear.depth for of in loads)
+
+
+def _safety(symbol: str, **given) -> Safety:
+    return Safety(symbol, _LABELS[symbol], REQUIRED[symbol], **given)
+
+
+def _missing(table: WormRatingTable, *keys: str) -> str:
+    """What of a table is not given, in a sentence."""
+    gone = [
+        key
+        for key in keys
+        if getattr(table, key) is None and not (key == "life" and table.spectrum)
+    ]
+    return ", ".join(f"worm_rating.{key} is missing" for key in gone) + "."
+
+
+def _wear(of: _Rated) -> Safety:
+    depth = total_wear(of.loads)
+    if depth is None:
+        return _safety("S_W", why=_missing(of.table, "wheel_material", "life"))
+    limit, worst = of.duty.gear.wear_limit, hardest(of.loads)
+    wear = worst.rated.wear
+    inputs = {
+        "delta_Wlim_um": limit * 1e6,
+        "delta_W_um": depth * 1e6,
+        "h_min_m_um": worst.rated.film * 1e6,
+        "W_S": wear.structure_factor,
+        "W_H": wear.pressure_factor,
+        "K_W_um": wear.parameter,
+        "J_0T": wear.base,
+        "J_W": wear.intensity,
+        "s*": worst.rated.sliding_parameter,
+        "lubrication": of.table.lubrication,
+    }
+    doubts = []
+    if wear.base >= 400e-9:
+        doubts.append("J_0T is at or beyond 400e-9, where the curve ends: boundary lubrication.")
+    if of.table.lubrication == "bath":
+        doubts.append("Bath lubrication's curve of wear is of one transcription alone.")
+    return _safety("S_W", value=limit / depth, inputs=inputs, doubts=tuple(doubts))
+
+
+def _pitting(of: _Rated) -> Safety:
+    """Miner's sum of hours over those endured at the stress divided by the safety is 1."""
+    rated = [load.rated.pitting_safety for load in of.loads]
+    if any(one is None for one in rated):
+        return _safety("S_H", why=_missing(of.table, "wheel_material", "life"))
+    value = rated[0] if len(rated) == 1 else _miner(of.loads)
+    worst = hardest(of.loads)
+    inputs = {
+        "sigma_HlimT_MPa": wheel_material(of.table).pitting_strength * 1e-6,
+        "sigma_Hm_MPa": worst.rated.mean_pressure * 1e-6,
+        "L_h": sum(load.hours for load in of.loads),
+        "v_gm_m_s": worst.rated.sliding_speed,
+        "p_m*": worst.rated.pressure_parameter,
+        "oil": worst.conditions.oil,
+    }
+    return _safety("S_H", value=value, inputs=inputs)
+
+
+def _miner(loads: tuple[RatedLoad, ...]) -> float:
+    """S_H over several loads [-]; hours and safeties of each are of its own share of the life."""
+    damage, bound = 0.0, float("inf")
+    for load in loads:
+        lasting = min((25000 / load.hours) ** (1 / _PITTING_POWER), _MOST_LASTING)
+        endured = load.rated.pitting_safety / lasting  # over 25000 h
+        damage += load.hours / 25000 * endured**-_PITTING_POWER
+        bound = min(bound, endured * _MOST_LASTING)
+    return min(damage ** (-1 / _PITTING_POWER), bound)
+
+
+def _deflection(of: _Rated) -> Safety:
+    worst, limit = hardest(of.loads), deflection_limit(of.duty.gear.module)
+    bent, doubts = worst.rated.shaft_deflection, ()
+    where = "[drive.shaft]"
+    if of.duty.deflection is not None:
+        bent = of.duty.deflection * worst.torque / of.duty.torque
+    else:
+        where = "half the wheel's tip diameter to each side"
+        doubts = (
+            "Bearings assumed half the wheel's tip diameter to each side of the line of centres, the shaft "
+            "1.1 times as thick as a root 1.25 modules deep; [drive.shaft] gives the real ones.",
+        )
+    inputs = {"delta_lim_um": limit * 1e6, "delta_m_um": bent * 1e6, "bearings": where}
+    return _safety("S_delta", value=limit / bent, inputs=inputs, doubts=doubts)
+
+
+def _root(of: _Rated) -> Safety:
+    material = wheel_material(of.table)
+    if material is None:
+        return _safety("S_F", why=_missing(of.table, "wheel_material"))
+    worst, gear, depth = hardest(of.loads), of.duty.gear, total_wear(of.loads)
+    worn = min(gear.wear_limit, gear.wear_limit if depth is None else depth)
+    shear = root_shear(gear, worst.torque, worn, of.table.rim_over_module)
+    inputs = {
+        "tau_FlimT_MPa": material.root_strength * 1e-6,
+        "tau_F_MPa": shear * 1e-6,
+        "F_tm2_kN": gear.tangential_force(worst.torque) * 1e-3,
+        "worn_um": worn * 1e6,
+        "rim_over_module": of.table.rim_over_module,
+    }
+    doubts = (
+        "Life factor Y_NL of 1, that of endurance; dedendum 1.25 modules; rim as given or 2 modules.",
+    )
+    return _safety("S_F", value=material.root_strength / shear, inputs=inputs, doubts=doubts)
+
+
+def _temperature(of: _Rated) -> Safety:
+    hot = max(of.loads, key=lambda load: load.sump)
+    kind, given = hot.conditions.oil, of.table.temperature_limit
+    limit = OIL_LIMITS[kind] if given is None else given
+    inputs: dict[str, float | str] = {
+        "theta_Slim_C": limit - ZERO_CELSIUS,
+        "theta_S_C": hot.sump - ZERO_CELSIUS,
+    }
+    doubts = []
+    if given is None:
+        doubts.append(f"Limit of {kind} oils as the transcription has it; the oil's maker decides.")
+    else:
+        inputs["limit"] = "given"
+    inputs |= _sumps(of, hot, doubts)
+    value = temperature_safety(hot.sump, limit)
+    return _safety("S_T", value=value, inputs=inputs, doubts=tuple(doubts))
+
+
+def _sumps(of: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float | str]:
+    """The sump's temperature by the standard with and without fan, for S_T's inputs."""
+    oil = standard_oil(of.table, of.directory)
+    torque = hot.torque / of.table.application_factor
+    given = of.table.sump_temperature is not None
+    try:
+        with_fan, without = (
+            sump_by_standard(of.table, of.duty, oil, torque, hot.worm_speed, fan) - ZERO_CELSIUS
+            for fan in (True, False)
+        )
+    except ValueError as error:
+        doubts.append(f"Sump temperature as given; the standard's has no value here ({error}).")
+        return {}
+    factor = oil_factor(hot.conditions.oil, of.duty.gear.ratio, hot.worm_speed)
+    if factor != 1:
+        doubts.append(
+            f"c2 = {factor:.3f} of the standard's sump temperature: the transcription has {2 - factor:.3f}, "
+            "its sign is doubtful; the hotter one is taken."
+        )
+    if given and min(with_fan, without) > hot.sump - ZERO_CELSIUS + 10:
+        doubts.append(
+            "The sump temperature that is given is more than 10 K below the standard's with a fan."
+        )
+    return {
+        "theta_S_with_fan_C": with_fan,
+        "theta_S_without_fan_C": without,
+        "taken": "as given" if given else "of the standard",
+    }
