@@ -1,7 +1,8 @@
 """A case about a worm drive, by its design table of a ZI worm."""
 
+from dataclasses import replace
 from itertools import pairwise
-from math import inf, pi
+from math import inf
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
@@ -10,14 +11,17 @@ from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.drive_case import LOADS
 from pyworm.case.ratings import RatedCase, WormRatingTable
 from pyworm.case.table import Count, Phase, PositiveNumber, Table, Text
+from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.zi_worm import tooth
 from pyworm.drives.zi_worm.design import Assembly, Design, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.duty import geometry_of
 from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
 from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
 from pyworm.drives.zi_worm.worm_shaft import WormShaft
+from pyworm.formulas.worm_losses import Bearings, other_losses
 from pyworm.io import units
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
@@ -189,13 +193,15 @@ class CoolingTable(Table):
 
     `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
     them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
-    `worm_excess` is the excess of the worm's bulk temperature over the wheel's. `tooth_loss` is the loss
-    between the teeth for which all this is struck; left out, it is found.
+    Left out, `other_loss` is that of the worm standard, for `bearings` of the worm. `worm_excess` is the
+    excess of the worm's bulk temperature over the wheel's. `tooth_loss` is the loss between the teeth for
+    which all this is struck; left out, it is found.
     """
 
     ambient_temperature: units.Temperature
     conductance: units.ThermalConductance
-    other_loss: units.PowerOrZero = 0.0
+    other_loss: units.PowerOrZero | None = None
+    bearings: Bearings = "adjusted"
     immersion: PositiveNumber = 1.0
     worm_excess: units.TemperatureDifference = 0.0
     tooth_loss: units.Power | None = None
@@ -252,30 +258,37 @@ class WormDriveCase(RatedCase):
         }
         return {table: keys for table, keys in left.items() if keys}
 
+    def cooling_of(self, drive: ZiWormDrive) -> Cooling:
+        """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
+        table, load = self.cooling, drive.load
+        if table.other_loss is not None:
+            other = BesidesTeeth(given=table.other_loss)
+        else:
+            torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
+            lost = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
+            other = BesidesTeeth(lost, table.bearings)
+        return Cooling(
+            table.ambient_temperature,
+            table.conductance,
+            other,
+            table.immersion,
+            table.worm_excess,
+        )
+
     def make_drive(self) -> ZiWormDrive:
         """The drive of a case file about a worm."""
         oil, operation = self.oil.oil(), self.operation
         design = self.drive.design()
-        bodies = design.seen(self.bodies.pair(oil))
         ratio = design.worm.threads / design.wheel.teeth
         speed = operation.worm_speed or operation.wheel_speed / ratio
-        if self.cooling is not None:
-            loss = self.cooling.tooth_loss
-            if loss is None:
-                loss = _first_loss(_transmission(self, speed, ratio), speed, ratio)
-            cooling = Cooling(**self.cooling.model_dump(exclude={"tooth_loss"}))
-            wheel = design.wheel
-            rim = wheel.face_width * (wheel.teeth * design.worm.axial_pitch / pi)
-            warm = drive_temperatures(cooling, rim, speed, loss)
-            oil, bodies = warm.oil(oil), warm.bodies(bodies)
-        return ZiWormDrive(
+        drive = ZiWormDrive(
             worm=design.worm,
             wheel=design.wheel,
             hob=design.hob,
             centre_distance=design.centre_distance,
             speed=speed,
             load=operation.load or _transmission(self, speed, ratio),
-            bodies=bodies,
+            bodies=design.seen(self.bodies.pair(oil)),
             oil=oil,
             assembly=Assembly(**dict(self.drive.assembly)),
             driver=operation.driver,
@@ -283,6 +296,16 @@ class WormDriveCase(RatedCase):
             taken=design.taken,
             shaft=None if self.drive.shaft is None else self.drive.shaft.shaft(),
         )
+        return drive if self.cooling is None else self._warm(drive)
+
+    def _warm(self, drive: ZiWormDrive) -> ZiWormDrive:
+        """The drive with oil and bodies as warm as its losses make them."""
+        loss = self.cooling.tooth_loss
+        if loss is None:
+            loss = _first_loss(drive.load, drive.speed, drive.ratio)
+        rim = drive.wheel.face_width * 2 * drive.wheel_reference_radius
+        warm = drive_temperatures(self.cooling_of(drive), rim, drive.speed, loss)
+        return replace(drive, oil=warm.oil(drive.oil), bodies=warm.bodies(drive.bodies))
 
 
 class ZiWormCase(WormDriveCase):

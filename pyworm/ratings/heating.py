@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pyworm.case.case import Case
+from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.result.mesh_cycle import DriveCycle
 
@@ -51,9 +52,9 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
 
 def tooth_loss_of(case: Case) -> float:
     """Loss between the teeth assumed in a case's thermal balance [W]."""
-    cooling = case.tables.cooling
+    cooling = case.tables.cooling_of(case.drive)
     sump = case.drive.oil.heat.inlet_temperature
-    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other_loss
+    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other.power
 
 
 @dataclass(frozen=True)
@@ -66,19 +67,31 @@ class Heating:
         Loss between the teeth that the temperatures belong to [W].
     found : HeatingLoss
         What the films solved with them lose.
+    other : BesidesTeeth
+        What bearings, seals and churning lose.
     """
 
     taken: float
     found: HeatingLoss
+    other: BesidesTeeth
 
     @property
     def words(self) -> str:
-        """Both losses in a sentence."""
-        return f"Temperatures are struck for {self.taken:.4g} W between the teeth; found: {self.found.words}."
+        """All losses in sentences."""
+        return (
+            f"Temperatures are struck for {self.taken:.4g} W between the teeth; found: {self.found.words}. "
+            f"{self.other.words}"
+        )
 
     def summary(self) -> dict[str, Any]:
-        """Both losses as an object for JSON."""
-        return {"taken_W": self.taken, "found_W": self.found.power, "by": self.found.by}
+        """All losses as an object for JSON."""
+        return {
+            "taken_W": self.taken,
+            "found_W": self.found.power,
+            "by": self.found.by,
+            **self.other.summary(),
+            "whole_W": self.found.power + self.other.power,
+        }
 
 
 def heating_of(
@@ -97,4 +110,5 @@ def heating_of(
     """
     if getattr(case.tables, "cooling", None) is None or cycle is None or cycle.loss is None:
         return None
-    return Heating(tooth_loss_of(case), heating_loss(cycle, standard))
+    other = case.tables.cooling_of(case.drive).other
+    return Heating(tooth_loss_of(case), heating_loss(cycle, standard), other)

@@ -9,6 +9,23 @@ from pyworm.materials.body import reduced_modulus
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+
+def geometry_of(gears: "ZiWormGears") -> WormGear:
+    """The geometry of worm and wheel as the standards see it."""
+    radius, module = gears.reference_radius, gears.module
+    return WormGear(
+        centre_distance=gears.centre_distance,
+        starts=gears.worm.threads,
+        teeth=gears.wheel.teeth,
+        module=module,
+        diameter_factor=2 * radius / module,
+        face_width=gears.wheel.face_width,
+        profile_shift=gears.profile_shift,
+        pressure_angle=gears.worm_flank.pressure_angle(radius),
+        concave=gears.worm.profile in ("ZC", "ZC2"),
+    )
 
 
 def worm_duty(drive: "ZiWormDrive") -> WormDuty:
@@ -24,21 +41,10 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
             raise ValueError(
                 f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
             )
-    module = drive.module
-    factor = 2 * drive.reference_radius / module
+    module, gear = drive.module, geometry_of(drive)
+    factor = gear.diameter_factor
     known = drive.worm.reference_radius is not None
     reference = "as drawn" if known else "the reference cylinder one module below the worm's tip"
-    gear = WormGear(
-        centre_distance=drive.centre_distance,
-        starts=drive.worm.threads,
-        teeth=drive.wheel.teeth,
-        module=module,
-        diameter_factor=factor,
-        face_width=drive.wheel.face_width,
-        profile_shift=drive.profile_shift,
-        pressure_angle=drive.worm_flank.pressure_angle(drive.reference_radius),
-        concave=drive.worm.profile in ("ZC", "ZC2"),
-    )
     torque = "wheel torque as the drive has it"
     if not isinstance(drive.load, Transmission):
         torque = (

@@ -4,11 +4,13 @@ The state is steady. The oil in the sump has one temperature, that of the inlets
 leave through the housing by one conductance, H (T_sump - T_ambient) = P_teeth + P_other. The wheel's bulk
 temperature exceeds that of the oil by the loss between the teeth over the heat transfer of its rim (DIN 3996
 and ISO/TS 14521, `pyworm.formulas.worm_standard.bulk_temperature`, not compared with the print); the worm's
-exceeds the wheel's by a difference that is given, since no source gives one in closed form.
+exceeds the wheel's by a difference that is given, since no source gives one in closed form. P_teeth holds the
+friction of asperities where roughness is simulated; P_other is given, or that of the same standard.
 """
 
 from dataclasses import dataclass, replace
 
+from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.formulas.worm_standard import bulk_temperature
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
@@ -24,8 +26,8 @@ class Cooling:
         Temperature of the surroundings [K].
     conductance : float
         Heat from the housing to its surroundings over the temperature difference to the oil [W/K].
-    other_loss : float
-        Loss of bearings, seals and churning [W].
+    other : BesidesTeeth
+        Losses of bearings, seals and churning.
     immersion : float
         Coefficient c_k of the wheel in the standards [-].
     worm_excess : float
@@ -34,7 +36,7 @@ class Cooling:
 
     ambient_temperature: float
     conductance: float
-    other_loss: float
+    other: BesidesTeeth
     immersion: float
     worm_excess: float
 
@@ -85,6 +87,6 @@ def drive_temperatures(
     ValueError
         If the sump is hotter than the range of the standard's formula.
     """
-    sump = cooling.ambient_temperature + (tooth_loss + cooling.other_loss) / cooling.conductance
+    sump = cooling.ambient_temperature + (tooth_loss + cooling.other.power) / cooling.conductance
     wheel = bulk_temperature(sump, tooth_loss, worm_speed, rim, cooling.immersion)
     return DriveTemperatures(sump, wheel + cooling.worm_excess, wheel)

@@ -1,5 +1,6 @@
 """Temperatures of a worm drive from its losses; the search for a loss that agrees with itself."""
 
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 import pyworm
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
+from pyworm.case.case import case_of
 from pyworm.drives.tooth_loss import Loss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
@@ -34,6 +36,33 @@ def test_heat_leaves_through_the_housing_and_the_wheel(case):
     assert wheel == pytest.approx(sump + 1100 / ((1940 + 15 * 1500) * rim))
     assert worm == pytest.approx(wheel + 15)
     assert drive_iteration.tooth_loss_of(with_loss(case, 1100.0)) == pytest.approx(1100)
+
+
+def test_losses_besides_the_teeth_are_the_standards_unless_given(case):
+    """8.9e-5 a n^(4/3), 0.03 P2 a^0.44 u/d_m2 and twice 1.178e-5 d_m1^2 n in W, mm and rpm."""
+    text = (CASES / "zi_cooled.toml").read_text().replace('other_loss = "500 W"\n', "")
+    bare = case_of(tomllib.loads(text), "bare", CASES).with_found(
+        {"cooling": {"tooth_loss": 1100.0}}
+    )
+    churning = 8.9e-5 * 304.8 * 1500 ** (4 / 3)
+    wheel = 2 * 304.8 - 8.4997 * 9.14504
+    bearings = 0.03 * 4000 * 50 * np.pi * 3 / 59 * 304.8**0.44 * 59 / 3 / wheel
+    seals = 2 * 1.178e-5 * (8.4997 * 9.14504) ** 2 * 1500
+    other = bare.tables.cooling_of(bare.drive).other
+    assert (
+        other.standard.churning,
+        other.standard.bearings,
+        other.standard.seals,
+    ) == pytest.approx((churning, bearings, seals), rel=1e-3)
+    assert other.summary()["other_W"] == other.power > 1000
+    assert "assumed by the worm standard's regressions" in other.words
+    sump = bare.drive.oil.heat.inlet_temperature - ZERO_CELSIUS
+    assert sump == pytest.approx(20 + (1100 + other.power) / 40)
+    assert drive_iteration.tooth_loss_of(bare) == pytest.approx(1100)
+    floating = text.replace("[cooling]", '[cooling]\nbearings = "fixed and floating"')
+    case = case_of(tomllib.loads(floating), "bare", CASES)
+    less = case.tables.cooling_of(case.drive).other
+    assert less.standard.bearings / other.standard.bearings == pytest.approx(13 / 30)
 
 
 def test_oil_of_the_sump_is_the_oil_warmed_by_its_own_laws(case):

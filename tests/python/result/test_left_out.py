@@ -360,7 +360,7 @@ def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypat
     cycle = replace(BOUNDARY_CYCLE, loss=loss, lifts=())
     said, solved = [], []
     monkeypatch.setattr(
-        drive_iteration, "run", lambda case, tasks, *how: solved.append(tasks[0].case)
+        drive_iteration, "run", lambda case, tasks, **how: solved.append(tasks[0].case)
     )
     monkeypatch.setattr(drive_iteration, "drive_cycle", lambda result: cycle)
     tasks = [pyworm.batch.task.Task(case, place, 0.03) for place in case.places()]
@@ -375,7 +375,11 @@ def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypat
         "taken_W": pytest.approx(power, rel=5e-3),
         "found_W": power,
         "by": "standard",
+        "other_W": 500.0,
+        "other_by": "given",
+        "whole_W": power + 500,
     }
+    assert "lose 500 W as given" in heating.words
 
 
 def test_a_cycle_s_json_begins_with_the_worst_of_its_scenes():

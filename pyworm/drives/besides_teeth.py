@@ -1,0 +1,54 @@
+"""Losses of a drive besides those between its teeth, with where they come from."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from pyworm.formulas.worm_losses import OtherLosses
+
+
+@dataclass(frozen=True)
+class BesidesTeeth:
+    """Losses of a worm drive besides its teeth: by the worm standard, or one number that is given.
+
+    Attributes
+    ----------
+    standard : OtherLosses or None
+        Churning, bearings and seals by the standard.
+    bearings : str
+        How the worm is held there.
+    given : float
+        The number [W], where there is no standard's.
+    """
+
+    standard: OtherLosses | None = None
+    bearings: str = ""
+    given: float = 0.0
+
+    @property
+    def power(self) -> float:
+        """All of them [W]."""
+        return self.given if self.standard is None else self.standard.power
+
+    @property
+    def words(self) -> str:
+        """What they are and where they come from, in a sentence."""
+        if self.standard is None:
+            return f"Bearings, seals and churning lose {self.given:.4g} W as given."
+        of = self.standard
+        return (
+            f"Besides the teeth {of.power:.4g} W are assumed by the worm standard's regressions: churning "
+            f"{of.churning:.4g} W, bearings of a worm that is {self.bearings} {of.bearings:.4g} W, seals "
+            f"{of.seals:.4g} W."
+        )
+
+    def summary(self) -> dict[str, Any]:
+        """The losses as an object for JSON."""
+        if self.standard is None:
+            return {"other_W": self.given, "other_by": "given"}
+        return {
+            "other_W": self.power,
+            "other_by": "standard",
+            "churning_W": self.standard.churning,
+            "bearings_W": self.standard.bearings,
+            "seals_W": self.standard.seals,
+        }
