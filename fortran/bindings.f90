@@ -21,7 +21,7 @@ module bindings
     film_transient, film_hold, film_remember, film_shear, film_roughen, film_asperities, film_tabulate, film_set_ruptured, &
     film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
-  public :: prolong_cubic, level_positions
+  public :: prolong_cubic, interpolate, level_positions
   public :: compiled_with, watch_signals
 
 contains
@@ -660,6 +660,17 @@ contains
 
     call interpolate_cubic(coarse, fine)
   end subroutine prolong_cubic
+
+  !> Values of a field at places between its nodes, in spacings from the first; zero beyond its grid.
+  subroutine interpolate(field, mx, my, column, row, nx, ny, values)
+    use pyworm_linear_interpolation, only: interpolate_linear
+    integer(c_int), intent(in) :: mx, my, nx, ny
+    real(c_double), intent(in) :: field(mx, my), column(nx, ny), row(nx, ny)
+    real(c_double), intent(out) :: values(nx, ny)
+    !f2py threadsafe
+
+    call interpolate_linear(field, column, row, values)
+  end subroutine interpolate
 
   !> Lets Python's signals interrupt kernel calls, from now on.
   subroutine watch_signals()

@@ -22,7 +22,6 @@ from pyworm.io.reason import reason_of
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.moments import as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, recent
@@ -37,12 +36,15 @@ class LifePart:
 
     Attributes
     ----------
+    of : Task
+        A task of its life: all parts take its course, which costs as much as a scene's plan.
     tasks : tuple of Task
         The tasks whose films it holds.
     refinement : int
         Halvings of the spacing and of the time step.
     """
 
+    of: Task
     tasks: tuple[Task, ...]
     refinement: int
 
@@ -55,10 +57,11 @@ class LifePart:
         return None
 
     def _solve_into(self, directory: Path) -> None:
-        first = self.tasks[0]
-        course = course_of(first.scene.past.life, first.plan)
+        if self.refinement > 0 and self._lost(directory):
+            return
+        course = self.of.course
         wanted = {task.key: task.scene.past.seconds for task in self.tasks}
-        part = part_at(course, first.scene.past.seconds)
+        part = part_at(course, self.tasks[0].scene.past.seconds)
         times, last = sorted(wanted.values()), course.instant(part.last)
         try:
             found = march(course, self.refinement, part.begin, times, last)
@@ -79,6 +82,11 @@ class LifePart:
                 heat = {} if rates[at].rise is None else {"rise": rates[at].rise}
                 _write(file, grid=grid, rate=rates[at].rate, since=since[at], **heat, **kept)
 
+    def _lost(self, directory: Path) -> bool:
+        """Whether the solve of twice the spacing has ended already and found no film of any task."""
+        coarser = [directory / _file(task.key, self.refinement - 1) for task in self.tasks]
+        return all(file.exists() and "flaw" in _content(file) for file in coarser)
+
 
 def solve_lives(
     tasks: Sequence[Task],
@@ -88,12 +96,14 @@ def solve_lives(
 ) -> None:
     """Solve the lives that several tasks share, where films in motion are simulated, into a directory."""
     parts = [
-        LifePart(part, refinement)
+        LifePart(life[0], part, refinement)
         for life in _lives(tasks, directory)
         for part in _parts(life)
         for refinement in range(solves_of_life(life[0].accuracy))
     ]
-    parts.sort(key=lambda one: one.refinement, reverse=True)  # the longest first
+    parts.sort(
+        key=lambda one: one.refinement
+    )  # where those of few nodes find nothing, finer ones need not begin
     if not parts:
         return
     directory.mkdir(parents=True, exist_ok=True)
@@ -112,17 +122,13 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
     found, moments, since = [], [], -inf
     for refinement in range(solves_of_life(task.accuracy)):
         try:
-            with (
-                (directory / _file(task.key, refinement)).open("rb") as file,
-                np.load(file) as data,
-            ):
-                if "flaw" in data:
-                    return Rates((), flaw=str(data["flaw"]))
-                numbers = data["grid"].tolist()
-                rise = data["rise"] if "rise" in data else None
-                found.append(RateOfChange(_grid(numbers), data["rate"], rise))
-                moments.append(from_arrays(data))
-                since = float(data["since"])
+            data = _content(directory / _file(task.key, refinement))
+            if "flaw" in data:
+                return Rates((), flaw=str(data["flaw"]))
+            rate = RateOfChange(_grid(data["grid"].tolist()), data["rate"], data.get("rise"))
+            found.append(rate)
+            moments.append(from_arrays(data))
+            since = float(data["since"])
         except (OSError, ValueError, LookupError, EOFError, BadZipFile):
             return None
     return Rates(tuple(found), tuple(moments), since)
@@ -138,7 +144,7 @@ def drop_rates(task: Task, directory: Path) -> None:
 def _parts(life: Sequence[Task]) -> list[tuple[Task, ...]]:
     """Tasks of a life by the part that holds their film."""
     try:
-        course = course_of(life[0].scene.past.life, life[0].plan)
+        course = life[0].course
     except ValueError:  # the reason that each task will give
         return []
     found = defaultdict(list)
@@ -178,6 +184,12 @@ def _file(key: str, refinement: object) -> str:
 def _write(file: Path, **content: object) -> None:
     with whole_file(file) as partial, partial.open("wb") as stream:
         np.savez(stream, **content)
+
+
+def _content(file: Path) -> dict[str, np.ndarray]:
+    """What `_write` has written; OSError, ValueError, EOFError or BadZipFile where it is not whole."""
+    with file.open("rb") as stream, np.load(stream) as data:
+        return dict(data)
 
 
 def _grid(numbers: Sequence[float]) -> Grid | LineGrid:

@@ -16,6 +16,7 @@ from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
+from pyworm.solver.transient.course import Course, course_of
 from pyworm.solver.transient.transient import Rates
 
 KEY_LENGTH = 24
@@ -61,6 +62,11 @@ class Task:
         """Plan of the solve; ValueError if it cannot be planned."""
         found = plan_of(self.scene, self.accuracy, self.effects, self.quantities)
         return found if self.wider_window else replace(found, wider_grids=())
+
+    @cached_property
+    def course(self) -> Course:
+        """The course of its life; ValueError if that carries no load in motion."""
+        return course_of(self.scene.past.life, self.plan)
 
     @property
     def identity(self) -> dict[str, Any]:

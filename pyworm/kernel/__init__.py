@@ -10,7 +10,7 @@ from pyworm.kernel.core import (
     compiled_with,
 )
 from pyworm.kernel.dry_contact import DryContact, dry_contact, elastic_deflection
-from pyworm.kernel.interpolation import level_positions, prolong, prolong_levels
+from pyworm.kernel.interpolation import between_nodes, level_positions, prolong, prolong_levels
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
 
@@ -24,6 +24,7 @@ __all__ = [
     "KernelError",
     "LineFilm",
     "PointFilm",
+    "between_nodes",
     "compiled_with",
     "dry_contact",
     "elastic_deflection",

@@ -19,6 +19,19 @@ def prolong(field) -> np.ndarray:
     return core.bindings.prolong_cubic(field)
 
 
+def between_nodes(field, places) -> np.ndarray:
+    """Values of a field between its nodes along straight lines, zero beyond its grid.
+
+    `places` are those along each direction, in spacings from the first node.
+    """
+    field, *places = (fortran_array(of) for of in (field, *places))
+    if field.ndim == 2:
+        return core.bindings.interpolate(field, *places)
+    column = places[0][:, np.newaxis]
+    row = np.zeros_like(column)
+    return core.bindings.interpolate(field[:, np.newaxis], column, row)[:, 0]
+
+
 def prolong_levels(fields) -> np.ndarray:
     """Interpolate fields at levels across the film, along the last axis, to half the spacing by cubics."""
     return np.stack([prolong(level) for level in np.moveaxis(fields, -1, 0)], axis=-1)

@@ -78,7 +78,7 @@ class Steps:
 
 
 STEPS: dict[Kind, Steps] = {
-    "point": Steps(outer=6.0, cold=4.0, full=8.0, finer=2.8),
+    "point": Steps(outer=3.5, cold=4.0, full=8.0, finer=2.8),
     "line": Steps(outer=0.0, cold=12.0, full=12.0, finer=5.0),
 }
 

@@ -18,8 +18,8 @@ from itertools import pairwise
 from math import cos, pi, sin, sqrt
 
 import numpy as np
-import scipy
 
+from pyworm import kernel
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.contact import Array
@@ -83,7 +83,7 @@ def remembered_rise(
     grid : Grid or LineGrid
         The moving grid now, of as many nodes as before.
     coarse : Grid or LineGrid
-        Grid over the same window on which the rise is found; it is as smooth as the contact is large.
+        Every so many of its nodes, on which the rise is found; it is as smooth as the contact is large.
     seconds : float
         The time [s].
     turning : float
@@ -95,24 +95,29 @@ def remembered_rise(
         Rise at the nodes, body along the last axis.
     """
     places = coarse.mesh()
+    # solved for the film's nodes already, of which those of the coarse grid are some
+    nodes = tuple(
+        slice(None, None, (of - 1) // (few - 1))
+        for of, few in zip(grid.shape, coarse.shape, strict=True)
+    )
     now = velocities_at_origin(contact)
     present = _onward(history, seconds)
     rises = []
     for number, (body, velocity) in enumerate(
-        zip(contact.bodies, contact.velocities_at(*places), strict=True)
+        zip(contact.bodies, contact.velocities_at(*grid.mesh()), strict=True)
     ):
         effusivity = sqrt(body.conductivity * body.density * body.specific_heat)
         chosen = _ages(history, seconds, _passage(grid, now[number]))
         weights = _weights([seconds - one.seconds for one in chosen])
+        ways = _ways(history, chosen[-1], seconds, now[number], number)
+        flux = present[..., number]
         rise = np.zeros(coarse.shape)
         for one, weight in zip(chosen, weights, strict=True):
             age = seconds - one.seconds
-            travelled = _travelled(history, one, seconds, now[number], number)
-            steady = [at - of * age for at, of in zip(places, velocity, strict=True)]
-            own = zip(steady, now[number], travelled, strict=True)
+            steady = [at - of[nodes] * age for at, of in zip(places, velocity, strict=True)]
+            own = zip(steady, now[number], ways[one.seconds], strict=True)
             then = _turned([at + of * age - moved for at, of, moved in own], -turning * age)
-            rise += weight * _at(one.grid, one.flux[..., number], then, coarse.shape)
-            rise -= weight * _at(grid, present[..., number], steady, coarse.shape)
+            rise += weight * (_at(one.grid, one.flux[..., number], then) - _at(grid, flux, steady))
         rises.append(at_places(coarse, rise / (sqrt(pi) * effusivity), grid))
     return np.stack(rises, axis=-1)
 
@@ -162,21 +167,22 @@ def _weights(ages: Sequence[float]) -> list[float]:
     return weights[1:].tolist()
 
 
-def _travelled(
+def _ways(
     history: Sequence[HeatedInstant],
     since: HeatedInstant,
     seconds: float,
     now: Sequence[float],
     body: int,
-) -> list[float]:
-    """Way of a body's surface through the contact point since an instant along each direction [m]."""
-    times, velocities = [seconds], [now]
-    for one in history:
-        times.append(one.seconds)
-        velocities.append(one.velocities[body])
-        if one is since:
-            break
-    return [-float(np.trapezoid(of, times)) for of in np.transpose(velocities)]
+) -> dict[float, Array]:
+    """Way of a body's surface through the contact point from each instant since one of them [m].
+
+    It is found by the instant's time.
+    """
+    some = [one for one in history if one.seconds >= since.seconds]
+    times = np.array([seconds, *(one.seconds for one in some)])
+    velocities = np.array([now, *(one.velocities[body] for one in some)])
+    parts = (velocities[1:] + velocities[:-1]) / 2 * (times[:-1] - times[1:])[:, np.newaxis]
+    return dict(zip(times[1:].tolist(), np.cumsum(parts, axis=0), strict=True))
 
 
 def _turned(places: list[Array], angle: float) -> list[Array]:
@@ -191,12 +197,10 @@ def _axes(grid: Grid | LineGrid) -> tuple[Array, ...]:
     return (grid.x,) if isinstance(grid, LineGrid) else (grid.x, grid.y)
 
 
-def _at(
-    grid: Grid | LineGrid, field: Array, places: Sequence[Array], shape: tuple[int, ...]
-) -> Array:
-    """A field at places of some shape, straight between nodes, zero beyond the grid."""
+def _at(grid: Grid | LineGrid, field: Array, places: Sequence[Array]) -> Array:
+    """A field at places, straight between nodes, zero beyond the grid."""
     nodes = [
-        np.broadcast_to((of - axis[0]) / step, shape)
+        (of - axis[0]) / step
         for of, axis, step in zip(places, _axes(grid), grid.spacing, strict=True)
     ]
-    return scipy.ndimage.map_coordinates(field, nodes, order=1, cval=0.0)
+    return kernel.between_nodes(field, nodes)

@@ -288,8 +288,7 @@ def _onward(
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
     rise = None
     if heat:
-        coarse = course.grid(seconds, 0)
-        rise = remembered_rise(heat, contact, grid, coarse, seconds, course.life.turning(seconds))
+        rise = remembered_rise(heat, contact, grid, course.grid(seconds, 0), seconds, mesh.turning)
     term = _Backwards(implicit + mesh.divergence, explicit, rise)
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
     tolerances = _tolerances(course, refinement)

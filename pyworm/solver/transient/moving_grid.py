@@ -18,6 +18,7 @@ and Cook 1974, J. Comput. Phys. 14, 227-253).
 
 from dataclasses import dataclass
 from functools import singledispatch
+from typing import ClassVar
 
 import numpy as np
 import scipy
@@ -63,7 +64,11 @@ class Stretching:
     ----------
     growth : float
         Rate of growth of the spacing, d ln dx/dt [1/s].
+    turning : float
+        Angular velocity of the axes [rad/s]: none.
     """
+
+    turning: ClassVar[float] = 0.0
 
     growth: float
 

@@ -147,6 +147,19 @@ def part_at(course: Course, seconds: float) -> Part:
     return next(part for part in parts_of(course) if part.holds(course.place(seconds)))
 
 
+def begin_of_one(course: Course, seconds: float) -> float:
+    """Where a solve for one contact alone begins, at a time [s]: as long before it as a part does [transits].
+
+    That leaves some per cent in a rate of change, less than the error of those of points. Lines, whose rates
+    have smaller errors and cost little, begin with their part, and so does a written course, whose transits
+    may be far shorter than the passage of oil.
+    """
+    begin = part_at(course, seconds).begin
+    if course.plan.work.kind == "line" or course.life.kinks:
+        return begin
+    return max(begin, course.place(seconds) - WARM_UP)
+
+
 @dataclass(frozen=True)
 class Rates:
     """Rates of change at one time, one of each refinement, or the reason why there are none.
@@ -156,7 +169,7 @@ class Rates:
     found : tuple of RateOfChange
         The rates, the finest last.
     moments : tuple of tuple of Moment
-        What each of the solves found up to that time.
+        What each of the solves through the whole part found up to that time.
     since : float
         Time of the scene before, after which they are kept [s].
     flaw : str or None
@@ -202,19 +215,17 @@ class Transient:
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
     """Rates of change of a contact at present, by transient solves of the part of its life before."""
-    past = recent(scene)
+    past, marches = recent(scene), []
     try:
         course = course_of(past.life, plan)
         begin = part_at(course, past.seconds).begin
-        marches = [
-            march(course, refinement, begin, [past.seconds])
-            for refinement in range(solves_of_life(plan.accuracy))
-        ]
+        for refinement in range(solves_of_life(plan.accuracy)):
+            found = march(course, refinement, begin, [past.seconds])
+            if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
+                return Rates((), flaw=found.lost)
+            marches.append(found)
     except (LostError, ValueError) as reason:  # of no contact in motion, or of a film
         return Rates((), flaw=str(reason))
-    lost = next((one.lost for one in marches if past.seconds not in one.rates), None)
-    if lost:
-        return Rates((), flaw=lost)
     return Rates(
         tuple(one.rates[past.seconds] for one in marches),
         tuple(until(one.moments, past.seconds) for one in marches),
@@ -226,16 +237,18 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
     past, solves = recent(scene), len(rates.found)
     try:
         course = course_of(past.life, plan)
-        begin = part_at(course, past.seconds).begin
+        begin = begin_of_one(course, past.seconds)
         found = march(course, solves, begin, [past.seconds])
     except LostError:
         return replace(rates, finest=True)
     if past.seconds not in found.rates:
         return replace(rates, finest=True)
-    return Rates(
-        (*rates.found, found.rates[past.seconds]),
-        (*rates.moments, until(found.moments, past.seconds)),
-        rates.since,
+    whole = begin == part_at(course, past.seconds).begin
+    moments = (until(found.moments, past.seconds),) if whole else ()
+    return replace(
+        rates,
+        found=(*rates.found, found.rates[past.seconds]),
+        moments=rates.moments + moments,
         finest=solves + 1 >= MOST_SOLVES,
     )
 
@@ -276,12 +289,16 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
 def _life(
     scene: Scene | LineScene, plan: Plan, rates: Rates, readings: Sequence[Reading]
 ) -> PlainDataset | None:
-    """The film up to now; None where the solves found no instant since the scene before."""
+    """The film up to now; None where the solves found no instant since the scene before.
+
+    It is that of the solves through the whole part, whose curves go on from one scene to the next.
+    """
     if not (rates.moments and rates.moments[-1] and rates.moments[-1][-1].seconds > rates.since):
         return None
     kind = plan.work.kind
     inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
-    return curves(rates.moments, rates.since, kind, LEFT[kind], _least(readings, kind), inlet)
+    shared = readings[: len(rates.moments) + 1]
+    return curves(rates.moments, rates.since, kind, LEFT[kind], _least(shared, kind), inlet)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind) -> dict[str, float]:

@@ -3,10 +3,12 @@
 import pytest
 
 import pyworm
+from pyworm.batch import films_in_motion
 from pyworm.batch.case_run import run
 from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
 from pyworm.batch.task import Task
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
+from pyworm.solver.transient.march import LostError
 
 HOW = 0.5, "isothermal,squeeze", ("film",)
 
@@ -42,3 +44,18 @@ def test_a_damaged_file_of_a_life_counts_as_none(tmp_path):
     for task in tasks:
         drop_rates(task, tmp_path)
     assert not list(tmp_path.iterdir())
+
+
+def test_finer_solves_are_not_begun_where_the_first_finds_no_film(tmp_path, monkeypatch):
+    begun = []
+
+    def march(course, refinement, *_):
+        begun.append(refinement)
+        raise LostError("there is none")
+
+    monkeypatch.setattr(films_in_motion, "march", march)
+    case = pyworm.load("cases/spur_pair.toml")
+    tasks = [Task(case, place, 0.05, *HOW[1:]) for place in case.places(phase=[0.35, 0.6])]
+    solve_lives(tasks, tmp_path, None, lambda message, share: None)
+    assert begun == [0] * len(begun)
+    assert [rates_for(task, tmp_path).flaw for task in tasks] == ["there is none"] * 2

@@ -105,6 +105,23 @@ def test_a_speed_that_changes_is_remembered():
     assert found[places, 1] == pytest.approx(expected, abs=0.05 * np.abs(expected).max())
 
 
+def test_a_finer_grid_takes_the_rise_of_every_second_of_its_nodes():
+    fine = LineGrid(GRID.dx / 2, -180, 361)
+    found = [
+        remembered_rise(
+            history(grid, lambda at: tuple((of,) for of in SPEEDS), course),
+            line(),
+            grid,
+            GRID,
+            0.0,
+            0.0,
+        )
+        for grid in (GRID, fine)
+    ]
+    assert found[1].shape == (361, 2)
+    assert found[1][::2] == pytest.approx(found[0], abs=0.01 * np.abs(found[0]).max())
+
+
 def test_points_remember_as_lines_do_in_any_direction():
     grid = Grid(-90 * HALF / 60, -4e-5, HALF / 60, 1e-5, 181, 9)
     along = line()

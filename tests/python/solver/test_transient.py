@@ -14,6 +14,7 @@ from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.solver.transient import march as march_module
+from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.differences import weights
 
@@ -227,6 +228,26 @@ def test_half_the_spacing_with_half_the_time_step_leaves_a_quarter_of_the_error(
         for before, after in pairwise(films)
     )
     assert 3 < coarse / fine < 5
+
+
+@pytest.mark.parametrize("kind", ["point", "line", "written"])
+def test_a_further_solve_of_one_point_contact_begins_two_transits_before_it(kind):
+    """As long before it as a part of a life; of cheap lines and of what is written at its beginning."""
+
+    def contact_at(seconds):
+        contact = ball(1 + 0.2 * np.sin(seconds / transit))
+        return as_line(contact) if kind == "line" else contact
+
+    transit = predicted(ball()).transit
+    life = Life(6 * transit, contact_at, kinks=(transit,) * (kind == "written"))
+    course = course_of(life, pyworm.plan(ball(), 0.05, "isothermal", ("film",)))
+    part = transient_module.part_at(course, 5.5 * transit)
+    begin = transient_module.begin_of_one(course, 5.5 * transit)
+    if kind == "point":
+        present = course.transits(5.5 * transit)
+        assert part.begin < begin == pytest.approx(present - transient_module.WARM_UP)
+    else:
+        assert begin == part.begin
 
 
 def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():
