@@ -2,9 +2,10 @@
 
 from dataclasses import replace
 from itertools import pairwise
-from math import inf
+from math import inf, pi
 from typing import Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
@@ -258,6 +259,42 @@ class WormDriveCase(RatedCase):
         }
         return {table: keys for table, keys in left.items() if keys}
 
+    def worn(
+        self, face: np.ndarray, radius: np.ndarray, depth: np.ndarray, roughness: float
+    ) -> dict[str, dict[str, Any]]:
+        """What a case with a worn wheel has in place of this one's (`Case.with_found`).
+
+        Parameters
+        ----------
+        face, radius : ndarray
+            Places along the wheel's face and away from its axis [m].
+        depth : ndarray
+            Worn off its driven flanks there, (radius, face), beside the deviations that they have [m].
+        roughness : float
+            Of the wheel then, Rq [m].
+        """
+        wheel, given = self.drive.wheel, self.drive.wheel.deviations
+        design = self.drive.design()
+        half, tip = design.wheel.face_width / 2, design.wheel.throat_radius
+        face, depth = _reaching(face, depth.T, -half, half)
+        radius, below = _reaching(radius, depth.T, tip - design.worm.axial_pitch / pi, tip)
+        below = below.T
+        if given is not None:
+            below = below + given.deviations().taken_off(*np.meshgrid(face, radius, indexing="ij"))
+        table = DeviationTable(
+            file="worn",
+            along=tuple(face.tolist()),
+            radius=tuple(radius.tolist()),
+            deviation=tuple(map(tuple, (-below).tolist())),
+        )
+        body = self.bodies.wheel.model_copy(
+            update={"roughness": roughness, "roughness_ra": None, "finish": None}
+        )
+        return {
+            "drive": {"wheel": wheel.model_copy(update={"deviations": table})},
+            "bodies": {"wheel": body},
+        }
+
     def cooling_of(self, drive: ZiWormDrive) -> Cooling:
         """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
         table, load = self.cooling, drive.load
@@ -324,6 +361,18 @@ def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
     entries = dict(table)
     relief = tooth.ParabolicRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
     return entries | {"tip_relief": relief}
+
+
+def _reaching(
+    places: np.ndarray, values: np.ndarray, low: float, high: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Values over places, along the first axis, with zeros to both ends where they do not reach there."""
+    nothing = np.zeros_like(values[:1])
+    if places[0] > low:
+        places, values = np.append(low, places), np.concatenate([nothing, values])
+    if places[-1] < high:
+        places, values = np.append(places, high), np.concatenate([values, nothing])
+    return places, values
 
 
 def _transmission(tables: WormDriveCase, worm_speed: float, ratio: float) -> Transmission:

@@ -25,6 +25,7 @@ from pyworm.cli.shared import BAD_INPUT, FAILED, end_with
 from pyworm.cli.stopping import exit_code
 from pyworm.cli.surface import add_surface
 from pyworm.cli.sweep import add_sweep
+from pyworm.cli.wear import add_wear
 from pyworm.io.input_error import CaseError
 from pyworm.io.terminal import flush, prepare, put, say
 
@@ -85,6 +86,7 @@ def _parser() -> argparse.ArgumentParser:
         add_check,
         add_precision,
         add_sweep,
+        add_wear,
         add_plot,
         add_report,
         add_explore,

@@ -67,8 +67,8 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     )
     if len(solved) < FEWEST_PHASES:
         return None
-    x, y = _common_grid(solved)
-    layers = [_layer(one, x, y) for one in solved]
+    x, y = common_grid(solved)
+    layers = [layer_of(one, x, y) for one in solved]
     names = [name for name in (*_LARGEST, *_LEAST) if name in layers[0]]
     face, radius = _axes(layers)
     shape = len(radius), len(face)
@@ -106,7 +106,7 @@ def _neighbours(
             yield before, after
 
 
-def _common_grid(solved: list[Solution]) -> tuple[Array, Array]:
+def common_grid(solved: list[Solution]) -> tuple[Array, Array]:
     """Nodes that span every solution's contact."""
     sides = []
     for axis, other, count in zip("xy", "yx", NODES, strict=True):
@@ -120,7 +120,7 @@ def _common_grid(solved: list[Solution]) -> tuple[Array, Array]:
     return sides[0], sides[1]
 
 
-def _layer(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
+def layer_of(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
     """A solution's fields and places of the flank on the common grid, (y, x)."""
     fields = solution.fields
     names = [name for name in ("pressure", "film", *_LARGEST[1:]) if name in fields]

@@ -114,6 +114,20 @@ def test_asperities_share_of_the_load(light_line, lambda_ratio):
     assert 1 / 1.3 < share / exp(-1.8 * lambda_ratio**1.2) < 1.3
 
 
+def test_wear_falls_with_the_film_as_the_worm_standard_has_it(light_line):
+    """J goes with the share of asperities: its power of the film from lambda 1 to 1.6, -3.1 +- 0.8."""
+    scene, film = light_line
+    shares, films = [], []
+    for faster in (1.0, 1.9):
+        quick = replace(scene, velocities=(faster * scene.entrainment,) * 2)
+        films.append(solved(quick, "isothermal").figures.film_central.value)
+        shares.append(
+            solved(rough(quick, film), "isothermal,roughness").figures.asperity_load_fraction.value
+        )
+    exponent = np.log(shares[1] / shares[0]) / np.log(films[1] / films[0])
+    assert exponent == pytest.approx(-3.1, abs=0.8)
+
+
 def test_slower_rough_wall_thickens_the_film():
     """A rough wall that is slower than the mean carries less oil at the same gap, a faster one more.
 

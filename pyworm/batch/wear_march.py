@@ -1,0 +1,92 @@
+"""Wear marched through time: steps by their own error, each kept before the next begins.
+
+A step predicts the worn depth with the rate at its beginning, has the rate there found anew, and corrects
+the depth with the mean of both (Heun's rule with one new rate a step). Half the difference of both is the
+step's error.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+Array = np.ndarray
+
+GROWTH = 2.0
+"""Most by which a step is longer than the one before."""
+
+SAFETY = 0.8
+"""Step over the one that would just meet the tolerance."""
+
+LEAST = 1e-3
+"""Shortest step, over the time to march, that is still halved."""
+
+
+@dataclass(frozen=True)
+class Worn:
+    """A flank at a time.
+
+    Attributes
+    ----------
+    hours : float
+        [h].
+    depth : ndarray
+        Worn off [m].
+    rate : ndarray
+        Wear then [m/h].
+    step : float
+        Step to try next [h].
+    """
+
+    hours: float
+    depth: Array
+    rate: Array
+    step: float
+
+
+Rates = Callable[[Array], Array]
+"""Worn depth [m] -> rate of wear [m/h]; solves the contacts of the flank so worn."""
+
+
+def first_step(rate: Array, tolerance: float) -> float:
+    """Step that wears off twice the tolerance at most [h]."""
+    fastest = float(rate.max())
+    return np.inf if fastest <= 0 else 2 * tolerance / fastest
+
+
+def march(
+    start: Worn,
+    until: float,
+    rates: Rates,
+    tolerance: float,
+    keep: Callable[[Worn, float], None] = lambda worn, error: None,
+) -> Worn:
+    """March a worn flank to a time.
+
+    Parameters
+    ----------
+    start : Worn
+        Where to begin; with what `keep` was given a march goes on as if it had not been stopped.
+    until : float
+        [h].
+    rates : callable
+        Rate of wear of a worn flank.
+    tolerance : float
+        Largest error of the depth in a step [m].
+    keep : callable, optional
+        Given each step's end and its error [m] before the next begins.
+    """
+    worn = start
+    shortest = LEAST * (until - start.hours)
+    while worn.hours < until * (1 - 1e-12):
+        step = min(worn.step, until - worn.hours)
+        rate = rates(worn.depth + worn.rate * step)
+        error = float(np.abs(rate - worn.rate).max() * step / 2)
+        wanted = step * SAFETY * np.sqrt(tolerance / max(error, 1e-3 * tolerance))
+        if error > tolerance and step > shortest:
+            worn = Worn(worn.hours, worn.depth, worn.rate, max(wanted, step / 5))
+            continue
+        depth = worn.depth + (worn.rate + rate) / 2 * step
+        worn = Worn(worn.hours + step, depth, rate, min(wanted, GROWTH * step))
+        keep(worn, error)
+    return worn

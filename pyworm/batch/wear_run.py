@@ -1,0 +1,286 @@
+"""The wear of a worm drive's wheel over its life: contacts solved anew as the flank wears."""
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
+from math import pi
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pyworm.batch.drive_iteration import run_balanced
+from pyworm.batch.task import Task, key_of
+from pyworm.batch.wear_march import Worn, first_step, march
+from pyworm.case.case import Case
+from pyworm.formulas.wear_law import RUN_IN, WEAR_COEFFICIENT, truncated_roughness
+from pyworm.io.atomic import whole_file
+from pyworm.io.input_error import CaseError
+from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
+from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.result import Result
+
+Array = np.ndarray
+
+STATE = "wear.npz"
+"""File with all that a march needs to go on."""
+
+EFFECTS = "auto,roughness,-squeeze"
+"""Effects that wear asks for: roughness simulated, each phase steady."""
+
+PATTERN = 0.05
+"""Work of asperities over the largest above which a place belongs to the contact pattern."""
+
+HOUR = 3600.0
+
+
+@dataclass(frozen=True)
+class WearPlan:
+    """How a wheel's wear is simulated.
+
+    Attributes
+    ----------
+    hours : float
+        Time to simulate [h].
+    coefficient : float
+        k of Archard's law [m2/N].
+    tolerance : float
+        Largest error of the depth in a step [m].
+    run_in : float
+        Roughness of the wheel after running in, over that as cut [-].
+    """
+
+    hours: float
+    coefficient: float = WEAR_COEFFICIENT
+    tolerance: float = 0.25e-6
+    run_in: float = RUN_IN
+
+
+@dataclass(frozen=True)
+class WearFigures:
+    """Figures of a wheel at a time of its life.
+
+    Attributes
+    ----------
+    hours : float
+        [h].
+    depth_max_m, depth_mean_m : float
+        Largest depth, and that in the pattern, weighted with the work done there [m].
+    step_error_m : float
+        Error of the depth by the step that ended here [m].
+    volume_m3, mass_kg : float
+        Worn off a tooth [m3], and off the wheel [kg].
+    pattern_m2 : float
+        Area of the contact pattern, as seen along the axis of the teeth [m2].
+    asperity_share : float
+        Mean fraction of the load that asperities carry [-].
+    friction : float
+        Mean friction of the teeth [-].
+    film_min_m : float
+        Least film of the solved phases [m].
+    wheel_roughness_m : float
+        Rq of the wheel [m].
+    """
+
+    hours: float
+    depth_max_m: float
+    depth_mean_m: float
+    step_error_m: float
+    volume_m3: float
+    mass_kg: float
+    pattern_m2: float
+    asperity_share: float
+    friction: float
+    film_min_m: float
+    wheel_roughness_m: float
+
+
+@dataclass(frozen=True)
+class _Solved:
+    """Contacts of a worn flank: rates, and figures that do not depend on what is worn off yet."""
+
+    rate: Array
+    volume_rate: float
+    work: Array
+    roughness: float
+    result: Result
+
+
+class WearRun:
+    """A march of a case's wear, which goes on where an earlier one in the same directory was stopped.
+
+    Parameters
+    ----------
+    case : Case
+        A worm drive whose bodies have a roughness. Friction and lifts that it leaves open are those of the
+        flank one step before.
+    tasks : sequence of Task
+        Its contacts.
+    plan : WearPlan
+        How to wear them.
+    directory : Path
+        Where everything is kept.
+    say : callable
+        Told what is being done.
+    how : dict
+        Executor and progress, as `run_balanced` takes them.
+    """
+
+    def __init__(
+        self,
+        case: Case,
+        tasks: Sequence[Task],
+        plan: WearPlan,
+        directory: Path,
+        say: Callable[[str], None] = lambda message: None,
+        **how: Any,
+    ) -> None:
+        self.case, self.plan, self.directory, self.say, self.how = case, plan, directory, say, how
+        self.tasks = [replace(task, effects=EFFECTS, wider_window=False) for task in tasks]
+        self.duty = case.drive.duty()
+        self.cut = self.duty.roughness[1]
+        self.steps: list[WearFigures] = []
+        self.depths: list[Array] = []
+        self.volume = 0.0
+        self.loads: dict[str, Any] = {}
+        self.grid: FlankGrid | None = None
+        self._last: _Solved | None = None
+        identity = {
+            "case": case.physics,
+            "coefficient": plan.coefficient,
+            "tolerance": plan.tolerance,
+            "run_in": plan.run_in,
+            "accuracy": self.tasks[0].accuracy,
+            "places": [task.place.given for task in self.tasks],
+        }
+        self.key = key_of(identity)
+
+    def run(self) -> tuple[WearFigures, ...]:
+        """March to the plan's hours; figures at the end of each step."""
+        worn = self._restored() or self._begun()
+        march(worn, self.plan.hours, self._rates, self.plan.tolerance, self._keep)
+        return tuple(self.steps)
+
+    def _begun(self) -> Worn:
+        """The flank as it was cut, with the rate of its wear."""
+        solved = self._solved(None, self.cut)
+        nothing = np.zeros(self.grid.shape)
+        self._last = solved
+        step = min(first_step(solved.rate, self.plan.tolerance), self.plan.hours)
+        worn = Worn(0.0, nothing, solved.rate, step)
+        self._written(worn, 0.0)
+        return worn
+
+    def _rates(self, depth: Array) -> Array:
+        """Rate of wear of a flank worn so far [m/h]."""
+        work = self._last.work
+        removed = float((depth * work).sum() / max(work.sum(), 1e-300))
+        roughness = truncated_roughness(self.cut, removed, self.plan.run_in)
+        self._next = self._solved(depth, roughness)
+        return self._next.rate
+
+    def _keep(self, worn: Worn, error: float) -> None:
+        """Store a step's end, before the next begins."""
+        before = self.steps[-1].hours
+        rates = self._last.volume_rate + self._next.volume_rate
+        self.volume += rates / 2 * (worn.hours - before)
+        self._last = self._next
+        self._written(worn, error)
+
+    def _solved(self, depth: Array | None, roughness: float) -> _Solved:
+        """Contacts of the flank so worn; load sharing, friction and films are those of now."""
+        case = self.case
+        if depth is not None:
+            grid = self.grid
+            found = case.tables.worn(grid.face, grid.radius, smoothed(depth), roughness)
+            case = case.with_found(found | {"operation": self.loads})
+        tasks = [replace(task, case=case) for task in self.tasks]
+        result, _ = run_balanced(case, tasks, self.directory / "contacts", say=self.say, **self.how)
+        self.loads = self._loads(result)
+        try:
+            if self.grid is None:
+                self.grid = flank_grid(result)
+            made = asperity_pass(result, self.grid, case.drive.phases_per_second)
+        except ValueError as error:
+            raise CaseError(f"{case.name}: {error}") from None
+        turns = self.duty.worm_speed / self.duty.gear.ratio / (2 * pi) * HOUR
+        per_hour = self.plan.coefficient * turns
+        return _Solved(per_hour * made.work, per_hour * made.volume, made.work, roughness, result)
+
+    def _loads(self, result: Result) -> dict[str, Any]:
+        """Friction in the balance of torques and lifts of the films, for the next flank."""
+        cycle, open_ = drive_cycle(result), self.case.left_open.get("operation", ())
+        found = {"friction": float(f"{cycle.loss.friction:.2g}"), "lifts": cycle.lifts or None}
+        return {key: found[key] for key in open_}
+
+    def _figures(self, worn: Worn, error: float) -> WearFigures:
+        of, solutions = self._last, self._last.result.sound.solutions
+        work, cycle = of.work, drive_cycle(of.result)
+        density = self.case.drive.bodies[1].density or 8800.0
+        return WearFigures(
+            hours=worn.hours,
+            depth_max_m=float(worn.depth.max()),
+            depth_mean_m=float((worn.depth * work).sum() / max(work.sum(), 1e-300)),
+            step_error_m=error,
+            volume_m3=self.volume,
+            mass_kg=self.volume * self.duty.gear.teeth * density,
+            pattern_m2=float((work > PATTERN * work.max()).sum() * self.grid.cell),
+            asperity_share=float(
+                np.mean([one.figures.asperity_load_fraction.value for one in solutions])
+            ),
+            friction=cycle.loss.friction,
+            film_min_m=min(one.figures.film_min.value for one in solutions),
+            wheel_roughness_m=of.roughness,
+        )
+
+    def _written(self, worn: Worn, error: float) -> None:
+        """Everything that a march needs to go on, in one file that is whole or not there."""
+        self.steps.append(self._figures(worn, error))
+        self.depths.append(worn.depth)
+        self.say(_told(self.steps[-1]))
+        with whole_file(self.directory / STATE) as aside, aside.open("wb") as file:
+            np.savez_compressed(
+                file,
+                key=self.key,
+                steps=json.dumps([asdict(step) for step in self.steps]),
+                face=self.grid.face,
+                radius=self.grid.radius,
+                depths=np.array(self.depths),
+                rate=worn.rate,
+                work=self._last.work,
+                volume_rate=self._last.volume_rate,
+                loads=json.dumps(self.loads),
+                next_step=worn.step,
+            )
+
+    def _restored(self) -> Worn | None:
+        """Where an earlier march of the same plan was stopped; None without one."""
+        path = self.directory / STATE
+        if not path.is_file():
+            return None
+        with np.load(path) as held:
+            if str(held["key"]) != self.key:
+                self.say(f"{path}: of another case or plan, not used")
+                return None
+            self.grid = FlankGrid(held["face"], held["radius"])
+            self.depths = list(held["depths"])
+            self.steps = [WearFigures(**step) for step in json.loads(str(held["steps"]))]
+            last = self.steps[-1]
+            self.volume = last.volume_m3
+            rate, self.loads = held["rate"], json.loads(str(held["loads"]))
+            if self.loads.get("lifts") is not None:
+                self.loads["lifts"] = tuple(map(tuple, self.loads["lifts"]))
+            self._last = _Solved(
+                rate, float(held["volume_rate"]), held["work"], last.wheel_roughness_m, None
+            )
+            self.say(f"goes on at {last.hours:.4g} h")
+            return Worn(last.hours, self.depths[-1], rate, float(held["next_step"]))
+
+
+def _told(step: WearFigures) -> str:
+    """A step's figures in a line."""
+    return (
+        f"{step.hours:.4g} h: {step.depth_max_m * 1e6:.3g} um worn at most, {step.mass_kg * 1e3:.3g} g, "
+        f"asperities {step.asperity_share:.1%}, friction {step.friction:.4f}, "
+        f"pattern {step.pattern_m2 * 1e6:.1f} mm2"
+    )

@@ -1,0 +1,113 @@
+"""pyworm wear: the wear of a worm drive's wheel over its life."""
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from pyworm.case.case import load
+from pyworm.cli.arguments import add_case, add_processes
+from pyworm.cli.shared import CONVERGED, FAILED, batch_executor, end_with, planned_tasks
+from pyworm.drives.duty import WormDuty
+from pyworm.formulas.wear_law import WEAR_COEFFICIENT, WEAR_SPREAD
+from pyworm.io.atomic import check_writable
+from pyworm.io.input_error import CaseError
+from pyworm.io.json import print_json
+from pyworm.io.terminal import put, say
+
+ACCURACY = "10 %"
+"""Accuracy of the contacts unless another is asked for: the wear coefficient is known to a factor of 3."""
+
+
+def add_wear(commands: argparse._SubParsersAction) -> None:
+    """Add the command `wear`."""
+    wear = commands.add_parser("wear", help="wear of a worm drive's wheel over its life")
+    add_case(wear)
+    wear.add_argument("--hours", type=float, required=True, metavar="H", help="time to simulate")
+    wear.add_argument(
+        "--coefficient",
+        type=float,
+        default=WEAR_COEFFICIENT,
+        metavar="K",
+        help="k of Archard's law in m2/N (default: %(default)g, known to a factor of 3)",
+    )
+    wear.add_argument(
+        "--tolerance",
+        type=float,
+        default=0.25,
+        metavar="UM",
+        help="largest error of the depth in a step in micrometres (default: %(default)g)",
+    )
+    wear.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    add_processes(wear)
+    wear.set_defaults(command=_wear, accuracy=ACCURACY, effects=None)
+
+
+def _wear(options: argparse.Namespace) -> int:
+    for name in ("hours", "coefficient", "tolerance"):
+        if not 0 < getattr(options, name) < float("inf"):
+            raise CaseError(f"--{name} = {getattr(options, name):g}: must be above zero")
+    case = load(options.case)
+    directory = options.out or Path("results") / case.name / "wear"
+    check_writable(directory)
+    if case.drive is None or case.drive.rated_as is not WormDuty:
+        raise CaseError(f"{options.case}: wear is simulated of worm drives only")
+    tasks = planned_tasks(case, options)
+
+    from pyworm.batch.case_run import NothingSolvedError
+    from pyworm.batch.wear_run import STATE, WearPlan, WearRun
+
+    plan = WearPlan(options.hours, options.coefficient, options.tolerance * 1e-6)
+    with batch_executor(options) as executor:
+        try:
+            steps = WearRun(case, tasks, plan, directory, say, executor=executor).run()
+        except NothingSolvedError as error:
+            return end_with(f"{case.name}: {error}", FAILED)
+        except ValueError as error:
+            raise CaseError(f"{options.case}: {error}") from None
+    limit = case.drive.duty().gear.wear_limit
+    allowed = steps[-1].depth_max_m <= limit
+    assumed = (
+        f"k = {plan.coefficient:g} m2/N, known to a factor of {WEAR_SPREAD:g}; wheel's roughness falls to "
+        f"{plan.run_in:g} of that as cut; worn between the first and the last phase of the case"
+    )
+    if options.json:
+        print_json(
+            {
+                "case": case.name,
+                "steps": [asdict(step) for step in steps],
+                "wear_limit_m": limit,
+                "within_limit": allowed,
+                "assumed": assumed,
+                "state": str(directory / STATE),
+            }
+        )
+        return CONVERGED
+    _show(steps)
+    put(f"Allowed: {limit * 1e6:.4g} um: {'within' if allowed else 'WORN OUT'}. {assumed}.")
+    put(f"Maps: {directory / STATE}")
+    return CONVERGED
+
+
+def _show(steps) -> None:
+    from rich.table import Table
+
+    from pyworm.io.console import Console
+
+    table = Table(title="Wear of the wheel", title_justify="left")
+    for head in (
+        "h", "deepest um", "mean um", "g", "pattern mm2", "asperities", "friction", "film um", "Rq um"
+    ):  # fmt: skip
+        table.add_column(head, justify="right")
+    for of in steps:
+        table.add_row(
+            f"{of.hours:.4g}",
+            f"{of.depth_max_m * 1e6:.3g}",
+            f"{of.depth_mean_m * 1e6:.3g}",
+            f"{of.mass_kg * 1e3:.3g}",
+            f"{of.pattern_m2 * 1e6:.1f}",
+            f"{of.asperity_share:.1%}",
+            f"{of.friction:.4f}",
+            f"{of.film_min_m * 1e6:.3g}",
+            f"{of.wheel_roughness_m * 1e6:.3g}",
+        )
+    Console().print(table)

@@ -1,0 +1,108 @@
+"""Wear marched through time: exact where it is known, steps by their error, stopped and gone on with."""
+
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+from pyworm.batch.wear_march import Worn, first_step, march
+
+SLOW = np.array([[1.0, 0.5], [0.2, 0.0]]) * 1e-6
+"""Rate of a flank as cut [m/h]."""
+
+
+def rates(depth):
+    """Rate that falls as the flank conforms: r0 exp(-d/5 um), d = 5 um ln(1 + r0 t/5 um)."""
+    return SLOW * np.exp(-depth / 5e-6)
+
+
+def worn_exactly(hours):
+    return 5e-6 * np.log1p(SLOW * hours / 5e-6)
+
+
+def begun(tolerance):
+    return Worn(0.0, np.zeros((2, 2)), SLOW, first_step(SLOW, tolerance))
+
+
+def test_a_rate_that_stays_is_worn_exactly():
+    found = march(begun(1e-7), 100.0, lambda depth: SLOW, 1e-7)
+    assert found.hours == 100
+    assert found.depth == pytest.approx(SLOW * 100, rel=1e-12)
+
+
+@pytest.mark.parametrize("tolerance", [1e-7, 0.5e-7])
+def test_depth_follows_the_closed_form(tolerance):
+    found = march(begun(tolerance), 200.0, rates, tolerance)
+    assert found.depth == pytest.approx(worn_exactly(200.0), rel=0.03)
+
+
+def test_half_the_steps_change_the_depth_by_less_than_3_percent():
+    """A quarter of the tolerance halves the steps of a rule of second order."""
+    counts, depths = [], []
+    for tolerance in (1e-7, 0.25e-7):
+        ends = []
+        found = march(
+            begun(tolerance), 200.0, rates, tolerance, lambda w, e, ends=ends: ends.append(w)
+        )
+        counts.append(len(ends))
+        depths.append(found.depth)
+    assert 1.6 * counts[0] < counts[1] < 3 * counts[0]
+    assert depths[1].max() == pytest.approx(depths[0].max(), rel=0.03)
+
+
+def test_steps_keep_their_tolerance():
+    errors = []
+    march(begun(1e-7), 200.0, rates, 1e-7, lambda worn, error: errors.append(error))
+    assert max(errors) <= 1e-7
+    assert len(errors) > 5
+
+
+def test_a_march_goes_on_as_if_it_had_not_been_stopped():
+    ends = []
+    whole = march(begun(1e-7), 50.0, rates, 1e-7, lambda worn, error: ends.append(worn))
+    again = march(ends[2], 50.0, rates, 1e-7)
+    assert again.depth == pytest.approx(whole.depth, rel=1e-12)
+
+
+STOPPED = """
+import sys, time
+import numpy as np
+from pathlib import Path
+from pyworm.batch.wear_march import Worn, march
+from pyworm.io.atomic import whole_file
+
+file = Path(sys.argv[1])
+rate = np.full((3, 3), 1e-6)
+
+def keep(worn, error):
+    with whole_file(file) as aside, aside.open("wb") as out:
+        np.savez(out, hours=worn.hours, depth=worn.depth, rate=worn.rate, step=worn.step)
+    print(worn.hours, flush=True)
+
+def rates(depth):
+    time.sleep(0.1)
+    return rate * np.exp(-depth / 5e-6)
+
+march(Worn(0.0, np.zeros((3, 3)), rate, 0.2), 1e6, rates, 1e-7, keep)
+"""
+
+
+def test_killing_a_march_loses_one_step_at_most(tmp_path):
+    file = tmp_path / "wear.npz"
+    with subprocess.Popen(
+        [sys.executable, "-c", STOPPED, str(file)], stdout=subprocess.PIPE, text=True
+    ) as process:
+        told = [float(process.stdout.readline()) for _ in range(4)]
+        time.sleep(0.03)
+        process.kill()
+        told += [float(line) for line in process.stdout.read().split()]
+    with np.load(file) as held:
+        # the file is written before it is told; a step may be kept that was not
+        assert float(held["hours"]) >= told[-1]
+        begin = Worn(float(held["hours"]), held["depth"], held["rate"], float(held["step"]))
+    found = march(
+        begin, begin.hours + 5, lambda depth: np.full((3, 3), 1e-6) * np.exp(-depth / 5e-6), 1e-7
+    )
+    assert found.depth.max() == pytest.approx(5e-6 * np.log1p(found.hours / 5), rel=0.03)

@@ -1,0 +1,138 @@
+"""The wear of a case: a worn flank, what is kept, and where a march goes on; contacts are stood in for."""
+
+import itertools
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import pyworm
+from pyworm.batch import wear_run
+from pyworm.batch.task import Task
+from pyworm.batch.wear_run import STATE, WearPlan, WearRun
+from pyworm.cli.main import main
+from pyworm.result.flank_wear import FlankGrid, Pass
+
+DATA = Path(__file__).parents[2] / "data" / "zi_a100.toml"
+GRID = FlankGrid(np.linspace(-6e-3, 6e-3, 25), np.linspace(81e-3, 85e-3, 9))
+
+
+@pytest.fixture(scope="module")
+def case():
+    return pyworm.load(DATA)
+
+
+@pytest.fixture
+def contacts(monkeypatch):
+    """Work of asperities that falls with the roughness as contacts do; the cases that were solved."""
+    solved = []
+
+    def run(case, tasks, directory, **how):
+        solved.append(case)
+        return SimpleNamespace(sound=SimpleNamespace(solutions=(one,)), case=case), tasks
+
+    def work(result, grid, rate):
+        rough = result.case.tables.bodies.wheel.roughness
+        middle = np.exp(-((grid.face / 2e-3) ** 2))[None, :] * np.ones((len(grid.radius), 1))
+        made = 3e6 * (rough / 0.6e-6) ** 3 * middle
+        return Pass(made, float(made.sum() * grid.cell))
+
+    one = SimpleNamespace(
+        figures=SimpleNamespace(
+            asperity_load_fraction=SimpleNamespace(value=0.3), film_min=SimpleNamespace(value=2e-7)
+        )
+    )
+    cycle = SimpleNamespace(loss=SimpleNamespace(friction=0.03), lifts=())
+    monkeypatch.setattr(wear_run, "run_balanced", run)
+    monkeypatch.setattr(wear_run, "flank_grid", lambda result: GRID)
+    monkeypatch.setattr(wear_run, "asperity_pass", work)
+    monkeypatch.setattr(wear_run, "drive_cycle", lambda result: cycle)
+    return solved
+
+
+def wear(case, directory, hours=200.0, **plan):
+    tasks = [Task(case, place, 0.1) for place in case.places()]
+    return WearRun(case, tasks, WearPlan(hours, **plan), directory).run()
+
+
+def test_a_worn_wheel_has_its_depth_off_its_flank(case):
+    """Where it is deepest the gap is wider by that, beyond the map nothing is worn."""
+    depth = np.zeros(GRID.shape)
+    depth[4, 12] = 3e-6
+    worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, 0.4e-6)).drive
+    deviations = worn.wheel.deviations
+    assert deviations.taken_off(0.0, 83e-3) == pytest.approx(3e-6, rel=1e-6)
+    assert deviations.taken_off(-14e-3, 83e-3) == pytest.approx(0, abs=1e-9)
+    assert worn.bodies[1].roughness == 0.4e-6
+    assert worn.bodies[0].roughness == case.drive.bodies[0].roughness
+
+
+def test_depth_volume_and_grams_are_of_the_same_wear(case, contacts, tmp_path):
+    """Turns of the wheel times work of a pass times k; density and teeth of the wheel."""
+    steps = wear(case, tmp_path)
+    assert next(step.hours for step in steps) == 0 and steps[-1].hours == 200
+    last = steps[-1]
+    with np.load(tmp_path / STATE) as held:
+        depths = held["depths"]
+    assert len(depths) == len(steps)
+    assert last.depth_max_m == pytest.approx(depths[-1].max())
+    assert last.volume_m3 == pytest.approx(depths[-1].sum() * GRID.cell, rel=1e-6)
+    assert last.mass_kg == pytest.approx(last.volume_m3 * 41 * 8800)
+
+
+def test_a_roughness_that_stays_wears_as_it_did_at_first(case, contacts, tmp_path):
+    *_, last = wear(case, tmp_path, run_in=1.0)
+    assert last.depth_max_m == pytest.approx(7e-18 * 3e6 * 1500 * 2 / 41 * 60 * 200, rel=1e-6)
+
+
+def test_running_in_goes_one_way(case, contacts, tmp_path):
+    steps = wear(case, tmp_path)
+    heights = [step.wheel_roughness_m for step in steps]
+    assert heights[0] == 0.6e-6 and heights[-1] < 0.5e-6
+    assert all(after <= before for before, after in itertools.pairwise(heights))
+    assert contacts[0].tables.drive.wheel.deviations is None
+    assert contacts[-1].tables.drive.wheel.deviations.deviation != ()
+
+
+def test_a_run_goes_on_where_it_was_stopped(case, contacts, tmp_path):
+    whole = wear(case, tmp_path / "whole")
+    kept = []
+
+    def stopped(self, worn, error, keep=WearRun._written):
+        keep(self, worn, error)
+        kept.append(worn)
+        if len(kept) == 3:
+            raise KeyboardInterrupt
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(WearRun, "_written", stopped)
+        with pytest.raises(KeyboardInterrupt):
+            wear(case, tmp_path / "stopped")
+    again = wear(case, tmp_path / "stopped")
+    assert [step.hours for step in again] == pytest.approx([step.hours for step in whole])
+    assert again[-1].depth_max_m == pytest.approx(whole[-1].depth_max_m, rel=1e-9)
+
+
+def test_another_plan_begins_anew(case, contacts, tmp_path):
+    wear(case, tmp_path, 20.0)
+    more = wear(case, tmp_path, 20.0, coefficient=14e-18)
+    assert more[0].hours == 0 and more[0].volume_m3 == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--hours", "0"], "--hours = 0: must be above zero"),
+        (["--hours", "10", "--coefficient", "-1"], "--coefficient = -1: must be above zero"),
+    ],
+)
+def test_what_cannot_be_worn_is_refused(arguments, sentence, capsys):
+    assert main(["wear", str(DATA), *arguments]) == 2
+    assert sentence in capsys.readouterr().err
+
+
+def test_wear_is_of_worm_drives(capsys):
+    other = DATA.parents[2] / "cases" / "spur_pair.toml"
+    assert main(["wear", str(other), "--hours", "10"]) == 2
+    assert "of worm drives only" in capsys.readouterr().err

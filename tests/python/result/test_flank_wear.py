@@ -1,0 +1,59 @@
+"""The work of asperities on a flank: a block on a plate, and nothing lost on the way to the cells."""
+
+import numpy as np
+import pytest
+
+from pyworm.formulas.wear_law import archard_depth
+from pyworm.result.flank_wear import FlankGrid
+
+PRESSURE, LENGTH, WIDTH, SPEED = 50e6, 8e-3, 6e-3, 2.0
+COEFFICIENT = 1e-16
+
+
+def block_on_plate(nodes=(81, 61), cell=0.5e-3, turn=0.0):
+    """A block that moves over a plate at its sliding speed: work on the plate and on the block."""
+    grid = FlankGrid(np.arange(-20e-3, 20e-3, cell), np.arange(-10e-3, 10e-3, cell))
+    sides = [
+        (np.arange(count) + 0.5) / count * length - length / 2
+        for count, length in zip(nodes, (LENGTH, WIDTH), strict=True)
+    ]
+    x, y = np.meshgrid(*sides)
+    area = LENGTH * WIDTH / x.size
+    start, end, steps = -14e-3, 14e-3, 700
+    seconds = (end - start) / SPEED / steps
+    work = np.zeros(grid.shape)
+    for part in (np.arange(steps) + 0.5) / steps:
+        middle = start + part * (end - start)
+        at = np.cos(turn) * x - np.sin(turn) * y + middle, np.sin(turn) * x + np.cos(turn) * y
+        amount = np.full(x.size, PRESSURE * SPEED * seconds * area)
+        work += grid.spread(amount, at[0].ravel(), at[1].ravel())
+    return grid, work
+
+
+def test_a_uniform_block_wears_k_p_s_in_the_middle_of_its_track():
+    """Each place is slid over by the block's length."""
+    grid, work = block_on_plate()
+    middle = work[np.ix_(np.abs(grid.radius) < 2e-3, np.abs(grid.face) < 8e-3)]
+    depth = archard_depth(COEFFICIENT, 1.0, middle)
+    assert depth == pytest.approx(np.full(depth.shape, COEFFICIENT * PRESSURE * LENGTH), rel=2e-3)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.4, 1.2])
+def test_the_whole_volume_is_k_f_s(turn):
+    grid, work = block_on_plate(turn=turn)
+    volume = COEFFICIENT * work.sum() * grid.cell
+    force, path = PRESSURE * LENGTH * WIDTH, 28e-3
+    assert volume == pytest.approx(COEFFICIENT * force * path, rel=1e-9)
+
+
+def test_the_cells_do_not_decide():
+    """Half the cells, with nodes as many times closer: the middle of the track stays as deep."""
+    (coarse_grid, coarse), (fine_grid, fine) = (
+        block_on_plate(),
+        block_on_plate(nodes=(161, 121), cell=0.25e-3),
+    )
+    depths = [
+        work[np.ix_(np.abs(grid.radius) < 2e-3, np.abs(grid.face) < 8e-3)].mean()
+        for grid, work in ((coarse_grid, coarse), (fine_grid, fine))
+    ]
+    assert depths[1] == pytest.approx(depths[0], rel=2e-3)
