@@ -7,6 +7,9 @@ DEBUG := build/debug
 DOCS := $(VENV)/.docs-installed
 PREFIX ?= $(CURDIR)/build/installed
 MESON ?= meson
+WHEEL_PYTHONS ?= $(PYTHON)
+BARE ?= $(CURDIR)/build/bare
+CLUSTER := $(VENV)/.cluster-installed
 CONTACT := zi_sharif_2001
 DRIVE := zi_drive
 
@@ -16,14 +19,17 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install fortran-library fortran-docs demo test test-long test-fortran test-python hard mutants docs lint clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python hard mutants docs lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make fortran-library  install the kernel for Fortran and C programs under PREFIX ($(PREFIX)), without Python"
+	@echo "make wheel    wheels that need no compiler, in dist/, for WHEEL_PYTHONS ($(WHEEL_PYTHONS))"
+	@echo "make try-wheel  as root: install the one for $(PYTHON) in a bare Debian without compiler, and run it"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test     run the Fortran and the Python tests"
 	@echo "make test-long  run the Python tests that take long, which make test leaves out"
+	@echo "make test-cluster  as root: batches on a one-node Slurm, by Snakemake and dask-jobqueue; installs these"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
@@ -43,6 +49,12 @@ fortran-library:
 	$(MESON) setup build/library -Dpython=false --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
 	$(MESON) install -C build/library
 
+wheel: $(INSTALLED)
+	set -e; for python in $(WHEEL_PYTHONS); do tools/wheel.sh $$python dist; done
+
+try-wheel:
+	tools/try_wheel.sh dist/pyworm-*-$$($(PYTHON) -c 'import sys; print("cp%d%d" % sys.version_info[:2])')-*.whl $(BARE)
+
 demo: $(INSTALLED)
 	pyworm run cases/$(CONTACT).toml --phase 0.5 --out results/$(CONTACT)
 	pyworm run cases/$(DRIVE).toml -j 2 --out results/$(DRIVE)
@@ -60,6 +72,15 @@ test-fortran: $(DEBUG)/build.ninja
 
 test-python: $(INSTALLED)
 	python -m pytest -n 2 --dist loadfile
+
+$(CLUSTER): $(INSTALLED)
+	apt-get install -qq -y --no-install-recommends slurmctld slurmd slurm-client munge
+	python -m pip install --quiet --disable-pip-version-check \
+	    dask-jobqueue snakemake snakemake-executor-plugin-cluster-generic
+	@touch $@
+
+test-cluster: $(CLUSTER)
+	python -m pytest -rA tests/cluster
 
 hard: $(INSTALLED)
 	python tests/hard $(SCENE) $(if $(SEED),--seed $(SEED))

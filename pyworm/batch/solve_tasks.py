@@ -10,9 +10,11 @@ from concurrent.futures import Executor, Future, as_completed
 from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
-from pyworm.batch.workers import WorkerDiedError
+from pyworm.batch.workers import WorkerDiedError, WorkerPool
+from pyworm.io.log_lines import marks_tenth
 from pyworm.io.progress import Progress
 from pyworm.io.reason import reason_of
+from pyworm.io.terminal import say
 from pyworm.kernel.core import KernelError
 
 
@@ -49,7 +51,11 @@ def solve_all(
             reasons[task.key] = solve_and_keep(task, store, share)
     else:
         tell(f"0 of {len(tasks)} scenes", 0.0)
-        futures = {executor.submit(solve_for, task.key, task, store): task for task in tasks}
+        count, watched = len(tasks), isinstance(executor, WorkerPool)
+        futures = {
+            executor.submit(solve_for, task.key, task, store, _line(number, count, watched)): task
+            for number, task in enumerate(tasks, 1)
+        }
         for done, future in enumerate(as_completed(futures), 1):
             reasons[futures[future].key] = _reason(future, futures[future], store)
             tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
@@ -73,11 +79,19 @@ def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -
     return reason
 
 
-def solve_for(key: str, task: Task, store: Store) -> str | None:
-    """The same for another process, by the key that the task has there."""
+def solve_for(key: str, task: Task, store: Store, line: str | None = None) -> str | None:
+    """The same for another process, by the key that the task has there; a line for its log at the end."""
     if task.key != key:
         return "its worker has another build of pyworm, or of what it builds on"
-    return solve_and_keep(task, store)
+    reason = solve_and_keep(task, store)
+    if line is not None:
+        say(f"{line}, {'solved' if reason is None else reason}")
+    return reason
+
+
+def _line(number: int, count: int, watched: bool) -> str | None:
+    """Line of a worker's log for a scene: the first, each tenth and the last, where nobody watches."""
+    return None if watched or not marks_tenth(number, count) else f"scene {number} of {count}"
 
 
 def _reason(future: Future, task: Task, store: Store) -> str | None:

@@ -79,7 +79,8 @@ def sweep(
         told = stack.enter_context(_progress(progress))
         workers = stack.enter_context(_executor(processes, scheduler))
         if isinstance(make, str | Path):
-            study = _of_file(make, vary, workers, told)
+            store = Store(directory.absolute() / SCENES, fields)
+            study = _of_file(make, vary, workers, told, store)
         else:
             how = _accuracy(accuracy), effects, quantities and tuple(quantities)
             study = _study(make, title, vary, how, sent=workers is not None)
@@ -135,12 +136,16 @@ def traction_curve(
 
 
 def _of_file(
-    path: str | Path, vary: Mapping[str, Any], executor: Executor | None, told: Progress | None
+    path: str | Path,
+    vary: Mapping[str, Any],
+    executor: Executor | None,
+    told: Progress | None,
+    store: Store,
 ) -> Sweep:
     """The scenes of a sweep file."""
     if vary:
         raise ValueError(f"{', '.join(vary)}: a sweep file says itself what varies")
-    return load_sweep(path, (1, 1), executor, told)
+    return load_sweep(path, (1, 1), executor, told, store)
 
 
 def _study(

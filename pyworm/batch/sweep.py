@@ -10,8 +10,9 @@ from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
+from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
-from pyworm.case.case import Case, case_of, checked
+from pyworm.case.case import Case, case_of, case_without_contacts, checked
 from pyworm.case.sweep import SweepTable, Value
 from pyworm.io.input_error import CaseError, toml
 from pyworm.io.toml import read_toml
@@ -51,8 +52,9 @@ def load_sweep(
     share: tuple[int, int] = (1, 1),
     executor: Executor | None = None,
     progress: Callable[[str, float], None] | None = None,
+    store: Store | None = None,
 ) -> Sweep:
-    """Read a sweep file and check every scene of it in full.
+    """Read a sweep file and check every scene of it in full, those solved before by their keys alone.
 
     Parameters
     ----------
@@ -64,6 +66,8 @@ def load_sweep(
         Whose processes check; by default this one does.
     progress : callable, optional
         Told what is being done and which share of all is done, 0 to 1.
+    store : Store, optional
+        Where scenes solved before are.
 
     Raises
     ------
@@ -79,7 +83,7 @@ def load_sweep(
         content = _with(read_toml(base), tables.fixed)
         first, count = share
         combinations = list(_combinations(tables))[first - 1 :: count]
-        make = partial(_tasks, content, path.stem, base.parent, tables.effects)
+        make = partial(_tasks, content, path.stem, base.parent, tables.effects, store)
         pairs = []
         made = (executor.map if executor else map)(make, combinations)
         for number, (values, tasks) in enumerate(zip(combinations, made, strict=True), 1):
@@ -117,21 +121,31 @@ def _tasks(
     name: str,
     directory: Path,
     effects: str | None,
+    store: Store | None,
     values: dict[str, Value],
 ) -> list[Task]:
-    """The scenes of one case of a sweep, checked and planned; the plans are discarded."""
+    """The scenes of one case of a sweep, checked and planned unless they are solved; without the plans."""
+    data, named = _with(content, values), f"{name}: {label(values)}"
     try:
-        case: Case = case_of(_with(content, values), f"{name}: {label(values)}", directory)
-        tasks = [
-            Task(case, place, case.accuracy, effects or case.effects, case.quantities)
-            for place in case.places()
-        ]
+        if store is not None:
+            tasks = _of_case(case_without_contacts(data, named, directory), effects)
+            if all(map(store.holds, tasks)):
+                return tasks
+        case = case_of(data, named, directory)
+        tasks = _of_case(case, effects)
         for task in tasks:
             _ = task.plan
     except ValueError as error:
         raise CaseError(f"with {label(values)}: {error}") from error
     bare = replace(case)
     return [replace(task, case=bare) for task in tasks]
+
+
+def _of_case(case: Case, effects: str | None) -> list[Task]:
+    return [
+        Task(case, place, case.accuracy, effects or case.effects, case.quantities)
+        for place in case.places()
+    ]
 
 
 def _with(content: dict[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:

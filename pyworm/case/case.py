@@ -305,6 +305,20 @@ def load(path: str | Path) -> Case:
 def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The completely checked case of a case file's content; CaseError as of `load`."""
     data = with_deviations(data, directory)
+    case = _tabled(data, name, directory)
+    # All contacts are made: the drive must mesh and the gap file must hold a gap.
+    found = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
+    checked_case = replace(case, doubts=found)
+    vars(checked_case).update(drive=case.drive)
+    return checked_case
+
+
+def case_without_contacts(data: dict[str, Any], name: str, directory: Path) -> Case:
+    """The case of a content whose tables are checked, and not its contacts, such as one solved before."""
+    return _tabled(with_deviations(data, directory), name, directory)
+
+
+def _tabled(data: dict[str, Any], name: str, directory: Path) -> Case:
     case = Case(name, directory, _tables(data))
     for body, surface in case.tables.bodies.surfaces.items():
         surface.lie_in(directory)
@@ -312,11 +326,7 @@ def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
             surface.waves()
         except ValueError as error:
             raise CaseError(f"bodies.{body}.{error}") from error
-    # All contacts are made: the drive must mesh and the gap file must hold a gap.
-    found = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
-    checked_case = replace(case, doubts=found)
-    vars(checked_case).update(drive=case.drive)
-    return checked_case
+    return case
 
 
 def case_again(resolved: dict[str, Any]) -> Case:

@@ -4,6 +4,7 @@ Each model checks the values of its own table only; the drive checks that worm, 
 of drives are imported when their kind is asked for: most cases have one, and each brings its drive along.
 """
 
+from functools import cache
 from typing import Literal
 
 from pydantic import BaseModel, create_model
@@ -43,6 +44,7 @@ def rated() -> tuple[str, ...]:
     return tuple(kind for kind in kinds if issubclass(case_model("drive", kind), RatedCase))
 
 
+@cache
 def kind_model(about: str) -> type[BaseModel]:
     """Model of the part of a case file that holds its kind."""
     kind = create_model("Kind", kind=(Literal[SUBJECTS[about]], ...))

@@ -4,6 +4,7 @@ import argparse
 import ctypes
 import os
 import platform
+import subprocess
 import sys
 import tempfile
 import time
@@ -44,6 +45,7 @@ def _doctor(options: argparse.Namespace) -> int:
         ("pyworm", _pyworm),
         ("packages", _packages),
         ("kernel", _kernel),
+        ("processor", _processor),
         ("FFTW", _fftw),
         ("self-check", _self_check),
         ("threads", _threads),
@@ -88,6 +90,48 @@ def _core_path() -> Path:
 
 def _kernel() -> str:
     return str(_core_path())
+
+
+_STEP = """
+from pyworm.solver.cost.calibration import calibration
+found = calibration()
+print(found.cold["point"].steps(1, {nodes}), found.heated["point"][0].steps(1, {nodes}))
+"""
+"""Prints the processor time of Newton steps, measured once for each kernel and cached."""
+
+_NODES = 30_000
+"""Nodes of a usual grid of the figures."""
+
+
+def _processor() -> str:
+    """For what the kernel is compiled, and what that gains; of a build of one's own, its -march."""
+    _core_path()
+    from pyworm.kernel.core import LEVEL, compiled_with
+    from pyworm.kernel.levels import BASE, built
+
+    if LEVEL is None:
+        options = compiled_with()[1].split()
+        return next((of for of in options if of.startswith("-march")), "compiled for any")
+    there = f"kernel for {LEVEL}, of {', '.join((BASE, *built()))}"
+    if LEVEL == BASE:
+        return there
+    cold, heated = (base / own for base, own in zip(_steps_of(BASE), _steps_of(LEVEL), strict=True))
+    return f"{there}: {cold:.2f} times as fast as {BASE} in films, {heated:.2f} times with heat"
+
+
+def _steps_of(level: str) -> list[float]:
+    """Processor times of a Newton step at a level [s], isothermal and with heat, in a process of its own."""
+    from pyworm.kernel.levels import WANTED
+
+    done = subprocess.run(
+        [sys.executable, "-c", _STEP.format(nodes=_NODES)],
+        env=os.environ | {WANTED: level, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode:
+        raise _UnsoundError(f"the kernel for {level} fails: {done.stderr.strip().splitlines()[-1]}")
+    return [float(of) for of in done.stdout.split()]
 
 
 def _fftw() -> str:

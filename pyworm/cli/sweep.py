@@ -45,14 +45,20 @@ def _sweep_part(text: str) -> tuple[int, int]:
 
 
 def _sweep(options: argparse.Namespace) -> int:
+    from pyworm.batch.case_run import SCENES
+    from pyworm.batch.solved_scenes import Store
     from pyworm.batch.sweep import load_sweep
     from pyworm.io.console import progress_bar
+    from pyworm.io.log_lines import log_lines
 
     directory = options.out or Path("results") / options.sweep.stem
     check_writable(directory)
     with progress_bar() as progress, batch_executor(options) as executor:
         share = options.share or (1, 1)
-        sweep = load_sweep(options.sweep, share, executor, progress)
+        if options.share is not None and progress is None:
+            progress = log_lines(say, f"share {share[0]}/{share[1]}")
+        store = Store(directory.absolute() / SCENES, options.fields)
+        sweep = load_sweep(options.sweep, share, executor, progress, store)
 
         from pyworm.batch.sweep_run import run_sweep, solve_share
 
@@ -61,6 +67,8 @@ def _sweep(options: argparse.Namespace) -> int:
             reasons, _ = solve_share(sweep.tasks, *how)
             for reason in reasons.values():
                 say(f"a scene could not be solved: {reason}")
+            solved = len(sweep.tasks) - len(reasons)
+            say(f"share {share[0]}/{share[1]}: ended, {solved} of {len(sweep.tasks)} scenes solved")
             return NOT_CONVERGED if reasons else CONVERGED
         result = run_sweep(sweep, *how)
 

@@ -4,7 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pyworm import _core
+from pyworm.kernel.levels import kernel
+
+_core, LEVEL = kernel()
 
 bindings = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""
@@ -12,7 +14,7 @@ bindings = _core.bindings
 bindings.watch_signals()
 
 EXTENSION = Path(_core.__file__)
-"""File of the compiled extension."""
+"""File of the compiled extension; `LEVEL` is the level of x86-64 of a wheel that it is for."""
 
 _MESSAGES = {
     1: "a size, a spacing, a load or a first guess makes no sense",

@@ -12,7 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import pyworm.batch.task
+from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import load_sweep
+from pyworm.case.case import case_of
 from pyworm.case.sweep import DrawTable, RangeTable
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
@@ -278,7 +280,11 @@ def test_the_table_of_many_processes_and_shares_has_the_same_bits(solved, tmp_pa
     assert main([*arguments, "--share", "2/2", "-j", "2"]) == CONVERGED
     assert not (tmp_path / "sweep.nc").exists()
     assert main([*arguments, "--share", "1/2"]) == CONVERGED
-    assert capsys.readouterr().err == ""
+    log = capsys.readouterr().err.splitlines()
+    assert [line for line in log if "ended" in line] == [
+        f"pyworm: share {share}/2: ended, 3 of 3 scenes solved" for share in (2, 1)
+    ]
+    assert "pyworm: share 2/2: 0 %, 0 of 3 scenes" in log
     assert main([*arguments, "-j", "2"]) == CONVERGED
     assert "6 of 6" in capsys.readouterr().err
     table = open_sweep(tmp_path / "sweep.nc").table.drop_vars(["seconds", "convolutions"])
@@ -378,3 +384,22 @@ def test_the_picture_shows_what_varies(axes, pairs, labels):
         assert words in texts
     assert "not converged" in texts
     figure.canvas.draw()
+
+
+def test_scenes_solved_before_are_not_made_again(tmp_path, monkeypatch):
+    """What a table of many scenes waits for is the making of their contacts."""
+    path = tmp_path / "films.toml"
+    path.write_text(
+        f'title = "t"\ncase = "{CASES}/line_m20_l10.toml"\neffects = "isothermal"\n'
+        'fixed = { accuracy = "10 %" }\nvary = [{ "contact.load" = ["50 kN/m", "100 kN/m"] }]\n'
+    )
+    store = Store(tmp_path / "out" / "scenes", fields=False)
+    first, second = load_sweep(path, store=store).tasks
+    store.keep(first, first.solved())
+    made = []
+    monkeypatch.setattr(
+        "pyworm.batch.sweep.case_of", lambda *given: made.append(given[1]) or case_of(*given)
+    )
+    again = load_sweep(path, store=store)
+    assert [task.key for task in again.tasks] == [first.key, second.key]
+    assert made == ['films: contact.load = "100 kN/m"']
