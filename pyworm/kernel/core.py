@@ -4,9 +4,13 @@ from pathlib import Path
 
 import numpy as np
 
-from pyworm.kernel.levels import kernel
+from pyworm.kernel.levels import loaded, taken
 
-_core, LEVEL = kernel()
+LEVEL, _file = taken()
+if _file is None:
+    from pyworm import _core
+else:
+    _core = loaded(_file)
 
 bindings = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""

@@ -75,17 +75,21 @@ def processor() -> set[str]:
         return set()
 
 
-def kernel() -> tuple[ModuleType, str | None]:
-    """The compiled kernel, and its level; None where there is a single one."""
+def taken() -> tuple[str | None, Path | None]:
+    """The level whose kernel is taken and its file; no level where there is a single kernel.
+
+    There is no file of `pyworm._core` itself, which the single kernel and that of the base level are.
+    """
     others = built()
     level = chosen(others, processor(), os.environ.get(WANTED)) if others else None
-    if level in (None, BASE):
-        from pyworm import _core
+    return level, others.get(level)
 
-        return _core, level
+
+def loaded(file: Path) -> ModuleType:
+    """The kernel in a file, as `pyworm._core`."""
     name = "pyworm._core"
-    spec = spec_from_file_location(name, loader=ExtensionFileLoader(name, str(others[level])))
+    spec = spec_from_file_location(name, loader=ExtensionFileLoader(name, str(file)))
     module = module_from_spec(spec)
     spec.loader.exec_module(module)
     sys.modules[name] = module
-    return module, level
+    return module
