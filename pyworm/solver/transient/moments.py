@@ -151,9 +151,13 @@ def curves(
     kind: Kind,
     share: float,
     least: float,
+    present: Mapping[str, float],
     inlet: float | None,
 ) -> PlainDataset:
     """Figures over time with their error bars, and frames of pressure and film.
+
+    A bar is never less than what the last moment is off from the present film on the finer grid of the
+    figures.
 
     Parameters
     ----------
@@ -167,6 +171,8 @@ def curves(
         Error of the finest over its change from the one before [-].
     least : float
         Least relative error.
+    present : Mapping
+        Figures of the present film, on the first grid of the figures.
     inlet : float or None
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
     """
@@ -180,7 +186,10 @@ def curves(
         variables[f"life_entrainment_{axis}"] = ("instant",), np.array(of)
     for name in moments[0].figures:
         values = np.array([one.figures[name] for one in moments])
-        error = np.abs(values) * np.maximum(least, share * _changes(solves, moments, name))
+        off = abs(present[name] - values[-1]) / max(abs(values[-1]), TINY)
+        error = np.abs(values) * np.maximum(
+            max(least, off), share * _changes(solves, moments, name)
+        )
         base = inlet if name in HEAT_FIGURES else 0.0
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error

@@ -298,7 +298,8 @@ def _life(
     kind = plan.work.kind
     inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
     shared = readings[: len(rates.moments) + 1]
-    return curves(rates.moments, rates.since, kind, LEFT[kind], _least(shared, kind), inlet)
+    least, present = _least(shared, kind), readings[-1].figures
+    return curves(rates.moments, rates.since, kind, LEFT[kind], least, present, inlet)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind) -> dict[str, float]:

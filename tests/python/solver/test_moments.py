@@ -1,0 +1,28 @@
+"""Curves of figures over a life and their error bars."""
+
+import pytest
+
+from pyworm.solver.transient.moments import Moment, curves
+
+
+def _moments(values):
+    return [
+        Moment(1e-3 * number, None, 10.0, (1.0,), {"film_min": value})
+        for number, value in enumerate(values)
+    ]
+
+
+def _bars(solves, present):
+    """Relative error bars of curves whose least error is 1 %."""
+    life = curves(solves, -1.0, "line", 0.25, 0.01, {"film_min": present}, None)
+    return life["life_film_min_error"].values / life["life_film_min"].values
+
+
+def test_bars_of_a_curve_reach_the_present_film_on_its_finer_grid():
+    assert _bars([_moments([2.0, 2.0, 2.0])], 2.4) == pytest.approx([0.2, 0.2, 0.2])
+    assert _bars([_moments([2.0, 2.0, 2.0])], 2.0) == pytest.approx([0.01, 0.01, 0.01])
+
+
+def test_the_larger_of_both_differences_counts():
+    solves = [_moments([3.0, 2.0, 2.0]), _moments([2.0, 2.0, 2.0])]
+    assert _bars(solves, 2.2) == pytest.approx([0.125, 0.1, 0.1])
