@@ -16,29 +16,40 @@ FULL_FILM = 3.0
 BOUNDARY = 1.0
 """lambda below which they count as touching nearly everywhere."""
 
+CARRIED = 0.9
+"""Share of the load on asperities, where it is simulated, from which lubrication is boundary: oil carries
+what little is left. Below it both carry, whatever lambda is (our convention)."""
+
 Lubrication = Literal["full", "unknown", "mixed", "boundary"]
 
 BY_SEVERITY: tuple[Lubrication, ...] = ("full", "unknown", "mixed", "boundary")
 """The regimes, from the one whose simulated friction may be believed to the one where it may be least."""
 
 
-def lubrication(central: float | None, least: float | None) -> Lubrication:
+def lubrication(
+    central: float | None, least: float | None, share: float | None = None
+) -> Lubrication:
     """The regime of a contact: by its central film, in which its load is carried, and by its least film.
+
+    A lambda below 1 does not tell how much asperities carry, from 10 % to all; a simulated share does.
 
     Parameters
     ----------
     central, least : float or None
         Central and least film over composite roughness [-]; None where films or roughness are not known.
+    share : float or None
+        Share of the load that asperities carry [-]; None where it is not simulated.
 
     Returns
     -------
     str
-        "boundary" below a central lambda of 1, "mixed" below 3 or where the least lambda is below 1, else
-        "full"; "unknown" without both numbers, or with negative ones, which no film has.
+        "boundary" below a central lambda of 1, with a share from 0.9 on, "mixed" below 3 or where the least
+        lambda is below 1, else "full"; "unknown" without both numbers, or with negative ones, which no film
+        has.
     """
     if central is None or least is None or not (isfinite(central) and min(central, least) >= 0):
         return "unknown"
-    if central < BOUNDARY:
+    if central < BOUNDARY if share is None else share >= CARRIED:
         return "boundary"
     return "mixed" if central < FULL_FILM or least < BOUNDARY else "full"
 

@@ -202,7 +202,7 @@ def judged(
     share, uncertainty = asperity_load
     return LeftOut(
         beyond(effects, accuracy),
-        lubrication(central, least),
+        lubrication(central, least, share),
         central,
         least,
         rough=any(effect.on for effect in effects if effect.name == "roughness"),

@@ -90,6 +90,14 @@ def test_lubrication_goes_by_central_and_least_film(central, least, name):
     assert lubrication(central, least) == name
 
 
+@pytest.mark.parametrize(
+    ("central", "share", "name"),
+    [(0.9, 0.15, "mixed"), (0.41, 0.9, "boundary"), (2.0, 0.02, "mixed"), (4.0, 1e-6, "full")],
+)
+def test_a_simulated_share_tells_boundary_from_mixed_lubrication(central, share, name):
+    assert lubrication(central, 1.0, share) == name
+
+
 def test_the_worst_of_several_contacts_counts():
     full = LeftOut({"squeeze": 0.9}, "full", 5.0, 3.0)
     mixed = LeftOut({"roughness": 0.3, "squeeze": 0.1}, "mixed", 2.0, 1.5)
