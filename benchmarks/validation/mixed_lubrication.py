@@ -22,6 +22,7 @@ import numpy as np
 import pyworm
 from pyworm.case.case import Case, case_of
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.formulas.rough_contact import greenwood_tripp, overlap_moment, self_affine
 from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.worm_gear import REFERENCE_FILM, REFERENCE_GEAR
 from pyworm.formulas.worm_standard import teeth_loss, tooth_friction
@@ -41,8 +42,17 @@ LOAD, SPEED, MATERIAL, HARDNESS = 1e-4, 1e-11, 4500.0, 0.01
 HEIGHTS = (5e-6, 2e-5, 5e-5)
 """Composite roughness over the radius of the line contact [-], beside a smooth one."""
 
-SLOPES = (0.008, 0.016)
-"""Root mean square slope of each surface [-]: the default of run-in ones, and twice that."""
+FINISHES = {
+    "slope 0.008": {"roughness_slope": 0.008},
+    "slope 0.016": {"roughness_slope": 0.016},
+    "sigma/beta 0.01": {"asperity_sharpness": 0.01, "asperity_density": 0.05},
+}
+"""Asperities of each surface: the default slope of run-in ones, twice that, and Greenwood and Tripp's of one
+radius, with the numbers that Masjedi and Khonsari had (from memory)."""
+
+SUMMITS_ABOVE = 0.045944
+"""Mean of the summits above that of the heights, over sigma, times n beta sigma (McCool 1987; from
+memory)."""
 
 RADIUS, ALPHA, ETA0 = 0.01, 20e-9, 0.04
 
@@ -110,10 +120,10 @@ def masjedi_khonsari(height: float, load: float = LOAD) -> tuple[float, float]:
     return smooth * (1 + rise), share / 100
 
 
-def rolling_line(height: float, slope: float) -> LineScene:
+def rolling_line(height: float, asperities: dict[str, float]) -> LineScene:
     """The line contact, rolling without sliding, of a composite roughness over its radius [-]."""
     modulus = MATERIAL / ALPHA
-    finish = {"roughness": height * RADIUS / sqrt(2), "roughness_slope": slope} if height else {}
+    finish = {"roughness": height * RADIUS / sqrt(2)} | asperities if height else {}
     poisson = 0.3
     body = Body(modulus * (1 - poisson**2), poisson, hardness=HARDNESS * modulus, **finish)
     speed = SPEED * modulus * RADIUS / ETA0
@@ -143,32 +153,57 @@ def mean_planes(scene: LineScene, solution: Solution) -> float:
 def compare_line() -> None:
     """Film and asperities' share of the line contact beside the formulas."""
     print(
-        "| sigma/R | slope of each surface | central gap, formula | gap of mean planes | film h_T | model"
+        "| sigma/R | asperities | central gap, formula | gap of mean planes | film h_T | model"
         " | share, formula | simulated | model | points |"
     )
     print("|---|---|---|---|---|---|---|---|---|---|")
-    print(line_row(0.0, SLOPES[0]))
-    for slope in SLOPES:
+    print(line_row(0.0, ""))
+    for finish in FINISHES:
         for height in HEIGHTS:
-            print(line_row(height, slope))
+            print(line_row(height, finish))
     lighter, height = LOAD / 5, HEIGHTS[1]
     ratio = masjedi_khonsari(0.0, lighter)[0] / height
     print(
         f"\nat W = {lighter:g} and {height:g} the formula has {masjedi_khonsari(height, lighter)[1]:.1%}, "
         f"partial films of Patir and Cheng exp(-1.8 lambda^1.2) = {exp(-1.8 * ratio**1.2):.1%}"
     )
+    compare_asperities()
 
 
-def line_row(height: float, slope: float) -> str:
+def compare_asperities() -> None:
+    """Pressure of the elastic asperities of each kind over E*, and of single summits on a flat.
+
+    Those of Greenwood and Williamson, one rough surface on a flat, stand for the asperities of Masjedi and
+    Khonsari as long as they are elastic; the gap is from the mean of the heights or from that of the summits.
+    """
+    gaps = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 3.0])
+    print("\n| pressure of elastic asperities over E* at H = |", *(f"{gap:g} |" for gap in gaps))
+    print("|---|" + "---|" * len(gaps))
+    rows = {
+        "slope 0.008 of each surface": self_affine(gaps, 0.008 * sqrt(2), 1.0)[0],
+        "slope 0.016": self_affine(gaps, 0.016 * sqrt(2), 1.0)[0],
+        "Greenwood and Tripp, n beta sigma 0.05, sigma/beta 0.01": greenwood_tripp(
+            gaps, 0.05, 0.01, 1.0
+        )[0],
+    }
+    for name, above in (("heights", 0.0), ("summits", SUMMITS_ABOVE / 0.05)):
+        rows[f"summits on a flat, the same numbers, H from the mean of the {name}"] = (
+            4 / 3 * 0.05 * sqrt(0.01) * overlap_moment(1.5, gaps - above)
+        )
+    for name, pressures in rows.items():
+        print(f"| {name} |", *(f"{pressure:.1e} |" for pressure in pressures))
+
+
+def line_row(height: float, finish: str) -> str:
     """A row of the line's table."""
     film, share = masjedi_khonsari(height)
-    scene = rolling_line(height, slope)
+    scene = rolling_line(height, FINISHES.get(finish, {}))
     effects = "isothermal,roughness" if height else "isothermal"
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, effects))
     found, borne = solution.figures.film_central, solution.figures.asperity_load_fraction
     gap, thickness = mean_planes(scene, solution), found.value / RADIUS
     row = (
-        f"| {height:g} | {slope if height else ''} | {film * 1e5:.3f}e-5 | "
+        f"| {height:g} | {finish} | {film * 1e5:.3f}e-5 | "
         f"{gap * 1e5:.3f}e-5 ({gap / film - 1:+.1%}) | {thickness * 1e5:.3f}e-5 "
         f"({thickness / film - 1:+.1%}) |"
     )
