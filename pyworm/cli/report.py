@@ -15,6 +15,8 @@ def add_report(commands: argparse._SubParsersAction) -> None:
     report = commands.add_parser("report", help="write a results file as one HTML page")
     report.add_argument("result", type=Path, metavar="RESULT")
     report.add_argument("--out", type=Path, metavar="FILE.html", help="default: beside the results")
+    report.add_argument("--drawing", metavar="NUMBER", help="drawing number on the page to sign")
+    report.add_argument("--customer", metavar="NAME", help="customer on the page to sign")
     add_compared_case(report)
     report.set_defaults(command=_report)
 
@@ -34,9 +36,15 @@ def _report(options: argparse.Namespace) -> int:
     if options.case is not None:
         case, differ = case_for(options.case, result, options.anyway)
     with readable(options.result):
-        page = render(build_report(result, case, differ))
+        page = render(build_report(result, case, differ, _identity(options)))
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")
     put(f"{path}")
     return 0
+
+
+def _identity(options: argparse.Namespace) -> tuple[tuple[str, str], ...]:
+    """What the page to sign names besides the case."""
+    named = ("Drawing", options.drawing), ("Customer", options.customer)
+    return tuple((name, value) for name, value in named if value)

@@ -9,9 +9,9 @@ from pyworm.io.input_error import CaseError
 from pyworm.ratings.heating import heating_of
 from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.ratings.rating import Rating
-from pyworm.ratings.standard_loss import standard_loss
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
 from pyworm.report.page.assumptions import assumptions_section, plan_section, provenance_section
-from pyworm.report.page.content import Block, Items, Report, Section, Table, Words
+from pyworm.report.page.content import Block, Cover, Items, Report, Section, Table, Verdict, Words
 from pyworm.report.page.figures import (
     film_section,
     glance_section,
@@ -28,7 +28,12 @@ from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut
 
 
-def build_report(result: Result, case: Case | None = None, differ: str | None = None) -> Report:
+def build_report(
+    result: Result,
+    case: Case | None = None,
+    differ: str | None = None,
+    identity: tuple[tuple[str, str], ...] = (),
+) -> Report:
     """The content of the report on a result.
 
     Parameters
@@ -39,6 +44,8 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         Case of the report in place of the solved one, such as one with other ratings.
     differ : str, optional
         How they differ, if they do and it is taken anyway.
+    identity : tuple of tuple of str
+        What the page to sign names besides the case: drawing, customer.
 
     Raises
     ------
@@ -46,25 +53,9 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         The result's case is none that this version knows.
     """
     case = case or case_again(result.case)
-    cycle, standard = drive_cycle(result), standard_loss(case)
-    heating = heating_of(case, cycle, standard)
-    left_out = of_all(result.solutions)
-    warnings = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
-    warnings += tuple(opening(result.solutions, standard.words))
-    if heating is not None:
-        warnings += (heating.words,)
-    warnings += tuple(
-        f"{place_of(of)} did not converge: {of.stop_reason}"
-        for of in result.solutions
-        if not of.converged
-    ) + tuple(
-        f"{name} could not be solved: {reason}"
-        for name, reason in result.provenance.get("failed", {}).items()
-    )
+    standard, left_out = standard_loss(case), of_all(result.solutions)
     made, unrated = _rated(case, result)
     sound = result.sound
-    warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
-    warnings += tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
     sections = (
         _noted(left_out, glance_section(case, sound, made, standard)),
         _noted(left_out, film_section(case, result)),
@@ -79,7 +70,54 @@ def build_report(result: Result, case: Case | None = None, differ: str | None = 
         inputs_section(case),
         provenance_section(result),
     )
-    return Report(case.title, case.source, warnings, tuple(s for s in sections if s is not None))
+    return Report(
+        case.title,
+        case.source,
+        _warnings(case, result, differ, standard, made),
+        tuple(s for s in sections if s is not None),
+        _cover(result, made, identity),
+    )
+
+
+def _warnings(
+    case: Case,
+    result: Result,
+    differ: str | None,
+    standard: StandardLoss | NoStandard,
+    made: tuple[Rating, ...],
+) -> tuple[str, ...]:
+    """What a reader must know before all else."""
+    heating = heating_of(case, drive_cycle(result), standard)
+    warnings = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
+    warnings += tuple(opening(result.solutions, standard.words))
+    if heating is not None:
+        warnings += (heating.words,)
+    warnings += tuple(
+        f"{place_of(of)} did not converge: {of.stop_reason}"
+        for of in result.solutions
+        if not of.converged
+    ) + tuple(
+        f"{name} could not be solved: {reason}"
+        for name, reason in result.provenance.get("failed", {}).items()
+    )
+    warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
+    return warnings + tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
+
+
+def _cover(
+    result: Result, made: tuple[Rating, ...], identity: tuple[tuple[str, str], ...]
+) -> Cover | None:
+    """The page to sign; None without safeties."""
+    verdicts = tuple(
+        Verdict(f"{of.symbol}, {of.label}", of.shown, f"{of.minimum:g}", of.verdict, of.made_of)
+        for rating in made
+        for of in rating.safeties
+    )
+    if not verdicts:
+        return None
+    made_with = ("pyworm", "commit", "created")
+    found = [(key, str(result.provenance[key])) for key in made_with if key in result.provenance]
+    return Cover((("Case", result.case_name), *identity, *found), verdicts)
 
 
 def _noted(left_out: LeftOut, section: Section | None) -> Section | None:

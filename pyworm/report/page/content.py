@@ -73,6 +73,43 @@ class Section:
 
 
 @dataclass(frozen=True)
+class Verdict:
+    """A safety as it is signed.
+
+    Attributes
+    ----------
+    what, value, required : str
+        Its name, value and the least that is required.
+    words : str
+        "sufficient", "not sufficient" or "cannot be rated".
+    why : str
+        What it is made of, or why it is not rated.
+    """
+
+    what: str
+    value: str
+    required: str
+    words: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Cover:
+    """The page to sign.
+
+    Attributes
+    ----------
+    head : tuple of tuple of str
+        Drive, drawing, customer and the like, with their values.
+    verdicts : tuple of Verdict
+        The safeties.
+    """
+
+    head: tuple[tuple[str, str], ...]
+    verdicts: tuple[Verdict, ...]
+
+
+@dataclass(frozen=True)
 class Report:
     """A report.
 
@@ -84,9 +121,12 @@ class Report:
         What a reader must know before all else, such as what did not converge.
     sections : tuple of Section
         In order.
+    cover : Cover or None
+        The page to sign; None without safeties.
     """
 
     title: str
     source: str
     warnings: tuple[str, ...]
     sections: tuple[Section, ...]
+    cover: Cover | None = None

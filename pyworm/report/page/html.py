@@ -4,7 +4,16 @@ from base64 import b64encode
 from html import escape
 from pathlib import Path
 
-from pyworm.report.page.content import Block, Items, Picture, Report, Section, Table, Words
+from pyworm.report.page.content import (
+    Block,
+    Cover,
+    Items,
+    Picture,
+    Report,
+    Section,
+    Table,
+    Words,
+)
 
 _STYLE = Path(__file__).with_name("page.css")
 
@@ -28,6 +37,7 @@ def render(report: Report) -> str:
         for number, section in enumerate(report.sections, 1)
     )
     warnings = "\n".join(f'<p class="warning">{escape(of)}</p>' for of in report.warnings)
+    opening = warnings if report.cover is None else _cover(report.cover, warnings)
     parts = "\n".join(_section(number, of) for number, of in enumerate(report.sections, 1))
     return f"""<!DOCTYPE html>
 <html lang="en">
@@ -42,7 +52,7 @@ def render(report: Report) -> str:
 <header>
 <h1>{escape(report.title)}</h1>
 <p class="source">{escape(report.source)}</p>
-{warnings}
+{opening}
 <nav><ol>
 {contents}
 </ol></nav>
@@ -53,6 +63,32 @@ def render(report: Report) -> str:
 </body>
 </html>
 """
+
+
+def _cover(cover: Cover, warnings: str) -> str:
+    """Head, verdicts with colours and words, what a signer must know, and lines to sign."""
+    head = "\n".join(
+        f"<div><dt>{escape(name)}</dt><dd>{escape(value)}</dd></div>" for name, value in cover.head
+    )
+    rows = "\n".join(
+        f'<tr><th scope="row">{escape(of.what)}</th><td>{escape(of.value)}</td>'
+        f"<td>{escape(of.required)}</td>"
+        f'<td><span class="verdict {of.words.replace(" ", "-")}">{escape(of.words)}</span></td>'
+        f"<td>{escape(of.why)}</td></tr>"
+        for of in cover.verdicts
+    )
+    return f"""<section class="cover">
+<dl>
+{head}
+</dl>
+<div class="wide"><table>
+<thead><tr><th>Safety</th><th>Value</th><th>Required</th><th>Verdict</th><th>Made of</th></tr></thead>
+<tbody>
+{rows}
+</tbody></table></div>
+{warnings}
+<p class="sign"><span>Calculated</span><span>Checked</span><span>Released</span></p>
+</section>"""
 
 
 def _section(number: int, section: Section) -> str:

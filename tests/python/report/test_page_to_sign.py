@@ -1,0 +1,75 @@
+"""The page to sign: head, verdicts in words and colours, lines for names; looked at in a browser."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import matplotlib.image
+import numpy as np
+import pytest
+from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
+
+import pyworm
+from pyworm.report.page.build import build_report
+from pyworm.report.page.html import render
+from pyworm.result.result import Result
+
+CASES = Path(__file__).parents[3] / "cases"
+BROWSER = (
+    shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+)
+GREEN, RED = (0x1B, 0x6B, 0x3A), (0xA4, 0x16, 0x1A)
+
+
+@pytest.fixture(scope="module")
+def page():
+    case = pyworm.load(CASES / "zi_sharif_2001.toml")
+    result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
+    identity = (("Drawing", "4711-03 <b>"), ("Customer", "Works & Sons"))
+    return render(build_report(result, case, None, identity))
+
+
+def test_the_page_names_drawing_and_customer_and_every_safety(page):
+    cover = page[page.index('class="cover"') : page.index("</section>")]
+    assert "4711-03 &lt;b&gt;" in cover and "Works &amp; Sons" in cover
+    for symbol in ("S_W", "S_H", "S_delta", "S_F", "S_T"):
+        assert f'<th scope="row">{symbol}, ' in cover
+    assert cover.count('class="verdict sufficient"') == 4
+    assert cover.count('class="verdict not-sufficient"') == 1  # of bearings that are assumed
+    assert cover.index('class="warning"') < cover.index("Calculated")  # seen by who signs
+    assert all(word in cover for word in ("Calculated", "Checked", "Released"))
+
+
+def test_a_contact_without_safeties_has_no_page_to_sign():
+    case = pyworm.load(CASES / "spur_pair.toml")
+    made = build_report(
+        Result(case.name, case.resolved, (make_line_solution(phase=0.5),), None, {})
+    )
+    assert made.cover is None and 'class="cover"' not in render(made)
+
+
+def _browse(page, directory, *arguments):
+    file = directory / "report.html"
+    file.write_text(page, encoding="utf-8")
+    home = ("--no-sandbox", "--disable-gpu", f"--user-data-dir={directory / 'browser'}")
+    command = [BROWSER, "--headless", *home, *arguments, file.as_uri()]
+    subprocess.run(command, check=True, capture_output=True, timeout=120)
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+def test_a_browser_shows_the_verdicts_in_their_colours(page, tmp_path):
+    picture = tmp_path / "page.png"
+    _browse(page, tmp_path, f"--screenshot={picture}", "--window-size=1200,1100")
+    seen = np.rint(matplotlib.image.imread(picture)[..., :3] * 255).astype(int)
+    assert seen.shape == (1100, 1200, 3)
+    badges = [int((np.abs(seen - colour).max(-1) <= 3).sum()) for colour in (GREEN, RED)]
+    assert badges[0] > 2000 and badges[1] > 500
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine")
+def test_printed_the_page_to_sign_stands_alone(page, tmp_path):
+    """As a PDF of its own pages; the rest begins on the second."""
+    printed = tmp_path / "report.pdf"
+    _browse(page, tmp_path, f"--print-to-pdf={printed}", "--no-pdf-header-footer")
+    content = printed.read_bytes()
+    assert content.startswith(b"%PDF") and content.count(b"/Type /Page\n") >= 2
