@@ -20,7 +20,7 @@ from pyworm.planning.plan import first_grids_of
 from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.contact import ContactSolver
+from pyworm.solver.contact import SENSELESS, ContactSolver
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
@@ -53,8 +53,9 @@ WARMING = 1e-2
 LOST = 1e-2
 """Residual above which the film of an instant is lost."""
 
-MOST_STEPS = 15
-"""Largest number of Newton steps of an instant whose film begins with the extrapolated ones."""
+MOST_STEPS, TRIAL_STEPS = 15, 4
+"""Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and number after
+which its residual makes sense, or the film begins with the steady one: steps in a lost film are the dearest."""
 
 
 class LostError(Exception):
@@ -299,7 +300,9 @@ def _onward(
         level = solver.on_grid(grid, guess)
         # one step at least: a film that is only extrapolated would follow no equation until it is far from it
         newton_step(level)
-        taken = 1 + len(lead(level, *tolerances, most=MOST_STEPS))
+        taken = 1 + len(lead(level, *tolerances, most=TRIAL_STEPS - 1))
+        if level.film.balance.residual <= SENSELESS:
+            taken += len(lead(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
         if contact.separation is None and not level.film.balance.worst <= LOST:
             level = _beside(contact, course, grid, solver)
             taken += len(lead(level, *tolerances))
