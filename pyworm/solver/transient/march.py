@@ -54,8 +54,8 @@ LOST = 1e-2
 """Residual above which the film of an instant is lost."""
 
 MOST_STEPS, TRIAL_STEPS = 15, 4
-"""Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and number after
-which its residual makes sense, or the film begins with the steady one: steps in a lost film are the dearest."""
+"""Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and the number
+after which its residual makes sense, or it begins with the steady film: steps in a lost film cost most."""
 
 
 class LostError(Exception):
