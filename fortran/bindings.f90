@@ -19,7 +19,7 @@ module bindings
   public :: line_film_new, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
     film_transient, film_hold, film_remember, film_shear, film_roughen, film_asperities, film_tabulate, film_set_ruptured, &
-    film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
+    film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, interpolate, level_positions
   public :: compiled_with, watch_signals
@@ -283,6 +283,29 @@ contains
     contact => contact_of(handle)
     call roughen_contact(contact%film, gap_curves(scale, first, spacing, value, slope), boundary_friction, stat)
   end subroutine film_roughen
+
+  !> Limits the oil that enters a contact's gap to a layer of thickness `supply` [m]; see `partial_film`.
+  subroutine film_feed(handle, supply, nx, ny, stat)
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: supply(nx, ny)
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call contact%film%feed(supply, stat)
+  end subroutine film_feed
+
+  !> Fraction of the gap that oil fills, of a contact with a limited supply, as last evaluated.
+  subroutine film_fraction(handle, nx, ny, fraction)
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(out) :: fraction(nx, ny)
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    fraction = reshape(contact%film%partial%fraction, [nx, ny])
+  end subroutine film_fraction
 
   !> Sets where the oil has ruptured between rough surfaces, for the next evaluation.
   subroutine film_set_ruptured(handle, ruptured, nx, ny)

@@ -31,6 +31,9 @@ module pyworm_film_levels
     real(pp), allocatable :: along(:, :), across(:, :)
     !> Root of the mobility, pressure, and 1 where it is free to change, else 0.
     real(pp), allocatable :: root(:, :), p(:, :), free(:, :)
+    !> 1 where the gap is filled in part: what pressure presses into such a node goes on downstream. Not allocated where it is
+    !> full everywhere.
+    real(pp), allocatable :: passing(:, :)
     type(line_systems) :: lines
     !> Solution and right-hand side. While a level is built: derivatives of mobility and of
     !> rho h by pressure.
@@ -80,13 +83,18 @@ contains
     end do
   end subroutine coarsen_entrainment
 
-  !> Sets the change of rho h by (total) pressure, and where pressure is free to change.
-  subroutine set_level(level, fields, free)
+  !> Sets the change of rho h by (total) pressure, where pressure is free to change, and how far the gap is filled.
+  subroutine set_level(level, fields, free, fraction)
     type(grid_level), intent(inout) :: level
     type(film_fields), intent(in) :: fields
     logical, intent(in) :: free(:, :)
+    real(wp), intent(in), optional :: fraction(:, :)
 
     associate (stride => level%stride)
+      if (present(fraction)) then
+        if (.not. allocated(level%passing)) allocate (level%passing, mold=level%free)
+        call orient(level%transposed, merge(1.0_wp, 0.0_wp, fraction(::stride, ::stride) < 1), level%passing)
+      end if
       if (allocated(fields%rough)) then
         associate (stiffness => fields%rough%stiffness(::stride, ::stride), widening => fields%rough%widening(::stride, ::stride))
           call orient(level%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
@@ -209,6 +217,15 @@ contains
         call diffuse(root(first:last, j), root(i:n, k), p(first:last, j), p(i:n, k), dm(first:last, j), dm(i:n, k), 1/spacing, &
           leave(first:last), enter(first:last))
       end if
+      if (allocated(level%passing)) then
+        if (across) then
+          call return_passed(level%passing(first:last, j), level%passing(i:n, k), level%across(first:last, j), &
+            leave(first:last), enter(first:last))
+        else
+          call return_passed(level%passing(first:last, j), level%passing(i:n, k), level%along(first:last, j), &
+            leave(first:last), enter(first:last))
+        end if
+      end if
       if (across) then
         call carry(dq(first:last, j), dq(i:n, k), level%across(first:last, j), 1/spacing, leave(first:last), enter(first:last))
       else
@@ -230,6 +247,18 @@ contains
     leave = diffusion + drop*dm1*(share + (1 - share)*root2/root1)
     enter = diffusion - drop*dm2*(share + (1 - share)*root1/root2)
   end subroutine diffuse
+
+  !> Removes the couplings by diffusion through a face that oil enters from a gap filled in part: what pressure presses back
+  !> comes with the wedge again.
+  elemental subroutine return_passed(passing1, passing2, u, leave, enter)
+    real(pp), intent(in) :: passing1, passing2, u
+    real(pp), intent(inout) :: leave, enter
+
+    if (merge(passing1, passing2, u > 0) > 0) then
+      leave = 0
+      enter = 0
+    end if
+  end subroutine return_passed
 
   !> Adds the couplings by the wedge, upwind to first order; `dq` is the change of rho h by pressure.
   elemental subroutine carry(dq1, dq2, u, per_length, leave, enter)

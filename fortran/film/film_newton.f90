@@ -1,8 +1,8 @@
 !> Newton's method for the film of a contact at a given temperature, one step at a time: the base of all contacts.
 !>
 !> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
-!> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure), solved by a primal-dual active set
-!> (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
+!> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure; where the supply of oil is limited the gap there is
+!> filled in part, see `partial_film`), solved by a primal-dual active set (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
 !> system; where bodies are held apart the rigid film is given instead, and does not change. Pressure on the
 !> outline is fixed. Python owns the loop; each call makes one step.
 !>
@@ -18,6 +18,7 @@ module pyworm_film_newton
   use pyworm_interruption, only: interrupted
   use pyworm_kinds, only: pp, wp
   use pyworm_krylov, only: linear_system, gmres
+  use pyworm_partial_film, only: partial_film
   use pyworm_reynolds, only: film_fields, new_film_fields
   use pyworm_rough_surfaces, only: gap_curves, new_rough_film, share_pressure
   use pyworm_sheared_reynolds, only: sheared_film, new_sheared_film
@@ -51,6 +52,8 @@ module pyworm_film_newton
     type(film_fields) :: fields
     !> Flow through a film that is not Newtonian or not isothermal.
     type(sheared_film), allocatable :: shear
+    !> How far the gap is filled where the supply of oil is limited.
+    type(partial_film), allocatable :: partial
     !> Spacing along x and y [m]; that of a line contact along y is 1, so that cells count for each length.
     real(wp) :: spacing(2) = 0
     !> Undeformed gap [m]; true where both surfaces exist and pressure is no boundary value.
@@ -83,6 +86,7 @@ module pyworm_film_newton
     procedure(solve), deferred :: relax
     procedure(wedge_flow), deferred :: wedge_flow
     procedure(transient_setter), deferred :: set_transient
+    procedure(feeder), deferred :: feed
     procedure :: multiply
     procedure :: precondition
   end type film_contact
@@ -145,6 +149,15 @@ module pyworm_film_newton
       class(film_contact), intent(inout) :: self
       real(wp), intent(in) :: implicit_rate, explicit_rate(:, :)
     end subroutine transient_setter
+
+    !> Limits the oil that enters to a layer of thickness `supply` [m].
+    subroutine feeder(self, supply, stat)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      real(wp), contiguous, intent(in) :: supply(:, :)
+      integer, intent(out) :: stat
+    end subroutine feeder
   end interface
 
 contains

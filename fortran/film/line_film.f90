@@ -7,6 +7,7 @@ module pyworm_line_film
   use pyworm_line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
     band_product
   use pyworm_line_shear, only: sheared_flow
+  use pyworm_partial_film, only: new_partial_film, fill_gap, feed_downstream
   use pyworm_reynolds, only: set_film_fields
   use pyworm_status, only: status_ok, status_no_memory
   use pyworm_viscosity_density, only: oil_law
@@ -17,9 +18,13 @@ module pyworm_line_film
 
   !> Krylov iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 60
+  !> Weights of the wedge's flow of second order (see `partial_film`).
+  real(wp), parameter :: second_order(3) = [-0.5_wp, 1.5_wp, 0.0_wp]
 
   type, extends(film_contact) :: line_contact
     type(line_grid) :: grid
+    !> The grid without entrainment: of a gap that is filled in part the wedge is added apart.
+    type(line_grid) :: still
     type(elastic_half_plane) :: plane
     type(line_flow) :: flow
     type(band_model) :: model
@@ -33,6 +38,7 @@ module pyworm_line_film
     procedure :: relax
     procedure :: wedge_flow
     procedure :: set_transient
+    procedure :: feed
   end type line_contact
 
 contains
@@ -78,12 +84,18 @@ contains
     class(line_contact), intent(inout) :: self
 
     if (allocated(self%shear)) then
-      call sheared_flow(self%grid, self%oil, self%floor, self%shear, self%fields, self%flow)
+      call sheared_flow(self%grid, self%oil, self%floor, self%shear, self%fields, self%flow, allocated(self%partial))
     else
       call set_film_fields(self%oil, self%floor, self%fields)
       call newtonian_flow(self%grid, self%fields, self%flow)
     end if
-    call line_imbalance(self%grid, self%fields, self%flow, self%imbalance(:, 1))
+    if (.not. allocated(self%partial)) then
+      call line_imbalance(self%grid, self%fields, self%flow, self%imbalance(:, 1))
+      return
+    end if
+    call line_imbalance(self%still, self%fields, self%flow, self%imbalance(:, 1))
+    self%partial%mass = self%fields%rho*self%fields%h
+    call fill_gap(self%partial, self%covered, self%fields%p, self%grid%implicit_rate, self%imbalance)
   end subroutine set_flow
 
   !> Builds the bands of the Jacobian and its preconditioner at the flow last set.
@@ -91,7 +103,7 @@ contains
     class(line_contact), intent(inout) :: self
     integer, intent(out) :: stat
 
-    call line_bands(self%grid, self%fields, self%flow, self%by_pressure, self%by_film)
+    call line_bands(self%grid, self%fields, self%flow, self%by_pressure, self%by_film, self%partial)
     if (allocated(self%fields%rough)) then
       call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat, &
         self%fields%rough%stiffness(:, 1))
@@ -107,6 +119,7 @@ contains
     real(wp), contiguous, intent(out) :: change(:, :)
 
     change(:, 1) = band_product(self%by_pressure, dp(:, 1)) + band_product(self%by_film, dh(:, 1))
+    if (allocated(self%partial)) call feed_downstream(self%partial, self%grid%implicit_rate, change)
   end subroutine imbalance_change
 
   !> Solves the band model for the pressure.
@@ -137,6 +150,22 @@ contains
 
     self%grid%implicit_rate = implicit_rate
     self%grid%explicit_rate = explicit_rate(:, 1)
+    if (allocated(self%partial)) self%still%explicit_rate = explicit_rate(:, 1)
   end subroutine set_transient
+
+  !> Limits the oil that enters to a layer of thickness `supply` [m].
+  subroutine feed(self, supply, stat)
+    class(line_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: supply(:, :)
+    integer, intent(out) :: stat
+    real(wp) :: rate(self%grid%n)
+
+    self%still = self%grid
+    self%still%u = 0
+    self%still%implicit_rate = 0
+    rate = [self%grid%u/self%grid%dx, 0.0_wp]
+    if (.not. allocated(self%partial)) allocate (self%partial)
+    call new_partial_film(self%grid%n, 1, supply, second_order, rate, 0*rate, self%partial, stat)
+  end subroutine feed
 
 end module pyworm_line_film

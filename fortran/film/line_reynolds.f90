@@ -6,6 +6,7 @@
 !> pressure and one for that of the film. The Poiseuille flow may be that of a sheared film (`line_shear`).
 module pyworm_line_reynolds
   use pyworm_kinds, only: wp
+  use pyworm_partial_film, only: partial_film
   use pyworm_reynolds, only: film_fields
   use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
@@ -90,21 +91,26 @@ contains
   !> Derivatives of the imbalance at node i by the oil's pressure and by the film, of rough surfaces the gap between mean planes,
   !> at node i + k, k from -2 to 2.
   !>
-  !> Entries that would belong to a node beyond an end are zero, and so are the rows of both ends.
-  pure subroutine line_bands(grid, fields, faces, by_pressure, by_film)
+  !> Entries that would belong to a node beyond an end are zero, and so are the rows of both ends. In a gap that is filled in
+  !> part, `partial`, they are those at fixed fractions.
+  pure subroutine line_bands(grid, fields, faces, by_pressure, by_film, partial)
     type(line_grid), intent(in) :: grid
     type(film_fields), intent(in) :: fields
     type(line_flow), intent(in) :: faces
     real(wp), intent(out) :: by_pressure(:, -2:), by_film(:, -2:)
-    real(wp) :: weight(-1:2), p(-1:2), h(-1:2), widening(grid%n)
+    type(partial_film), intent(in), optional :: partial
+    real(wp) :: weight(-1:2), p(-1:2), h(-1:2), widening(grid%n), fraction(grid%n)
     integer :: i, k, node
 
+    fraction = 1
+    if (present(partial)) fraction = partial%fraction
     widening = 1
     if (allocated(fields%rough)) widening = fields%rough%widening(:, 1)
     by_pressure = 0
     by_film = 0
     do i = 1, grid%n - 1
       weight = wedge_weights(grid, i)
+      if (present(partial)) weight = partial%follow_x(i)*weight
       p = 0
       h = 0
       do k = max(-1, 1 - i), min(2, grid%n - i)
@@ -119,8 +125,8 @@ contains
       by_pressure(i + 1, -2:1) = by_pressure(i + 1, -2:1) - p/grid%dx
       by_film(i + 1, -2:1) = by_film(i + 1, -2:1) - h/grid%dx
     end do
-    by_pressure(:, 0) = by_pressure(:, 0) + grid%implicit_rate*fields%rho_p(:, 1)*fields%h(:, 1)
-    by_film(:, 0) = by_film(:, 0) + grid%implicit_rate*fields%rho(:, 1)*widening
+    by_pressure(:, 0) = by_pressure(:, 0) + grid%implicit_rate*fraction*fields%rho_p(:, 1)*fields%h(:, 1)
+    by_film(:, 0) = by_film(:, 0) + grid%implicit_rate*fraction*fields%rho(:, 1)*widening
     do i = 1, grid%n, grid%n - 1
       by_pressure(i, :) = 0
       by_film(i, :) = 0

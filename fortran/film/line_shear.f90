@@ -9,7 +9,7 @@ module pyworm_line_shear
   use pyworm_viscosity_density, only: oil_law
   use omp_lib, only: omp_get_thread_num
   use pyworm_reynolds, only: film_fields
-  use pyworm_sheared_reynolds, only: sheared_film, set_oil, flow_through, strip
+  use pyworm_sheared_reynolds, only: sheared_film, set_oil, flow_through, still_ambient_faces, strip
   implicit none(type, external)
   private
 
@@ -19,14 +19,16 @@ contains
 
   !> Computes density at the nodes and flow through the faces at the pressure and film of `fields`.
   !>
-  !> `film` is of one row. A film below `floor` [m] is replaced by the floor.
-  subroutine sheared_flow(grid, oil, floor, film, fields, faces)
+  !> `film` is of one row. A film below `floor` [m] is replaced by the floor. Where the gap is filled in part, `partial`, nothing
+  !> but the wedge flows without pressure.
+  subroutine sheared_flow(grid, oil, floor, film, fields, faces, partial)
     type(line_grid), intent(in) :: grid
     type(oil_law), intent(in) :: oil
     real(wp), intent(in) :: floor
     type(sheared_film), intent(inout) :: film
     type(film_fields), intent(inout) :: fields
     type(line_flow), intent(inout) :: faces
+    logical, intent(in) :: partial
     integer :: first
 
     film%strips%unsolved = 0
@@ -39,6 +41,7 @@ contains
     do first = 1, grid%n - 1, strip
       call flow_through_strip(grid, floor, first, min(first + strip, grid%n) - 1, fields, film)
     end do
+    if (partial) call still_ambient_faces(fields%p, film)
     associate (last => grid%n - 1)
       faces%flow(:) = film%along_x%flow(:last, 1)
       faces%before(:) = film%along_x%before(:last, 1)

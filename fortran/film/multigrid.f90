@@ -106,16 +106,18 @@ contains
 
   !> Rebuilds every level about the present fields; `free` is true where pressure may change. The flow of a film that
   !> is not isothermal and Newtonian is that of `shear`.
-  subroutine set_film_multigrid(self, fields, free, stat, shear)
+  !> A gap that is filled in part has its `fraction`.
+  subroutine set_film_multigrid(self, fields, free, stat, shear, fraction)
     type(film_multigrid), intent(inout) :: self
     type(film_fields), intent(in) :: fields
     logical, intent(in) :: free(:, :)
     integer, intent(out) :: stat
     type(sheared_film), intent(in), optional :: shear
+    real(wp), intent(in), optional :: fraction(:, :)
     integer :: l
 
     do l = 1, size(self%level)
-      call set_level(self%level(l), fields, free)
+      call set_level(self%level(l), fields, free, fraction)
       if (.not. present(shear)) then
         if (l == 1) then
           call set_mobility(self%level(l), fields)

@@ -3,9 +3,10 @@ module pyworm_point_film
   use pyworm_film_newton, only: film_contact, film_status, new_film_contact, weigh_load
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: pp, wp
+  use pyworm_partial_film, only: new_partial_film, fill_gap, carry_change
   use pyworm_multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
-  use pyworm_reynolds, only: film_grid, set_film_fields, flow_imbalance, flow_imbalance_change
-  use pyworm_sheared_reynolds, only: set_sheared_fields, sheared_imbalance, sheared_imbalance_change
+  use pyworm_reynolds, only: film_grid, set_film_fields, set_mass_change, flow_imbalance, flow_imbalance_change
+  use pyworm_sheared_reynolds, only: set_sheared_fields, still_ambient_faces, sheared_imbalance, sheared_imbalance_change
   use pyworm_status, only: status_ok
   use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
@@ -15,9 +16,13 @@ module pyworm_point_film
 
   !> Krylov iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 16
+  !> Weights of the wedge's flow of third order (see `partial_film`).
+  real(wp), parameter :: third_order(3) = [-1, 5, 2]/6.0_wp
 
   type, extends(film_contact) :: point_contact
     type(film_grid) :: grid
+    !> The grid without entrainment: of a gap that is filled in part the wedge is added apart.
+    type(film_grid) :: still
     type(elastic_half_space) :: space
     type(film_multigrid) :: cycles
   contains
@@ -28,6 +33,7 @@ module pyworm_point_film
     procedure :: relax
     procedure :: wedge_flow
     procedure :: set_transient
+    procedure :: feed
   end type point_contact
 
 contains
@@ -68,6 +74,10 @@ contains
       film%grid%u = face_mean_x(u)
       film%grid%v = face_mean_y(v)
       call set_entrainment(film%cycles, film%grid)
+      if (allocated(film%partial)) then
+        film%partial%rate_x = reshape(film%grid%u/film%grid%dx, [size(u)])
+        film%partial%rate_y = reshape(film%grid%v/film%grid%dy, [size(v)])
+      end if
     end select
   end subroutine entrain
 
@@ -100,13 +110,29 @@ contains
   subroutine set_flow(self)
     class(point_contact), intent(inout) :: self
 
-    if (allocated(self%shear)) then
-      call set_sheared_fields(self%grid, self%oil, self%floor, self%shear, self%fields)
-      call sheared_imbalance(self%grid, self%shear, self%fields, self%imbalance)
-    else
-      call set_film_fields(self%oil, self%floor, self%fields)
-      call flow_imbalance(self%grid, self%fields, self%imbalance)
+    if (.not. allocated(self%partial)) then
+      call set_flow_on(self%grid)
+      return
     end if
+    call set_flow_on(self%still)
+    self%partial%mass = self%fields%rho*self%fields%h
+    call fill_gap(self%partial, self%covered, self%fields%p, self%grid%implicit_rate, self%imbalance)
+
+  contains
+
+    subroutine set_flow_on(grid)
+      type(film_grid), intent(in) :: grid
+
+      if (allocated(self%shear)) then
+        call set_sheared_fields(grid, self%oil, self%floor, self%shear, self%fields)
+        if (allocated(self%partial)) call still_ambient_faces(self%fields%p, self%shear)
+        call sheared_imbalance(grid, self%shear, self%fields, self%imbalance)
+      else
+        call set_film_fields(self%oil, self%floor, self%fields)
+        call flow_imbalance(grid, self%fields, self%imbalance)
+      end if
+    end subroutine set_flow_on
+
   end subroutine set_flow
 
   !> Builds the preconditioner at the fields last set; the Jacobian is applied without a matrix.
@@ -115,7 +141,12 @@ contains
     integer, intent(out) :: stat
 
     ! a film that is not sheared passes no argument
-    call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear)
+    if (allocated(self%partial)) then
+      call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear, &
+        reshape(self%partial%fraction, shape(self%gap)))
+    else
+      call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear)
+    end if
   end subroutine linearise
 
   !> Computes the change of the imbalance by a small change of pressure and film.
@@ -124,11 +155,26 @@ contains
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
 
-    if (allocated(self%shear)) then
-      call sheared_imbalance_change(self%grid, self%shear, self%fields, dp, dh, change)
-    else
-      call flow_imbalance_change(self%grid, self%fields, dp, dh, change)
+    if (.not. allocated(self%partial)) then
+      call change_on(self%grid)
+      return
     end if
+    call change_on(self%still)
+    call set_mass_change(self%fields, dp, dh, self%partial%mass_change)
+    call carry_change(self%partial, self%grid%implicit_rate, change)
+
+  contains
+
+    subroutine change_on(grid)
+      type(film_grid), intent(in) :: grid
+
+      if (allocated(self%shear)) then
+        call sheared_imbalance_change(grid, self%shear, self%fields, dp, dh, change)
+      else
+        call flow_imbalance_change(grid, self%fields, dp, dh, change)
+      end if
+    end subroutine change_on
+
   end subroutine imbalance_change
 
   !> Makes a multigrid cycle for the pressure.
@@ -168,7 +214,23 @@ contains
 
     self%grid%implicit_rate = implicit_rate
     self%grid%explicit_rate = explicit_rate
+    if (allocated(self%partial)) self%still%explicit_rate = explicit_rate
     self%cycles%implicit_rate = real(implicit_rate, pp)
   end subroutine set_transient
+
+  !> Limits the oil that enters to a layer of thickness `supply` [m].
+  subroutine feed(self, supply, stat)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: supply(:, :)
+    integer, intent(out) :: stat
+
+    self%still = self%grid
+    self%still%u = 0
+    self%still%v = 0
+    self%still%implicit_rate = 0
+    if (.not. allocated(self%partial)) allocate (self%partial)
+    call new_partial_film(self%grid%nx, self%grid%ny, supply, third_order, self%grid%u/self%grid%dx, &
+      self%grid%v/self%grid%dy, self%partial, stat)
+  end subroutine feed
 
 end module pyworm_point_film

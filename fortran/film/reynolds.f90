@@ -11,7 +11,7 @@ module pyworm_reynolds
   implicit none(type, external)
   private
 
-  public :: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, flow_imbalance_change
+  public :: film_grid, film_fields, new_film_fields, set_film_fields, set_mass_change, flow_imbalance, flow_imbalance_change
   public :: add_wedge, face_mean
 
   !> Share of the arithmetic mean in the mobility of a face; the rest is the geometric mean. Where mobility is
@@ -97,6 +97,22 @@ contains
       m_h(i) = merge(3*m(i)/thickness, 0.0_wp, h(i) > floor)
     end do
   end subroutine set_mobility
+
+  !> Computes the change of rho h by a small change of the oil's pressure and of the film, of rough surfaces the gap between
+  !> their mean planes.
+  subroutine set_mass_change(fields, dp, dh, change)
+    type(film_fields), intent(in) :: fields
+    real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
+    real(wp), contiguous, intent(out) :: change(:, :)
+    integer :: j
+
+    !$omp parallel do schedule(static)
+    do j = 1, size(dp, 2)
+      change(:, j) = fields%rho(:, j)*dh(:, j)
+      if (allocated(fields%rough)) change(:, j) = change(:, j)*fields%rough%widening(:, j)
+      change(:, j) = change(:, j) + fields%rho_p(:, j)*fields%h(:, j)*dp(:, j)
+    end do
+  end subroutine set_mass_change
 
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine flow_imbalance(grid, fields, imbalance)

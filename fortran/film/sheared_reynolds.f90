@@ -15,7 +15,7 @@ module pyworm_sheared_reynolds
   use pyworm_kinds, only: wp
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use pyworm_viscosity_density, only: oil_law, hot_fluidity, hot_density
-  use pyworm_reynolds, only: arithmetic_share, film_grid, film_fields, add_wedge
+  use pyworm_reynolds, only: arithmetic_share, film_grid, film_fields, set_mass_change, add_wedge
   use pyworm_rough_surfaces, only: rough_film
   use pyworm_shear_flow, only: flow_change, flow_change_by_stresses
   use pyworm_shear_stress, only: solve_shear
@@ -25,7 +25,7 @@ module pyworm_sheared_reynolds
   private
 
   public :: sheared_film, face_flow, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change
-  public :: sheared_oil, set_oil, flow_through
+  public :: sheared_oil, set_oil, flow_through, still_ambient_faces
 
   !> Faces treated together: enough for vectors, few enough to stay in the first cache.
   integer, parameter, public :: strip = 64
@@ -431,6 +431,30 @@ contains
     end associate
   end subroutine add_dragged
 
+  !> Stops the flow between nodes that are both at ambient pressure, where the gap may be filled in part: all that is carried
+  !> there is the wedge's.
+  subroutine still_ambient_faces(p, film)
+    real(wp), contiguous, intent(in) :: p(:, :)
+    type(sheared_film), intent(inout) :: film
+
+    call still(film%along_x, .not. (p > 0 .or. eoshift(p, 1, dim=1) > 0))
+    call still(film%along_y, .not. (p > 0 .or. eoshift(p, 1, dim=2) > 0))
+
+  contains
+
+    subroutine still(faces, ambient)
+      type(face_flow), intent(inout) :: faces
+      logical, intent(in) :: ambient(:, :)
+
+      where (ambient)
+        faces%flow = 0
+        faces%film_before = 0
+        faces%film_after = 0
+      end where
+    end subroutine still
+
+  end subroutine still_ambient_faces
+
   !> Net volume outflow per area [m/s] of each inner node's cell; zero on the outline.
   subroutine sheared_imbalance(grid, film, fields, imbalance)
     type(film_grid), intent(in) :: grid
@@ -458,11 +482,9 @@ contains
     real(wp), contiguous, intent(out) :: change(:, :)
     integer :: i, j
 
+    call set_mass_change(fields, dp, dh, film%mass)
     !$omp parallel do schedule(static)
     do j = 1, grid%ny
-      film%mass(:, j) = fields%rho(:, j)*dh(:, j)
-      if (allocated(fields%rough)) film%mass(:, j) = film%mass(:, j)*fields%rough%widening(:, j)
-      film%mass(:, j) = film%mass(:, j) + fields%rho_p(:, j)*fields%h(:, j)*dp(:, j)
       change(:, j) = grid%implicit_rate*film%mass(:, j)
     end do
     call add_wedge(grid, film%mass, change)

@@ -34,6 +34,8 @@ def take(owner: Any, *, sizes: bool = True) -> None:
     optional = {part.name for part in fields(owner) if part.default is None}
     for name, of in type(owner).QUANTITIES.items():
         value = getattr(owner, name)
+        if _holds(value):  # a law in place of a number, which has been checked itself
+            continue
         if value is not None or name not in optional:
             object.__setattr__(owner, name, number(name, value, kind_of(of), sizes=sizes))
 
@@ -82,7 +84,7 @@ def unusual(of: Any, above: str = "") -> Iterator[str]:
     for part in fields(of):
         value = getattr(of, part.name)
         name = f"{above}{part.name}"
-        if part.name in kinds and value is not None and isfinite(value):
+        if part.name in kinds and isinstance(value, Real) and isfinite(value):
             kind = kind_of(kinds[part.name])
             sentence = doubt(_text(value, kind), kind)
             if sentence is not None:

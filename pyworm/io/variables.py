@@ -30,6 +30,7 @@ VARIABLES = {
         "m3/(Pa s)",
         "flow by pressure gradient across the sliding (h^3/12 eta)",
     ),
+    "oil_fraction": ("1", "fraction of the gap that oil fills"),
     "temperature_body_1": ("K", "temperature of the surface of body 1"),
     "temperature_body_2": ("K", "temperature of the surface of body 2"),
     "temperature_middle": ("K", "temperature in the middle of the film"),

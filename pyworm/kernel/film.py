@@ -173,6 +173,7 @@ class Film:
         self.levels = 0
         self.heated = False
         self.rough = False
+        self.fed = False
         self.boundary_friction = 0.0
         self._warming = 0.0
         weakref.finalize(self, core.bindings.film_free, self._handle)
@@ -389,6 +390,28 @@ class Film:
         )
         self.rough = True
         self.boundary_friction = boundary_friction
+
+    def feed(self, supply) -> None:
+        """Limit the oil that enters to a layer; the film must be restarted before its next step.
+
+        Parameters
+        ----------
+        supply : array_like
+            Thickness of the layer at the nodes [m]; it counts where oil enters.
+
+        Raises
+        ------
+        KernelError
+            If memory does not suffice or a thickness is negative or not finite.
+        """
+        check_status(core.bindings.film_feed(self._handle, self._on_nodes(supply)))
+        self.fed = True
+
+    def fraction(self) -> np.ndarray:
+        """Fraction of the gap that oil fills [-], as last evaluated."""
+        if not self.fed:
+            return np.ones(self._shape)
+        return self._on_grid(core.bindings.film_fraction(self._handle, *self._nodes))
 
     def asperities(self) -> Asperities:
         """What asperities of rough surfaces bear, as last evaluated."""

@@ -8,10 +8,13 @@ from dataclasses import dataclass, replace
 from math import exp, log
 from typing import Any, ClassVar
 
+import numpy as np
+
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import take
+from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.tabulated import Tabulated, TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
@@ -59,8 +62,9 @@ class Oil:
         How it shears under stress; None if nothing is known but its viscosity.
     heat : OilHeat or None
         How it takes heat; None where that is not known, and cannot be simulated.
-    supply : float or None
-        Thickness of the oil that arrives at a contact [m]; None where there is always enough.
+    supply : float, OilLayer or None
+        Thickness of the oil that arrives at a contact, on both surfaces together [m], or its profile across
+        the track; None where there is always enough.
     boundary_friction : float
         Friction coefficient of the bodies' asperities in contact under this oil [-].
     """
@@ -69,7 +73,7 @@ class Oil:
     density: Density | TabulatedDensity
     flow: FlowLaw | None = None
     heat: OilHeat | None = None
-    supply: float | None = None
+    supply: float | OilLayer | None = None
     boundary_friction: float = BOUNDARY_FRICTION
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"supply": units.Film}
@@ -88,9 +92,15 @@ class Oil:
                     f"a {type(law).__name__} is of {law.reference:g} K, but the oil enters at {inlet:g} K; "
                     "give both one temperature"
                 )
-        if self.supply is not None:
+        if isinstance(self.supply, float):
             positive("supply", self.supply, "m")
         positive("boundary_friction", self.boundary_friction, "")
+
+    def layer_at(self, across: Any) -> Any:
+        """Thickness of the oil that arrives at places across the entrainment [m], where it is limited."""
+        if isinstance(self.supply, OilLayer):
+            return self.supply.at(across)
+        return np.full(np.shape(across), self.supply)
 
     def eta(self, pressure: float, rise: float = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""

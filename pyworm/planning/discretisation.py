@@ -15,7 +15,7 @@ from pyworm.planning.expected_work import (
 from pyworm.planning.grid import Grid, nest
 from pyworm.planning.line_grid import LineGrid, first_grids
 from pyworm.planning.model import Model
-from pyworm.planning.window import FAR, grown, near_reach, windows
+from pyworm.planning.window import FAR, grown, near_reach, supplied_reach, windows
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -66,6 +66,9 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
     nested = slice(None) if drawn is scene else slice(-1, None)
     near = near_reach(size)
+    if scene.oil.supply is not None:
+        # no oil has pressure beyond the meniscus, so that one window holds it all
+        near, nested = supplied_reach(near, size, float(scene.oil.layer_at(0.0))), slice(-1, None)
     inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
     wider = grown(scene, inner, wider)
     spacing = _first_spacing(scene, size)

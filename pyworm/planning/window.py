@@ -58,6 +58,10 @@ FAR = Reach.around(600.0)
 NEAR_ELASTIC = 12.0
 """Reach of the window of the figures in the elastic limit [films]."""
 
+MENISCUS = 4.0
+"""Gap at the sides of a window, over the layer of oil that is supplied. The inlet meniscus stands where the gap
+is up to three layers high: pressure turns back oil there, which leaves at the sides."""
+
 NEAR_RIGID = 100.0
 """Addition to that reach in the rigid limit, where pressure outside the window carries much load [films]."""
 
@@ -73,6 +77,11 @@ def near_reach(size: Scales) -> Reach:
     rigid = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio).rigid_isoviscous
     share_squared = min(1.0, rigid * groups.moes_film / size.film)
     return Reach.around(NEAR_ELASTIC + NEAR_RIGID * share_squared)
+
+
+def supplied_reach(reach: Reach, size: Scales, supply: float) -> Reach:
+    """A reach that holds the inlet meniscus of a layer of oil [m] (`MENISCUS`)."""
+    return Reach.around(max(reach.inlet, MENISCUS * supply / size.film))
 
 
 def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:

@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf, isfinite, prod
+from math import hypot, inf, isfinite, prod
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -24,6 +24,9 @@ Array = np.ndarray
 
 SAME = 0.01
 """Largest relative difference between the radii of a contact and those of its gap."""
+
+STILL = 1e-30
+"""Entrainment [m/s] that has no direction."""
 
 BODIES = "body 1", "body 2"
 """What the bodies of a contact are called where nothing names them."""
@@ -141,6 +144,12 @@ class Contact(Shown, ABC):
     def sliding_at(self, *places: Array) -> tuple[Array, ...]:
         """Velocity of body 1 relative to body 2 [m/s] at places [m], along each direction."""
         return tuple(u1 - u2 for u1, u2 in zip(*self.velocities_at(*places), strict=True))
+
+    def supply_at(self, *places: Array) -> Array:
+        """Thickness of the oil that arrives at places [m], of a contact whose supply is limited."""
+        u, v = (*(float(of) for of in self.entrainment_at(*(np.zeros(()),) * len(places))), 0.0)[:2]
+        x, y = (*places, np.zeros(places[0].shape))[:2]
+        return self.oil.layer_at((u * y - v * x) / max(hypot(u, v), STILL))
 
     @property
     def bending_modulus(self) -> float:

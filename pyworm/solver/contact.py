@@ -13,6 +13,7 @@ from typing import Any, ClassVar
 from pyworm.kernel import DryContact
 from pyworm.kernel.film import SLIP_STEP
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
+from pyworm.planning.discretisation import PLANS
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
@@ -20,7 +21,9 @@ from pyworm.scene.contact import Array, Contact
 from pyworm.scene.waves import moving_waves
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
+from pyworm.solver import figures as figures_of_grid
 from pyworm.solver.newton import NewtonStep, lead
+from pyworm.solver.oil_supply import supply_figures
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
 from pyworm.solver.roughness_uncertainty import left_out, roughness_uncertainty
 
@@ -384,6 +387,8 @@ class ContactSolver(ABC):
             "mass_error": self._mass_error(level),
             "heat_balance": heat_balance(level) if model.heated else None,
         }
+        if level.film.fed:
+            figures["supply"] = supply_figures(level, self._flooded())
         dry = self._dry(level)
         if dry is not None:
             figures |= self._dry_figures(level, dry)
@@ -393,6 +398,22 @@ class ContactSolver(ABC):
             None if dry is None or dry.converged else "the dry contact did not converge",
             profile(scene, level) if model.heated else None,
         )
+
+    def _flooded(self) -> tuple[float, float, float]:
+        """Central film with oil in plenty [m], its relative error, and the relative density there."""
+        oil = replace(self._scene.oil, supply=None)
+        scene = replace(self._scene, oil=oil)
+        grids = PLANS[type(scene)](scene, self._plan.accuracy, self._model).grids
+        solver = type(self)(scene, replace(self._plan, grids=grids), self._transient_term)
+        level, _ = solver.begin(grids)
+        lead(level, COARSE_TOLERANCE)
+        coarse = level.read().film_central
+        level, _ = solver.refined(level)
+        lead(level, COARSE_TOLERANCE)
+        fine = level.read().film_central
+        film = fine + (fine - coarse) / 3
+        density = figures_of_grid.value_at_origin(level.grid, level.film.fields()[1])
+        return film, abs(fine - coarse) / (3 * film), density
 
     def uncertainties(self, level: Level) -> dict[str, float]:
         """Relative uncertainty of each figure of a converged film between rough surfaces."""

@@ -69,6 +69,7 @@ def fields(
         **_along("sliding", scene.sliding_at(*places)),
         **(_shear_fields(level) if model.levels else {}),
         **(_rough_fields(level) if model.rough else {}),
+        **({"oil_fraction": level.film.fraction()} if level.film.fed else {}),
         **(_heat_fields(level, scene.oil.heat.inlet_temperature) if model.heated else {}),
     }
     axes = _axes(level)

@@ -13,6 +13,7 @@ from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
 from pyworm.solver.estimate import Estimate
+from pyworm.solver.oil_supply import SupplyFigures
 from pyworm.solver.left_out import LeftOut, judged
 
 
@@ -74,6 +75,8 @@ class Figures(Shown):
     asperity_load_fraction, friction_boundary : Estimate or None
         Share of the load that asperities carry, and the part of the friction coefficient by their friction
         [-]; None where roughness was not simulated.
+    supply : SupplyFigures or None
+        What a limited supply of oil does; None where starvation was not simulated.
     heat_balance : float or None
         Relative imbalance: heat into the bodies and the oil, less the work of friction, over that work.
     """
@@ -100,6 +103,7 @@ class Figures(Shown):
     temperature_max_film: Estimate | None = None
     asperity_load_fraction: Estimate | None = None
     friction_boundary: Estimate | None = None
+    supply: SupplyFigures | None = None
     heat_balance: float | None = None
 
     def shown(self) -> tuple[str, dict[str, str]]:
@@ -164,7 +168,8 @@ class Solution(Shown):
         entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
         shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
         flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
-        temperature_middle; where roughness was simulated asperity_pressure, real_area. Those of a line
+        temperature_middle; where roughness was simulated asperity_pressure, real_area; where starvation was
+        oil_fraction. Those of a line
         contact are over x, and have no dry_pressure and nothing along y.
     history : xarray.Dataset
         Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov; of a point
@@ -296,6 +301,7 @@ class Solution(Shown):
             **self._point_summary(),
             **self._shear_summary(),
             **self._rough_summary(),
+            **self._supply_summary(),
             **self._heat_summary(),
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
@@ -361,6 +367,21 @@ class Solution(Shown):
                 figures.friction_coefficient.value - figures.friction_boundary.value
             )
         return summary
+
+    def _supply_summary(self) -> dict[str, float]:
+        """The scalars of a limited supply of oil."""
+        supply, film = self.figures.supply, self.figures.film_central
+        if supply is None:
+            return {}
+        return {
+            "supply_ratio": supply.supply_ratio,
+            "supply_ratio_error": supply.flooded_error,
+            "film_over_flooded": supply.film_over_flooded,
+            "film_over_flooded_error": film.error + supply.flooded_error,
+            "meniscus_m": supply.meniscus,
+            "side_flow": supply.side_flow,
+            "layer_left_m": supply.layer_left,
+        }
 
     def _model_errors_of_temperatures(self, largest: dict[str, Estimate]) -> dict[str, dict]:
         """Uncertainty of temperatures by the model of roughness [K]; none where it was not simulated."""

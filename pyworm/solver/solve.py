@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from pyworm.io.progress import Progress
 from pyworm.planning.effects.squeeze import SQUEEZE
+from pyworm.planning.effects.starvation import STARVATION
 from pyworm.planning.plan import Plan, reviewed, steady
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -65,6 +66,8 @@ def solve(
             updated = _updated(scene, plan, figures)
             if updated.on <= plan.on:
                 return solution.changed(effects=updated.effects)
+        if STARVATION.name in updated.on - plan.on:
+            warm_start = None  # its window holds the meniscus, and nothing beyond
         missed = ", ".join(sorted(updated.on - plan.on))
         report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated

@@ -17,6 +17,7 @@ from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, TransientTerm
 from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
 from pyworm.solver.newton import NewtonStep, lead
+from pyworm.solver.oil_supply import mostly_full
 
 SUPPLIES = 2
 """Number of times that the far field before the inlet is computed from a film on the first grid.
@@ -159,6 +160,8 @@ class LineContactSolver(ContactSolver):
         yield level.state().finer()
 
     def _continued(self, level: LineLevel, guess: InitialGuess) -> LineLevel:
+        if level.film.fed:
+            guess = mostly_full(guess, level)
         grid, term = level.grid.finer(), self._transient_term
         finer = next_level(self._scene, self._size, level, grid, guess, term)
         self._shear_and_warm(finer, guess)

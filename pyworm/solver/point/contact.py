@@ -18,6 +18,7 @@ from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
+from pyworm.solver.oil_supply import mostly_full
 from pyworm.solver.point.level import (
     PointLevel,
     dry_contact,
@@ -153,6 +154,8 @@ class PointContactSolver(ContactSolver):
             yield level.state().finer()
 
     def _continued(self, level: PointLevel, guess: InitialGuess) -> PointLevel:
+        if level.film.fed:
+            guess = mostly_full(guess, level)
         finer = next_level(self._scene, self._size, level, level.grid.finer(), guess)
         self._shear_and_warm(finer, guess)
         return finer

@@ -223,6 +223,8 @@ def _level(
     )
     if scene.separation is not None:
         film.hold()
+    if scene.oil.supply is not None:
+        film.feed(scene.supply_at(*grid.mesh()))
     if term is not None:
         film.set_transient_term(*term.on(grid))
     return PointLevel(scene, grid, gap, covered, film, term, far, load, coarser)
