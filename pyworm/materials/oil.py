@@ -14,8 +14,8 @@ from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMP
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import take
-from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import Tabulated, TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density, Roelands

@@ -10,6 +10,7 @@ from pyworm.planning.expected_work import (
     expected_work,
     first_change,
     first_refinement,
+    sharpness,
     stiffness,
 )
 from pyworm.planning.grid import Grid, nest
@@ -25,6 +26,10 @@ COARSE_CELLS = 16
 """Number of cells of the first grid of the figures over the contact's length in the shorter direction:
 Hertz's semi-axis plus, where the film is thick, the distance over which the undeformed gap rises by a
 film."""
+
+LARGEST_SHARPNESS, FINEST_OF_STARVED = 1.0, 0.125
+"""Largest sharpness (`expected_work.sharpness`) of the first grid of a starved film, whose meniscus is lost
+on grids that do not resolve its inlet, and least factor of its spacing for that."""
 
 LARGEST_STRETCH = 3.0
 """Largest ratio of the spacing along the long axis to that along the short one: side lobes and exit of a
@@ -68,7 +73,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     near = near_reach(size)
     if scene.oil.supply is not None:
         # no oil has pressure beyond the meniscus, so that one window holds it all
-        near, nested = supplied_reach(near, size, float(scene.oil.layer_at(0.0))), slice(-1, None)
+        near, nested = supplied_reach(size, float(scene.oil.layer_at(0.0))), slice(-1, None)
     inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
     wider = grown(scene, inner, wider)
     spacing = _first_spacing(scene, size)
@@ -183,4 +188,9 @@ def _first_spacing(scene: Scene, size: Scales) -> tuple[float, float]:
     ]
     short = min(lengths)
     dx, dy = (min(length, LARGEST_STRETCH * short) / COARSE_CELLS for length in lengths)
-    return dx, dy
+    if scene.oil.supply is None:
+        return dx, dy
+    half_widths = size.hertz.semi_axis_x, size.hertz.semi_axis_y
+    blunt = LARGEST_SHARPNESS / sharpness((dx, dy), half_widths, scene.radii, size.open_film)
+    finer = min(1.0, max(blunt, FINEST_OF_STARVED))
+    return finer * dx, finer * dy

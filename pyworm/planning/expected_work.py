@@ -175,6 +175,16 @@ class Work:
         return sum(stage.cold + stage.full for stage in self.stages)
 
 
+def sharpness(
+    spacing: Sequence[float], half_widths: Sequence[float], radii: Sequence[float], film: float
+) -> float:
+    """Largest spacing over the length of the film's rise [-]; arguments as of `first_change`."""
+    return max(
+        step / (half * (film * radius / half**2) ** (2 / 3))
+        for step, half, radius in zip(spacing, half_widths, radii, strict=True)
+    )
+
+
 def first_change(
     spacing: Sequence[float],
     half_widths: Sequence[float],
@@ -196,13 +206,10 @@ def first_change(
     slenderness : float
         Length of the contact along the entrainment over its width [-].
     """
-    sharpness = max(
-        step / (half * (film * radius / half**2) ** (2 / 3))
-        for step, half, radius in zip(spacing, half_widths, radii, strict=True)
-    )
     lubricant = max(moes_l, 1.0) / 10
     lobes = max(slenderness, 1.0) ** LOBES_POWER
-    change = CHANGE * sharpness**SHARPNESS_POWER * lubricant**LUBRICANT_POWER * lobes
+    sharp = sharpness(spacing, half_widths, radii, film)
+    change = CHANGE * sharp**SHARPNESS_POWER * lubricant**LUBRICANT_POWER * lobes
     return max(LEAST_CHANGE, change)
 
 

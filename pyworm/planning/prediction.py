@@ -54,6 +54,8 @@ class Prediction:
         Speeds of the surfaces at the contact point [m/s].
     groups : PointGroups or LineGroups
         Dimensionless groups along the entrainment.
+    supply_ratio : float
+        Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
     carried_by_heat : bool
         Whether no film forms without heat.
     work : float or None
@@ -73,6 +75,7 @@ class Prediction:
     sliding: float
     velocities: tuple[float, float]
     groups: PointGroups | LineGroups
+    supply_ratio: float = inf
     carried_by_heat: bool = False
     work: float | None = None
     rise_film: float | None = None
@@ -301,6 +304,7 @@ def _point(scene: Scene) -> Prediction:
             hypot(*(float(part) for part in motion(origin, origin))) for motion in scene.motions
         ),
         groups=size.groups,
+        supply_ratio=size.supply_ratio,
         carried_by_heat=fed is not scene,
     )
 
@@ -319,4 +323,5 @@ def _line(scene: LineScene) -> Prediction:
         sliding=abs(scene.sliding),
         velocities=tuple(abs(velocity) for velocity in scene.velocities),
         groups=size.groups,
+        supply_ratio=size.supply_ratio,
     )

@@ -1,6 +1,7 @@
 """Windows of a scene: rectangles of the tangent plane, large enough for a flooded inlet."""
 
 from dataclasses import dataclass
+from math import cos, hypot, pi, sin
 
 import numpy as np
 
@@ -59,8 +60,12 @@ NEAR_ELASTIC = 12.0
 """Reach of the window of the figures in the elastic limit [films]."""
 
 MENISCUS = 4.0
-"""Gap at the sides of a window, over the layer of oil that is supplied. The inlet meniscus stands where the gap
-is up to three layers high: pressure turns back oil there, which leaves at the sides."""
+"""Gap at the sides of a window over the layer of oil that is supplied. The inlet meniscus stands where the
+gap is up to three layers high, since pressure turns back oil, which leaves at the sides."""
+
+WIDE_POWER = 2 / 3
+"""Power of the contact's width over its length along the entrainment with which that height rises: oil in the
+middle of a wide contact has far to go to its sides."""
 
 NEAR_RIGID = 100.0
 """Addition to that reach in the rigid limit, where pressure outside the window carries much load [films]."""
@@ -79,9 +84,14 @@ def near_reach(size: Scales) -> Reach:
     return Reach.around(NEAR_ELASTIC + NEAR_RIGID * share_squared)
 
 
-def supplied_reach(reach: Reach, size: Scales, supply: float) -> Reach:
-    """A reach that holds the inlet meniscus of a layer of oil [m] (`MENISCUS`)."""
-    return Reach.around(max(reach.inlet, MENISCUS * supply / size.film))
+def supplied_reach(size: Scales, supply: float) -> Reach:
+    """Reach of a window that holds the inlet meniscus of a layer of oil [m], beyond which is no pressure."""
+    along, across = (
+        hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
+        for angle in (size.angle, size.angle + pi / 2)
+    )
+    wide = max(along / across, 1.0) ** WIDE_POWER
+    return Reach.around(max(NEAR_ELASTIC, MENISCUS * wide * supply / size.film))
 
 
 def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:

@@ -1,7 +1,7 @@
 """Scales of a scene by closed forms: Hertz's contact, Moes' groups, expected film."""
 
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, cos, hypot, inf, pi, sin
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from pyworm.formulas.film import (
     radii_at_angle,
 )
 from pyworm.formulas.hertz import HertzContact, HertzLine, hertz, hertz_line
+from pyworm.formulas.starvation import film_over_flooded
 from pyworm.scene.contact import Contact
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -24,6 +25,10 @@ POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
 
 MOST_SLENDER = 1e6
 """Largest ratio of the relative radii."""
+
+STARVED_EXPONENT, NEVER_BELOW = 3.0, 0.01
+"""Exponent of the law of starved films for point contacts (`formulas.starvation`), and the least share of the
+flooded film that is expected."""
 
 LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-30, 1e7, 1e12
 """Bounds of Moes' parameters beyond which an input can only be a mistake."""
@@ -42,9 +47,11 @@ class Scales:
     angle : float
         Direction of the entrainment, from x to y [rad].
     film : float
-        Central film of smooth surfaces by Nijenbanning, Venner and Moes [m].
+        Central film of smooth surfaces by Nijenbanning, Venner and Moes, less where its oil is short [m].
     open_film : float
         Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
+    supply_ratio : float
+        Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
     """
 
     hertz: HertzContact
@@ -52,6 +59,7 @@ class Scales:
     angle: float
     film: float
     open_film: float
+    supply_ratio: float
 
 
 def scales(scene: Scene) -> Scales:
@@ -91,9 +99,16 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.alpha,
     )
     require_proportion(scene.name, groups)
-    film = float(nijenbanning_venner_moes(groups).central)
+    flooded = float(nijenbanning_venner_moes(groups).central)
+    ratio = _supply_ratio(scene, flooded)
+    film = flooded * max(film_over_flooded(ratio, STARVED_EXPONENT), NEVER_BELOW)
     mean_pressure = POINT_MEAN * contact.pressure_max
-    return Scales(contact, groups, angle, film, _open_film(scene, film, mean_pressure))
+    return Scales(contact, groups, angle, film, _open_film(scene, film, mean_pressure), ratio)
+
+
+def _supply_ratio(scene: Contact, flooded: float) -> float:
+    """Thickness of the oil that arrives in the middle of the track over the flooded film [m]."""
+    return inf if scene.oil.supply is None else float(scene.oil.layer_at(0.0)) / flooded
 
 
 def _open_film(scene: Contact, film: float, pressure: float) -> float:
@@ -145,15 +160,18 @@ class LineScales:
     groups : LineGroups
         Dimensionless groups.
     film : float
-        Film of smooth surfaces where the pressure is largest by Moes [m].
+        Film of smooth surfaces where the pressure is largest by Moes, less where its oil is short [m].
     open_film : float
         Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
+    supply_ratio : float
+        Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
     """
 
     hertz: HertzLine
     groups: LineGroups
     film: float
     open_film: float
+    supply_ratio: float
 
 
 def line_scales(scene: LineScene) -> LineScales:
@@ -185,6 +203,8 @@ def line_scales(scene: LineScene) -> LineScales:
     )
     require_proportion(scene.name, groups)
     contact = hertz_line(scene.radius, scene.load, scene.reduced_modulus)
-    film = float(moes_line(groups).central)
+    flooded = float(moes_line(groups).central)
+    ratio = _supply_ratio(scene, flooded)
+    film = flooded * max(film_over_flooded(ratio, inf), NEVER_BELOW)
     mean_pressure = LINE_MEAN * contact.pressure_max
-    return LineScales(contact, groups, film, _open_film(scene, film, mean_pressure))
+    return LineScales(contact, groups, film, _open_film(scene, film, mean_pressure), ratio)

@@ -19,9 +19,9 @@ from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array, Contact
 from pyworm.scene.waves import moving_waves
+from pyworm.solver import figures as figures_of_grid
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
-from pyworm.solver import figures as figures_of_grid
 from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.oil_supply import supply_figures
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile

@@ -93,9 +93,7 @@ def mostly_full(guess: InitialGuess, before: Level) -> InitialGuess:
         full = _halved(full, axis)
     if full.shape != guess.pressure.shape:
         return guess
-    return replace(
-        guess, pressure=np.asfortranarray(np.where(full >= 0.5, guess.pressure, 0.0))
-    )
+    return replace(guess, pressure=np.asfortranarray(np.where(full >= 0.5, guess.pressure, 0.0)))
 
 
 def _halved(field: Array, axis: int) -> Array:

@@ -13,8 +13,8 @@ from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
 from pyworm.solver.estimate import Estimate
-from pyworm.solver.oil_supply import SupplyFigures
 from pyworm.solver.left_out import LeftOut, judged
+from pyworm.solver.oil_supply import SupplyFigures
 
 
 @dataclass(frozen=True)

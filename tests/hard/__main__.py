@@ -1,7 +1,7 @@
 """The suite of hard scenes: solve, judge, tell, draw.
 
     python tests/hard                   # all; what was solved before is not solved again
-    python tests/hard named             # a part: named, isothermal, thermal, rough, past, stability, fuzz
+    python tests/hard named             # a part: named, isothermal, thermal, rough, past, starved, stability, fuzz
     python tests/hard isothermal:0-99   # some random scenes, by number
     python tests/hard thermal:37        # one scene, with its case file
     python tests/hard --seed 7          # the random scenes of another seed; parts as above
@@ -35,6 +35,7 @@ EFFECTS = {
     "thermal": "all",
     "rough": "all",
     "past": "isothermal,squeeze",
+    "starved": "all",
 }
 
 

@@ -37,11 +37,13 @@ ELLIPTICITY = Axis("ellipticity", "axis along y over axis along x")
 FILM = Axis("film", "expected central film, nm", 1e-9)
 SLIDING = Axis("slide_roll_ratio", "slide-roll ratio")
 SPEED = Axis("speed", "entrainment, m/s")
+SUPPLY_RATIO = Axis("supply_ratio", "oil supplied over expected film")
 LAMBDA = Axis("lambda", "expected central film over roughness")
 
 PANELS: dict[str, tuple[tuple[Axis, Axis], ...]] = {
     "isothermal": ((M, L), (ELLIPTICITY, PRESSURE), (FILM, M)),
     "thermal": ((M, L), (SLIDING, SPEED), (FILM, PRESSURE)),
+    "starved": ((M, L), (SUPPLY_RATIO, PRESSURE), (FILM, ELLIPTICITY)),
     "rough": ((M, L), (LAMBDA, PRESSURE), (FILM, SLIDING)),
 }
 """Kind of random scene -> its panels: what runs across, what runs up."""

@@ -177,6 +177,26 @@ def rough(number: int, seed: int = SEED) -> Drawn:
     return drawn
 
 
+SUPPLY = Range(0.05, 10.0)
+"""Oil supplied to a starved scene, over the flooded film that is expected."""
+
+
+def starved(number: int, seed: int = SEED) -> Drawn:
+    """An isothermal or, every second one, a thermal scene to which a thin layer of oil comes."""
+    random = np.random.default_rng([seed, 3, number])
+    if number % 2:
+        drawn = _hot(random, HOT_RANGES, f"Starved scene {number} of seed {seed}")
+    else:
+        contact = _contact(random, RANGES, LIMITS)
+        angle, spin = contact["angle"], contact["spin"]
+        velocity = [contact["speed"] * cos(angle), contact["speed"] * sin(angle)]
+        title = f"Starved scene {number} of seed {seed}"
+        drawn = Drawn(_tables(title, contact, [velocity, velocity], [spin] * 2), _traits(contact))
+    ratio = SUPPLY.draw(random)
+    drawn.tables["oil"]["supply"] = f"{ratio * drawn.traits['film']:.9g} m"
+    return Drawn(drawn.tables, drawn.traits | {"supply_ratio": ratio})
+
+
 PASTS = {
     "blow": ("load", (0.0, 1.0, 1.5, 2.0, 2.7), (1.0, 1.0, 10.0, 1.0, 1.0)),
     "parting": ("load", (0.0, 1.5, 2.0, 2.5, 3.2), (1.0, 1.0, 0.0, 0.0, 1.0)),
@@ -239,6 +259,7 @@ DRAWS: dict[str, Callable[[int], Drawn]] = {
     "thermal": thermal,
     "rough": rough,
     "past": past,
+    "starved": starved,
 }
 """Kind of random scene -> what draws it by its number."""
 

@@ -6,10 +6,10 @@ from pathlib import Path
 from draws import SEED
 from trial import Verdict
 
-COUNTS = {"isothermal": 500, "thermal": 150, "rough": 150, "past": 20}
+COUNTS = {"isothermal": 500, "thermal": 150, "rough": 150, "past": 20, "starved": 100}
 """Random scenes of each kind."""
 
-PROMISED = {"isothermal": 0.99, "thermal": 0.97, "rough": 0.97, "past": 0.7}
+PROMISED = {"isothermal": 0.99, "thermal": 0.97, "rough": 0.97, "past": 0.7, "starved": 0.97}
 """Fraction of them that converges, of any seed."""
 
 LISTED = Path(__file__).parents[2] / "docs" / "evidence" / "hard-cases.md"

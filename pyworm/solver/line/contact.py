@@ -176,6 +176,7 @@ class LineContactSolver(ContactSolver):
     def _mass_error(self, level: LineLevel) -> float:
         """Net outflow of the pressurised film over the flow past its end, where pressure and slope vanish."""
         film, density, imbalance = level.film.fields()
+        density = level.film.fraction() * density
         inside = np.flatnonzero(level.flowing())
         end = inside[-1 if self._scene.entrainment > 0 else 0]
         through = abs(self._scene.entrainment) * density[end] * film[end]

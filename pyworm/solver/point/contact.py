@@ -195,6 +195,7 @@ class PointContactSolver(ContactSolver):
 
     def _mass_error(self, level: PointLevel) -> float:
         film, density, imbalance = level.film.fields()
+        density = level.film.fraction() * density
         u, v = self._assisted.entrainment(*level.grid.mesh())
         return figures.outline_imbalance(
             level.grid,

@@ -20,6 +20,9 @@ from pyworm.scene.waves import opening
 from pyworm.solver.level import FLOOR, TRACE, InitialGuess, Level, TransientTerm
 from pyworm.solver.point.far_field import far_field
 
+MENISCUS_RISE = 4.0
+"""Rise, with the supply over the flooded film, of the gap over the layer up to which a film may be full."""
+
 DRY_TOLERANCE = 1e-5
 """Film left in the dry contact, over the approach."""
 
@@ -93,7 +96,22 @@ def first_level(
     level = _level(scene, size, grid, 0.0, scene.load - beyond.load, term)
     everywhere = _with_trace(dry.pressure, covered)
     level.film.start(np.where(beyond.outline, beyond.pressure, everywhere), rigid_film)
+    if level.film.fed:
+        _set_back(level, size)
     return level
+
+
+def _set_back(level: PointLevel, size: Scales) -> None:
+    """Start a starved film again, with pressure only where its inlet meniscus may stand.
+
+    One that starts too far out is found in fewer steps than one too near, which moves out by a node a step.
+    Pressure turns back the more oil, the more is supplied: at ratios of 0.15, 0.4, 0.9 and 3.5 the meniscus
+    was where the gap is up to 1, 1, 2 and 3 layers high.
+    """
+    height = (1 + MENISCUS_RISE * size.supply_ratio) * level.scene.supply_at(*level.grid.mesh())
+    pressure = level.film.pressure
+    near = (level.film.thickness() <= height) | (pressure > 2 * TRACE * pressure.max())
+    level.film.start(np.asfortranarray(np.where(near, pressure, 0.0)), level.film.rigid_film)
 
 
 def lone_level(

@@ -213,7 +213,7 @@ def _instant(level: Level, seconds: float) -> _Instant:
     film, density, _ = level.film.fields()
     term = level.transient_term
     rise = None if term is None else term.remembered(level.grid)
-    return _Instant(seconds, density * film, level.state(), rise)
+    return _Instant(seconds, level.film.fraction() * density * film, level.state(), rise)
 
 
 def _instants(course: Course, refinement: int, begin: float, last: float) -> list[float]:
