@@ -28,6 +28,7 @@ Solids and oils
     Density         density against pressure
     FlowLaw         how an oil shears under stress
     OilHeat         how an oil takes heat
+    OilLayer        the oil that arrives, over the place across the track
     TabulatedViscosity, TabulatedDensity    a function or measurements over pressure and temperature
     Branch          one branch of a Carreau-Yasuda law
     named_liquid    a liquid of the literature, with its laws over pressure and temperature
@@ -42,6 +43,7 @@ Solving
     Plan            what `plan` gives
     solve           the film of a scene by its plan
     dry_contact     the pressure of a scene without oil
+    passes          one contact after another over one track, by what each leaves
     traction_curve  friction over the slide-roll ratio
     sweep           many scenes to one table
 
@@ -97,6 +99,7 @@ if (
     from pyworm.materials.library import named_oil as named_oil
     from pyworm.materials.oil import Oil as Oil
     from pyworm.materials.oil_file import read_oil as read_oil
+    from pyworm.materials.oil_layer import OilLayer as OilLayer
     from pyworm.materials.tabulated import TabulatedDensity as TabulatedDensity
     from pyworm.materials.tabulated import TabulatedViscosity as TabulatedViscosity
     from pyworm.materials.thermal_properties import OilHeat as OilHeat
@@ -135,6 +138,7 @@ if (
     from pyworm.scene.sampled_gap import SampledGap as SampledGap
     from pyworm.scene.slide_roll import with_slide_roll_ratio as with_slide_roll_ratio
     from pyworm.solver.estimate import Estimate as Estimate
+    from pyworm.solver.passes import passes as passes
     from pyworm.solver.point.dry import dry_contact as dry_contact
     from pyworm.solver.solution import Figures as Figures
     from pyworm.solver.solution import Solution as Solution
@@ -175,6 +179,8 @@ _HOMES = {
     "named_body": "pyworm.materials.body",
     "named_liquid": "pyworm.case.oil",
     "named_oil": "pyworm.materials.library",
+    "OilLayer": "pyworm.materials.oil_layer",
+    "passes": "pyworm.solver.passes",
     "open_result": "pyworm.result.result",
     "open_sweep": "pyworm.result.sweep_result",
     "plan": "pyworm.planning.plan",

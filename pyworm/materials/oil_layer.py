@@ -1,6 +1,7 @@
 """The layer of oil that arrives at a contact, where it is not the same everywhere across the track."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -31,7 +32,7 @@ class OilLayer:
         """Refuse what is no profile."""
         if len(self.across) != len(self.thickness) or len(self.across) < 2:
             raise ValueError("across, thickness: must be two numbers at least, and as many of each")
-        if not all(a < b for a, b in zip(self.across, self.across[1:], strict=False)):
+        if not all(a < b for a, b in pairwise(self.across)):
             raise ValueError("across: must increase")
         within("thickness", self.thickness, 0.0, 1.0, "m")
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin, sqrt
+from math import sqrt
 
 from pyworm.planning.expected_work import (
     AUXILIARY_CHANGE,
@@ -148,15 +148,6 @@ def _refusal(work: Work, film: float, largest: int) -> str | None:
     )
 
 
-def _slenderness(size: Scales) -> float:
-    """Ratio of the lengths of Hertz's contact along and across the entrainment."""
-    along, across = (
-        hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
-        for angle in (size.angle, size.angle + pi / 2)
-    )
-    return across / along
-
-
 def _nodes(*nests: Sequence[Grid | LineGrid]) -> list[list[int]]:
     """Numbers of nodes of the grids of each window."""
     return [[grid.nodes for grid in nest] for nest in nests]
@@ -174,7 +165,7 @@ def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> f
         scene.radii,
         size.open_film,
         size.groups.moes_l,
-        _slenderness(size),
+        size.slenderness,
     )
 
 

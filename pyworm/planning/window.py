@@ -1,7 +1,6 @@
 """Windows of a scene: rectangles of the tangent plane, large enough for a flooded inlet."""
 
 from dataclasses import dataclass
-from math import cos, hypot, pi, sin
 
 import numpy as np
 
@@ -86,11 +85,7 @@ def near_reach(size: Scales) -> Reach:
 
 def supplied_reach(size: Scales, supply: float) -> Reach:
     """Reach of a window that holds the inlet meniscus of a layer of oil [m], beyond which is no pressure."""
-    along, across = (
-        hypot(cos(angle) / size.hertz.semi_axis_x, sin(angle) / size.hertz.semi_axis_y)
-        for angle in (size.angle, size.angle + pi / 2)
-    )
-    wide = max(along / across, 1.0) ** WIDE_POWER
+    wide = max(1 / size.slenderness, 1.0) ** WIDE_POWER
     return Reach.around(max(NEAR_ELASTIC, MENISCUS * wide * supply / size.film))
 
 

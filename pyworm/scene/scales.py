@@ -61,6 +61,15 @@ class Scales:
     open_film: float
     supply_ratio: float
 
+    @property
+    def slenderness(self) -> float:
+        """Ratio of the lengths of Hertz's contact along and across the entrainment [-]."""
+        along, across = (
+            hypot(cos(angle) / self.hertz.semi_axis_x, sin(angle) / self.hertz.semi_axis_y)
+            for angle in (self.angle, self.angle + pi / 2)
+        )
+        return across / along
+
 
 def scales(scene: Scene) -> Scales:
     """Scales of a scene from its radii, load, oil and entrainment at the contact point.

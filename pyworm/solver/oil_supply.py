@@ -34,8 +34,8 @@ class SupplyFigures:
         Distance of the inlet meniscus before the contact point, along the entrainment [m].
     side_flow : float
         Share of the oil before the dry contact that flows around its middle [-].
-    layer_left : float
-        Thickness of the oil that leaves behind the middle of the contact [m].
+    layer : OilLayer
+        The oil that it leaves, over the place across its track.
     """
 
     supply_ratio: float
@@ -43,7 +43,12 @@ class SupplyFigures:
     flooded_error: float
     meniscus: float
     side_flow: float
-    layer_left: float
+    layer: OilLayer
+
+    @property
+    def layer_left(self) -> float:
+        """Thickness of the oil that leaves behind the middle of the contact [m]."""
+        return float(self.layer.at(0.0))
 
 
 def supply_figures(level: Level, flooded: tuple[float, float, float]) -> SupplyFigures:
@@ -67,7 +72,7 @@ def supply_figures(level: Level, flooded: tuple[float, float, float]) -> SupplyF
         flooded_error=error,
         meniscus=_meniscus(level),
         side_flow=float(1 - passing / offered),
-        layer_left=float(layer_left(level).at(0.0)),
+        layer=layer_left(level),
     )
 
 

@@ -1,7 +1,7 @@
 """The suite of hard scenes: solve, judge, tell, draw.
 
     python tests/hard                   # all; what was solved before is not solved again
-    python tests/hard named             # a part: named, isothermal, thermal, rough, past, starved, stability, fuzz
+    python tests/hard named             # a part: named, a kind of random scenes, stability or fuzz
     python tests/hard isothermal:0-99   # some random scenes, by number
     python tests/hard thermal:37        # one scene, with its case file
     python tests/hard --seed 7          # the random scenes of another seed; parts as above

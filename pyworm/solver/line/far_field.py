@@ -61,9 +61,8 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
     viscosity, density = scene.oil.viscosity, scene.oil.density
     peak = np.argmax(pressure)
     flow = density(pressure[peak]) / density(0.0) * film[peak]
-    supply = scene.oil.supply
-    if supply is not None and supply < flow:
-        return LineFarField(0.0, 0.0)
+    if scene.oil.supply is not None and scene.supply_at(x[[inlet]])[0] < flow:
+        return LineFarField(0.0, 0.0)  # no oil is turned back so far out
 
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
     fraction = (nodes + 1) / 2

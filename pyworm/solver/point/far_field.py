@@ -55,7 +55,7 @@ def far_field(scene: Scene, grid: Grid, film: Array, covered: Array) -> FarField
     outline[[0, -1], :] = outline[:, [0, -1]] = True
     wet = outline & covered & (film > 0)
     if scene.oil.supply is not None:
-        wet &= film <= scene.oil.supply
+        wet &= film <= scene.supply_at(x, y)
     u, v = (float(component) for component in scene.entrainment(np.zeros(()), np.zeros(())))
     ratio = scene.radii[0] / scene.radii[1]
     wedge = u * x / (1 + 2 * ratio / 3) + v * y / (1 + 2 / (3 * ratio))

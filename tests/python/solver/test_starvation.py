@@ -1,7 +1,9 @@
-"""Films from the oil there is: gaps that are filled in part, and what starved contacts make of their supply."""
+"""Films from the oil there is: gaps that are filled in part, and films of starved contacts."""
 
 from dataclasses import replace
+from itertools import pairwise
 from math import cos, pi
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,9 +11,13 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import pyworm
+from pyworm.formulas.starvation import film_over_flooded, supply_after_passes
 from pyworm.kernel import LineFilm
 from pyworm.materials.oil import Oil
+from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.viscosity_density import Barus, Density
+
+CASES = Path(__file__).parents[3] / "cases"
 
 VISCOSITY, SPEED, LENGTH, THROAT = 0.05, 2.0, 20e-3, 20e-6
 BEARING_OIL = Oil(Barus(VISCOSITY, 1e-15), Density(870.0, 0.0, 1e-9))
@@ -144,3 +150,130 @@ def test_oscillating_plates_keep_their_oil():
             widest = max(widest, 5e-3 - full)
         last = expected
     assert widest > 2e-3
+
+
+def ball(radius_y=12.7e-3, load=40.0, supply=None, **oil):
+    """A steel ball, or a wider body, that rolls at 0.5 m/s in PAO VG 220."""
+    steel = pyworm.named_body("16MnCr5", bulk_temperature="60 degC")
+    given = pyworm.named_oil("PAO VG 220").oil(333.15)
+    return pyworm.Scene(
+        name="ball",
+        gap=pyworm.Paraboloid(12.7e-3, radius_y),
+        load=load,
+        motions=(pyworm.RigidMotion(0.5, 0),) * 2,
+        bodies=(steel, steel),
+        oil=replace(given, **({"flow": None, "heat": None} | oil), supply=supply),
+    )
+
+
+def solved(scene, accuracy=0.02, effects="isothermal"):
+    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
+    assert solution.converged, solution.stop_reason
+    return solution
+
+
+def oil_of(scene):
+    """Oil of the flooded film, rho h in the middle [m]."""
+    figures = solved(scene).figures
+    density = scene.oil.density
+    return figures.film_central.value * density(figures.pressure_max.value) / density(0.0)
+
+
+@pytest.mark.parametrize("ratio", [0.3, 0.8, 0.95, 1.5])
+def test_lines_carry_all_their_oil(ratio):
+    """In a line contact no oil escapes to the sides: the film is the oil there is, or the flooded one."""
+    scene = pyworm.load(CASES / "line_m20_l10.toml").scene()
+    supply = ratio * oil_of(scene)
+    starved = replace(scene, oil=replace(scene.oil, supply=supply))
+    # beyond one film the contact is flooded, and the plan says so
+    film = solved(starved, effects="isothermal" if ratio > 1 else "isothermal,starvation")
+    flooded = solved(scene).figures.film_central.value
+    share = film.figures.film_central.value / flooded
+    assert share == pytest.approx(min(1.0, ratio), rel=0.02)
+    if ratio < 1:
+        assert film.figures.supply.film_over_flooded == pytest.approx(share, rel=0.01)
+        assert film.figures.supply.supply_ratio == pytest.approx(ratio, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("radius_y", "load", "ratio", "low", "high"),
+    [(12.7e-3, 40, 0.5, 2.5, 4), (12.7e-3, 40, 1, 2.5, 4), (0.381, 200, 1, 8, 20)],
+)
+def test_exponents_of_starved_films(radius_y, load, ratio, low, high):
+    """Chevalier et al. (1998): exponents of 2.5 to 4 for circles, 8 to 20 for wide ellipses."""
+    scene = ball(radius_y, load)
+    flooded = solved(scene).figures.film_central.value
+    starved = solved(replace(scene, oil=replace(scene.oil, supply=ratio * oil_of(scene))))
+    share = starved.figures.film_central.value / flooded
+    assert film_over_flooded(ratio, low) < share < film_over_flooded(ratio, high)
+
+
+def test_heated_starved_film():
+    """A sliding ball with heat and limiting stress: thinner films of the same oil, more friction."""
+    given = pyworm.named_oil("PAO VG 220").oil(333.15)
+    scene = replace(
+        ball(flow=given.flow, heat=given.heat),
+        motions=(pyworm.RigidMotion(0.6, 0), pyworm.RigidMotion(0.4, 0)),
+    )
+    whole, half = (
+        solved(replace(scene, oil=replace(scene.oil, supply=of)), 0.05, "all")
+        for of in (2.4e-7, 1.2e-7)
+    )
+    assert "film-heating" in {effect.name for effect in half.effects if effect.on}
+    assert half.figures.film_central.value < 0.65 * whole.figures.film_central.value
+    assert half.figures.friction_coefficient.value > whole.figures.friction_coefficient.value
+    assert half.fields["oil_fraction"].values.min() > 0
+
+
+def test_profile_of_the_supply():
+    """A layer that is the same everywhere is a number; one that ends beside the middle starves that side."""
+    even = OilLayer((-1e-3, 1e-3), (2e-7, 2e-7))
+    lone, profile = (solved(ball(supply=of)) for of in (2e-7, even))
+    assert profile.figures.film_central.value == lone.figures.film_central.value
+    to_the_left = OilLayer((-3e-5, 3e-5), (1e-7, 4e-7))
+    film = solved(ball(supply=to_the_left)).fields["film"]
+    left, right = (float(film.sel(x=0, y=at, method="nearest")) for at in (1e-4, -1e-4))
+    assert left > 1.3 * right
+
+
+@pytest.mark.parametrize(
+    ("across", "thickness", "sentence"),
+    [
+        ((0.0,), (1e-7,), "two numbers at least"),
+        ((0.0, 1e-3), (1e-7,), "as many"),
+        ((1e-3, 0.0), (1e-7, 1e-7), "must increase"),
+        ((0.0, 1e-3), (1e-7, -1e-7), "thickness"),
+    ],
+)
+def test_profiles_that_are_none(across, thickness, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        OilLayer(across, thickness)
+
+
+def test_plans_starve_where_oil_is_known_and_short():
+    """Without a supply the plan says that it assumes plenty; with little, starvation is simulated."""
+    judged = {
+        supply: next(
+            of for of in pyworm.plan(ball(supply=supply), 0.05).effects if of.name == "starvation"
+        )
+        for supply in (None, 1e-5, 1e-7)
+    }
+    assert judged[None].reason == "flooded, assumed: oil.supply not given"
+    assert judged[1e-5].reason.startswith("flooded: the supply is")
+    assert judged[1e-7].on
+    assert judged[1e-7].influence["film"] > 0.4
+
+
+def test_repeated_passes():
+    """Without new oil each pass leaves less: near Chevalier's (r^-g + n)^(-1/g) with one exponent."""
+    scene = ball()
+    flooded, oil = solved(scene).figures.film_central.value, oil_of(scene)
+    films = [
+        of.figures.film_central.value / flooded
+        for of in pyworm.passes(
+            replace(scene, oil=replace(scene.oil, supply=oil)), 4, 0.05, "isothermal"
+        )
+    ]
+    assert all(after < before for before, after in pairwise(films))
+    low, high = (supply_after_passes(1.0, 4, exponent) for exponent in (2.0, 4.5))
+    assert low < films[-1] < high
