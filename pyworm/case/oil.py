@@ -24,6 +24,7 @@ from pyworm.materials.base_stock import HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import names
 from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
+from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
@@ -208,6 +209,22 @@ class HeatTable(HeatCourseTable):
         return OilHeat(viscosity_exponent=exponent, **constants)
 
 
+class OilLayerTable(Table):
+    """`[oil.supply]`: the layer that arrives, over the place across the track."""
+
+    across: tuple[units.Offset, ...]
+    thickness: tuple[units.Film, ...]
+
+    @model_validator(mode="after")
+    def _a_profile(self):
+        self.layer()
+        return self
+
+    def layer(self) -> OilLayer:
+        """The layer as the kernel sees it."""
+        return OilLayer(self.across, self.thickness)
+
+
 class OilTable(Table):
     """`[oil]`: the oil at its inlet temperature, and the thickness of the layer supplied if it is limited.
 
@@ -225,7 +242,7 @@ class OilTable(Table):
     density: Annotated[DensityTable | GeneralDensityTable | TaitTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
-    supply: units.Film | None = None
+    supply: units.Film | OilLayerTable | None = None
     boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
 
     @model_validator(mode="before")
@@ -282,7 +299,7 @@ class OilTable(Table):
             density=self.density.density(inlet) if tait else self.density.density(),
             flow=None if self.shear is None else FlowLaw(**_constants(self.shear)),
             heat=None if self.heat is None else self.heat.heat(viscosity),
-            supply=self.supply,
+            supply=self.supply.layer() if isinstance(self.supply, OilLayerTable) else self.supply,
             boundary_friction=self.boundary_friction,
         )
 

@@ -22,6 +22,7 @@ from pyworm.plots.contact.line_heat import draw_line_friction, draw_line_tempera
 from pyworm.plots.contact.line_profiles import draw_line_profiles
 from pyworm.plots.contact.pressure import draw_pressure
 from pyworm.plots.contact.profiles import draw_profiles
+from pyworm.plots.contact.supply import draw_supply
 from pyworm.plots.contact.temperature import draw_temperature
 from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.life import draw_life
@@ -43,6 +44,7 @@ SCENE_PICTURES = {
         "friction": draw_friction,
         "temperature": draw_temperature,
         "across_film": draw_across_film,
+        "supply": draw_supply,
     },
     "line": {
         "profiles": draw_line_profiles,
@@ -64,6 +66,7 @@ SHOWS = {
     "friction": lambda solution: solution.figures.friction_coefficient,
     "temperature": lambda solution: solution.figures.temperature_max_film,
     "across_film": lambda solution: solution.profile,
+    "supply": lambda solution: solution.figures.supply,
 }
 """Name of a picture that not every solution has -> what it shows, None where it was not simulated."""
 

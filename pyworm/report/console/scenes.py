@@ -56,6 +56,11 @@ _FIGURES = (
     ("Composite roughness", "composite_roughness_m", 1e6, "µm", None, "composite_roughness"),
     ("Specific film lambda", "specific_film", 1.0, "", "specific_film_error", "specific_film"),
     ("  central", "lambda_central", 1.0, "", "film_central_error", None),
+    ("Film over the flooded one", "film_over_flooded", 100.0, "%", "film_over_flooded_error", None),
+    ("  oil supplied over it", "supply_ratio", 1.0, "", "supply_ratio_error", None),
+    ("  inlet meniscus before the contact point", "meniscus_m", 1e3, "mm", None, None),
+    ("  oil that flows around the middle", "side_flow", 100.0, "%", None, None),
+    ("  layer left behind it", "layer_left_m", 1e6, "µm", None, None),
     (
         "Load on asperities",
         "asperity_load_fraction",

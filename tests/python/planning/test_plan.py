@@ -280,11 +280,12 @@ def test_squeeze_of_a_growing_load_is_that_of_the_contact_s_edges(kind, power, e
     assert 0.7 * told.indicator < told.influence["film"] < told.indicator
 
 
-def test_effects_that_are_not_simulated_are_judged_all_the_same():
-    starved = judged(pyworm.plan(TRIALS["starved bearing"].scene(), 0.05))["starvation"]
-    assert 0 < starved.influence["film"] < 1
-    with pytest.raises(ValueError, match="starvation is none of"):
-        pyworm.plan(TRIALS["starved bearing"].scene(), effects="starvation")
+def test_starvation_is_an_effect_like_any_other():
+    starving = TRIALS["starved bearing"].scene()
+    judged_by_default = judged(pyworm.plan(starving, 0.05))["starvation"]
+    assert judged_by_default.on
+    assert 0 < judged_by_default.influence["film"] < 1
+    assert not judged(pyworm.plan(starving, 0.05, "auto,-starvation"))["starvation"].on
 
 
 def test_roughness_is_an_effect_like_any_other():
