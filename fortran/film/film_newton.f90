@@ -1,10 +1,10 @@
 !> Newton's method for the film of a contact at a given temperature, one step at a time: the base of all contacts.
 !>
 !> Unknowns are the pressure at the nodes and the rigid film h0 in h = h0 + gap + K p. Pressure and net outflow
-!> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure; where the supply of oil is limited the gap there is
-!> filled in part, see `partial_film`), solved by a primal-dual active set (semismooth Newton): pressure is free where it is positive or oil flows in. The load balance closes the
-!> system; where bodies are held apart the rigid film is given instead, and does not change. Pressure on the
-!> outline is fixed. Python owns the loop; each call makes one step.
+!> obey p >= 0, r >= 0, p r = 0 (the film ruptures at ambient pressure; where the supply of oil is limited the gap is filled in
+!> part there, see `partial_film`), solved by a primal-dual active set (semismooth Newton): pressure is free where it is
+!> positive or oil flows in. The load balance closes the system; where bodies are held apart the rigid film is given instead,
+!> and does not change. Pressure on the outline is fixed. Python owns the loop; each call makes one step.
 !>
 !> Between rough surfaces the unknown is the total pressure P; the oil's is what the asperities leave, p = P - p_a(h),
 !> with h the gap between the mean planes, and rupture obeys p >= 0, r >= 0, p r = 0. Asperities add no convolution: where the oil
