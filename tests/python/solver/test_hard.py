@@ -30,11 +30,20 @@ from pyworm.solver.stop_reason import ACCURATE
 
 
 @pytest.mark.parametrize(
-    "name", ["isothermal:3", "isothermal:8", "isothermal:36", "thermal:22", "rough:1", "rough:106"]
+    "name",
+    [
+        "isothermal:3",
+        "isothermal:8",
+        "isothermal:36",
+        "thermal:22",
+        "rough:1",
+        "rough:106",
+        "starved:2",
+    ],
 )
 def test_random_scenes_converge(tmp_path, name):
     kind, _, number = name.partition(":")
-    effects = {"isothermal": "isothermal", "thermal": "all", "rough": "all"}[kind]
+    effects = "isothermal" if kind == "isothermal" else "all"
     one = trial(DRAWS[kind](int(number)).tables, name, tmp_path, effects)
     store = Store(tmp_path / "scenes", fields=False)
     first = verdict(one, store)
@@ -48,7 +57,7 @@ def test_draws_depend_on_their_number_alone_and_keep_to_their_ranges(kind):
     traits = [DRAWS[kind](number).traits for number in range(60)]
     hot = HOT_RANGES | HOT_LIMITS
     plain = RANGES | LIMITS
-    ranges = {"isothermal": plain, "thermal": hot, "rough": hot, "past": plain}[kind]
+    ranges = hot if kind in ("thermal", "rough") else plain
     for name in ("hertz_pressure", "moes_l", "ellipticity", "moes_m", "film"):
         values = np.array([of[name] for of in traits])
         low, high = ranges[name].low, ranges[name].high
