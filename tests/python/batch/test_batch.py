@@ -248,7 +248,13 @@ def assert_same_scenes(result, expected):
 
 
 @pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="needs Linux's /proc")
-@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    "end",
+    [
+        signal.SIGKILL,
+        *(pytest.param(of, marks=pytest.mark.long) for of in (signal.SIGINT, signal.SIGTERM)),
+    ],
+)
 def test_a_stopped_run_continues_where_it_ended(tmp_path, capsys, whole_run, end):
     process = started(tmp_path)
     workers = children(process.pid)

@@ -305,7 +305,13 @@ def test_roughness_is_an_effect_like_any_other():
 
 @pytest.mark.parametrize("accuracy", [pytest.param(0.01, marks=pytest.mark.long), 0.05])
 @pytest.mark.parametrize(
-    "name", ["rubber in water", "steel, rolling slowly", "gear, pitch point", "gear, tip"]
+    "name",
+    [
+        pytest.param("rubber in water", marks=pytest.mark.long),
+        "steel, rolling slowly",
+        "gear, pitch point",
+        "gear, tip",
+    ],
 )
 def test_automatic_plans_keep_the_accuracy(name, accuracy):
     """The cheap ones of the suite that `benchmarks/accuracy/plans.py` runs in full."""

@@ -94,7 +94,7 @@ def test_a_cylinder_that_is_lowered_presses_as_the_closed_form_says():
     assert one.load == pytest.approx(endless, rel=0.05)
 
 
-@pytest.mark.parametrize("kind", ["cylinder", "plate"])
+@pytest.mark.parametrize("kind", [pytest.param("cylinder", marks=pytest.mark.long), "plate"])
 def test_a_body_that_is_let_go_sinks_as_the_closed_form_says(kind):
     """It is lowered so that it presses with its load when it is let go; then the load alone squeezes."""
     gap = {"cylinder": Parabola(RADIUS), "plate": Plate(RADIUS, 1e-3)}[kind]

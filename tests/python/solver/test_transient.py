@@ -52,7 +52,7 @@ TURN = 0.5
 """Angle by which axes turn while oil passes [rad]."""
 
 
-@pytest.mark.parametrize("turn", [0.0, TURN])
+@pytest.mark.parametrize("turn", [pytest.param(0.0, marks=pytest.mark.long), TURN])
 def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
     rate = turn / predicted(ball()).transit
 
@@ -112,7 +112,7 @@ def test_rates_of_change_are_exact_for_polynomials():
 @pytest.mark.parametrize(
     ("kind", "accuracy", "within"),
     [
-        (as_line, 0.003, 0.02),
+        pytest.param(as_line, 0.003, 0.02, marks=pytest.mark.long),
         pytest.param(lambda scene: scene, 0.02, 0.03, marks=pytest.mark.long),
     ],
     ids=["line", "point"],
@@ -197,7 +197,7 @@ def test_error_bars_of_transient_films_hold(monkeypatch):
         assert abs(value - better.value) <= bars * better.value
 
 
-@pytest.mark.parametrize("what", ["speed", "load"])
+@pytest.mark.parametrize("what", ["speed", pytest.param("load", marks=pytest.mark.long)])
 def test_half_the_spacing_with_half_the_time_step_leaves_a_quarter_of_the_error(what):
     """Of the film at the contact point, in the mean square over three transits, speed or load swinging."""
     line = as_line(ball())
