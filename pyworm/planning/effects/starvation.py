@@ -7,13 +7,13 @@ from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.scene.contact import Contact
 
-CIRCULAR, WIDENING = 2.0, 0.4
+CIRCULAR, WIDENING = 1.8, 0.4
 """Exponent of the law for circular contacts, and the power of their width over their length along the
-entrainment with which it rises: below what was measured, 2.1 to 3.3 and at a width of ten lengths 12, so
+entrainment with which it rises: below what was measured, 1.9 to 3.3 and at a width of ten lengths 4 to 12, so
 that it overestimates the influence (`benchmarks/validation/starvation.py`)."""
 
 FLOODED = 1.3e-3
-"""Influence below which a contact counts as flooded; of circular ones from twenty films on."""
+"""Influence below which a contact counts as flooded; of circular ones from some thirty films on."""
 
 
 def _influence(prediction: Prediction) -> float:

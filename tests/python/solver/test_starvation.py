@@ -1,5 +1,6 @@
 """Films from the oil there is: gaps that are filled in part, and films of starved contacts."""
 
+import tomllib
 from dataclasses import replace
 from itertools import pairwise
 from math import cos, pi
@@ -11,6 +12,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import pyworm
+from pyworm.case.case import case_of
 from pyworm.formulas.starvation import film_over_flooded, supply_after_passes
 from pyworm.kernel import LineFilm
 from pyworm.materials.oil import Oil
@@ -277,3 +279,19 @@ def test_repeated_passes():
     assert all(after < before for before, after in pairwise(films))
     low, high = (supply_after_passes(1.0, 4, exponent) for exponent in (2.0, 4.5))
     assert low < films[-1] < high
+
+
+def test_rough_and_moving_films_starve_too():
+    """Beside asperities, and after a load that falls, the film stays that of the oil there is."""
+    scene = pyworm.load(CASES / "starved_ball.toml").scene()
+    smooth = solved(scene, 0.05).figures.film_central.value
+    bodies = tuple(replace(body, roughness=3e-8) for body in scene.bodies)
+    between = solved(replace(scene, bodies=bodies), 0.05, "isothermal,roughness").figures
+    assert 0 < between.asperity_load_fraction.value < 0.05
+    assert between.film_central.value == pytest.approx(smooth, rel=0.05)
+    tables = tomllib.loads((CASES / "starved_ball.toml").read_text())
+    tables["past"] = {"times": ["0 s", "0.6 ms", "1.5 ms"], "load": [1.5, 1.5, 1.0]}
+    moving = solved(
+        case_of(tables, "moving", CASES).scene(), 0.05, "isothermal,squeeze,starvation"
+    ).figures
+    assert moving.film_central.value == pytest.approx(smooth, rel=0.1)
