@@ -181,15 +181,26 @@ class Case(Shown):
         if not isinstance(self.tables, DriveCase):
             return None
         try:
-            return self.tables.make_drive()
+            drive = self.tables.make_drive()
         except ValueError as error:
             raise CaseError(f"drive.{error}") from error
+        try:
+            drive.oil_brought  # noqa: B018  a lubrication that is not possible is refused here
+        except ValueError as error:
+            raise CaseError(f"lubrication.{error}") from error
+        return drive
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about unusual values, one sentence each, beginning with the key."""
-        of_drive = () if self.drive is None else self.drive.warnings
-        return *self.doubts, *(f"drive.{warning}" for warning in of_drive)
+        if self.drive is None:
+            return self.doubts
+        brought = self.drive.oil_brought
+        return (
+            *self.doubts,
+            *(f"drive.{warning}" for warning in self.drive.warnings),
+            *(() if brought is None else brought.warnings),
+        )
 
     def scene(
         self,

@@ -2,8 +2,12 @@
 
 from abc import abstractmethod
 
+from pydantic import model_validator
+
 from pyworm.case.case_file import CaseTable
+from pyworm.case.lubrication import BathTable, LubricationTable
 from pyworm.drives.drive import Drive
+from pyworm.drives.lubrication import Bath, Jets
 
 LOADS = ("load", "worm_torque", "wheel_torque", "power")
 """Keys of `[operation]` of which one gives the load of the teeth."""
@@ -11,6 +15,28 @@ LOADS = ("load", "worm_torque", "wheel_torque", "power")
 
 class DriveCase(CaseTable):
     """A case file about a drive; each kind has its own `drive`, `operation` and `bodies` besides."""
+
+    lubrication: LubricationTable | None = None
+
+    @model_validator(mode="after")
+    def _one_supply(self):
+        if self.lubrication is not None and self.oil.supply is not None:
+            raise ValueError("give either oil.supply or [lubrication], from which it follows")
+        return self
+
+    @model_validator(mode="after")
+    def _a_body_dips(self):
+        names = tuple(type(self.bodies).model_fields)
+        if isinstance(self.lubrication, BathTable) and self.lubrication.body not in names:
+            raise ValueError(
+                f'lubrication.body = "{self.lubrication.body}": must be one of {", ".join(names)}'
+            )
+        return self
+
+    @property
+    def brought_by(self) -> Bath | Jets | None:
+        """How oil comes to the teeth; None where the file does not say."""
+        return None if self.lubrication is None else self.lubrication.by()
 
     @abstractmethod
     def make_drive(self) -> Drive:

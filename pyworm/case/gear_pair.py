@@ -111,6 +111,7 @@ class GearPairCase(RatedCase):
             ),
             lead_crowning=table.lead_crowning,
             surfaces=surfaces and Surfaces(**dict(surfaces)),
+            lubrication=self.brought_by,
         )
 
 

@@ -183,6 +183,7 @@ class RollerWormCase(RatedCase):
             rolling=operation.rolling,
             bodies=self.bodies.pair(oil),
             oil=oil,
+            lubrication=self.brought_by,
         )
 
 

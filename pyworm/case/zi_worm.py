@@ -237,6 +237,18 @@ class WormDriveCase(RatedCase):
         return self
 
     @model_validator(mode="after")
+    def _rated_as_lubricated(self):
+        if self.lubrication is None or self.worm_rating is None:
+            return self
+        rated = "bath" if self.lubrication.method == "bath" else "injection"
+        if self.worm_rating.lubrication != rated:
+            raise ValueError(
+                f'worm_rating.lubrication = "{self.worm_rating.lubrication}" contradicts '
+                f'lubrication.method = "{self.lubrication.method}"; give "{rated}"'
+            )
+        return self
+
+    @model_validator(mode="after")
     def _stiffness_with_sharing(self):
         if self.drive.stiffness is not None and self.operation.load is not None:
             raise ValueError(
@@ -332,6 +344,7 @@ class WormDriveCase(RatedCase):
             hand=design.hand,
             taken=design.taken,
             shaft=None if self.drive.shaft is None else self.drive.shaft.shaft(),
+            lubrication=self.brought_by,
         )
         return drive if self.cooling is None else self._warm(drive)
 

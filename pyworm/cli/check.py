@@ -47,7 +47,10 @@ def _check(options: argparse.Namespace) -> int:
         ]
         content = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
         if case.drive is not None:
-            content |= {"drive": case.drive.described(), "assumptions": case.drive.assumptions}
+            content |= {
+                "drive": case.drive.described(),
+                "assumptions": case.drive.all_assumptions,
+            }
         print_json(content | {"warnings": case.warnings})
     else:
         console = Console()
@@ -56,7 +59,7 @@ def _check(options: argparse.Namespace) -> int:
             console.print(f"{sentence} (Films by closed forms.)\n")
         if case.drive is not None and (table := drive_table(case.drive)) is not None:
             console.print(table)
-            for sentence in case.drive.assumptions:
+            for sentence in case.drive.all_assumptions:
                 console.print(f"- {sentence}")
             for key, reason in assumptions(case.tables).items():
                 console.print(f"- {key}: {reason}.")

@@ -2,16 +2,20 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
 from typing import ClassVar
 
 from pyworm.drives.duty import Duty
 from pyworm.drives.hob_setup import HobSetup
+from pyworm.drives.lubrication import Bath, Jets, OilBrought, OiledTeeth, oil_brought
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shape import Shape
 from pyworm.drives.shim import Shim
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
+from pyworm.materials.oil import Oil
 from pyworm.scene.contact import BODIES
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -32,12 +36,18 @@ class Drive(ABC):
         Assumptions of its loads and its geometry, a sentence each.
     warnings : tuple of str
         Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`.
+    oil : Oil
+        The oil.
+    lubrication : Bath, Jets or None
+        How oil comes to its teeth; None where that is not known, and there is enough.
     """
 
     body_names: ClassVar[tuple[str, str]] = BODIES
     rated_as: ClassVar[type[Duty] | None] = None
     assumptions: tuple[str, ...] = ("The load of each contact is that of the drive.",)
     warnings: tuple[str, ...] = ()
+    oil: Oil
+    lubrication: Bath | Jets | None = None
 
     @abstractmethod
     def scene(self, phase: float) -> Scene | LineScene:
@@ -55,6 +65,44 @@ class Drive(ABC):
     @abstractmethod
     def cycle_data(self) -> "xr.Dataset":
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
+
+    def oiled_teeth(self) -> OiledTeeth | None:
+        """Its teeth as they carry oil; None where that is not known."""
+        return None
+
+    @cached_property
+    def oil_brought(self) -> OilBrought | None:
+        """The oil that its lubrication brings; None where that is not known.
+
+        Raises
+        ------
+        ValueError
+            No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
+        """
+        teeth = self.oiled_teeth()
+        if self.lubrication is None or teeth is None:
+            return None
+        return oil_brought(self.lubrication, teeth, self.oil)
+
+    @property
+    def oil_supplied(self) -> Oil:
+        """The oil with the layer that arrives at its contacts, where that is known."""
+        if self.oil_brought is None:
+            return self.oil
+        return replace(self.oil, supply=self.oil_brought.layer)
+
+    @property
+    def all_assumptions(self) -> tuple[str, ...]:
+        """Its assumptions, and that of the oil which its contacts get."""
+        return (*self.assumptions, self._oil_words)
+
+    @property
+    def _oil_words(self) -> str:
+        if self.oil_brought is not None:
+            return self.oil_brought.words
+        if self.oil.supply is not None:
+            return "The layer of oil before the contacts is given, the same at each."
+        return "An inlet full of oil at each contact: how oil comes to the teeth is not given."
 
     def loaded_cycle(self) -> "xr.Dataset":
         """The part of the cycle's data from which loss and loads follow; all of it by default."""

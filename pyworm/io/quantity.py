@@ -34,6 +34,7 @@ _SLIPS = {
     "W/(m K)": ("W/(m K)", "mW/(m K)"),
     "J/(kg K)": ("J/(kg K)", "kJ/(kg K)"),
     "m^2/s": ("mm^2/s",),
+    "m^3/s": ("l/min",),
     "s": ("h", "s"),
     "rad": ("deg", "rad"),
 }

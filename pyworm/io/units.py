@@ -121,6 +121,13 @@ Velocity = quantity(
     "a velocity", "m/s", "1.2 m/s", "any", ("1e-24 m/s", "3e8 m/s"), ("", "300 m/s")
 )
 
+OilFlow = quantity(
+    "a flow of oil",
+    "m^3/s",
+    "2 l/min",
+    possible=("1e-9 l/min", "1e6 l/min"),
+    usual=("0.01 l/min", "1000 l/min"),
+)
 Modulus = quantity(
     "a modulus of elasticity",
     "Pa",

@@ -9,7 +9,7 @@ drives, contact runs that way; where the gear drives (a speed increaser), it run
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, sin
+from math import cos, pi, sin
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from pyworm.drives.gear_pair.involute import InvolutePair
 from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
 from pyworm.drives.gear_pair.mesh_loss import gear_mesh_loss
 from pyworm.drives.gear_pair.misalignment import gear_misalignment
+from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.tooth_life import ToothLife
@@ -70,6 +71,8 @@ class GearPairDrive(Drive):
         Lead crowning: height removed from both flanks together at the ends of the face [m].
     surfaces : Surfaces or None
         Further input of the closed forms of friction and scuffing; None if not known.
+    lubrication : Bath, Jets or None
+        How oil comes to their teeth; None where there is assumed to be enough.
     """
 
     body_names = "pinion", "gear"
@@ -87,6 +90,7 @@ class GearPairDrive(Drive):
     tip_relief: tuple[LinearRelief, LinearRelief] = (LinearRelief(), LinearRelief())
     lead_crowning: float = 0.0
     surfaces: Surfaces | None = None
+    lubrication: Bath | Jets | None = None
 
     def __post_init__(self) -> None:
         check_drive(self)
@@ -212,7 +216,7 @@ class GearPairDrive(Drive):
             velocities=(float(contact.pinion_velocity), float(contact.gear_velocity)),
             load=float(contact.unit_load),
             bodies=self.bodies,
-            oil=self.oil,
+            oil=self.oil_supplied,
             phase=phase,
         )
 
@@ -235,8 +239,23 @@ class GearPairDrive(Drive):
             ),
             load=float(self.normal_force * contact.load_share),
             bodies=self.bodies,
-            oil=self.oil,
+            oil=self.oil_supplied,
             phase=phase,
+        )
+
+    def oiled_teeth(self) -> OiledTeeth:
+        """Pinion and gear as they carry oil."""
+        speeds = self.pinion_speed, self.gear_speed
+        return OiledTeeth(
+            bodies={
+                name: OiledBody(gear.tip, gear.tip - gear.root, speed)
+                for name, gear, speed in zip(
+                    self.body_names, self.teeth.cylinders, speeds, strict=True
+                )
+            },
+            face_width=self.teeth.face_width,
+            rate=self.pinion_speed * self.teeth.pinion.teeth / (2 * pi),
+            power=self.power,
         )
 
     def cycle_phases(self) -> Array:

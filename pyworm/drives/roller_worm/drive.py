@@ -9,10 +9,12 @@ through the left section from the throat to its outer end, pushed from behind: t
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from math import pi
 
 import numpy as np
 
 from pyworm.drives.drive import Drive
+from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.checks import check_drive
@@ -101,6 +103,8 @@ class RollerWormDrive(Drive):
         Worm and rollers.
     oil : Oil
         The oil.
+    lubrication : Bath, Jets or None
+        How oil comes to its rollers; None where there is assumed to be enough.
     """
 
     body_names = "worm", "roller"
@@ -115,6 +119,7 @@ class RollerWormDrive(Drive):
     rolling: Spinning
     bodies: tuple[Body, Body]
     oil: Oil
+    lubrication: Bath | Jets | None = None
 
     def __post_init__(self) -> None:
         check_drive(self)
@@ -282,7 +287,7 @@ class RollerWormDrive(Drive):
             velocities=(float(state.motion.worm[0, 0]), float(state.motion.roller[0, 0])),
             load=load,
             bodies=self.bodies,
-            oil=self.oil,
+            oil=self.oil_supplied,
             phase=phase,
             section=section,
             station=station,
@@ -319,9 +324,24 @@ class RollerWormDrive(Drive):
             motions=motions,
             load=state.force,
             bodies=self.bodies,
-            oil=self.oil,
+            oil=self.oil_supplied,
             phase=phase,
             section=section,
+        )
+
+    def oiled_teeth(self) -> OiledTeeth:
+        """Worm and rollers as they carry oil; the rollers stand out from their wheel by the worm's depth."""
+        worm, length = self.worm, self.rollers.profile.length
+        depth = worm.addendum + worm.dedendum
+        middles = self.centre_distance - self.throat_radius
+        return OiledTeeth(
+            bodies={
+                "worm": OiledBody(self.throat_radius + worm.addendum, depth, self.speed),
+                "rollers": OiledBody(middles + worm.dedendum, depth, self.wheel_speed),
+            },
+            face_width=length,
+            rate=self.speed * worm.threads / (2 * pi),
+            power=self.speed * self.torque,
         )
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:

@@ -11,6 +11,7 @@ import numpy as np
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.hob_setup import HobSetup
+from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shape import Shape
@@ -77,6 +78,8 @@ class ZiWormDrive(ZiWormGears, Drive):
         Usual values that were taken where none was given, a sentence each that begins with the key.
     shaft : WormShaft or None
         The worm's shaft between its bearings, which bends under the load; None if rigid.
+    lubrication : Bath, Jets or None
+        How oil comes to its teeth; None where there is assumed to be enough.
     """
 
     body_names = "worm", "wheel"
@@ -90,6 +93,7 @@ class ZiWormDrive(ZiWormGears, Drive):
     hand: Hand = "right"
     taken: tuple[str, ...] = ()
     shaft: WormShaft | None = None
+    lubrication: Bath | Jets | None = None
 
     def __post_init__(self) -> None:
         given = {} if isinstance(self.load, Transmission) else {"load": self.load}
@@ -337,7 +341,7 @@ class ZiWormDrive(ZiWormGears, Drive):
             motions=self.motions(contact),
             load=load,
             bodies=self.bodies,
-            oil=self.oil,
+            oil=self.oil_supplied,
             phase=phase,
         )
 
@@ -385,6 +389,20 @@ class ZiWormDrive(ZiWormGears, Drive):
     def wheel_shim(self, wanted: float | None) -> Shim:
         """The shim under the wheel for a place of the pattern without load; of no errors where None."""
         return found_shim(self.rigid, wanted)
+
+    def oiled_teeth(self) -> OiledTeeth:
+        """Worm and wheel as they carry oil."""
+        depth = self.worm.tip_radius - self.worm.root_radius
+        wheel_speed = self.speed * self.ratio
+        return OiledTeeth(
+            bodies={
+                "worm": OiledBody(self.worm.tip_radius, depth, self.speed),
+                "wheel": OiledBody(self.wheel.throat_radius, depth, wheel_speed),
+            },
+            face_width=self.wheel.face_width,
+            rate=self.speed * self.worm.threads / (2 * pi),
+            power=self.wheel_torque * wheel_speed,
+        )
 
     def described(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""

@@ -54,11 +54,18 @@ def _influence(effects: Sequence[Judgement]) -> str:
     return ", ".join(f"{name} {influence_percent(fraction)}" for name, fraction in largest.items())
 
 
+def _of_contacts(case: Case) -> list[str]:
+    """Assumptions about the contacts themselves and the oil that they get."""
+    if case.drive is not None:
+        return list(case.drive.all_assumptions)
+    known = case.tables.oil.supply is not None
+    return [ONE_CONTACT, *(() if known else ("An inlet full of oil: oil.supply is not given.",))]
+
+
 def assumptions_section(case: Case, result: Result) -> Section:
     """Assumptions: values that the source does not give, and those of the models."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
-    items.append("An inlet full of oil.")
     if "roughness" not in on:
         items.append("Smooth surfaces.")
     elif any(table.nesting_index is not None for table in case.tables.bodies.surfaces.values()):
@@ -72,7 +79,7 @@ def assumptions_section(case: Case, result: Result) -> Section:
         items.append(
             "A film in motion begins its life steady; its heat is that of a steady contact at each time."
         )
-    items += [ONE_CONTACT] if case.drive is None else case.drive.assumptions
+    items += _of_contacts(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:
         found = getattr(case.tables, "cooling", None) is not None

@@ -1,0 +1,87 @@
+"""Layers of oil that a bath or jets leave on the flanks of teeth, by closed forms."""
+
+from math import sqrt
+
+from pyworm.formulas.ranges import positive, within
+
+GRAVITY = 9.80665
+"""Standard acceleration of gravity [m/s2]."""
+
+SURFACE_TENSION = 0.03
+"""Surface tension of lubricating oils [N/m]: 0.028 to 0.036, of which a layer takes the sixth root."""
+
+FASTEST = 1.0
+"""Largest layer over sqrt(eta U / (rho g)) [-]: at high speed gravity alone holds the oil back."""
+
+
+def dragged_layer(viscosity: float, density: float, speed: float) -> float:
+    """Thickness of the layer on a surface that is drawn upwards out of a bath [m].
+
+    h = 0.944 Ca^(1/6) sqrt(eta U / (rho g)), Ca = eta U / sigma, of slow surfaces (Landau and Levich 1942);
+    fast ones, beyond Ca of about 1, carry at most sqrt(eta U / (rho g)) (Deryagin 1943).
+
+    Parameters
+    ----------
+    viscosity : float
+        [Pa s].
+    density : float
+        [kg/m3].
+    speed : float
+        Of the surface [m/s].
+    """
+    positive("viscosity", viscosity, "Pa s")
+    within("density", density, 100, 5000, "kg/m3")
+    positive("speed", speed, "m/s")
+    capillary_number = viscosity * speed / SURFACE_TENSION
+    part = min(0.944 * capillary_number ** (1 / 6), FASTEST)
+    return part * sqrt(viscosity * speed / (density * GRAVITY))
+
+
+def drained_layer(
+    first: float, viscosity: float, density: float, acceleration: float, height: float, time: float
+) -> float:
+    """Thickness of a layer after it drained for a time along a flank [m].
+
+    The thinning of a vertical plate's layer, h^2 = eta y / (rho g t) (Jeffreys 1930), under any acceleration
+    and from a first thickness: 1/h^2 = 1/h_0^2 + rho a t / (eta y).
+
+    Parameters
+    ----------
+    first : float
+        Thickness at the beginning [m].
+    viscosity : float
+        [Pa s].
+    density : float
+        [kg/m3].
+    acceleration : float
+        Along the flank [m/s2].
+    height : float
+        Distance y from the end where the oil begins to flow [m].
+    time : float
+        For which it drains [s].
+    """
+    positive("first", first, "m")
+    positive("viscosity", viscosity, "Pa s")
+    positive("height", height, "m")
+    loss = density * acceleration * time / (viscosity * height)
+    return first / sqrt(1 + loss * first**2)
+
+
+def sprayed_layer(flow: float, flank: float, rate: float) -> float:
+    """Thickness on each flank where all the oil of jets spreads evenly over the teeth that pass [m].
+
+    h = q / (4 A f): each passing pair of teeth has two flanks on either body.
+
+    Parameters
+    ----------
+    flow : float
+        Oil flow of the mesh [m3/s].
+    flank : float
+        Area A of a flank [m2].
+    rate : float
+        Pairs of teeth that pass the mesh, f [1/s].
+    """
+    positive("flow", flow, "m3/s")
+    positive("flank", flank, "m2")
+    positive("rate", rate, "1/s")
+    return flow / (4 * flank * rate)
