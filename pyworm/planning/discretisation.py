@@ -13,7 +13,7 @@ from pyworm.planning.expected_work import (
     sharpness,
     stiffness,
 )
-from pyworm.planning.grid import Grid, nest
+from pyworm.planning.grid import Grid, led_up_to, nest
 from pyworm.planning.line_grid import LineGrid, first_grids
 from pyworm.planning.model import Model
 from pyworm.planning.window import FAR, grown, near_reach, supplied_reach, windows
@@ -49,6 +49,10 @@ HEATED_LINE_FRACTION = 0.01
 """Residual allowed of a heated line film, as a fraction of the accuracy asked for. Film and temperature are
 iterated in turn; ten times as much left temperatures beyond their error bars in half of 40 random scenes."""
 
+COARSER_MENISCI = 2
+"""Grids before the first grid of the figures on which the inlet meniscus of a starved film is sought: it
+moves out by a node a step, and those of wide contacts stand far out."""
+
 RESIDUAL_FRACTION = 0.1
 """Residual allowed, as a fraction of the accuracy asked for; its effect on figures is estimated apart."""
 
@@ -71,7 +75,8 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
     nested = slice(None) if drawn is scene else slice(-1, None)
     near = near_reach(size)
-    if scene.oil.supply is not None:
+    starved = scene.oil.supply is not None
+    if starved:
         # no oil has pressure beyond the meniscus, so that one window holds it all
         near, nested = supplied_reach(size, float(scene.oil.layer_at(0.0))), slice(-1, None)
     inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
@@ -85,6 +90,8 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         change = _first_change(scene, size, spacing)
     grids = nest(inner, outer, *spacing)[nested]
     wider_grids = nest(wider, *far, *spacing)[nested]
+    if starved:
+        grids, wider_grids = (led_up_to(of[-1], COARSER_MENISCI) for of in (grids, wider_grids))
     work = expected_work(
         "point",
         _nodes(grids, wider_grids),

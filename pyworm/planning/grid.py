@@ -111,19 +111,29 @@ def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
     Each has half the spacing of the one before and lies within it, node on node. The origin is a node of
     all.
     """
-    west, cells_x = _span(inner[0], inner[1], dx)
-    south, cells_y = _span(inner[2], inner[3], dy)
-    grids = [Grid(west * dx, south * dy, dx, dy, cells_x + 1, cells_y + 1)]
+    grids = [_spanning(inner, dx, dy)]
     while not _holds(grids[0], outer):
         last = grids[0]
-        step_x, step_y = 2 * last.dx, 2 * last.dy
-        box = _towards(last, outer)
-        west, cells_x = _span(box[0], box[1], step_x)
-        south, cells_y = _span(box[2], box[3], step_y)
-        grids.insert(
-            0, Grid(west * step_x, south * step_y, step_x, step_y, cells_x + 1, cells_y + 1)
-        )
+        grids.insert(0, _spanning(_towards(last, outer), 2 * last.dx, 2 * last.dy))
     return tuple(grids)
+
+
+def led_up_to(grid: Grid, coarser: int) -> tuple[Grid, ...]:
+    """Grids over the same rectangle, or a little more, with a number of coarser ones before a grid.
+
+    Each has half the spacing of the one before, node on node.
+    """
+    grids = [grid]
+    for _ in range(coarser):
+        grids.insert(0, _spanning(grids[0].box, 2 * grids[0].dx, 2 * grids[0].dy))
+    return tuple(grids)
+
+
+def _spanning(box: Box, dx: float, dy: float) -> Grid:
+    """The smallest grid of a spacing that spans a rectangle."""
+    west, cells_x = _span(box[0], box[1], dx)
+    south, cells_y = _span(box[2], box[3], dy)
+    return Grid(west * dx, south * dy, dx, dy, cells_x + 1, cells_y + 1)
 
 
 def coarsened(grids: Sequence[Grid]) -> tuple[Grid, ...]:

@@ -88,16 +88,16 @@ def layer_left(level: Level) -> OilLayer:
     return OilLayer(tuple(across.tolist()), tuple(np.maximum(thickness, 0.0).tolist()))
 
 
-def mostly_full(guess: InitialGuess, before: Level) -> InitialGuess:
+def mostly_full(guess: InitialGuess, before: Level, window=np.s_[...]) -> InitialGuess:
     """A guess on half the spacing with pressure only where the gap of the coarser level is mostly full.
+
+    It covers a window of the level's nodes.
 
     A meniscus that starts a node too far out or too near is found by a step for each node.
     """
-    full = (before.film.pressure > 0).astype(float)
+    full = (before.film.pressure[window] > 0).astype(float)
     for axis in range(full.ndim):
         full = _halved(full, axis)
-    if full.shape != guess.pressure.shape:
-        return guess
     return replace(guess, pressure=np.asfortranarray(np.where(full >= 0.5, guess.pressure, 0.0)))
 
 

@@ -126,7 +126,10 @@ class PointContactSolver(ContactSolver):
         level = first_level(self._assisted, scene, size, grids[0], self._transient_term)
         for grid in grids[1:]:
             steps += lead(level, COARSE_TOLERANCE)
-            before, level = level, next_level(scene, size, level, grid, guess_on(level, grid))
+            guess = guess_on(level, grid)
+            if level.film.fed:
+                guess = mostly_full(guess, level, level.grid.window_of(grid))
+            before, level = level, next_level(scene, size, level, grid, guess)
             if before.lost():
                 restart(scene, size, level)
         return level, steps
