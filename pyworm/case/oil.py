@@ -3,7 +3,7 @@
 from math import exp
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from pyworm.case.named_oil import spelled_out
 from pyworm.case.own_oil import (
@@ -225,6 +225,17 @@ class OilLayerTable(Table):
         return OilLayer(self.across, self.thickness)
 
 
+def _layer_or_profile(supply: Any) -> str:
+    return "profile" if isinstance(supply, dict | OilLayerTable) else "layer"
+
+
+SupplyTable = Annotated[
+    Annotated[units.Film, Tag("layer")] | Annotated[OilLayerTable, Tag("profile")],
+    Discriminator(_layer_or_profile),
+]
+"""`oil.supply`: one thickness, or a table of them."""
+
+
 class OilTable(Table):
     """`[oil]`: the oil at its inlet temperature, and the thickness of the layer supplied if it is limited.
 
@@ -242,7 +253,7 @@ class OilTable(Table):
     density: Annotated[DensityTable | GeneralDensityTable | TaitTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
-    supply: units.Film | OilLayerTable | None = None
+    supply: SupplyTable | None = None
     boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
 
     @model_validator(mode="before")

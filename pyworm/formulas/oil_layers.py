@@ -42,8 +42,9 @@ def drained_layer(
 ) -> float:
     """Thickness of a layer after it drained for a time along a flank [m].
 
-    The thinning of a vertical plate's layer, h^2 = eta y / (rho g t) (Jeffreys 1930), under any acceleration
-    and from a first thickness: 1/h^2 = 1/h_0^2 + rho a t / (eta y).
+    On a vertical plate the layer of thickness h_0 thins to h^2 = eta y / (rho g t) down to where that is h_0
+    (Jeffreys 1930). Here under any acceleration, with both joined: 1/h^2 = 1/h_0^2 + rho a t / (eta y), at
+    most sqrt(2) too thin, where they meet.
 
     Parameters
     ----------

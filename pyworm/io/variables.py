@@ -62,7 +62,7 @@ VARIABLES = {
     ),
     "loaded_marking_fraction": ("1", "part of the flank that marking compound shows under load"),
     "face": ("m", "place on the wheel's flank along its face, from the middle"),
-    "supply": ("1", "speed at which the oil entered the contact over the mean entrainment"),
+    "entry": ("1", "speed at which the oil entered the contact over the mean entrainment"),
     "load_phase": ("1", "place in the mesh cycle under load, continued where edges carry"),
     "tooth_load": ("N", "normal load of a tooth pair"),
     "dry_tooth_load": ("N", "normal load of a tooth pair without the lift of films"),

@@ -3,7 +3,7 @@
 Solutions are fields over the tangent planes of some phases. Between neighbouring phases fields and their
 places on the flank are interpolated, so that the contact sweeps the flank without gaps.
 
-**Supply.** Oil enters the contact where the entrainment crosses the outline of the dry contact inwards; its
+**Entry.** Oil enters the contact where the entrainment crosses the outline of the dry contact inwards; its
 speed normal to the outline there determines the film downstream. Where the streamline of the entrainment
 through a place entered at less than `FAILURE` of the entrainment's mean speed, or nowhere, entrainment fails
 (so Sharif et al. 2001, section 6, explain their band of thin film).
@@ -47,7 +47,7 @@ _LARGEST = (
     "asperity_rubbing",
 )
 
-_LEAST = ("film", "supply")
+_LEAST = ("film", "entry")
 
 
 def flank_map(result: Result) -> "xr.Dataset | None":
@@ -57,8 +57,8 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     -------
     xarray.Dataset
         Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2,
-        temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film and supply,
-        their least. `supply` is the speed at which oil entered over the mean entrainment [-],
+        temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film and entry,
+        their least. `entry` is the speed at which oil entered over the mean entrainment [-],
         `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
     """
     solved = sorted(
@@ -135,7 +135,7 @@ def layer_of(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
         speed = np.hypot(_filled(sliding["sliding_x"].values), _filled(sliding["sliding_y"].values))
         layer["asperity_rubbing"] = layer["asperity_pressure"] * speed
     layer["face"], layer["radius"] = flank_place(solution, *np.meshgrid(x, y))
-    layer["supply"] = supply(solution, x, y)
+    layer["entry"] = entry(solution, x, y)
     return layer
 
 
@@ -148,7 +148,7 @@ def _axes(layers: list[dict[str, Array]]) -> tuple[Array, Array]:
     return axes[0], axes[1]
 
 
-def supply(solution: Solution, x: Array, y: Array) -> Array:
+def entry(solution: Solution, x: Array, y: Array) -> Array:
     """Speed at which the oil of each node entered the contact, over the mean entrainment, (y, x).
 
     Oil is followed upstream along the entrainment to the outline of the dry contact; outside the value is 1.

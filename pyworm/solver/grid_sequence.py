@@ -202,6 +202,10 @@ class GridSequence:
         Where they are large the sequence continues in the wider window.
         """
         plan, solver = self._plan, self._solver
+        if self._level.holds_all_pressure() and not plan.model.heated:
+            exact = WindowLimit(0.0, 0.0)
+            self._window = dict.fromkeys(self._settled.reading.figures, exact)
+            return None
         self._tell("wider window", 1 - 0.7 ** (self._refinements + 1))
         try:
             wider, settled = self._in_wider_window()

@@ -178,6 +178,12 @@ class Level(ABC):
         """Nodes where the oil has not ruptured."""
         return self.film.oil_pressure() > 0
 
+    def holds_all_pressure(self) -> bool:
+        """Whether a film of a limited supply has no pressure next to the outline: nothing lies beyond."""
+        inner = self.film.pressure[(slice(1, -1),) * self.film.pressure.ndim]
+        edges = (np.take(inner, (0, -1), axis) for axis in range(inner.ndim))
+        return self.film.fed and not any(edge.any() for edge in edges)
+
     def contact(self) -> Array:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
         return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())

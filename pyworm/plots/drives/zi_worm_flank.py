@@ -20,7 +20,13 @@ _PANELS = (
     ("temperature_body_2", "largest temperature\nof the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
     ("asperity_pressure", "largest pressure\non asperities / MPa", MEGA, 0.0, "inferno"),
     ("asperity_rubbing", "asperities' pressure\ntimes sliding / (MW/m²)", MEGA, 0.0, "inferno"),
-    ("supply", f"least supply of oil\n(white: below {FAILURE:g})", 1.0, 0.0, "viridis"),
+    (
+        "entry",
+        f"least speed of oil into the\ncontact / mean (white: {FAILURE:g})",
+        1.0,
+        0.0,
+        "viridis",
+    ),
 )
 """Field, its words, scale and offset to what is shown, colours."""
 
@@ -29,7 +35,7 @@ MARKS = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
 def draw_flank(result: Result) -> Figure | None:
-    """Film, pressure, temperature and supply on the wheel's flank; None without enough phases."""
+    """Film, pressure, temperature and entering oil on the wheel's flank; None without enough phases."""
     field = flank_map(result)
     if field is None:
         return None
@@ -58,7 +64,7 @@ def draw_flank(result: Result) -> Figure | None:
             bar.ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
             bar.ax.yaxis.set_major_formatter("{x:g}")
             bar.ax.yaxis.set_minor_locator(NullLocator())
-        if name == "supply":
+        if name == "entry":
             panel.contour(*places, field[name], levels=[FAILURE], colors="white", linewidths=1.2)
         _draw_tooth(panel, cycle)
     for panel in axes[len(shown) :]:

@@ -55,7 +55,9 @@ FLANK = {
     "temperature_body_2": Quantity("largest temperature of the {1}", "°C", 1, ZERO_CELSIUS),
     "temperature_middle": Quantity("largest temperature of the film", "°C", 1, ZERO_CELSIUS),
     "asperity_pressure": Quantity("largest pressure on asperities", "MPa", 1e-6),
-    "supply": Quantity("least supply of oil over the mean entrainment", "", 1.0, 0.0, "viridis"),
+    "entry": Quantity(
+        "least speed of oil into the contact over the mean entrainment", "", 1.0, 0.0, "viridis"
+    ),
 }
 """Variable of the flank map -> how it is shown."""
 

@@ -186,6 +186,28 @@ FORMS = "motion: give either velocity_1 and velocity_2, or mean_velocity and sli
 
 
 @pytest.mark.parametrize(
+    ("keys", "sentence"),
+    [
+        (
+            'across = ["1 mm", "0 mm"]\nthickness = ["1 um", "1 um"]',
+            "oil.supply: across: must increase",
+        ),
+        (
+            'across = ["0 mm"]\nthickness = ["1 um"]',
+            "oil.supply: across, thickness: must be two numbers",
+        ),
+        ('across = ["0 mm", "1 mm"]', "oil.supply.thickness is missing"),
+        (
+            'across = ["0 mm", "1 N"]\nthickness = ["1 um", "1 um"]',
+            'oil.supply.across[1] = "1 N": must be a length',
+        ),
+    ],
+)
+def test_wrong_profiles_of_the_oil_supplied(refuse, keys, sentence):
+    assert sentence in refuse(f"{CONTACT}\n[oil.supply]\n{keys}\n")
+
+
+@pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
         (RATIOS, "slide_roll_ratios = []", "motion.slide_roll_ratios = []: has too few entries"),

@@ -27,7 +27,7 @@ from pyworm.batch.task import Task
 from pyworm.drives.zi_worm import dataset
 from pyworm.plots.drives.zi_worm import CYCLE_PICTURES
 from pyworm.report.console.mesh_cycle import cycle_table
-from pyworm.result.flank_map import flank_map, supply
+from pyworm.result.flank_map import entry, flank_map
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import case_in
 from pyworm.solver.solution import Estimate
@@ -161,13 +161,13 @@ def test_the_flank_keeps_extremes_of_all_phases():
         assert inside.size == inside[-1] - inside[0] + 1
 
 
-def test_supply_is_the_speed_at_which_oil_comes_in():
+def test_entry_is_the_speed_at_which_oil_comes_in():
     one = cycle_solution(0.5)
     x, y = np.linspace(-0.012, 0.012, 241), np.linspace(-1.3e-3, 1.3e-3, 131)
     uniform = one.fields.assign(
         entrainment_x=2.0 + 0 * one.fields["film"], entrainment_y=0 * one.fields["film"]
     )
-    came = supply(replace(one, fields=uniform), x, y)
+    came = entry(replace(one, fields=uniform), x, y)
     a, b = one.figures.dry.length / 2, one.figures.dry.width / 2
     for place in (0.0, 0.4e-3, -0.8e-3):  # along x, it enters the ellipse at the left end
         at = a * np.sqrt(1 - (place / b) ** 2)

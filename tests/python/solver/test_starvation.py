@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 import pyworm
 from pyworm.case.case import case_of
 from pyworm.formulas.starvation import film_over_flooded, supply_after_passes
-from pyworm.kernel import LineFilm
+from pyworm.kernel import LineFilm, PointFilm
 from pyworm.materials.oil import Oil
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.viscosity_density import Barus, Density
@@ -106,6 +106,55 @@ def test_bearing_with_rupture_and_reformation():
             assert np.interp(place, x, film.pressure) == pytest.approx(
                 rise(begin, place, flow), rel=5e-3
             )
+
+
+POCKET = {
+    "narrow": (
+        10e-3,
+        81,
+        {0.5037: 8.504, 0.6018: 6.288, 0.7023: 4.847, 0.8028: 3.275, 0.9023: 2.096},
+        0.10,
+    ),
+    "wide": (0.3, 41, {0.5037: 41.81, 0.6018: 36.00, 0.7023: 28.89, 0.8028: 20.04}, 0.01),
+}
+"""Pad -> its width [m], nodes across, mid-line pressure [MPa] at parts of its length, and their tolerance.
+
+C. Bertocchi, D. Dini, M. Giacopini, M. Fowell and A. Baldini, Tribology International 67 (2013) 61, read from
+its figure by E. Hansen et al. (Tribology Letters 70, 2022); readings of the narrow pad scatter by a tenth.
+"""
+
+
+@pytest.mark.parametrize("name", POCKET)
+def test_published_pad_with_a_pocket(name):
+    """Oil ruptures where a pad's pocket begins, and fills it again before its end."""
+    width, across, published, tolerance = POCKET[name]
+    length, oil = 20e-3, Oil(Barus(0.01, 1.2e-8), Density(850.0, 0.66 / 2.22e9, 1 / 2.22e9))
+    x, y = np.linspace(0, length, 321), np.linspace(-width / 2, width / 2, across)
+    along, beside = np.meshgrid(x, y, indexing="ij")
+    pocket = (along > 4e-3) & (along < 10e-3) & (abs(beside) < 0.35 * width)
+    gap = 1.1e-6 - 0.1e-6 * along / length + np.where(pocket, 0.4e-6, 0.0)
+    speed = np.full_like(gap, 0.5)
+    film = PointFilm(
+        gap,
+        np.ones_like(gap, dtype=bool),
+        (speed, 0 * speed),
+        x[1] - x[0],
+        y[1] - y[0],
+        STIFF,
+        1.0,
+        oil,
+        1e-9,
+    )
+    film.hold()
+    film.feed(np.ones_like(gap))
+    settled(film, np.asfortranarray(np.full_like(gap, 1e5)), tolerance=1e-8)
+    middle = film.pressure[:, across // 2]
+    for part, pressure in published.items():
+        assert np.interp(part * length, x, middle) == pytest.approx(1e6 * pressure, rel=tolerance)
+    ruptured = x[middle == 0] / length
+    end = {"narrow": 0.43, "wide": 0.265}[name]
+    assert ruptured.min() == pytest.approx(0.2, abs=0.01)
+    assert ruptured.max() == pytest.approx(end, abs=0.015)
 
 
 def test_oscillating_plates_keep_their_oil():
