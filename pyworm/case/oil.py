@@ -20,9 +20,9 @@ from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
 from pyworm.io.given import kind_of, number
-from pyworm.materials.base_stock import HeatCourseTable
+from pyworm.materials.base_stock import Base, HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw
-from pyworm.materials.library import names
+from pyworm.materials.library import named_oil, names
 from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import TabulatedViscosity
@@ -296,6 +296,11 @@ class OilTable(Table):
         if isinstance(self.viscosity, MeasuredTable) and len(self.viscosity.temperature) == 1:
             return self.viscosity.temperature[0]
         return DEGREES_40
+
+    @property
+    def base(self) -> Base | None:
+        """Base stock of an oil that bears a name of the list; None of any other."""
+        return named_oil(self.name).stock.name if self.name in names() else None
 
     def oil(self) -> Oil:
         """The oil as the kernel sees it."""

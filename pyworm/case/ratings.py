@@ -9,6 +9,7 @@ from pyworm.case.drive_case import DriveCase
 from pyworm.case.one_oil import check_one_oil
 from pyworm.case.table import Count, Number, PositiveNumber, Table, Text
 from pyworm.formulas.bearing_life import Direction, Elements
+from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
 from pyworm.formulas.worm_curves import Lubrication, OilKind
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.formulas.worm_wheel_material import WheelMaterialName
@@ -85,7 +86,35 @@ _Starts = Annotated[float, Field(strict=True, ge=0, le=1e4)]
 _Rim = Annotated[float, Field(strict=True, ge=1, le=100)]
 
 
-class WormRatingTable(Table):
+_LoadStage = Annotated[int, Field(strict=True, ge=1, le=14)]
+_MicropittingStage = Annotated[int, Field(strict=True, ge=5, le=10)]
+
+
+class DamageLimits(Table):
+    """What an oil bears before flanks scuff or pit minutely, by its tests; what is not given is not rated.
+
+    `required_...` are the least safeties, which the standards leave to those who agree on them.
+    """
+
+    scuffing_load_stage: _LoadStage | None = None
+    scuffing_structure_factor: PositiveNumber = 1.0
+    required_scuffing: PositiveNumber = 2.0
+    micropitting_load_stage: _MicropittingStage | None = None
+    micropitting_test_temperature: units.Temperature = TEST_TEMPERATURE
+    micropitting_material_factor: PositiveNumber = 1.0
+    permissible_specific_film: PositiveNumber | None = None
+    required_micropitting: PositiveNumber = 1.0
+
+    @model_validator(mode="after")
+    def _one_permissible_film(self):
+        if None not in (self.permissible_specific_film, self.micropitting_load_stage):
+            raise ValueError(
+                "give either permissible_specific_film or micropitting_load_stage, of which it is made"
+            )
+        return self
+
+
+class WormRatingTable(DamageLimits):
     """`[worm_rating]`: data that the worm gear standards need beside the drive.
 
     What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the
@@ -119,9 +148,13 @@ class WormRatingTable(Table):
         return self
 
 
-class GearRatingTable(Table):
-    """`[gear_rating]`: oil supply of a pair of gears; drive, bodies and `[surfaces]` give the rest."""
+class GearRatingTable(DamageLimits):
+    """`[gear_rating]`: oil of a pair of gears, its supply and tests; drive and `[surfaces]` give the rest.
 
+    `base` is the stock of an oil that `[oil]` does not name from the list.
+    """
+
+    base: Base | None = None
     viscosity_40: units.KinematicViscosity | None = None
     anti_scuff: bool = False
     flow: Literal["copious", "adequate", "lean", "starved"] | None = None

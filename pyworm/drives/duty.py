@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.formulas.wear_distress import composite_roughness
 from pyworm.formulas.worm_gear import WormGear
+from pyworm.materials.oil import Oil
 
 Array = np.ndarray
 
@@ -62,8 +63,8 @@ class LineOfAction:
         Relative radius of curvature [m].
     unit_load : ndarray
         Normal load for each length of the contact line [N/m].
-    entrainment : ndarray
-        Mean surface velocity [m/s].
+    pinion_velocity, gear_velocity : ndarray
+        Velocities of the surfaces across the contact line [m/s].
     hertz_pressure : ndarray
         Largest pressure of the dry contact [Pa].
     film_min : ndarray
@@ -75,11 +76,17 @@ class LineOfAction:
     phase: Array
     radius: Array
     unit_load: Array
-    entrainment: Array
+    pinion_velocity: Array
+    gear_velocity: Array
     hertz_pressure: Array
     film_min: Array
     flash_temperature: Array | None = None
     contact_temperature: Array | None = None
+
+    @property
+    def entrainment(self) -> Array:
+        """Mean surface velocity [m/s]."""
+        return (self.pinion_velocity + self.gear_velocity) / 2
 
     @property
     def thinnest(self) -> int:
@@ -103,12 +110,16 @@ class GearPairDuty:
         H_V, loss over power and friction [-].
     reduced_modulus : float
         Reduced modulus E' [Pa].
-    oil_density : float
-        Density of the oil at the inlet [kg/m3].
+    oil : Oil
+        The oil as it enters the mesh.
+    bulk_temperature : float or None
+        Of the teeth, mean of both gears [K]; None where heat is not known.
+    effusivities : tuple of float or None
+        Thermal contact coefficients of pinion and gear [N/(m s^0.5 K)]; None where one is not known.
     line_of_action : LineOfAction
         Contacts along the line of action.
-    composite_roughness : float or None
-        Composite roughness of both flanks [m]; None where one is not known.
+    roughness : tuple of float or None
+        Root mean square heights of pinion and gear, Rq [m]; None where one is not known.
     friction : float or None
         Mean coefficient of friction given by the case [-]; None without.
     scuffing_temperature : float or None
@@ -120,11 +131,18 @@ class GearPairDuty:
     pitch_line_velocity: float
     loss_factor: float
     reduced_modulus: float
-    oil_density: float
+    oil: Oil
     line_of_action: LineOfAction
-    composite_roughness: float | None = None
+    bulk_temperature: float | None = None
+    effusivities: tuple[float, float] | None = None
+    roughness: tuple[float, float] | None = None
     friction: float | None = None
     scuffing_temperature: float | None = None
+
+    @property
+    def composite_roughness(self) -> float | None:
+        """Composite roughness of both flanks [m]; None where one is not known."""
+        return None if self.roughness is None else composite_roughness(*self.roughness)
 
 
 Duty = WormDuty | GearPairDuty

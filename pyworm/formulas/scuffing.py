@@ -109,6 +109,47 @@ def scuffing_temperature(viscosity_40: Values, anti_scuff: bool) -> Values:
     return base + slope * np.log(np.asarray(viscosity_40) * 1e6) + ZERO_CELSIUS
 
 
+def scuffing_temperature_of_stage(
+    stage: int, friction_factor: float = 1.0, structure_factor: float = 1.0
+) -> float:
+    """Scuffing temperature of an oil by its load stage in the FZG scuffing test A/8.3/90 [K].
+
+    80 degC + (0.85 + 1.4 X_W) X_L S^2. Source: ISO/TS 6336-20 (before, ISO/TR 13989-1), from memory; AGMA
+    925-A03 has the same. Range: steel on steel.
+
+    Parameters
+    ----------
+    stage : int
+        Failure load stage S, 1 to 14.
+    friction_factor : float
+        X_L, `micropitting.FRICTION_FACTORS` [-].
+    structure_factor : float
+        X_W [-]: 1 of case carburised steel with 10 to 20 % of austenite and of through hardened steel, 1.15
+        with less, 0.85 with more, 1.25 phosphated, 1.5 nitrided or copper plated.
+    """
+    within("load stage of the scuffing test", stage, 1, 14, "")
+    within("lubricant factor", friction_factor, 0.1, 3, "")
+    within("structure factor", structure_factor, 0.1, 3, "")
+    return 80 + (0.85 + 1.4 * structure_factor) * friction_factor * stage**2 + ZERO_CELSIUS
+
+
+def scuffing_safety(contact: Values, oil: float, scuffing: float) -> Values:
+    """S_B [-], (theta_S - theta_oil)/(theta_B - theta_oil) (ISO/TS 6336-20); all in kelvin.
+
+    Parameters
+    ----------
+    contact : float or array
+        Contact temperature, above that of the oil.
+    oil, scuffing : float
+        Temperature of the oil before the mesh, and its scuffing temperature.
+    """
+    within("oil temperature", oil, 200, 600, "K")
+    within("scuffing temperature", scuffing, 300, 1000, "K")
+    rise = np.asarray(contact) - oil
+    positive("rise of the contact above the oil", rise, "K")
+    return (scuffing - oil) / rise
+
+
 def scuffing_probability(contact: Values, scuffing: Values) -> Values:
     """Probability of scuffing [-]: of a normal scuffing temperature that the contact temperature exceeds.
 

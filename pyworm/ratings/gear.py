@@ -10,6 +10,9 @@ from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
+from pyworm.materials.base_stock import Base
+from pyworm.ratings.flank_damage import LEAST_SHARE, Spot, simulated_spots
+from pyworm.ratings.gear_damage import GearDamage, mean_scuffing_temperature
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.result.headline import of_all
@@ -25,10 +28,13 @@ def rate_gear_pair(
     drive: Drive,
     duty: GearPairDuty,
     table: GearRatingTable,
+    base: Base | None,
     published: dict[str, PublishedValue],
     result: Result | None = None,
 ) -> tuple[Rating, ...]:
     """Ratings of a gear pair along its line of action, as far as its flanks are known, and of its oil supply.
+
+    With a result also those of each solved contact.
 
     Parameters
     ----------
@@ -37,7 +43,9 @@ def rate_gear_pair(
     duty : GearPairDuty
         The same as the formulas see them.
     table : GearRatingTable
-        How they are oiled.
+        How they are oiled, and what their oil bears.
+    base : str or None
+        Base stock of the oil; None where it is not known.
     published : dict
         What the case's source prints, shown beside under the same names.
     result : Result, optional
@@ -48,17 +56,22 @@ def rate_gear_pair(
     ValueError
         What lies outside the formulas.
     """
-    return _teeth(drive, duty, table, published, result), _supply(duty, table)
+    damage = GearDamage(duty, table, base)
+    teeth = _teeth(drive, duty, damage, published, result)
+    if result is None:
+        return teeth, _supply(duty, table)
+    return teeth, damage.at_each(result), _supply(duty, table)
 
 
 def _teeth(
     drive: Drive,
     duty: GearPairDuty,
-    table: GearRatingTable,
+    damage: GearDamage,
     published: dict[str, PublishedValue],
     result: Result | None,
 ) -> Rating:
-    closed = _closed_forms(duty, table)
+    closed = _closed_forms(duty, damage.table)
+    safeties = damage.safeties(result)
     printed = {
         key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
     }
@@ -74,16 +87,26 @@ def _teeth(
     if simulated:
         words.append(
             "The simulation covers the solved phases only; between them its friction is interpolated. "
-            "Scuffing is not judged by its temperatures, since the scuffing temperature belongs to "
-            "Blok's formula with the friction of the closed form."
+            "The probability of scuffing is not judged by its temperatures, since the scuffing temperature "
+            "belongs to Blok's formula with the friction of the closed form."
         )
+    words += list(dict.fromkeys(f"{of.symbol}: {doubt}" for of in safeties for doubt in of.doubts))
     return Rating(
         key="gear teeth",
         title="Gear teeth: film, wear and scuffing",
         source=f"Dowson and Higginson; {WEAR_SOURCE}; {scuffing.SOURCE}",
         columns=tuple(columns),
         figures=figures,
+        safeties=safeties,
         words=tuple(words),
+        failed=tuple(
+            f"{of.symbol} = {of.value:.3g} against {of.label} is below {of.minimum:g}."
+            for of in safeties
+            if of.value is not None and of.value < of.minimum
+        ),
+        not_rated=tuple(
+            f"{of.symbol}, {of.label}: {of.why}" for of in safeties if of.value is None
+        ),
         left_out=LeftOut() if result is None else of_all(result.solutions),
     )
 
@@ -136,20 +159,13 @@ def _closed_forms(duty: GearPairDuty, table: GearRatingTable) -> dict[str, float
             "flash_temperature_K": float(line.flash_temperature[hot]),
             "contact_temperature_C": hottest - ZERO_CELSIUS,
             "contact_temperature_phase": float(line.phase[hot]),
-            **_scuffing(hottest, _scuffing_temperature(duty, table)),
+            **_scuffing(hottest, mean_scuffing_temperature(duty, table)),
         }
     return closed
 
 
 def _as_shown(printed: PublishedValue, key: str) -> float:
     return printed.value - ZERO_CELSIUS if key.endswith("_C") else printed.value
-
-
-def _scuffing_temperature(duty: GearPairDuty, table: GearRatingTable) -> float | None:
-    """Mean scuffing temperature [K]: the case's own, or by the oil's viscosity."""
-    if duty.scuffing_temperature is not None or table.viscosity_40 is None:
-        return duty.scuffing_temperature
-    return float(scuffing.scuffing_temperature(table.viscosity_40, table.anti_scuff))
 
 
 def _scuffing(contact: float, limit: float | None) -> dict[str, float | str]:
@@ -163,18 +179,23 @@ def _scuffing(contact: float, limit: float | None) -> dict[str, float | str]:
     }
 
 
-def _wear(duty: GearPairDuty, film: float) -> dict[str, float | str]:
-    """Specific film and wear of a least film [m]; nothing where the roughness is not known."""
+def _wear(duty: GearPairDuty, film: float, spots: tuple[Spot, ...] = ()) -> dict[str, float | str]:
+    """Specific film and wear of a least film [m]; nothing where the roughness is not known.
+
+    The probability is of films of smooth flanks: none where asperities hold simulated ones apart.
+    """
     roughness = duty.composite_roughness
     if roughness is None:
         return {}
     wear = rate_wear(film, roughness, duty.pitch_line_velocity)
-    return {
+    found = {
         "composite_roughness_m": roughness,
         "specific_film": wear.specific_film_min,
         "regime": wear.regime,
-        "wear_probability": wear.probability,
     }
+    if all(spot.asperities <= LEAST_SHARE for spot in spots):
+        found["wear_probability"] = wear.probability
+    return found
 
 
 def _simulated(
@@ -186,7 +207,7 @@ def _simulated(
     values: dict[str, float | str | None] = {
         "film_min_m": film,
         "film_min_phase": thin.phase,
-        **_wear(duty, film),
+        **_wear(duty, film, simulated_spots(solutions)),
         "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
     }
     lost = mesh_loss(drive, solutions)
@@ -225,7 +246,7 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
     words = [f"Oil is brought by {gear_oil.application_method(speed)}."]
     if table.flow is not None:
         flow = gear_oil.oil_flow(duty.power, table.flow)
-        jets = gear_oil.oil_jets(flow, table.feed_pressure, duty.oil_density, table.jets)
+        jets = gear_oil.oil_jets(flow, table.feed_pressure, duty.oil.density.rho0, table.jets)
         figures += [
             ("jets", f"Jets, {table.flow} flow", jets.number, 1.0, ""),
             ("jet_diameter_m", "  diameter", jets.diameter, 1e3, "mm"),

@@ -18,6 +18,8 @@ from pyworm.ratings.films import rate_films
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.worm import rate_worm_table, standard_rating, worm_duty_of_table
+from pyworm.ratings.worm_damage import worm_flanks
+from pyworm.ratings.worm_loads import standard_oil
 from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -156,8 +158,12 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
         worm_rating = getattr(tables, "worm_rating", None)
         if worm_rating is not None:
             made.append(rate_worm_table(worm_rating, asked.duty, asked.directory, drive, result))
+            if drive is not None and result is not None:
+                base = standard_oil(worm_rating, asked.directory).stock.name
+                made.append(worm_flanks(worm_rating, asked.duty, drive.oil, base, result))
         if asked.rated_as is GearPairDuty:
-            made += rate_gear_pair(drive, asked.duty, tables.gear_rating, tables.published, result)
+            table, base = tables.gear_rating, tables.gear_rating.base or tables.oil.base
+            made += rate_gear_pair(drive, asked.duty, table, base, tables.published, result)
         if drive is not None:
             scene, solution = _thinnest(asked, result)
             made.append(rate_films(scene, solution))
@@ -195,8 +201,6 @@ def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
         left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
     if asked.rated_as is GearPairDuty:
         left.append("Pitting and tooth root strength: no formulas of them are known here.")
-        if asked.duty.friction is None:
-            left.append("Scuffing: the case has no [surfaces] with a coefficient of friction.")
     if asked.drive is not None and asked.rated_as is None:
         left.append("Teeth or rollers: no standard that is known here covers this kind of drive.")
     if not asked.tables.bearings:

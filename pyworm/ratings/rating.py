@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from pyworm.io.format import bars
 from pyworm.solver.left_out import LeftOut
 
 Value = float | int | str | None
@@ -27,6 +28,8 @@ class RatedFigure:
         From that unit to the one shown.
     unit : str
         Unit shown.
+    bars : tuple
+        Numerical and model error bars of each column, in the unit of the key; None where a column has none.
     """
 
     key: str
@@ -34,6 +37,7 @@ class RatedFigure:
     values: tuple[Value, ...]
     scale: float = 1.0
     unit: str = ""
+    bars: tuple[tuple[float, float | None] | None, ...] = ()
 
     def shown(self, column: int) -> str:
         """The value of a column as text."""
@@ -42,7 +46,19 @@ class RatedFigure:
             return ""
         if isinstance(value, str):
             return value
-        return f"{_short(value * self.scale)} {self.unit}".rstrip()
+        known = self.bars[column] if column < len(self.bars) else None
+        text = f"{_short(value * self.scale)} {self.unit}".rstrip()
+        return text if known is None else f"{text} {bars(*known, self.scale, '')}"
+
+    def named(self, column: int) -> dict[str, Value]:
+        """The value of a column with its error bars, by name; empty where it has none."""
+        if column >= len(self.values) or self.values[column] is None:
+            return {}
+        found = {self.key: self.values[column]}
+        known = self.bars[column] if column < len(self.bars) else None
+        if known is not None:
+            found |= {f"{self.key}_error": known[0], f"{self.key}_model_error": known[1]}
+        return found
 
 
 @dataclass(frozen=True)
@@ -63,6 +79,8 @@ class Safety:
         What it was made of, by symbol and unit.
     doubts : tuple of str
         What was assumed, and constants whose value or sign is not certain; a sentence each.
+    error, model : float or None
+        Relative error bars of a simulated one, numerical and of the model [-]; None of closed forms.
     """
 
     symbol: str
@@ -72,6 +90,8 @@ class Safety:
     why: str = ""
     inputs: dict[str, Value] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
+    error: float | None = None
+    model: float | None = None
 
     @property
     def verdict(self) -> str:
@@ -82,8 +102,17 @@ class Safety:
 
     @property
     def shown(self) -> str:
-        """The value as text."""
-        return "" if self.value is None else _short(self.value)
+        """The value as text, with its error bars."""
+        if self.value is None or self.error is None:
+            return "" if self.value is None else _short(self.value)
+        return f"{self.value:.3g} {bars(self.error, self.model)}"
+
+    @property
+    def open(self) -> bool:
+        """Whether the verdict would turn within the error bars."""
+        if self.value is None or self.error is None:
+            return False
+        return abs(self.minimum / self.value - 1) < self.error + (self.model or 0.0)
 
     @property
     def made_of(self) -> str:
@@ -100,7 +129,10 @@ class Safety:
             "label": self.label,
             "value": self.value,
             "minimum": self.minimum,
+            "error": self.error,
+            "model_error": self.model,
             "verdict": self.verdict,
+            "within_error_bars": self.open,
             "why": self.why,
             "inputs": self.inputs,
             "doubts": list(self.doubts),
@@ -167,9 +199,9 @@ class Rating:
             "source": self.source,
             **{
                 column: {
-                    figure.key: figure.values[number]
+                    name: value
                     for figure in self.figures
-                    if number < len(figure.values) and figure.values[number] is not None
+                    for name, value in figure.named(number).items()
                 }
                 for number, column in enumerate(self.columns)
             },

@@ -8,7 +8,9 @@ from pyworm.formulas.worm_rating import WormRating
 from pyworm.ratings.rating import Safety
 
 NEVER_RATED = (
-    "Scuffing: the closed forms are those of steel on steel, a worm gear has a bronze wheel.",
+    "Scuffing: ISO/TS 14521 and DIN 3996 have no rating; that of ISO/TS 6336-20 is of steel on steel, a "
+    "worm gear has a bronze wheel.",
+    "Micropitting: ISO/TS 14521 and DIN 3996 have no rating of it; that of ISO/TS 6336-22 is of hard steel.",
 )
 """What no case can ask of a worm gear."""
 

@@ -1,0 +1,312 @@
+"""Scuffing and micropitting: what an oil bears, and what flanks of simulated films and friction come to."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from pyworm.case.ratings import DamageLimits
+from pyworm.formulas.fzg_test_gears import film_at_load_stage
+from pyworm.formulas.micropitting import (
+    FRICTION_FACTORS,
+    GearOil,
+    micropitting_safety,
+    permissible_specific_film,
+)
+from pyworm.formulas.scuffing import scuffing_safety, scuffing_temperature_of_stage
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.materials.oil import Oil
+from pyworm.ratings.rating import Safety, Value
+from pyworm.scene.index import Place
+from pyworm.solver.solution import Solution
+
+LEAST_SHARE = 0.05
+"""Fraction of the load carried by asperities from which a gap between rough flanks is no longer the film that
+smooth ones would have, of which limits of specific films are."""
+
+
+@dataclass(frozen=True)
+class Limit:
+    """What an oil bears.
+
+    Attributes
+    ----------
+    value : float or None
+        Scuffing temperature [K], or permissible specific film [-]; None where it is not known.
+    why : str
+        Why it is not; empty where it is.
+    by : str
+        What it follows from.
+    """
+
+    value: float | None
+    why: str = ""
+    by: str = ""
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A simulated contact as scuffing and micropitting see it.
+
+    Attributes
+    ----------
+    name : str
+        Where it is.
+    temperature : float or None
+        Largest of both flanks [K]; None where heat was not simulated.
+    film : float
+        Least film [m].
+    bars : tuple
+        Numerical and model bars, relative: of the rise over the oil, and of the film.
+    friction : float or None
+        Simulated coefficient of friction [-]; None without.
+    asperities : float
+        Fraction of the load that asperities carry [-]; 0 where roughness was not simulated.
+    phase : float or None
+        Place in the mesh; None where the case has none.
+    """
+
+    name: str
+    temperature: float | None
+    film: float
+    bars: tuple[tuple[float, float | None], tuple[float, float | None]]
+    friction: float | None = None
+    asperities: float = 0.0
+    phase: float | None = None
+
+
+def gear_oil(oil: Oil, base: str) -> GearOil:
+    """The oil of contacts, by its own laws, for ISO/TS 6336-22; it has heat."""
+    inlet = oil.heat.inlet_temperature
+
+    def law(name: str):
+        def of(temperature):
+            return np.vectorize(lambda kelvin: getattr(oil.warmed(kelvin - inlet).viscosity, name))(
+                temperature
+            )
+
+        return of
+
+    return GearOil(law("eta0"), law("alpha"), FRICTION_FACTORS[base])
+
+
+def scuffing_limit(table: DamageLimits, base: str | None) -> Limit:
+    """The oil's scuffing temperature by its load stage in the FZG test [K]."""
+    if table.scuffing_load_stage is None:
+        return Limit(None, "scuffing_load_stage of the oil (FZG A/8.3/90) is missing")
+    if base is None:
+        return Limit(None, "base of the oil is missing")
+    factor, structure = FRICTION_FACTORS[base], table.scuffing_structure_factor
+    kelvin = scuffing_temperature_of_stage(table.scuffing_load_stage, factor, structure)
+    return Limit(
+        kelvin, by=f"load stage {table.scuffing_load_stage}, X_L {factor:g}, X_W {structure:g}"
+    )
+
+
+def film_limit(table: DamageLimits, oil: Oil, base: str | None) -> Limit:
+    """The permissible specific film: given, or by the oil's load stage in the micropitting test [-]."""
+    if table.permissible_specific_film is not None:
+        return Limit(table.permissible_specific_film, by="given")
+    if table.micropitting_load_stage is None:
+        return Limit(
+            None,
+            "micropitting_load_stage of the oil (FVA 54/7) and permissible_specific_film are missing",
+        )
+    for missing, what in ((base, "base of the oil"), (oil.heat, "[oil.heat]")):
+        if missing is None:
+            return Limit(None, f"{what} is missing")
+    stage, warm = table.micropitting_load_stage, table.micropitting_test_temperature
+    tested = film_at_load_stage(stage, gear_oil(oil, base), warm)
+    factor = table.micropitting_material_factor
+    by = f"1.4 W_W {factor:g} lambda_GFT {tested:.3g}: load stage {stage} at {warm - ZERO_CELSIUS:g} °C"
+    return Limit(permissible_specific_film(tested, factor), by=by)
+
+
+def simulated_spots(solutions: tuple[Solution, ...]) -> tuple[Spot, ...]:
+    """Contacts of a result as scuffing and micropitting see them."""
+    return tuple(_spot(solution) for solution in solutions)
+
+
+def _spot(solution: Solution) -> Spot:
+    figures, film = solution.figures, solution.figures.film_min
+    hottest, warm = None, (0.0, None)
+    sides = figures.temperature_max_body_1, figures.temperature_max_body_2
+    if None not in sides:
+        estimate = max(sides, key=lambda of: of.value)
+        hottest, warm = estimate.value, (estimate.error, estimate.model)
+    rubbing, touching = figures.friction_coefficient, figures.asperity_load_fraction
+    return Spot(
+        str(Place.of(solution)) or solution.name,
+        hottest,
+        film.value,
+        (warm, (film.error, film.model)),
+        None if rubbing is None else rubbing.value,
+        0.0 if touching is None else touching.value,
+        solution.phase,
+    )
+
+
+def scuffing(
+    contact: float | None,
+    oil_temperature: float | None,
+    limit: Limit,
+    required: float,
+    place: str = "",
+    bars: tuple[float, float | None] | None = None,
+) -> Safety:
+    """S_B of a contact by ISO/TS 6336-20: closed form, or simulated where it has error bars.
+
+    Parameters
+    ----------
+    contact : float or None
+        Its temperature [K]; None where it is not known.
+    oil_temperature : float or None
+        Of the oil before the mesh [K].
+    limit : Limit
+        Scuffing temperature.
+    required : float
+        Least safety.
+    place : str, optional
+        Where it is.
+    bars : tuple, optional
+        Error bars of the rise over the oil, numerical and of the model.
+    """
+    named = _named("S_B", "scuffing", bars, required, "temperature")
+    missing = limit.why
+    if not missing and (contact is None or oil_temperature is None):
+        missing = "heat was not simulated" if bars else "[surfaces] or [oil.heat] is missing"
+    if missing:
+        return Safety(**named, why=f"{missing}.")
+    if contact <= oil_temperature:
+        return Safety(**named, why="the contact is no hotter than its oil.")
+    inputs: dict[str, Value] = {
+        "theta_S_C": limit.value - ZERO_CELSIUS,
+        "theta_B_C": contact - ZERO_CELSIUS,
+        "theta_oil_C": oil_temperature - ZERO_CELSIUS,
+        "theta_S": limit.by,
+        "at": place,
+    }
+    doubts = ()
+    if bars:
+        doubts = (
+            "theta_S belongs to the standard's friction: its S_B decides, the simulated one tells how "
+            "much hotter or cooler these flanks are.",
+        )
+    value = float(scuffing_safety(contact, oil_temperature, limit.value))
+    return _barred(named, value, inputs, doubts, bars)
+
+
+def micropitting(
+    film: float | None,
+    roughness: float | None,
+    limit: Limit,
+    required: float,
+    place: str = "",
+    bars: tuple[float, float | None] | None = None,
+) -> Safety:
+    """S_lambda of a contact by ISO/TS 6336-22: closed form, or simulated where it has error bars.
+
+    Parameters
+    ----------
+    film : float or None
+        Its least film [m]; None where it is not known.
+    roughness : float or None
+        Ra, mean of both flanks [m].
+    limit : Limit
+        Permissible specific film.
+    required, place, bars
+        As of `scuffing`, the bars those of the film.
+    """
+    named = _named("S_lambda", "micropitting", bars, required, "film")
+    missing = limit.why
+    if not missing and roughness is None:
+        missing = "the roughness of both flanks is missing"
+    if not missing and film is None:
+        missing = "[oil.heat] or base of the oil is missing"
+    if missing:
+        return Safety(**named, why=f"{missing}.")
+    specific = film / roughness
+    inputs: dict[str, Value] = {
+        "lambda_GF": specific,
+        "lambda_GFP": limit.value,
+        "film_um": film * 1e6,
+        "Ra_um": roughness * 1e6,
+        "limit": limit.by,
+        "at": place,
+    }
+    doubts = ()
+    if bars:
+        doubts = (
+            "lambda_GFP belongs to the standard's film: its S_lambda decides, the simulated one tells "
+            "how much thinner or thicker these films are.",
+        )
+    return _barred(named, float(micropitting_safety(specific, limit.value)), inputs, doubts, bars)
+
+
+def _named(
+    symbol: str, label: str, bars: tuple | None, required: float, what: str
+) -> dict[str, Any]:
+    if bars is None:
+        return {"symbol": symbol, "label": label, "minimum": required}
+    return {
+        "symbol": f"{symbol}_simulated", "label": f"{label}, simulated {what}", "minimum": required
+    }  # fmt: skip
+
+
+def _barred(
+    named: dict[str, Any],
+    value: float,
+    inputs: dict[str, Value],
+    doubts: tuple[str, ...],
+    bars: tuple[float, float | None] | None,
+) -> Safety:
+    """A safety with its error bars; where they hold the required value, that is told."""
+    error, model = bars or (None, None)
+    made = Safety(**named, value=value, inputs=inputs, doubts=doubts, error=error, model=model)
+    if not made.open:
+        return made
+    return replace(made, doubts=(*doubts, "The verdict would turn within the error bars."))
+
+
+def simulated_safeties(
+    places: tuple[Spot, ...],
+    limits: tuple[Limit, Limit],
+    table: DamageLimits,
+    oil_temperature: float | None,
+    roughness: float | None,
+) -> tuple[Safety, ...]:
+    """S_B of the hottest and S_lambda of the thinnest simulated contact.
+
+    Parameters
+    ----------
+    places : tuple of Spot
+        The simulated contacts.
+    limits : tuple of Limit
+        Scuffing temperature and permissible specific film.
+    table : DamageLimits
+        Least safeties.
+    oil_temperature, roughness : float or None
+        Of the oil before the mesh [K], and Ra, mean of both flanks [m].
+    """
+    hot = max(places, key=lambda of: of.temperature or 0.0)
+    thin, rough = min(places, key=lambda of: of.film), max(of.asperities for of in places)
+    permissible = limits[1]
+    if rough > LEAST_SHARE and not permissible.why:
+        permissible = replace(
+            permissible,
+            why=f"the film was simulated between rough flanks, whose asperities carry {rough:.0%} of the "
+            "load and hold them apart; lambda_GFP is of smooth films: solve with --effects auto,-roughness",
+        )
+    return (
+        scuffing(
+            hot.temperature,
+            oil_temperature,
+            limits[0],
+            table.required_scuffing,
+            hot.name,
+            hot.bars[0],
+        ),
+        micropitting(
+            thin.film, roughness, permissible, table.required_micropitting, thin.name, thin.bars[1]
+        ),
+    )

@@ -1,0 +1,193 @@
+"""Scuffing and micropitting at every solved contact: closed forms of the place, and the simulation."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.formulas.micropitting import SOURCE as MICROPITTING_SOURCE
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.ratings.flank_damage import LEAST_SHARE, Limit, Spot
+from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.solver.left_out import LeftOut
+
+
+@dataclass(frozen=True)
+class ClosedForms:
+    """Closed forms along the line of action, arrays over phase; None where they are not known.
+
+    Attributes
+    ----------
+    phase : ndarray
+        Place in the mesh.
+    temperature : ndarray or None
+        Contact temperature with the case's friction [K].
+    film : ndarray or None
+        Film of ISO/TS 6336-22 [m].
+    flash_over_friction : ndarray or None
+        Flash temperature for each unit of friction [K].
+    bulk : float or None
+        Bulk temperature [K].
+    """
+
+    phase: np.ndarray
+    temperature: np.ndarray | None
+    film: np.ndarray | None
+    flash_over_friction: np.ndarray | None
+    bulk: float | None
+
+    def at(self, name: str, phase: float | None) -> float | None:
+        """One of the arrays at a phase."""
+        values = getattr(self, name)
+        return (
+            None if values is None or phase is None else float(np.interp(phase, self.phase, values))
+        )
+
+
+def flank_table(
+    spots: tuple[Spot, ...],
+    limits: tuple[Limit, Limit],
+    oil_temperature: float | None,
+    roughness: float | None,
+    left_out: LeftOut,
+    closed: ClosedForms | None = None,
+    words: tuple[str, ...] = (),
+) -> Rating:
+    """Contact temperatures and specific films of all solved contacts against what the oil bears.
+
+    Parameters
+    ----------
+    spots : tuple of Spot
+        The solved contacts.
+    limits : tuple of Limit
+        Scuffing temperature [K] and permissible specific film [-].
+    oil_temperature, roughness : float or None
+        Of the oil before the mesh [K], and Ra, mean of both flanks [m].
+    left_out : LeftOut
+        What the simulated figures do not hold.
+    closed : ClosedForms, optional
+        Those of a gear pair.
+    words : tuple of str, optional
+        What else must be told.
+    """
+    rows = _rows(limits, oil_temperature, roughness, closed)
+    figures = []
+    for key, label, unit, scale, of in rows:
+        found = [of(spot) for spot in spots]
+        if any(value is not None for value, _ in found):
+            values, error_bars = zip(*found, strict=True)
+            figures.append(RatedFigure(key, label, values, scale, unit, error_bars))
+    return Rating(
+        key="flanks",
+        title="Scuffing and micropitting at each solved contact",
+        source=f"Blok 1937, ISO/TS 6336-20; {MICROPITTING_SOURCE}",
+        columns=tuple(spot.name for spot in spots),
+        figures=tuple(figures),
+        words=(
+            "Simulated temperatures are the largest of both flanks in a contact, simulated films the least; "
+            "specific films are over Ra, mean of both flanks.",
+            *words,
+        ),
+        left_out=left_out,
+    )
+
+
+_Barred = tuple[float | None, tuple[float, float | None] | None]
+_Row = tuple[str, str, str, float, Callable[[Spot], _Barred]]
+
+
+def _rows(
+    limits: tuple[Limit, Limit],
+    oil: float | None,
+    roughness: float | None,
+    closed: ClosedForms | None,
+) -> list[_Row]:
+    """Key, label, unit, scale and value of each row."""
+    scuffing, permissible = limits[0].value, limits[1].value
+
+    def celsius(spot: Spot) -> _Barred:
+        if spot.temperature is None:
+            return None, None
+        rise, (error, model) = spot.temperature - oil, spot.bars[0]
+        return spot.temperature - ZERO_CELSIUS, (
+            error * rise,
+            None if model is None else model * rise,
+        )
+
+    def safety(spot: Spot) -> _Barred:
+        if spot.temperature is None or scuffing is None or spot.temperature <= oil:
+            return None, None
+        return _barred((scuffing - oil) / (spot.temperature - oil), spot.bars[0])
+
+    def specific(spot: Spot) -> _Barred:
+        return (None, None) if roughness is None else _barred(spot.film / roughness, spot.bars[1])
+
+    def film_safety(spot: Spot) -> _Barred:
+        if roughness is None or permissible is None or spot.asperities > LEAST_SHARE:
+            return None, None
+        return _barred(spot.film / roughness / permissible, spot.bars[1])
+
+    simulated = [
+        ("friction_simulated", "Friction, simulated", "", 1.0, lambda spot: (spot.friction, None)),
+        ("asperity_share", "Load on asperities, simulated", "%", 100.0, _asperities),
+        ("contact_temperature_simulated_C", "Contact temperature, simulated", "°C", 1.0, celsius),
+        ("S_B_simulated", "S_B, simulated", "", 1.0, safety),
+        ("specific_film_simulated", "Specific film, simulated", "", 1.0, specific),
+        ("S_lambda_simulated", "S_lambda, simulated", "", 1.0, film_safety),
+    ]
+    return (
+        simulated if closed is None else [*_closed_rows(limits, oil, roughness, closed), *simulated]
+    )
+
+
+def _asperities(spot: Spot) -> _Barred:
+    return spot.asperities, None
+
+
+def _barred(value: float, bars: tuple[float, float | None]) -> _Barred:
+    """A value with its relative bars made absolute."""
+    return value, (value * bars[0], None if bars[1] is None else value * bars[1])
+
+
+def _closed_rows(
+    limits: tuple[Limit, Limit], oil: float | None, roughness: float | None, closed: ClosedForms
+) -> list[_Row]:
+    scuffing, permissible = limits[0].value, limits[1].value
+
+    def celsius(spot: Spot) -> _Barred:
+        kelvin = closed.at("temperature", spot.phase)
+        return (None if kelvin is None else kelvin - ZERO_CELSIUS), None
+
+    def blok(spot: Spot) -> _Barred:
+        flash = closed.at("flash_over_friction", spot.phase)
+        if flash is None or spot.friction is None:
+            return None, None
+        return closed.bulk + flash * spot.friction - ZERO_CELSIUS, None
+
+    def safety(spot: Spot) -> _Barred:
+        kelvin = closed.at("temperature", spot.phase)
+        if kelvin is None or scuffing is None or kelvin <= oil:
+            return None, None
+        return (scuffing - oil) / (kelvin - oil), None
+
+    def specific(spot: Spot) -> _Barred:
+        film = closed.at("film", spot.phase)
+        return (None if film is None or roughness is None else film / roughness), None
+
+    def film_safety(spot: Spot) -> _Barred:
+        found = specific(spot)[0]
+        return (None if found is None or permissible is None else found / permissible), None
+
+    return [
+        ("contact_temperature_C", "Contact temperature, Blok", "°C", 1.0, celsius),
+        ("S_B", "S_B", "", 1.0, safety),
+        ("specific_film", "Specific film, ISO/TS 6336-22", "", 1.0, specific),
+        ("S_lambda", "S_lambda", "", 1.0, film_safety),
+        (
+            "contact_temperature_blok_C",
+            "Contact temperature, Blok with the simulated friction",
+            "°C",
+            1.0,
+            blok,
+        ),
+    ]
