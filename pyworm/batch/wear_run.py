@@ -44,6 +44,8 @@ class WearPlan:
         Time to simulate [h].
     coefficient : float
         k of Archard's law [m2/N].
+    calibrated_to : float or None
+        Mean depth worn off the run-in pattern in an hour [m/h], by which k is found; None where it is given.
     tolerance : float
         Largest error of the depth in a step [m].
     run_in : float
@@ -52,6 +54,7 @@ class WearPlan:
 
     hours: float
     coefficient: float = WEAR_COEFFICIENT
+    calibrated_to: float | None = None
     tolerance: float = 0.25e-6
     run_in: float = RUN_IN
 
@@ -70,6 +73,8 @@ class WearFigures:
         Error of the depth by the step that ended here [m].
     volume_m3, mass_kg : float
         Worn off a tooth [m3], and off the wheel [kg].
+    backlash_m : float
+        Growth of the play under load, by which the wheel stays behind, at its reference circle [m].
     pattern_m2 : float
         Area of the contact pattern, as seen along the axis of the teeth [m2].
     asperity_share : float
@@ -88,6 +93,7 @@ class WearFigures:
     step_error_m: float
     volume_m3: float
     mass_kg: float
+    backlash_m: float
     pattern_m2: float
     asperity_share: float
     friction: float
@@ -103,6 +109,7 @@ class _Solved:
     volume_rate: float
     work: Array
     roughness: float
+    turn: float
     result: Result
 
 
@@ -141,13 +148,15 @@ class WearRun:
         self.cut = self.duty.roughness[1]
         self.steps: list[WearFigures] = []
         self.depths: list[Array] = []
-        self.volume = 0.0
+        self.volume, self.turn = 0.0, 0.0
+        self.coefficient = plan.coefficient
         self.loads: dict[str, Any] = {}
         self.grid: FlankGrid | None = None
         self._last: _Solved | None = None
         identity = {
             "case": case.physics,
-            "coefficient": plan.coefficient,
+            "form": "whole mesh",
+            "coefficient": plan.calibrated_to or plan.coefficient,
             "tolerance": plan.tolerance,
             "run_in": plan.run_in,
             "accuracy": self.tasks[0].accuracy,
@@ -165,11 +174,22 @@ class WearRun:
         """The flank as it was cut, with the rate of its wear."""
         solved = self._solved(None, self.cut)
         nothing = np.zeros(self.grid.shape)
-        self._last = solved
+        if self.plan.calibrated_to is not None:
+            solved = self._calibrated(solved, nothing)
+        self._last, self.turn = solved, solved.turn
         step = min(first_step(solved.rate, self.plan.tolerance), self.plan.hours)
         worn = Worn(0.0, nothing, solved.rate, step)
         self._written(worn, 0.0)
         return worn
+
+    def _calibrated(self, solved: _Solved, nothing: Array) -> _Solved:
+        """The flank as it was cut, worn at the k by which the run-in one wears as it is calibrated to."""
+        run_in = self._solved(nothing, self.plan.run_in * self.cut)
+        found = float((run_in.rate * run_in.work).sum() / run_in.work.sum())
+        scale = self.plan.calibrated_to / found
+        self.coefficient *= scale
+        self.say(f"k = {self.coefficient:.3g} m2/N, calibrated")
+        return replace(solved, rate=scale * solved.rate, volume_rate=scale * solved.volume_rate)
 
     def _rates(self, depth: Array) -> Array:
         """Rate of wear of a flank worn so far [m/h]."""
@@ -204,8 +224,10 @@ class WearRun:
         except ValueError as error:
             raise CaseError(f"{case.name}: {error}") from None
         turns = self.duty.worm_speed / self.duty.gear.ratio / (2 * pi) * HOUR
-        per_hour = self.plan.coefficient * turns
-        return _Solved(per_hour * made.work, per_hour * made.volume, made.work, roughness, result)
+        per_hour = self.coefficient * turns
+        turn = float(result.mesh_cycle["wheel_turn"].mean())
+        rates = per_hour * made.work, per_hour * made.volume
+        return _Solved(*rates, made.work, roughness, turn, result)
 
     def _loads(self, result: Result) -> dict[str, Any]:
         """Friction in the balance of torques and lifts of the films, for the next flank."""
@@ -224,6 +246,7 @@ class WearRun:
             step_error_m=error,
             volume_m3=self.volume,
             mass_kg=self.volume * self.duty.gear.teeth * density,
+            backlash_m=(of.turn - self.turn) * self.duty.gear.module * self.duty.gear.teeth / 2,
             pattern_m2=float((work > PATTERN * work.max()).sum() * self.grid.cell),
             asperity_share=float(
                 np.mean([one.figures.asperity_load_fraction.value for one in solutions])
@@ -249,6 +272,8 @@ class WearRun:
                 rate=worn.rate,
                 work=self._last.work,
                 volume_rate=self._last.volume_rate,
+                turns=(self.turn, self._last.turn),
+                coefficient=self.coefficient,
                 loads=json.dumps(self.loads),
                 next_step=worn.step,
             )
@@ -270,8 +295,10 @@ class WearRun:
             rate, self.loads = held["rate"], json.loads(str(held["loads"]))
             if self.loads.get("lifts") is not None:
                 self.loads["lifts"] = tuple(map(tuple, self.loads["lifts"]))
+            self.turn, turn = map(float, held["turns"])
+            self.coefficient = float(held["coefficient"])
             self._last = _Solved(
-                rate, float(held["volume_rate"]), held["work"], last.wheel_roughness_m, None
+                rate, float(held["volume_rate"]), held["work"], last.wheel_roughness_m, turn, None
             )
             self.say(f"goes on at {last.hours:.4g} h")
             return Worn(last.hours, self.depths[-1], rate, float(held["next_step"]))

@@ -1,7 +1,8 @@
-"""pyworm report: write a result as one HTML page."""
+"""pyworm report: write a result, or variants side by side, as one HTML page, and as PDF."""
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pyworm.cli.arguments import add_compared_case
 from pyworm.cli.shared import opened_result
@@ -9,12 +10,22 @@ from pyworm.io.input_error import CaseError
 from pyworm.io.terminal import put
 from pyworm.result.result_case import case_for
 
+if TYPE_CHECKING:
+    from pyworm.result.result import Result
+
 
 def add_report(commands: argparse._SubParsersAction) -> None:
     """Add the command `report`."""
-    report = commands.add_parser("report", help="write a results file as one HTML page")
-    report.add_argument("result", type=Path, metavar="RESULT")
-    report.add_argument("--out", type=Path, metavar="FILE.html", help="default: beside the results")
+    report = commands.add_parser(
+        "report", help="write a results file, or several side by side, as one HTML page"
+    )
+    report.add_argument("results", type=Path, nargs="+", metavar="RESULT")
+    report.add_argument(
+        "--out", type=Path, metavar="FILE.html", help="default: beside the first result"
+    )
+    report.add_argument(
+        "--pdf", action="store_true", help="print it to a PDF beside it, by Chromium"
+    )
     report.add_argument("--drawing", metavar="NUMBER", help="drawing number on the page to sign")
     report.add_argument("--customer", metavar="NAME", help="customer on the page to sign")
     add_compared_case(report)
@@ -23,25 +34,74 @@ def add_report(commands: argparse._SubParsersAction) -> None:
 
 def _report(options: argparse.Namespace) -> int:
     from pyworm.io.atomic import check_writable, whole_file
-    from pyworm.report.page.build import build_report
-    from pyworm.report.page.html import render
-    from pyworm.result.result import readable
 
-    path = options.out or options.result.with_name("report.html")
+    several = len(options.results) > 1
+    path = options.out or options.results[0].with_name(
+        "variants.html" if several else "report.html"
+    )
     if path.is_dir():
         raise CaseError(f"--out {path}: is a directory, a file such as report.html is needed")
     check_writable(path.parent)
-    result = opened_result(options.result)
-    case, differ = None, None
-    if options.case is not None:
-        case, differ = case_for(options.case, result, options.anyway)
-    with readable(options.result):
-        page = render(build_report(result, case, differ, _identity(options)))
+    if several:
+        _refuse_of_one(options)
+    page = _variants(options.results) if several else _one(options)
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")
     put(f"{path}")
+    if options.pdf:
+        from pyworm.report.pdf import print_pdf
+
+        pdf = path.with_suffix(".pdf")
+        with whole_file(pdf) as partial:
+            print_pdf(path, partial)
+        put(f"{pdf}")
     return 0
+
+
+def _refuse_of_one(options: argparse.Namespace) -> None:
+    """Refuse options that mean one result."""
+    for name in ("case", "drawing", "customer"):
+        if getattr(options, name) is not None:
+            raise CaseError(f"--{name}: is of one result, {len(options.results)} are given")
+
+
+def _one(options: argparse.Namespace) -> str:
+    """The page of one result."""
+    from pyworm.report.page.build import build_report
+    from pyworm.report.page.html import render
+    from pyworm.result.result import readable
+
+    (path,) = options.results
+    result = opened_result(path)
+    case, differ = None, None
+    if options.case is not None:
+        case, differ = case_for(options.case, result, options.anyway)
+    with readable(path):
+        return render(build_report(result, case, differ, _identity(options)))
+
+
+def _variants(paths: list[Path]) -> str:
+    """The page of several results."""
+    from contextlib import ExitStack
+
+    from pyworm.report.page.html import render_variants
+    from pyworm.report.page.variants import variants_page
+    from pyworm.result.result import readable
+
+    with ExitStack() as stack:
+        for path in paths:
+            stack.enter_context(readable(path))
+        results = [opened_result(path) for path in paths]
+        return render_variants(variants_page(results, _names(paths, results)))
+
+
+def _names(paths: list[Path], results: "list[Result]") -> list[str]:
+    """Names of variants: of their cases where each has its own, else of their folders, else their numbers."""
+    for names in ([of.case_name for of in results], [path.parent.name for path in paths]):
+        if len(set(names)) == len(names):
+            return names
+    return [f"{n}: {of.case_name}" for n, of in enumerate(results, 1)]
 
 
 def _identity(options: argparse.Namespace) -> tuple[tuple[str, str], ...]:

@@ -4,12 +4,12 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from pyworm.case.case import load
+from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_case, add_processes
 from pyworm.cli.shared import CONVERGED, FAILED, batch_executor, end_with, planned_tasks
 from pyworm.drives.duty import WormDuty
-from pyworm.formulas.wear_law import WEAR_COEFFICIENT, WEAR_SPREAD
-from pyworm.io.atomic import check_writable
+from pyworm.formulas.wear_law import WEAR_COEFFICIENT, WEAR_SPREAD, energy_coefficient
+from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.terminal import put, say
@@ -23,12 +23,24 @@ def add_wear(commands: argparse._SubParsersAction) -> None:
     wear = commands.add_parser("wear", help="wear of a worm drive's wheel over its life")
     add_case(wear)
     wear.add_argument("--hours", type=float, required=True, metavar="H", help="time to simulate")
-    wear.add_argument(
+    how = wear.add_mutually_exclusive_group()
+    how.add_argument(
         "--coefficient",
         type=float,
         default=WEAR_COEFFICIENT,
         metavar="K",
         help="k of Archard's law in m2/N (default: %(default)g, known to a factor of 3)",
+    )
+    how.add_argument(
+        "--energy",
+        type=float,
+        metavar="E",
+        help="the energy form: work of friction in J/m3 that wears off a volume, in place of k",
+    )
+    how.add_argument(
+        "--calibrate",
+        action="store_true",
+        help="k by which the run-in flank wears as [worm_rating] has it by the standard",
     )
     wear.add_argument(
         "--tolerance",
@@ -43,9 +55,10 @@ def add_wear(commands: argparse._SubParsersAction) -> None:
 
 
 def _wear(options: argparse.Namespace) -> int:
-    for name in ("hours", "coefficient", "tolerance"):
-        if not 0 < getattr(options, name) < float("inf"):
-            raise CaseError(f"--{name} = {getattr(options, name):g}: must be above zero")
+    for name in ("hours", "coefficient", "energy", "tolerance"):
+        value = getattr(options, name)
+        if value is not None and not 0 < value < float("inf"):
+            raise CaseError(f"--{name} = {value:g}: must be above zero")
     case = load(options.case)
     directory = options.out or Path("results") / case.name / "wear"
     check_writable(directory)
@@ -56,10 +69,12 @@ def _wear(options: argparse.Namespace) -> int:
     from pyworm.batch.case_run import NothingSolvedError
     from pyworm.batch.wear_run import STATE, WearPlan, WearRun
 
-    plan = WearPlan(options.hours, options.coefficient, options.tolerance * 1e-6)
+    found, by = _coefficient(options, case)
+    plan = WearPlan(options.hours, tolerance=options.tolerance * 1e-6, **found)
     with batch_executor(options) as executor:
         try:
-            steps = WearRun(case, tasks, plan, directory, say, executor=executor).run()
+            run = WearRun(case, tasks, plan, directory, say, executor=executor)
+            steps = run.run()
         except NothingSolvedError as error:
             return end_with(f"{case.name}: {error}", FAILED)
         except ValueError as error:
@@ -67,8 +82,8 @@ def _wear(options: argparse.Namespace) -> int:
     limit = case.drive.duty().gear.wear_limit
     allowed = steps[-1].depth_max_m <= limit
     assumed = (
-        f"k = {plan.coefficient:g} m2/N, known to a factor of {WEAR_SPREAD:g}; wheel's roughness falls to "
-        f"{plan.run_in:g} of that as cut; worn between the first and the last phase of the case"
+        f"k = {run.coefficient:.3g} m2/N, {by}; wheel's roughness falls to {plan.run_in:g} of that as cut; "
+        "before the first and after the last phase of the case their contacts go on"
     )
     if options.json:
         print_json(
@@ -77,15 +92,43 @@ def _wear(options: argparse.Namespace) -> int:
                 "steps": [asdict(step) for step in steps],
                 "wear_limit_m": limit,
                 "within_limit": allowed,
+                "coefficient_m2_N": run.coefficient,
                 "assumed": assumed,
                 "state": str(directory / STATE),
             }
         )
         return CONVERGED
     _show(steps)
+    from pyworm.plots.layout import DOTS_PER_INCH
+    from pyworm.plots.wear import draw_wear
+
+    picture = directory / "wear.png"
+    with whole_file(picture) as partial:
+        draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
     put(f"Allowed: {limit * 1e6:.4g} um: {'within' if allowed else 'WORN OUT'}. {assumed}.")
-    put(f"Maps: {directory / STATE}")
+    put(f"Maps: {directory / STATE}, picture: {picture}")
     return CONVERGED
+
+
+def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, float], str]:
+    """What a plan takes for the wear coefficient, and where it comes from."""
+    if options.energy is not None:
+        friction = case.drive.oil.boundary_friction
+        by = f"{friction:g}/{options.energy:g} J/m3 by the energy form"
+        return {"coefficient": energy_coefficient(options.energy, friction)}, by
+    if not options.calibrate:
+        return {"coefficient": options.coefficient}, f"known to a factor of {WEAR_SPREAD:g}"
+    from pyworm.ratings.worm_loads import rated_loads
+
+    table = getattr(case.tables, "worm_rating", None)
+    loads = () if table is None else rated_loads(table, case.drive.duty(), case.directory)
+    if len(loads) != 1 or loads[0].rated.wear is None:
+        raise CaseError("--calibrate: needs [worm_rating] with wheel_material and life")
+    (load,) = loads
+    rate = load.rated.wear.depth / load.hours
+    return {"calibrated_to": rate}, (
+        f"by which the run-in flank wears {rate * 1e9:.3g} nm/h in the mean, as by the standard"
+    )
 
 
 def _show(steps) -> None:
@@ -95,7 +138,8 @@ def _show(steps) -> None:
 
     table = Table(title="Wear of the wheel", title_justify="left")
     for head in (
-        "h", "deepest um", "mean um", "g", "pattern mm2", "asperities", "friction", "film um", "Rq um"
+        "h", "deepest um", "mean um", "g", "backlash um", "pattern mm2", "asperities", "friction", "film um",
+        "Rq um",
     ):  # fmt: skip
         table.add_column(head, justify="right")
     for of in steps:
@@ -104,6 +148,7 @@ def _show(steps) -> None:
             f"{of.depth_max_m * 1e6:.3g}",
             f"{of.depth_mean_m * 1e6:.3g}",
             f"{of.mass_kg * 1e3:.3g}",
+            f"{of.backlash_m * 1e6:.3g}",
             f"{of.pattern_m2 * 1e6:.1f}",
             f"{of.asperity_share:.1%}",
             f"{of.friction:.4f}",

@@ -6,6 +6,11 @@ def rough(value: float) -> str:
     return f"{float(f'{value:.2g}'):.10g}"
 
 
+def short(value: float) -> str:
+    """A value as text: four digits, without exponent where that is short."""
+    return f"{value:.0f}" if 1e4 <= abs(value) < 1e7 else f"{value:.4g}"
+
+
 def duration(seconds: float) -> str:
     """A time [s] as text with a suitable unit."""
     return f"{rough(seconds)} s" if seconds >= 0.01 else f"{rough(seconds * 1e3)} ms"

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-from pyworm.io.format import bars
+from pyworm.io.format import bars, short
 from pyworm.solver.left_out import LeftOut
 
 Value = float | int | str | None
@@ -47,7 +47,7 @@ class RatedFigure:
         if isinstance(value, str):
             return value
         known = self.bars[column] if column < len(self.bars) else None
-        text = f"{_short(value * self.scale)} {self.unit}".rstrip()
+        text = f"{short(value * self.scale)} {self.unit}".rstrip()
         return text if known is None else f"{text} {bars(*known, self.scale, '')}"
 
     def named(self, column: int) -> dict[str, Value]:
@@ -104,7 +104,7 @@ class Safety:
     def shown(self) -> str:
         """The value as text, with its error bars."""
         if self.value is None or self.error is None:
-            return "" if self.value is None else _short(self.value)
+            return "" if self.value is None else short(self.value)
         return f"{self.value:.3g} {bars(self.error, self.model)}"
 
     @property
@@ -120,7 +120,7 @@ class Safety:
         if self.value is None:
             return self.why
         return ", ".join(
-            f"{key} {of if isinstance(of, str) else _short(of)}" for key, of in self.inputs.items()
+            f"{key} {of if isinstance(of, str) else short(of)}" for key, of in self.inputs.items()
         )
 
     def summary(self) -> dict[str, Any]:
@@ -214,8 +214,3 @@ class Rating:
             "failed": list(self.failed),
             "not_rated": list(self.not_rated),
         }
-
-
-def _short(value: float) -> str:
-    """Four digits, without exponent where that is short."""
-    return f"{value:.0f}" if 1e4 <= abs(value) < 1e7 else f"{value:.4g}"

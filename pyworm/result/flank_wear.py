@@ -103,10 +103,11 @@ def flank_grid(result: Result) -> FlankGrid:
     """
     solved = _solved(result)
     layers = [layer_of(one, *common_grid(solved)) for one in solved]
+    stations = _whole_mesh([one.phase for one in solved], layers, _tooth_load(result))
     axes = []
     for name in ("face", "radius"):
-        low = min(float(_loaded(layer, name).min()) for layer in layers) - MARGIN
-        high = max(float(_loaded(layer, name).max()) for layer in layers) + MARGIN
+        low = min(float(_loaded(layer, name).min()) for _, layer in stations) - MARGIN
+        high = max(float(_loaded(layer, name).max()) for _, layer in stations) + MARGIN
         axes.append(low + CELL * np.arange(np.ceil((high - low) / CELL) + 1))
     return FlankGrid(*axes)
 
@@ -128,7 +129,10 @@ def _solved(result: Result) -> list:
 
 
 def asperity_pass(result: Result, grid: FlankGrid, phases_per_second: float) -> Pass:
-    """A pass through the mesh, from the first to the last solved phase.
+    """A pass through the mesh, from the first touch of a tooth pair to its last.
+
+    Before the first solved phase and after the last one the contact of that phase goes on, its work in the
+    ratio of the tooth pair's load; without a curve of that load the pass ends with them.
 
     Parameters
     ----------
@@ -143,10 +147,11 @@ def asperity_pass(result: Result, grid: FlankGrid, phases_per_second: float) -> 
     x, y = common_grid(solved)
     layers = [_with_areas(layer_of(one, x, y), x, y) for one in solved]
     work, volume = np.zeros(grid.shape), 0.0
-    for (one, before), (other, after) in pairwise(zip(solved, layers, strict=True)):
+    stations = _whole_mesh([one.phase for one in solved], layers, _tooth_load(result))
+    for (phase, before), (next_phase, after) in pairwise(stations):
         moved = np.hypot(*(np.median(after[of] - before[of]) for of in ("face", "radius")))
         steps = max(int(np.ceil(2 * moved / CELL)), 4)
-        seconds = (other.phase - one.phase) / abs(phases_per_second) / steps
+        seconds = (next_phase - phase) / abs(phases_per_second) / steps
         for part in (np.arange(steps) + 0.5) / steps:  # the middle of each step
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}
             rubbing = np.where(now["pressure"] > 0, now["asperity_rubbing"], 0.0) * seconds
@@ -155,6 +160,55 @@ def asperity_pass(result: Result, grid: FlankGrid, phases_per_second: float) -> 
             )
             volume += float((rubbing * now["area"]).sum())
     return Pass(work, volume)
+
+
+Load = tuple[Array, Array]
+"""Phases of the mesh, beyond 0 and 1 too, and the load of the tooth pair there [N]."""
+
+
+def _tooth_load(result: Result) -> Load | None:
+    """Load of a tooth pair over its whole mesh; None where the result has no curve of it."""
+    cycle = result.mesh_cycle
+    if cycle is None or "tooth_load" not in cycle:
+        return None
+    return cycle["load_phase"].values, cycle["tooth_load"].values
+
+
+ENDS = 6
+"""Phases to each end of the mesh at which a solved contact is taken to go on."""
+
+
+def _whole_mesh(
+    phases: list[float], layers: list[dict[str, Array]], load: Load | None
+) -> list[tuple[float, dict[str, Array]]]:
+    """Layers of the solved phases, and of those before and after them.
+
+    A contact moves over the flank as it does between the two solved phases next to it, up to phases 0 and 1;
+    beyond them a tip touches, which stays where it is.
+    """
+    solved = list(zip(phases, layers, strict=True))
+    if load is None:
+        return solved
+    touching = load[0][load[1] > 0]
+    early = np.linspace(touching[0], phases[0], ENDS, endpoint=False)
+    late = np.linspace(touching[-1], phases[-1], ENDS, endpoint=False)[::-1]
+    before = [(at, _moved(at, solved[0], solved[1], load)) for at in early if at < phases[0]]
+    after = [(at, _moved(at, solved[-1], solved[-2], load)) for at in late if at > phases[-1]]
+    return [*before, *solved, *after]
+
+
+def _moved(
+    phase: float,
+    end: tuple[float, dict[str, Array]],
+    inner: tuple[float, dict[str, Array]],
+    load: Load,
+) -> dict[str, Array]:
+    """The layer of the last solved phase at one beyond it."""
+    carried, there = (float(np.interp(at, *load)) for at in (phase, end[0]))
+    part = (min(max(phase, 0.0), 1.0) - end[0]) / (end[0] - inner[0])
+    shift = {name: part * np.median(end[1][name] - inner[1][name]) for name in ("face", "radius")}
+    moved = {name: end[1][name] + by for name, by in shift.items()}
+    return {**end[1], **moved, "asperity_rubbing": end[1]["asperity_rubbing"] * carried / there}
 
 
 def _with_areas(layer: dict[str, Array], x: Array, y: Array) -> dict[str, Array]:

@@ -37,11 +37,21 @@ def differences(case: Case, result: "Result") -> tuple[str, ...]:
         for tables in (before, now)
     )
     keys = [key for key in {**new, **old} if old.get(key) != new.get(key) and key not in found]
-    return tuple(f"{key} is {_shown(now, key)}, was {_shown(before, key)}" for key in keys)
+    return tuple(
+        f"{key} is {value_shown(now, key)}, was {value_shown(before, key)}" for key in keys
+    )
 
 
-def _shown(tables: CaseTable, key: str) -> str:
-    """A value of a case in workshop units."""
+def value_shown(tables: CaseTable, key: str) -> str:
+    """A value of a case in workshop units.
+
+    Parameters
+    ----------
+    tables : CaseTable
+        The case's tables.
+    key : str
+        Its dotted key; "not given" is shown of one that the case leaves out.
+    """
     *parents, last = key.split(".")
     value, table = tables.at(key), tables.at(".".join(parents)) if parents else tables
     if value is None:

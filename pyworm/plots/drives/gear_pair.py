@@ -209,7 +209,9 @@ def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:
 
 CYCLE_PICTURES = {
     "film_and_temperature": CyclePicture(
-        "Film and contact temperature along the line of action", draw_film_and_temperature
+        "Film and contact temperature along the line of action",
+        draw_film_and_temperature,
+        signed=True,
     ),
     "line_of_action": CyclePicture(
         "Load, pressure, speeds and sliding along the line of action", draw_line_of_action

@@ -18,7 +18,10 @@ class CyclePicture:
         What a report writes over it.
     draw : callable
         Result -> figure; None where too few phases are solved for it.
+    signed : bool
+        Whether it belongs to what is signed.
     """
 
     caption: str
     draw: Callable[[Result], Figure | None]
+    signed: bool = False

@@ -173,7 +173,9 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
 
 CYCLE_PICTURES = {
     "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
-    "contact_pattern": CyclePicture("Contact pattern", draw_pattern),
-    "mesh_cycle_flank": CyclePicture("The wheel's flank after a mesh cycle", draw_flank),
+    "contact_pattern": CyclePicture("Contact pattern", draw_pattern, signed=True),
+    "mesh_cycle_flank": CyclePicture(
+        "The wheel's flank after a mesh cycle", draw_flank, signed=True
+    ),
 }
 """File name -> picture of the mesh cycle."""

@@ -11,7 +11,8 @@ from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
 from pyworm.report.page.assumptions import assumptions_section, plan_section, provenance_section
-from pyworm.report.page.content import Block, Cover, Items, Report, Section, Table, Verdict, Words
+from pyworm.report.page.content import Block, Items, Picture, Report, Section, Table, Words
+from pyworm.report.page.cover import Identity, cover_of, overleaf_of
 from pyworm.report.page.figures import (
     film_section,
     glance_section,
@@ -20,8 +21,9 @@ from pyworm.report.page.figures import (
     printed_section,
 )
 from pyworm.report.page.inputs import inputs_section
-from pyworm.report.page.pictures import contact_section, cycle_section
+from pyworm.report.page.pictures import contact_section, cycle_section, signed_pictures
 from pyworm.report.page.sensitivity import sensitivity_section
+from pyworm.report.page.symbols import made_of, named
 from pyworm.result.headline import of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
@@ -32,7 +34,8 @@ def build_report(
     result: Result,
     case: Case | None = None,
     differ: str | None = None,
-    identity: tuple[tuple[str, str], ...] = (),
+    identity: Identity = (),
+    wear: tuple[Picture, ...] = (),
 ) -> Report:
     """The content of the report on a result.
 
@@ -46,6 +49,8 @@ def build_report(
         How they differ, if they do and it is taken anyway.
     identity : tuple of tuple of str
         What the page to sign names besides the case: drawing, customer.
+    wear : tuple of Picture, optional
+        Simulated wear of the drive.
 
     Raises
     ------
@@ -55,7 +60,7 @@ def build_report(
     case = case or case_again(result.case)
     standard, left_out = standard_loss(case), of_all(result.solutions)
     made, unrated = _rated(case, result)
-    sound = result.sound
+    sound, cover = result.sound, cover_of(case, result, made, identity)
     sections = (
         _noted(left_out, glance_section(case, sound, made, standard)),
         _noted(left_out, film_section(case, result)),
@@ -63,7 +68,7 @@ def build_report(
         _ratings_section(made, unrated),
         _noted(left_out, printed_section(case, sound)),
         _noted(left_out, sensitivity_section(case, sound)),
-        cycle_section(result),
+        cycle_section(result, signed=cover is not None),
         contact_section(result),
         assumptions_section(case, result),
         plan_section(result),
@@ -75,7 +80,8 @@ def build_report(
         case.source,
         _warnings(case, result, differ, standard, made),
         tuple(s for s in sections if s is not None),
-        _cover(result, made, identity),
+        cover,
+        cover and overleaf_of(case, result, made, standard, (*signed_pictures(result), *wear)),
     )
 
 
@@ -102,22 +108,6 @@ def _warnings(
     )
     warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
     return warnings + tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
-
-
-def _cover(
-    result: Result, made: tuple[Rating, ...], identity: tuple[tuple[str, str], ...]
-) -> Cover | None:
-    """The page to sign; None without safeties."""
-    verdicts = tuple(
-        Verdict(f"{of.symbol}, {of.label}", of.shown, f"{of.minimum:g}", of.verdict, of.made_of)
-        for rating in made
-        for of in rating.safeties
-    )
-    if not verdicts:
-        return None
-    made_with = ("pyworm", "commit", "created")
-    found = [(key, str(result.provenance[key])) for key in made_with if key in result.provenance]
-    return Cover((("Case", result.case_name), *identity, *found), verdicts)
 
 
 def _noted(left_out: LeftOut, section: Section | None) -> Section | None:
@@ -172,7 +162,13 @@ def _safeties(rating: Rating) -> Table:
     return Table(
         head=("Safety", "Value", "Required", "Verdict", "Made of"),
         rows=tuple(
-            (f"{of.symbol}, {of.label}", of.shown, f"{of.minimum:g}", of.verdict, of.made_of)
+            (
+                f"{named(of.symbol)}, {of.label}",
+                of.shown,
+                f"{of.minimum:g}",
+                of.verdict,
+                made_of(of),
+            )
             for of in rating.safeties
         ),
         title=f"{rating.title}: safeties",

@@ -103,10 +103,83 @@ class Cover:
         Drive, drawing, customer and the like, with their values.
     verdicts : tuple of Verdict
         The safeties.
+    doubts : Items
+        What in them is assumed or doubtful.
     """
 
     head: tuple[tuple[str, str], ...]
     verdicts: tuple[Verdict, ...]
+    doubts: Items
+
+
+@dataclass(frozen=True)
+class Overleaf:
+    """The page behind the page to sign.
+
+    Attributes
+    ----------
+    figures : Table
+        Decisive figures with their error bars; life asked for, and what becomes of it.
+    pictures : tuple of Picture or Words
+        Contact pattern, maps of the flank, wear.
+    assumptions : Items
+        What all this rests on.
+    """
+
+    figures: Table
+    pictures: tuple[Picture | Words, ...]
+    assumptions: Items
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """Rows of variants side by side.
+
+    Attributes
+    ----------
+    rows : tuple
+        Name of a row and its cells, one for each variant.
+    """
+
+    rows: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Pictures of one variant."""
+
+    name: str
+    pictures: tuple[Picture | Words, ...]
+
+
+@dataclass(frozen=True)
+class Variants:
+    """Variants side by side.
+
+    Attributes
+    ----------
+    title : str
+        Of the cases.
+    names : tuple of str
+        What the variants are called.
+    warnings : tuple of str
+        What a reader must know before all else.
+    differences, verdicts, figures : Matrix
+        Inputs in which they differ, safeties as "value|verdict", simulated figures with their bars.
+    beside : tuple of Beside
+        Their pictures.
+    note : str
+        What the bars mean.
+    """
+
+    title: str
+    names: tuple[str, ...]
+    warnings: tuple[str, ...]
+    differences: Matrix
+    verdicts: Matrix
+    figures: Matrix
+    beside: tuple[Beside, ...]
+    note: str
 
 
 @dataclass(frozen=True)
@@ -123,6 +196,8 @@ class Report:
         In order.
     cover : Cover or None
         The page to sign; None without safeties.
+    overleaf : Overleaf or None
+        The page behind it; None without it.
     """
 
     title: str
@@ -130,3 +205,4 @@ class Report:
     warnings: tuple[str, ...]
     sections: tuple[Section, ...]
     cover: Cover | None = None
+    overleaf: Overleaf | None = None

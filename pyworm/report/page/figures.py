@@ -1,6 +1,7 @@
 """The figures of a result with their error bars: at a glance, phase by phase, beside the printed ones."""
 
 from collections.abc import Callable
+from math import pi
 from typing import Any
 
 from pyworm.case.case import Case
@@ -31,6 +32,14 @@ DECIDE = (
 """Keys of the rated figures in the summary of a report."""
 
 
+LASTING = ("wear_depth_m", "wear_limit_m", "basic_life_h", "modified_life_h", "wear_probability")
+"""Keys of the rated figures that tell how long a drive lasts."""
+
+HOUR = 3600.0
+PER_MINUTE = 30 / pi
+"""From rad/s."""
+
+
 def composite_roughness(result: Result) -> float | None:
     """Composite roughness of the surfaces [m], where it is known."""
     return result.solutions[0].composite_roughness if result.solutions else None
@@ -49,10 +58,27 @@ def glance_section(
     The result has solutions that converged alone; without any, only ratings decide. Where roughness carries
     load the standard's loss stands beside the simulated one.
     """
-    solutions, headed = result.solutions, of_all(result.solutions).headed
-    if not solutions:
+    if not result.solutions:
         table = Table(("", "Value", "Where"), _decisive(made))
         return Section("At a glance", (Words("No contact converged."), table))
+    loss = mesh_loss(case.drive, result.solutions)
+    note = ERROR_BARS if loss is None else f"{ERROR_BARS} Loss: {loss.words}."
+    rows = (*glance_rows(case, result, standard), *_decisive(made))
+    return Section("At a glance", (Table(("", "Value", "Where"), rows, note=note),))
+
+
+ERROR_BARS = (
+    "± is numerical: the error of the solution of the model; ± (model) is what averages over roughness "
+    "do not know. Errors of the inputs are in neither."
+)
+"""What the error bars of a report mean."""
+
+
+def glance_rows(
+    case: Case, result: Result, standard: StandardLoss | NoStandard
+) -> tuple[tuple[str, str, str], ...]:
+    """The decisive simulated figures, each at its worst contact; every solution converged."""
+    solutions, headed = result.solutions, of_all(result.solutions).headed
     rows = [
         _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
         _worst("Thinnest central film", solutions, min, lambda of: of.film_central, 1e6, "µm"),
@@ -83,14 +109,24 @@ def glance_section(
     loss = mesh_loss(case.drive, solutions)
     if loss is not None:
         rows += _loss_rows(loss, of_all(solutions), standard)
-    rows += _decisive(made)
-    note = (
-        "± is numerical: the error of the solution of the model; ± (model) is what averages over roughness "
-        "do not know. Errors of the inputs are in neither."
+    return tuple(rows)
+
+
+def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
+    """Life or spectrum that a case asks for, and the rated figures that depend on it."""
+    table = getattr(case.tables, "worm_rating", None)
+    rows = []
+    if table is not None and table.life is not None:
+        rows.append(("Life asked for", f"{table.life / HOUR:.6g} h", "of the case"))
+    for number, of in enumerate(() if table is None else table.spectrum, 1):
+        load = f"{of.wheel_torque:.4g} N m, {of.worm_speed * PER_MINUTE:.4g} 1/min"
+        rows.append((f"Load {number}", f"{of.duration / HOUR:.6g} h", load))
+    return tuple(rows) + tuple(
+        (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
+        for rating in made
+        for figure in rating.figures
+        if figure.key in LASTING
     )
-    if loss is not None:
-        note += f" Loss: {loss.words}."
-    return Section("At a glance", (Table(("", "Value", "Where"), tuple(rows), note=note),))
 
 
 def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:

@@ -1,6 +1,7 @@
 """A report as one self-contained page of HTML, without script or network."""
 
 from base64 import b64encode
+from collections.abc import Callable
 from html import escape
 from pathlib import Path
 
@@ -8,12 +9,16 @@ from pyworm.report.page.content import (
     Block,
     Cover,
     Items,
+    Matrix,
+    Overleaf,
     Picture,
     Report,
     Section,
     Table,
+    Variants,
     Words,
 )
+from pyworm.report.page.symbols import typeset
 
 _STYLE = Path(__file__).with_name("page.css")
 
@@ -25,31 +30,17 @@ _NARROW = 2
 
 
 def render(report: Report) -> str:
-    """The page.
-
-    Parameters
-    ----------
-    report : Report
-        Text of the element.
-    """
+    """The page of a report."""
     contents = "\n".join(
         f'<li><a href="#part-{number}">{escape(section.title)}</a></li>'
         for number, section in enumerate(report.sections, 1)
     )
     warnings = "\n".join(f'<p class="warning">{escape(of)}</p>' for of in report.warnings)
     opening = warnings if report.cover is None else _cover(report.cover, warnings)
+    if report.overleaf is not None:
+        opening += _overleaf(report.overleaf)
     parts = "\n".join(_section(number, of) for number, of in enumerate(report.sections, 1))
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{escape(report.title)}</title>
-<style>
-{_STYLE.read_text(encoding="utf-8")}</style>
-</head>
-<body>
-<header>
+    content = f"""<header>
 <h1>{escape(report.title)}</h1>
 <p class="source">{escape(report.source)}</p>
 {opening}
@@ -59,7 +50,78 @@ def render(report: Report) -> str:
 </header>
 <main>
 {parts}
-</main>
+</main>"""
+    return _page(report.title, content)
+
+
+def render_variants(variants: Variants) -> str:
+    """The page of variants side by side."""
+    warnings = "\n".join(f'<p class="warning">{escape(of)}</p>' for of in variants.warnings)
+    parts = (
+        ("What differs", variants.differences, _cell),
+        ("Verdicts", variants.verdicts, _judged),
+        ("Figures", variants.figures, _cell),
+    )
+    tables = "\n".join(
+        f"<h2>{title}</h2>\n{_side_by_side(variants.names, matrix, cell)}"
+        for title, matrix, cell in parts
+        if matrix.rows
+    )
+    count = max(len(of.pictures) for of in variants.beside)
+    rows = "\n".join(
+        '<div class="columns">'
+        + "".join(
+            f"<div><h3>{escape(of.name)}</h3>{_block(of.pictures[n])}</div>"
+            for of in variants.beside
+            if n < len(of.pictures)
+        )
+        + "</div>"
+        for n in range(count)
+    )
+    content = f"""<header>
+<h1>{escape(variants.title)}: {len(variants.names)} variants</h1>
+{warnings}
+</header>
+<main class="variants">
+{tables}
+<p class="note">{typeset(variants.note)}</p>
+{rows}
+</main>"""
+    return _page(variants.title, content)
+
+
+def _side_by_side(names: tuple[str, ...], matrix: Matrix, cell: Callable[[str], str]) -> str:
+    """Rows of variants as a table."""
+    head = "".join(f'<th scope="col">{escape(name)}</th>' for name in names)
+    rows = "\n".join(
+        f'<tr><th scope="row">{typeset(name)}</th>{"".join(map(cell, cells))}</tr>'
+        for name, cells in matrix.rows
+    )
+    return (
+        f'<div class="wide"><table class="matrix"><thead><tr><th></th>{head}</tr></thead>\n<tbody>\n{rows}\n'
+        "</tbody></table></div>"
+    )
+
+
+def _judged(cell: str) -> str:
+    """A safety of a variant with its verdict."""
+    value, _, verdict = cell.partition("|")
+    return f"<td>{_kept(value)} {badge(verdict)}</td>" if verdict else "<td></td>"
+
+
+def _page(title: str, content: str) -> str:
+    """A page with its style."""
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{escape(title)}</title>
+<style>
+{_STYLE.read_text(encoding="utf-8")}</style>
+</head>
+<body>
+{content}
 </body>
 </html>
 """
@@ -67,27 +129,54 @@ def render(report: Report) -> str:
 
 def _cover(cover: Cover, warnings: str) -> str:
     """Head, verdicts with colours and words, what a signer must know, and lines to sign."""
-    head = "\n".join(
-        f"<div><dt>{escape(name)}</dt><dd>{escape(value)}</dd></div>" for name, value in cover.head
-    )
     rows = "\n".join(
-        f'<tr><th scope="row">{escape(of.what)}</th><td>{escape(of.value)}</td>'
-        f"<td>{escape(of.required)}</td>"
-        f'<td><span class="verdict {of.words.replace(" ", "-")}">{escape(of.words)}</span></td>'
-        f"<td>{escape(of.why)}</td></tr>"
+        f'<tr><th scope="row">{typeset(of.what)}</th><td>{_kept(of.value)}</td>'
+        f"<td>{escape(of.required)}</td><td>{badge(of.words)}</td><td>{typeset(of.why)}</td></tr>"
         for of in cover.verdicts
+    )
+    doubts = f"<h3>Assumed or doubtful</h3>\n{_block(cover.doubts)}" if cover.doubts.items else ""
+    lines = "".join(
+        f"<span>{who}: date, name</span>" for who in ("Calculated", "Checked", "Released")
     )
     return f"""<section class="cover">
 <dl>
-{head}
+{_head(cover.head)}
 </dl>
 <div class="wide"><table>
 <thead><tr><th>Safety</th><th>Value</th><th>Required</th><th>Verdict</th><th>Made of</th></tr></thead>
 <tbody>
 {rows}
 </tbody></table></div>
+{doubts}
 {warnings}
-<p class="sign"><span>Calculated</span><span>Checked</span><span>Released</span></p>
+<p class="sign">{lines}</p>
+</section>"""
+
+
+def _head(head: tuple[tuple[str, str], ...]) -> str:
+    return "\n".join(
+        f"<div><dt>{escape(name)}</dt><dd>{escape(value)}</dd></div>" for name, value in head
+    )
+
+
+def badge(verdict: str) -> str:
+    """A verdict in its colour."""
+    kind = verdict.partition(",")[0].replace(" ", "-")
+    return f'<span class="verdict {kind}">{escape(verdict)}</span>'
+
+
+def _overleaf(page: Overleaf) -> str:
+    """What the verdicts rest on."""
+    pictures = "\n".join(_block(picture) for picture in page.pictures)
+    return f"""
+<section class="overleaf">
+<h2>What the verdicts rest on</h2>
+{_table(page.figures)}
+<div class="flanks">
+{pictures}
+</div>
+<h3>Assumptions</h3>
+{_block(page.assumptions)}
 </section>"""
 
 
@@ -104,9 +193,9 @@ def _section(number: int, section: Section) -> str:
 def _block(block: Block) -> str:
     match block:
         case Words(text):
-            return f"<p>{escape(text)}</p>"
+            return f"<p>{typeset(text)}</p>"
         case Items(items):
-            return "<ul>\n" + "\n".join(f"<li>{escape(of)}</li>" for of in items) + "\n</ul>"
+            return "<ul>\n" + "\n".join(f"<li>{typeset(of)}</li>" for of in items) + "\n</ul>"
         case Picture(caption, png):
             data = b64encode(png).decode("ascii")
             return (
@@ -131,7 +220,7 @@ def _table(table: Table) -> str:
         lines.append(f"<tr>{first}{''.join(_cell(of) for of in cells)}</tr>")
     lines.append("</tbody></table></div>")
     if table.note:
-        lines.append(f'<p class="note">{escape(table.note)}</p>')
+        lines.append(f'<p class="note">{typeset(table.note)}</p>')
     return "\n".join(lines)
 
 
@@ -146,8 +235,8 @@ def _cell(text: str) -> str:
 
 def _words(text: str) -> str:
     """Text of a cell; a number with its unit stays on one line."""
-    return _kept(text) if len(text) <= _SHORT else escape(text)
+    return _kept(text) if len(text) <= _SHORT else typeset(text)
 
 
 def _kept(text: str) -> str:
-    return f'<span class="kept">{escape(text)}</span>'
+    return f'<span class="kept">{typeset(text)}</span>'

@@ -37,13 +37,35 @@ _CAPTIONS = {
 }
 
 
-def cycle_section(result: Result) -> Section | None:
-    """Pictures of the whole mesh cycle or traction curve; None where there are none."""
-    pictures, left_out = [], of_all(result.solutions)
-    for picture in cycle_pictures(result).values():
-        drawn = _drawn(_captioned(picture.caption, left_out), partial(picture.draw, result))
-        if drawn is not None:
-            pictures.append(drawn)
+def signed_pictures(result: Result) -> tuple[Picture | Words, ...]:
+    """Pictures of the mesh cycle that belong to what is signed."""
+    return tuple(_of_cycle(result, signed=True))
+
+
+def _of_cycle(result: Result, signed: bool) -> list[Picture | Words]:
+    left_out = of_all(result.solutions)
+    drawn = (
+        _drawn(_captioned(picture.caption, left_out), partial(picture.draw, result))
+        for picture in cycle_pictures(result).values()
+        if picture.signed is signed
+    )
+    return [picture for picture in drawn if picture is not None]
+
+
+def cycle_section(result: Result, signed: bool) -> Section | None:
+    """Pictures of the whole mesh cycle or traction curve; None where there are none.
+
+    Parameters
+    ----------
+    result : Result
+        The result.
+    signed : bool
+        Whether those that belong to what is signed stand elsewhere.
+    """
+    left_out = of_all(result.solutions)
+    pictures = _of_cycle(result, signed=False)
+    if not signed:
+        pictures += _of_cycle(result, signed=True)
     if traction_curve(result):
         caption = _captioned("Traction curve", left_out)
         pictures.append(_drawn(caption, partial(draw_traction, result)))

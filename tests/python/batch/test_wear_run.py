@@ -1,6 +1,7 @@
 """The wear of a case: a worn flank, what is kept, and where a march goes on; contacts are stood in for."""
 
 import itertools
+import json
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -12,6 +13,7 @@ from pyworm.batch import wear_run
 from pyworm.batch.task import Task
 from pyworm.batch.wear_run import STATE, WearPlan, WearRun
 from pyworm.cli.main import main
+from pyworm.plots.wear import draw_wear
 from pyworm.result.flank_wear import FlankGrid, Pass
 
 DATA = Path(__file__).parents[2] / "data" / "zi_a100.toml"
@@ -30,7 +32,11 @@ def contacts(monkeypatch):
 
     def run(case, tasks, directory, **how):
         solved.append(case)
-        return SimpleNamespace(sound=SimpleNamespace(solutions=(one,)), case=case), tasks
+        deviations = case.tables.drive.wheel.deviations
+        worn = 0.0 if deviations is None else -np.min(deviations.deviation)
+        cycle_data = {"wheel_turn": np.full(5, 2e-4 + worn / 75e-3)}
+        sound = SimpleNamespace(solutions=(one,))
+        return SimpleNamespace(sound=sound, case=case, mesh_cycle=cycle_data), tasks
 
     def work(result, grid, rate):
         rough = result.case.tables.bodies.wheel.roughness
@@ -79,6 +85,75 @@ def test_depth_volume_and_grams_are_of_the_same_wear(case, contacts, tmp_path):
     assert last.depth_max_m == pytest.approx(depths[-1].max())
     assert last.volume_m3 == pytest.approx(depths[-1].sum() * GRID.cell, rel=1e-6)
     assert last.mass_kg == pytest.approx(last.volume_m3 * 41 * 8800)
+
+
+def test_backlash_is_what_the_wheel_stays_behind_at_its_reference_circle(case, contacts, tmp_path):
+    first, *_, last = wear(case, tmp_path)
+    assert first.backlash_m == 0
+    # the contacts that stand in turn the wheel by the deepest wear over 75 mm
+    with np.load(tmp_path / STATE) as held:
+        turned = held["turns"]
+    assert last.backlash_m == pytest.approx((turned[1] - turned[0]) * 4e-3 * 41 / 2, rel=1e-9)
+    assert last.backlash_m > 0.5 * last.depth_max_m
+
+
+def test_calibrated_wear_is_what_it_is_calibrated_to(case, contacts, tmp_path):
+    """With the roughness run in from the first hour on: its mean depth an hour."""
+    run = WearRun(
+        case,
+        [Task(case, place, 0.1) for place in case.places()],
+        WearPlan(100.0, calibrated_to=2e-8, run_in=1.0),
+        tmp_path,
+    )
+    *_, last = run.run()
+    assert last.depth_mean_m == pytest.approx(2e-8 * 100, rel=1e-6)
+    assert run.coefficient != 7e-18
+    again = WearRun(case, run.tasks, WearPlan(120.0, calibrated_to=2e-8, run_in=1.0), tmp_path)
+    *_, more = again.run()
+    assert again.coefficient == run.coefficient
+    assert more.depth_mean_m == pytest.approx(2e-8 * 120, rel=1e-6)
+
+
+def test_wear_is_drawn(case, contacts, tmp_path):
+    run = WearRun(
+        case, [Task(case, place, 0.1) for place in case.places()], WearPlan(50.0), tmp_path
+    )
+    run.run()
+    figure = draw_wear("unit", run, 1e-6)
+    assert len(figure.axes) >= 8
+    labels = {axes.get_ylabel() for axes in figure.axes}
+    assert {"worn off / µm", "friction", "contact pattern / mm²"} <= labels
+
+
+def test_the_energy_form_and_the_standards_curve_are_options(monkeypatch, capsys, tmp_path):
+    """k = mu/e_R; and the depth that DIN 3996 has for the case, by its hours."""
+    made = []
+
+    class StoppedError(Exception):
+        pass
+
+    def run(case, tasks, plan, directory, say, **how):
+        made.append(plan)
+        raise StoppedError
+
+    monkeypatch.setattr(wear_run, "WearRun", run)
+    for how in (["--energy", "1e16"], ["--calibrate"]):
+        with pytest.raises(StoppedError):
+            main(["wear", str(DATA), "--hours", "10", "--out", str(tmp_path), *how])
+    by_energy, calibrated = made
+    assert by_energy.coefficient == pytest.approx(
+        pyworm.load(DATA).drive.oil.boundary_friction / 1e16
+    )
+    assert main(["rate", str(DATA), "--json"]) == 0
+    rated = json.loads(capsys.readouterr().out)["ratings"][0]["standard"]
+    assert calibrated.calibrated_to * 25000 == pytest.approx(rated["wear_depth_m"])
+
+
+def test_without_a_rating_there_is_nothing_to_calibrate_to(capsys, tmp_path):
+    text = DATA.read_text().partition("[worm_rating]")[0]
+    (tmp_path / "unit.toml").write_text(text)
+    assert main(["wear", str(tmp_path / "unit.toml"), "--hours", "10", "--calibrate"]) == 2
+    assert "--calibrate: needs [worm_rating]" in capsys.readouterr().err
 
 
 def test_a_roughness_that_stays_wears_as_it_did_at_first(case, contacts, tmp_path):

@@ -1,5 +1,6 @@
-"""The page to sign: head, verdicts in words and colours, lines for names; looked at in a browser."""
+"""The pages to sign: head, verdicts in words and colours, lines for names; looked at in a browser."""
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -10,8 +11,10 @@ import pytest
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
 
 import pyworm
+from pyworm.ratings.rating import Safety
 from pyworm.report.page.build import build_report
 from pyworm.report.page.html import render
+from pyworm.report.page.symbols import made_of, typeset
 from pyworm.result.result import Result
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -32,12 +35,45 @@ def page():
 def test_the_page_names_drawing_and_customer_and_every_safety(page):
     cover = page[page.index('class="cover"') : page.index("</section>")]
     assert "4711-03 &lt;b&gt;" in cover and "Works &amp; Sons" in cover
-    for symbol in ("S_W", "S_H", "S_delta", "S_F", "S_T"):
-        assert f'<th scope="row">{symbol}, ' in cover
+    for index in ("W", "H", "δ", "F", "T"):
+        assert f'<th scope="row">S<sub>{index}</sub>, ' in cover
+    assert re.search("θ<sub>Slim</sub> = [0-9.]+\N{NO-BREAK SPACE}°C", cover)
+    assert "polyglycol" in cover and "1500 rpm" in cover  # oil and operating point
     assert cover.count('class="verdict sufficient"') == 4
     assert cover.count('class="verdict not-sufficient"') == 1  # of bearings that are assumed
     assert cover.index('class="warning"') < cover.index("Calculated")  # seen by who signs
     assert all(word in cover for word in ("Calculated", "Checked", "Released"))
+
+
+def test_the_page_behind_has_figures_life_flanks_and_assumptions(page):
+    behind = page[page.index('class="overleaf"') : page.index("<nav>")]
+    assert "What the verdicts rest on" in behind
+    assert "Least film" in behind and "±" in behind
+    assert "Life asked for" in behind and "25000" in behind
+    assert "<li>An inlet full of oil.</li>" in behind
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "shown"),
+    [
+        ("delta_Wlim_um", 1177.0, "δ<sub>Wlim</sub> = 1177\N{NO-BREAK SPACE}µm"),
+        ("h_min_m_um", 0.5, "h<sub>min,m</sub> = 0.5\N{NO-BREAK SPACE}µm"),
+        ("v_gm_m_s", 3.2, "v<sub>gm</sub> = 3.2\N{NO-BREAK SPACE}m/s"),
+        ("L_h", 25000.0, "L = 25000\N{NO-BREAK SPACE}h"),
+        ("theta_S_with_fan_C", 64.6, "θ<sub>S</sub> with fan = 64.6\N{NO-BREAK SPACE}°C"),
+        ("p_m*", 0.92, "p<sub>m</sub>* = 0.92"),
+        ("rim_over_module", 2.0, "rim over module = 2"),
+        ("lambda_GFP", 0.2, "λ<sub>GFP</sub> = 0.2"),
+        ("oil", "PAG <b>", "oil: PAG &lt;b&gt;"),
+    ],
+)
+def test_symbols_are_printed_with_index_and_unit(key, value, shown):
+    assert typeset(made_of(Safety("S_X", "", 1.0, 2.0, inputs={key: value}))) == shown
+
+
+def test_words_of_files_are_no_symbols():
+    for text in ("worm_rating.life", "zi_sharif_2001", "scuffing_load_stage"):
+        assert typeset(text) == text
 
 
 def test_a_contact_without_safeties_has_no_page_to_sign():

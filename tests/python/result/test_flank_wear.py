@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pyworm.formulas.wear_law import archard_depth
-from pyworm.result.flank_wear import FlankGrid
+from pyworm.result.flank_wear import FlankGrid, _whole_mesh
 
 PRESSURE, LENGTH, WIDTH, SPEED = 50e6, 8e-3, 6e-3, 2.0
 COEFFICIENT = 1e-16
@@ -57,3 +57,32 @@ def test_the_cells_do_not_decide():
         for grid, work in ((coarse_grid, coarse), (fine_grid, fine))
     ]
     assert depths[1] == pytest.approx(depths[0], rel=2e-3)
+
+
+def layer(face, radius=0.08, rubbing=2.0):
+    places = np.full((3, 4), float(face)), np.full((3, 4), radius)
+    fields = {"asperity_rubbing": np.full((3, 4), rubbing), "pressure": np.ones((3, 4))}
+    return {"face": places[0], "radius": places[1], **fields}
+
+
+def test_contacts_go_on_to_both_ends_of_the_mesh():
+    """The path of two solved phases, the load of the whole mesh."""
+    load = np.array([-0.3, -0.2, 0.0, 0.2, 0.8, 1.0, 1.2]), np.array([0, 0, 2, 4, 4, 2, 0.0])
+    stations = _whole_mesh([0.2, 0.8], [layer(0.2e-3), layer(0.8e-3)], load)
+    phases = [phase for phase, _ in stations]
+    assert phases == sorted(phases) and phases[0] == 0.0 and phases[-1] == 1.0
+    for phase, one in stations:
+        assert one["face"][0, 0] == pytest.approx(phase * 1e-3)
+        assert one["asperity_rubbing"][0, 0] == pytest.approx(2.0 * np.interp(phase, *load) / 4)
+
+
+def test_a_tip_that_touches_stays_where_it_is():
+    load = np.array([-0.4, 0.0, 1.0, 1.4]), np.array([1.0, 4, 4, 1.0])
+    stations = _whole_mesh([0.2, 0.8], [layer(0.2e-3), layer(0.8e-3)], load)
+    faces = {phase: one["face"][0, 0] for phase, one in stations}
+    assert min(faces) == -0.4 and max(faces) == 1.4
+    assert faces[-0.4] == pytest.approx(0.0, abs=1e-12) and faces[1.4] == pytest.approx(1e-3)
+
+
+def test_without_a_curve_of_the_load_the_pass_ends_with_the_solved_phases():
+    assert [phase for phase, _ in _whole_mesh([0.2, 0.8], [layer(0), layer(1)], None)] == [0.2, 0.8]

@@ -1,0 +1,127 @@
+"""The two pages to sign: verdicts; and what they rest on: figures, flanks, life, assumptions."""
+
+from datetime import datetime
+
+from pydantic import BaseModel
+
+from pyworm.case.case import Case
+from pyworm.case.workshop_units import shown
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.ratings.rating import Rating, Safety
+from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.report.page.assumptions import assumptions_section
+from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Table, Verdict, Words
+from pyworm.report.page.figures import glance_rows, life_rows
+from pyworm.report.page.symbols import made_of, named
+from pyworm.result.result import Result
+
+USUAL = "Taken as usual: "
+"""Beginning of an assumption about a dimension that a drawing leaves to the workshop."""
+
+Identity = tuple[tuple[str, str], ...]
+
+
+def verdict_of(safety: Safety) -> Verdict:
+    """A safety as it is signed."""
+    words = safety.verdict + (", within its bars" if safety.open else "")
+    return Verdict(
+        f"{named(safety.symbol)}, {safety.label}",
+        safety.shown,
+        f"{safety.minimum:g}",
+        words,
+        made_of(safety),
+    )
+
+
+def cover_of(
+    case: Case, result: Result, made: tuple[Rating, ...], identity: Identity
+) -> Cover | None:
+    """The page to sign; None without safeties.
+
+    Parameters
+    ----------
+    case : Case
+        The case of the report.
+    result : Result
+        Its result.
+    made : tuple of Rating
+        Its ratings.
+    identity : tuple of tuple of str
+        What it names besides the case: drawing, customer.
+    """
+    verdicts = tuple(verdict_of(of) for rating in made for of in rating.safeties)
+    if not verdicts:
+        return None
+    head = (("Case", result.case_name), *identity, *_operation(case), *_computed(result))
+    doubts = (
+        f"{named(of.symbol)}: {doubt}"
+        for rating in made
+        for of in rating.safeties
+        for doubt in of.doubts
+    )
+    return Cover(head, verdicts, Items(tuple(dict.fromkeys(doubts))))
+
+
+def _operation(case: Case) -> Identity:
+    """Size, operating point and oil of a drive."""
+    tables = case.tables
+    apart = _of(tables.drive, "centre_distance")
+    found = [("Drive", f"{tables.drive.kind}, centre distance {apart}")]
+    operation = type(tables.operation).model_fields
+    running = [
+        f"{name.replace('_', ' ')} {_of(tables.operation, name)}"
+        for name in operation
+        if name.endswith(("_speed", "_torque")) or name == "power"
+        if getattr(tables.operation, name) is not None
+    ]
+    found.append(("Operating point", ", ".join(running)))
+    heat = tables.oil.heat
+    warm = "" if heat is None else f", {heat.inlet_temperature - ZERO_CELSIUS:.4g} °C"
+    return (*found, ("Oil", f"{tables.oil.name}{warm}"))
+
+
+def _of(table: BaseModel, name: str) -> str:
+    return shown(getattr(table, name), type(table).model_fields[name])
+
+
+def _computed(result: Result) -> Identity:
+    """Version and time of the computation."""
+    known = result.provenance
+    if "pyworm" not in known:
+        return ()
+    commit = f" ({known['commit'][:9]})" if "commit" in known else ""
+    made = (("Computed with", f"pyworm {known['pyworm']}{commit}"),)
+    if "created" not in known:
+        return made
+    when = datetime.fromisoformat(str(known["created"]))
+    return (*made, ("Computed on", f"{when:%d %B %Y, %H:%M} UTC"))
+
+
+def overleaf_of(
+    case: Case,
+    result: Result,
+    made: tuple[Rating, ...],
+    standard: StandardLoss | NoStandard,
+    pictures: tuple[Picture | Words, ...],
+) -> Overleaf:
+    """The page behind the page to sign.
+
+    Parameters
+    ----------
+    case, result, made
+        As of `cover_of`.
+    standard : StandardLoss or NoStandard
+        The loss between the teeth by a standard.
+    pictures : tuple of Picture or Words
+        Flanks, and wear of them.
+    """
+    sound = result.sound
+    rows = glance_rows(case, sound, standard) if sound.solutions else ()
+    (assumed,) = assumptions_section(case, result).blocks
+    decisive = tuple(of for of in assumed.items if not of.startswith(USUAL))
+    more = len(assumed.items) - len(decisive)
+    if more:
+        decisive += (f'{more} dimensions taken as usual, listed under "What was assumed".',)
+    return Overleaf(
+        Table(("", "Value", "Where"), (*rows, *life_rows(case, made))), pictures, Items(decisive)
+    )
