@@ -6,11 +6,11 @@ from typing import Any
 
 from browser import Page, browse
 
-A4 = 794, 1123
-"""A sheet [pixels at 96 to the inch]."""
-
 PRINTABLE = 673, 1002
-"""A sheet within margins of 16 mm."""
+"""A sheet of A4 within margins of 16 mm [pixels at 96 to the inch]."""
+
+SHARPNESS = 1.5
+"""Pixels of a picture over those."""
 
 _BOXES = """(selector => [...document.querySelectorAll(selector)].map(of => {
   const box = of.getBoundingClientRect();
@@ -34,17 +34,19 @@ def take(file: Path, pictures: dict[str, Path], home: Path) -> dict[str, dict[st
     """
 
     async def visit(page: Page) -> dict[str, dict[str, Any]]:
-        width, _ = PRINTABLE
+        width, height = PRINTABLE
+        metrics = {"width": width, "deviceScaleFactor": SHARPNESS, "mobile": False}
         await page.call("Emulation.setEmulatedMedia", media="print")
-        await page.call("Emulation.setDeviceMetricsOverride", width=width, height=1002,
-                        deviceScaleFactor=1, mobile=False)  # fmt: skip
+        await page.call("Emulation.setDeviceMetricsOverride", height=height, **metrics)
         await page.open(file)
         found = {}
         for selector, picture in pictures.items():
             (box,) = await page.run(f"{_BOXES}('{selector}')")
-            clip = {key: box[key] for key in ("x", "y", "width", "height")} | {"scale": 1.5}
-            clip |= {"x": clip["x"] - 8, "y": max(clip["y"] - 8, 0), "width": clip["width"] + 16}
-            shot = await page.call("Page.captureScreenshot", captureBeyondViewport=True, clip=clip)
+            # a clip beyond the window is not drawn sharply: the window holds all of it
+            lowest = int(box["y"] + box["height"]) + 1
+            await page.call("Emulation.setDeviceMetricsOverride", height=lowest, **metrics)
+            clip = {key: box[key] for key in ("x", "y", "width", "height")} | {"scale": 1}
+            shot = await page.call("Page.captureScreenshot", clip=clip)
             picture.write_bytes(base64.b64decode(shot["data"]))
             found[selector] = box
         assert not page.errors, page.errors
