@@ -50,7 +50,7 @@ def test_the_page_behind_has_figures_life_flanks_and_assumptions(page):
     assert "What the verdicts rest on" in behind
     assert "Least film" in behind and "±" in behind
     assert "Life asked for" in behind and "25000" in behind
-    assert "<li>An inlet full of oil.</li>" in behind
+    assert "<h3>Assumptions</h3>" in behind and behind.count("<li>") >= 3
 
 
 @pytest.mark.parametrize(

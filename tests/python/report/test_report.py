@@ -170,6 +170,8 @@ def test_the_command_writes_beside_the_results(tmp_path, capsys, increaser):
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert text.startswith("<!DOCTYPE html>") and text.endswith("</html>\n")
     headings = [unescape(title) for title in re.findall("<h2>(.*)</h2>", text)]
+    signed, *headings = headings  # of the page behind the page to sign
+    assert signed == "What the verdicts rest on"
     assert headings == [one.title for one in increaser[1].sections]
 
 
