@@ -7,7 +7,7 @@ DEBUG := build/debug
 DOCS := $(VENV)/.docs-installed
 PREFIX ?= $(CURDIR)/build/installed
 MESON ?= meson
-WHEEL_PYTHONS ?= $(PYTHON)
+WHEEL_PYTHONS ?= $(shell $(PYTHON) tools/pythons.py)
 BARE ?= $(CURDIR)/build/bare
 CLUSTER := $(VENV)/.cluster-installed
 CONTACT := zi_sharif_2001
@@ -24,8 +24,8 @@ export OPENBLAS_NUM_THREADS ?= 1
 help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make fortran-library  install the kernel for Fortran and C programs under PREFIX ($(PREFIX)), without Python"
-	@echo "make wheel    wheels that need no compiler, in dist/, for WHEEL_PYTHONS ($(WHEEL_PYTHONS))"
-	@echo "make try-wheel  as root: install the one for $(PYTHON) in a bare Debian without compiler, and run it"
+	@echo "make wheel    wheels that need no compiler, in dist/, for every Python found (WHEEL_PYTHONS for others)"
+	@echo "make try-wheel  as root: install each of them in a bare Debian without compiler, and run it"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
 	@echo "make test     run the Fortran and the Python tests"
 	@echo "make test-long  run the Python tests that take long, which make test leaves out"
@@ -53,7 +53,7 @@ wheel: $(INSTALLED)
 	set -e; for python in $(WHEEL_PYTHONS); do tools/wheel.sh $$python dist; done
 
 try-wheel:
-	tools/try_wheel.sh dist/pyworm-*-$$($(PYTHON) -c 'import sys; print("cp%d%d" % sys.version_info[:2])')-*.whl $(BARE)
+	set -e; for python in $(WHEEL_PYTHONS); do tools/try_wheel.sh $$python dist $(BARE); done
 
 demo: $(INSTALLED)
 	pyworm run cases/$(CONTACT).toml --phase 0.5 --out results/$(CONTACT)

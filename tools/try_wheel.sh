@@ -1,15 +1,19 @@
 #!/bin/sh
-# Install a wheel into a bare Debian without compiler, and run it there; as root, with debootstrap.
-# Usage: tools/try_wheel.sh WHEEL ROOT
+# Install the wheel for one Python into a bare Debian without compiler, and run it there; as root, with debootstrap.
+# Usage: tools/try_wheel.sh PYTHON DIRECTORY ROOT
 set -eu
-wheel=$1
-root=$2
+python=$1
+directory=$2
+root=$3
 
 fail() {
     echo "pyworm: $*" >&2
     exit 1
 }
 
+tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+wheel=$(echo "$directory"/pyworm-*-"$tag"-*.whl)
+[ -f "$wheel" ] || fail "one wheel for $tag is needed in $directory: make wheel; there is $wheel"
 [ "$(id -u)" = 0 ] || fail "a root for Debian needs root's rights"
 command -v debootstrap >/dev/null || fail "install debootstrap"
 
@@ -25,18 +29,30 @@ fi
 ! find "$root/usr/lib" -name 'libgfortran*' -o -name 'libfftw3*' -o -name 'libopenblas*' | grep . ||
     fail "$root has libraries of the wheel's own"
 
+# Debian's own Python, or this machine's where the version is another one, in the same place.
+version=$("$python" -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
+there=/usr/bin/$version
+if [ ! -x "$root$there" ]; then
+    prefix=$("$python" -c 'import sys; print(sys.base_prefix)')
+    there=$prefix/bin/$version
+    mkdir -p "$root$prefix"
+    [ -x "$root$there" ] || cp -a "$prefix/." "$root$prefix"
+fi
+echo "--- $wheel, $there"
+
 # Packages come through this machine's pip, so that the root needs no network settings of its own.
 rm -rf "$root/wheels" "$root/try"
-python3 -m pip download --quiet --disable-pip-version-check --only-binary=:all: --dest "$root/wheels" "$wheel"
+"$python" -m pip download --quiet --disable-pip-version-check --only-binary=:all: --dest "$root/wheels" "$wheel"
 mount --bind /proc "$root/proc" # for the processor's features
 trap 'umount "$root/proc"' EXIT
 mkdir "$root/try"
 cp cases/point_m20_l10.toml cases/zi_sharif_2001.toml "$root/try"
 env -i PATH=/usr/sbin:/usr/bin:/bin HOME=/try LANG=C.UTF-8 chroot "$root" sh -euc '
     cd /try
-    python3 -m venv venv
+    "$1" -m venv venv
     venv/bin/pip install --quiet --no-index --find-links /wheels pyworm
     venv/bin/pyworm doctor
     venv/bin/pyworm run point_m20_l10.toml --accuracy 10% --out out
     venv/bin/pyworm run zi_sharif_2001.toml --phase 0.5 --accuracy 10% --out zi
-'
+    venv/bin/pyworm explore zi/result.nc
+' sh "$there"

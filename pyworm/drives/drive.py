@@ -11,12 +11,13 @@ from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.lubrication import Bath, Jets, OilBrought, OiledTeeth, oil_brought
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
-from pyworm.drives.shape import Shape
+from pyworm.drives.shape import Space
 from pyworm.drives.shim import Shim
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.materials.oil import Oil
 from pyworm.scene.contact import BODIES
+from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -112,9 +113,9 @@ class Drive(ABC):
         """Data that pictures of one scene show beside the fields of its solution; may be empty."""
         return PlainDataset({}, (), {})
 
-    def shapes(self, phases: Sequence[float]) -> tuple[Shape, ...]:
-        """Its flanks in space with their turns at some phases; none where that is not known."""
-        return ()
+    def in_space(self, places: Sequence[Place]) -> Space | None:
+        """Its surfaces in space with their turns at some places; None where they are not known."""
+        return None
 
     def normal_load(self, phase: float) -> float:
         """Normal load of the contact at a phase [N], for each length of a line contact [N/m]."""

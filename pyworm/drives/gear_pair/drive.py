@@ -26,13 +26,16 @@ from pyworm.drives.gear_pair.involute import InvolutePair
 from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
 from pyworm.drives.gear_pair.mesh_loss import gear_mesh_loss
 from pyworm.drives.gear_pair.misalignment import gear_misalignment
+from pyworm.drives.gear_pair.shapes import in_space
 from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.shape import Space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
+from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
 
@@ -289,6 +292,10 @@ class GearPairDrive(Drive):
         length = contacts.pinion_length if self.driver == "pinion" else contacts.gear_length
         arm = length / (base * cos(self.teeth.system.base_helix_angle))
         return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
+
+    def in_space(self, places: Sequence[Place]) -> Space:
+        """Some teeth of both gears."""
+        return in_space(self.teeth, [float(self.contacts(of.phase).pinion_length) for of in places])
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss by the loss factor and the mean friction; None for fewer than two phases."""

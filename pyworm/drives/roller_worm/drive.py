@@ -33,11 +33,14 @@ from pyworm.drives.roller_worm.motion import (
     roller_speed,
 )
 from pyworm.drives.roller_worm.section import WormSection
+from pyworm.drives.roller_worm.shapes import in_space
+from pyworm.drives.shape import Space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.io.on_demand import xarray as xr
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
+from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Scene
 
@@ -343,6 +346,10 @@ class RollerWormDrive(Drive):
             rate=self.speed * worm.threads / (2 * pi),
             power=self.speed * self.torque,
         )
+
+    def in_space(self, places: Sequence[Place]) -> Space:
+        """Both flanks of the worm and the rollers about it."""
+        return in_space(self, places)
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss of all rollers in mesh; None for too few phases of a section that carries load."""

@@ -14,7 +14,7 @@ from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
-from pyworm.drives.shape import Shape
+from pyworm.drives.shape import Space
 from pyworm.drives.shim import Shim
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.zi_worm.checks import check_values
@@ -39,7 +39,7 @@ from pyworm.drives.zi_worm.mesh_springs import mesh_springs
 from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
-from pyworm.drives.zi_worm.shapes import shapes
+from pyworm.drives.zi_worm.shapes import in_space
 from pyworm.drives.zi_worm.shim import found_shim
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
 from pyworm.drives.zi_worm.wanted_pattern import set_up
@@ -48,6 +48,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
+from pyworm.scene.index import Place
 from pyworm.scene.point import Scene
 
 MIRRORED = (
@@ -416,9 +417,9 @@ class ZiWormDrive(ZiWormGears, Drive):
         """The drive as input of ratings by standards of worm gears."""
         return worm_duty(self)
 
-    def shapes(self, phases: Sequence[float]) -> tuple[Shape, ...]:
+    def in_space(self, places: Sequence[Place]) -> Space:
         """The thread that drives and the flank of the wheel that it drives."""
-        return shapes(self, phases)
+        return in_space(self, [of.phase for of in places])
 
     def scene_data(self, scene: Scene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""

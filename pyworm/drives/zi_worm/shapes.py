@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.shape import Shape
+from pyworm.drives.shape import Shape, Space
 from pyworm.drives.zi_worm.contact_pattern import flank_grid
 from pyworm.drives.zi_worm.helicoid import Array
 
@@ -29,8 +29,13 @@ THREAD_TURNS = 1.5
 TEETH = 3
 """Teeth of the wheel on each side of the one in contact."""
 
+DRAWN = (
+    "Colours: pressure of this contact, seen through the worm. Drawn are only the flanks that drive and are "
+    "driven."
+)
 
-def shapes(gears: "ZiWormGears", phases: Sequence[float]) -> tuple[Shape, ...]:
+
+def in_space(gears: "ZiWormGears", phases: Sequence[float]) -> Space:
     """The thread that drives and the flank of the wheel that it drives.
 
     Parameters
@@ -41,17 +46,18 @@ def shapes(gears: "ZiWormGears", phases: Sequence[float]) -> tuple[Shape, ...]:
         Phases of the mesh cycle for the turns.
     """
     contacts = [gears.cycle.contact(phase) for phase in phases]
-    return (
-        Shape(
-            1,
-            gears.worm_flank.axis_point,
-            gears.worm_flank.axes[:, 2],
-            thread(gears),
-            np.array([one.worm_angle for one in contacts]),
-            tuple(2 * pi * np.arange(1, gears.worm.threads) / gears.worm.threads),
-        ),
-        _wheel(gears, np.array([one.wheel_angle for one in contacts])),
+    worm = Shape(
+        1,
+        gears.worm_flank.axis_point,
+        gears.worm_flank.axes[:, 2],
+        thread(gears),
+        np.array([one.worm_angle for one in contacts]),
+        tuple(2 * pi * np.arange(1, gears.worm.threads) / gears.worm.threads),
     )
+    wheel = _wheel(gears, np.array([one.wheel_angle for one in contacts]))
+    # the worm, which lies at negative x, comes above the wheel
+    view = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    return Space((worm, wheel), view, 0.5 * gears.centre_distance, DRAWN)
 
 
 def thread(gears: "ZiWormGears") -> Array:

@@ -47,9 +47,9 @@ function begin() {
   element("range").addEventListener("change", (event) => { state.range = event.target.value; update(); });
   element("flank-part").hidden = !page.flank;
   if (page.flank) options("flank-field", page.maps, state.flankField, (name) => { state.flankField = name; });
-  element("space-part").hidden = !page.shapes.length;
+  element("space-part").hidden = !page.space;
   element("map").hidden = element("map-read").hidden = !page.scenes[0].y;
-  watchSpace();
+  if (page.space) watchSpace();
   window.addEventListener("resize", update);
   update();
 }

@@ -37,7 +37,7 @@ def content(result: Result) -> dict[str, Any]:
         "fields": fields,
         "flank": on_flank,
         "maps": maps,
-        "shapes": space(result, grids),
+        "space": space(result, grids),
         "colours": used(fields, maps, shown(FIELDS, {"pressure"}, result.body_names)),
     }
 

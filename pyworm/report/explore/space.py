@@ -1,4 +1,4 @@
-"""Flanks of a drive in space for the page, with the pressure of each contact on the one that fields know."""
+"""A drive in space for the page, with the pressure of each contact on its flank, or the line of contact."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -14,28 +14,37 @@ from pyworm.plots.layout import MEGA, MILLI
 from pyworm.report.explore.flank import pressure_on
 from pyworm.report.explore.packed import packed
 from pyworm.result.result import Result
+from pyworm.scene.index import Place
 
 FINER = 3
 """Points of the flank with the contact between two of the drive's own, so that the contact is seen."""
 
 
-def space(result: Result, grids: "Sequence[xr.Dataset]") -> list[dict[str, Any]]:
-    """Shapes of the drive of a result; none where it has no drive that knows them.
+def space(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | None:
+    """The drive of a result in space; None where it has none, or one whose surfaces are not known.
 
     Parameters
     ----------
     result, grids
         As of `scenes`.
     """
-    phases = [solution.phase for solution in result.solutions]
-    if None in phases or not result.case:
-        return []
+    places = [Place.of(solution) for solution in result.solutions]
+    if not result.case or any(of.phase is None for of in places):
+        return None
     try:
         drive = case_again(result.case).drive
     except CaseError:  # of another version: the page is without
-        return []
-    shapes = () if drive is None else drive.shapes(phases)
-    return [_shape(of, grids) for of in shapes]
+        return None
+    found = None if drive is None else drive.in_space(places)
+    if found is None:
+        return None
+    return {
+        "drawn": found.drawn,
+        "view": found.view.tolist(),
+        "size": found.size * MILLI,
+        "shapes": [_shape(of, grids) for of in found.shapes],
+        "lines": [(of * MILLI).round(4).tolist() for of in found.lines],
+    }
 
 
 def _shape(shape: Shape, grids: "Sequence[xr.Dataset]") -> dict[str, Any]:

@@ -10,7 +10,7 @@ import pyworm
 from pyworm.drives.zi_worm.drawing import completed
 from pyworm.drives.zi_worm.hob_setting import drawn_gears
 from pyworm.drives.zi_worm.meshing import turned
-from pyworm.drives.zi_worm.shapes import shapes
+from pyworm.drives.zi_worm.shapes import in_space
 
 CASES = Path(__file__).parents[3] / "cases"
 UNIT = {
@@ -43,7 +43,7 @@ def about(axis, angle, points):
 
 def test_contact_points_lie_on_thread_and_flank(gears):
     """Every contact point, turned back, lies between points of both: nearer than these are to each other."""
-    for shape, of in zip(shapes(gears, PHASES), ("thread", "flank"), strict=True):
+    for shape, of in zip(in_space(gears, PHASES).shapes, ("thread", "flank"), strict=True):
         points = shape.surface.reshape(-1, 3)
         points = points[np.isfinite(points).all(axis=1)] - shape.axis_point
         angles = (0.0, *shape.copies) if of == "thread" else (0.0,)
@@ -59,7 +59,7 @@ def test_contact_points_lie_on_thread_and_flank(gears):
 
 def test_the_thread_is_the_helicoid_of_every_contact(gears):
     """The section's height at a contact's radius, swept to its angle, is where it lies along the axis."""
-    flank, (thread, _) = gears.worm_flank, shapes(gears, PHASES)
+    flank, (thread, _) = gears.worm_flank, in_space(gears, PHASES).shapes
     own = np.tensordot(thread.surface - thread.axis_point, flank.axes, 1)
     radius, angle = np.hypot(own[..., 0], own[..., 1]), np.arctan2(own[..., 1], own[..., 0])
     offset = own[..., 2] - flank.screw * angle
@@ -78,7 +78,7 @@ def test_the_thread_is_the_helicoid_of_every_contact(gears):
 
 
 def test_the_wheel_turns_with_its_angle(gears):
-    _, wheel = shapes(gears, PHASES)
+    _, wheel = in_space(gears, PHASES).shapes
     points = wheel.surface[7, 20]
     for turn, phase in zip(wheel.turns, PHASES, strict=True):
         expected = turned(points, -gears.cycle.contact(phase).wheel_angle)

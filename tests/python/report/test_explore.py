@@ -58,7 +58,7 @@ def test_the_page_has_the_fields_of_every_contact_reduced(cycle):
         highest = pressure["low"] + 65534 * pressure["step"]
         assert highest == pytest.approx(solution.figures.pressure_max.value * 1e-6, rel=0.03)
     assert found["flank"]["fields"].keys() >= {"film", "pressure"}
-    worm, wheel = found["shapes"]
+    worm, wheel = found["space"]["shapes"]
     assert (worm["body"], wheel["body"], len(wheel["pressures"])) == (1, 2, 4)
     assert not {"http://", "https://"} & set(explore(result).split('"'))
 
@@ -138,6 +138,29 @@ def test_a_line_contact_has_a_profile_and_no_map(tmp_path):
     hidden, figures, errors = browse(tmp_path / "profile", visit)
     assert hidden == [True] * 5 and errors == []
     assert "Least film" in figures
+
+
+@in_browser
+@pytest.mark.parametrize("case, words", [("spur_pair", []), ("roller_ref", ["--section", "left"])])
+def test_drives_of_line_contacts_have_their_line_in_space(case, words, tmp_path):
+    place = ("--phase", "0.2", "0.8", *words, *(("--station", "0.5") if words else ()))
+    how = ("--accuracy", "10 %", "--effects", "isothermal", "--pictures", "none")
+    assert (
+        main(["run", str(CASES / f"{case}.toml"), *place, *how, "--out", str(tmp_path)])
+        == CONVERGED
+    )
+    assert main(["explore", str(tmp_path / "result.nc")]) == CONVERGED
+
+    async def visit(page):
+        await page.open(tmp_path / "explore.html")
+        image = "element('space').toDataURL()"
+        first = await page.run(image)
+        await page.run("show(1)")
+        read = await page.run("element('space-read').textContent")
+        return first, await page.run(image), read, page.errors
+
+    first, second, read, errors = browse(tmp_path / "profile", visit)
+    assert first != second and "Red: line of contact" in read and errors == []
 
 
 def test_a_directory_in_place_of_a_page_is_refused(tmp_path, capsys):

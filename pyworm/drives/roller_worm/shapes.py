@@ -1,0 +1,98 @@
+"""Worm and rollers in space, for pictures: flanks that rollers envelop, rollers as surfaces of revolution."""
+
+from collections.abc import Sequence
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pyworm.drives.roller_worm.section import WormSection
+from pyworm.drives.shape import Shape, Space
+from pyworm.scene.index import Place
+
+if TYPE_CHECKING:
+    from pyworm.drives.roller_worm.drive import RollerWormDrive
+
+Array = np.ndarray
+
+HEIGHTS = 4
+"""Points of a flank along the rollers."""
+
+ANGLES = 30
+"""Points in a turn of the worm, or of a roller about its own axis."""
+
+ALONG = 41
+"""Points of a line of contact."""
+
+DRAWN = (
+    "Red: line of contact of this roller. Drawn are the flanks of the worm that rollers touch, and the "
+    "rollers on the worm's side, without their crown."
+)
+
+
+def in_space(drive: "RollerWormDrive", places: Sequence[Place]) -> Space:
+    """Both flanks of the worm and the rollers about it.
+
+    Parameters
+    ----------
+    drive : RollerWormDrive
+        The drive.
+    places : sequence of Place
+        Sections and phases for the turns.
+    """
+    sections = [drive.sections[of.section] for of in places]
+    angles = [
+        float(section.wheel_angle(of.phase)) for section, of in zip(sections, places, strict=True)
+    ]
+    flanks = (_flank(drive, of, np.array(angles)) for of in drive.sections.values())
+    return Space(
+        shapes=(*flanks, _rollers(drive, np.array(angles))),
+        view=np.eye(3),
+        size=1.5 * drive.centre_distance,
+        drawn=DRAWN,
+        lines=tuple(
+            section.line(np.array(angle), np.linspace(0, 1, ALONG)).point.T
+            for section, angle in zip(sections, angles, strict=True)
+        ),
+    )
+
+
+def _flank(drive: "RollerWormDrive", section: WormSection, angles: Array) -> Shape:
+    envelope, turns = section.envelope, drive.worm.hand * drive.ratio * angles
+    count = round(ANGLES * drive.ratio * (section.last - section.first) / (2 * pi)) + 2
+    along = np.linspace(section.lowest, section.highest, HEIGHTS)[:, None]
+    points = envelope.worm_point(along, np.linspace(section.first, section.last, count))
+    threads = drive.worm.threads
+    return Shape(
+        body=1,
+        axis_point=envelope.worm_centre,
+        axis=np.array([1.0, 0.0, 0.0]),
+        surface=np.moveaxis(points, 0, -1),
+        turns=turns,
+        copies=tuple(2 * pi * np.arange(1, threads) / threads),
+    )
+
+
+def _rollers(drive: "RollerWormDrive", angles: Array) -> Shape:
+    (section, *_), profile = drive.sections.values(), drive.rollers.profile
+    going, side, axis, middle = section.envelope.axes(np.array(0.0))
+    ends = np.array([-0.5, 0.0, 0.5]) * profile.length
+    radii = profile(ends)[0]
+    # the flat ends are rings of no radius
+    rings = zip(ends[[0, 0, 1, 2, 2]], (0.0, *radii, 0.0), strict=True)
+    surface = np.stack([_ring(middle + s * axis, of, going, side) for s, of in rings])
+    about = round(pi / 2 / section.pitch)
+    return Shape(
+        body=2,
+        axis_point=np.zeros(3),
+        axis=np.array([0.0, 0.0, 1.0]),
+        surface=surface,
+        turns=-angles,
+        copies=tuple(section.pitch * np.array([of for of in range(-about, about + 1) if of])),
+    )
+
+
+def _ring(centre: Array, radius: float, one: Array, other: Array) -> Array:
+    """Points of a circle, the first once more at the end, (ANGLES + 1, 3)."""
+    around = np.linspace(0, 2 * pi, ANGLES + 1)[:, None]
+    return centre + radius * (np.cos(around) * one + np.sin(around) * other)
