@@ -84,6 +84,12 @@ def worm(phase: float) -> Callable[[], Scene]:
     return lambda: replace(pyworm.load(case).scene(phase), past=None)
 
 
+def polished_worm() -> Scene:
+    """The worm's contact at mid-mesh between flanks so smooth that their roughness may be left out."""
+    scene = worm(0.5)()
+    return replace(scene, bodies=tuple(replace(body, roughness=0.1e-6) for body in scene.bodies))
+
+
 def roller(phase: float) -> Callable[[], LineScene]:
     """A station of the roller drive's driving section, by itself."""
     case = Path("cases/roller_ref.toml")
@@ -101,6 +107,9 @@ class Trial:
 
 ROLLING = ((0.1, 0.0), (0.1, 0.0))
 ROUGH = replace(STEEL, roughness=0.4e-6)
+POLISHED = replace(STEEL, roughness=0.012e-6)
+LAPPED = replace(STEEL, roughness=0.02e-6)
+HONED = replace(STEEL, roughness=0.03e-6)
 
 TRIALS: dict[str, Trial] = {
     "rubber, feather load": Trial(
@@ -238,5 +247,38 @@ TRIALS: dict[str, Trial] = {
         ),
         FILM,
     ),
+    "ball, polished": Trial(
+        lambda: point(
+            "ball, polished",
+            (0.01, 0.01),
+            20.0,
+            ((0.6, 0.0),) * 2,
+            (POLISHED, POLISHED),
+            mineral(0.04, 2e-8),
+        ),
+        FILM,
+    ),
+    "ball, lapped": Trial(
+        lambda: point(
+            "ball, lapped",
+            (0.01, 0.01),
+            20.0,
+            ((0.62, 0.0), (0.58, 0.0)),
+            (LAPPED, LAPPED),
+            mineral(0.04, 2e-8),
+        ),
+        COLD,
+    ),
+    "gear, honed": Trial(
+        lambda: line("gear, honed", 0.012, 2e5, (2.0, 2.0), (HONED, HONED), mineral(0.03, 1.8e-8)),
+        FILM,
+    ),
+    "gear, honed, sliding": Trial(
+        lambda: line(
+            "gear, honed, sliding", 0.012, 2e5, (1.05, 0.95), (HONED, HONED), mineral(0.03, 1.8e-8)
+        ),
+        COLD,
+    ),
+    "worm, polished": Trial(polished_worm, ALL),
 }
 """Name -> scene and what is asked."""

@@ -11,6 +11,7 @@ import pytest
 
 import pyworm
 
+ROOT = Path(__file__).parents[2]
 PACKAGE = Path(pyworm.__file__).parent
 NAMES = [name for name in pyworm.__all__ if name not in ("__version__", "formulas", "plots")]
 
@@ -109,9 +110,9 @@ def test_formulas_and_plots_have_their_modules_on_demand():
 
 
 def test_the_page_of_the_interface_has_every_name():
-    page = (PACKAGE.parent / "docs/reference/python.md").read_text()
+    page = (ROOT / "docs/reference/python.md").read_text()
     assert not [name for name in NAMES if f"::: {pyworm._HOMES[name]}.{name}\n" not in page]
 
 
 def test_the_changelog_has_the_version():
-    assert f"\n## {pyworm.__version__}, " in (PACKAGE.parent / "CHANGELOG.md").read_text()
+    assert f"\n## {pyworm.__version__}, " in (ROOT / "CHANGELOG.md").read_text()
