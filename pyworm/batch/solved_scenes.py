@@ -74,9 +74,19 @@ class Store:
         return True
 
     def missing(self, tasks: Iterable[Task]) -> list[Task]:
-        """The tasks still to be solved, each once; partial files of killed processes are removed."""
+        """The tasks still to be solved, each once, as of `solved`."""
+        wanted = {task.key: task for task in tasks}
+        found = self.solved(wanted.values())
+        return [task for key, task in wanted.items() if key not in found]
+
+    def solved(self, tasks: Iterable[Task]) -> dict[str, dict[str, Any]]:
+        """Key and `summary` of the tasks that are solved; partial files of killed processes are removed."""
         remove_abandoned(self.directory)
-        return list({task.key: task for task in tasks if not self.holds(task)}.values())
+        found = {}
+        for task in tasks:
+            with suppress(OSError):
+                found[task.key] = self.summary(task)
+        return found
 
     def result(self, task: Task) -> Result:
         """A complete solution, solved here or stored; OSError if its file is missing or damaged."""

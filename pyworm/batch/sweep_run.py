@@ -41,11 +41,16 @@ def run_sweep(
     SweepResult
         A row a scene, those without a solution included.
     """
-    reasons, store = solve_share(sweep.tasks, directory, fields, executor, progress, say)
-    rows = [
-        _unsolved(task, reasons[task.key]) if task.key in reasons else store.summary(task)
-        for task in sweep.tasks
-    ]
+    reasons, found = solve_share(sweep.tasks, directory, fields, executor, progress, say)
+    store = _store(directory, fields)
+
+    def row(task: Task) -> dict:
+        if task.key in reasons:
+            return _unsolved(task, reasons[task.key])
+        # each file is read once more only if it was solved just now
+        return found.get(task.key) or store.summary(task)
+
+    rows = [row(task) for task in sweep.tasks]
     return SweepResult(
         sweep.name,
         sweep.title,
@@ -62,21 +67,25 @@ def solve_share(
     executor: Executor | None = None,
     progress: Progress | None = None,
     say: Callable[[str], None] = lambda message: None,
-) -> tuple[dict[str, str], Store]:
+) -> tuple[dict[str, str], dict[str, dict]]:
     """Solve some scenes of a sweep and store them; arguments as of `run_sweep`.
 
     Returns
     -------
-    tuple of dict and Store
-        Key and reason of each scene without solution, and where the others are.
+    tuple of dict and dict
+        Key and reason of each scene without solution; key and summary of each that was solved before.
     """
-    store = Store(directory.absolute() / SCENES, fields)
-    missing = store.missing(tasks)
-    new = {task.key for task in missing}
-    before = sum(task.key not in new for task in tasks)
-    if before:
+    store = _store(directory, fields)
+    found = store.solved(tasks)
+    if found:
+        before = sum(task.key in found for task in tasks)
         say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
-    return solve_all(missing, store, executor, progress), store
+    missing = list({task.key: task for task in tasks if task.key not in found}.values())
+    return solve_all(missing, store, executor, progress), found
+
+
+def _store(directory: Path, fields: bool) -> Store:
+    return Store(directory.absolute() / SCENES, fields)
 
 
 def _unsolved(task: Task, reason: str) -> dict:
