@@ -45,8 +45,8 @@ def content(result: Result) -> dict[str, Any]:
 def explore(result: Result) -> str:
     """The page."""
     title = result.case.get("title", result.case_name)
-    # a script ends at the first "</", whatever it is in
-    data = json.dumps(finite(content(result)), separators=(",", ":")).replace("</", "<\\/")
+    # a browser looks for ends of scripts and for comments in whatever a script holds
+    data = json.dumps(finite(content(result)), separators=(",", ":")).replace("<", "\\u003c")
     script = "\n".join((_HERE / name).read_text(encoding="utf-8") for name in SCRIPTS)
     words = " ".join(filter(None, (of_all(result.solutions).sentence, headline(result.solutions))))
     body = (_HERE / "body.html").read_text(encoding="utf-8")
