@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
@@ -22,21 +23,39 @@ class ToothLife:
         Rate of change of the phase [1/s], negative where the drive runs backwards.
     axes_at : callable
         Phase -> x, y and normal of the tangent plane, as rows in the frame of the velocities.
+    before, after : float
+        Phases before the first and after the last one, in the sense in which the drive turns, in which the pair
+        has a scene, too: of flanks that come together, and of edges under load.
+    touch : float
+        Load from which on flanks that come together carry that of the scene (`scene.life.Life`) [N].
     """
 
     scene_at: Callable[[float], Scene | LineScene]
     phases_per_second: float
     axes_at: Callable[[float], np.ndarray] = unturned
+    before: float = 0.0
+    after: float = 0.0
+    touch: float = inf
 
     def at(self, phase: float) -> Scene | LineScene:
         """The scene at a phase with its past."""
-        rate = self.phases_per_second
-        passed = phase if rate > 0 else 1 - phase
-        life = Life(1 / abs(rate), self._scene_then, self._axes_then)
-        return replace(self.scene_at(phase), past=Past(life, passed / abs(rate)))
+        return replace(self.scene_at(phase), past=self.past(phase))
+
+    def past(self, phase: float) -> Past:
+        """The past of the contact at a phase."""
+        rate = abs(self.phases_per_second)
+        passed = phase if self.phases_per_second > 0 else 1 - phase
+        life = Life(
+            (self.before + 1 + self.after) / rate,
+            self._scene_then,
+            self._axes_then,
+            touch=self.touch,
+            touched=max(self.before, 0.0) / rate,
+        )
+        return Past(life, (self.before + passed) / rate)
 
     def _scene_then(self, seconds: float) -> Scene | LineScene:
-        """The scene at a time since the first touch [s]."""
+        """The scene at a time since its life began [s]."""
         return self.scene_at(self._phase(seconds))
 
     def _axes_then(self, seconds: float) -> np.ndarray:
@@ -44,5 +63,6 @@ class ToothLife:
         return self.axes_at(self._phase(seconds))
 
     def _phase(self, seconds: float) -> float:
-        passed = min(max(seconds * abs(self.phases_per_second), 0.0), 1.0)  # rounding aside
+        passed = seconds * abs(self.phases_per_second) - self.before
+        passed = min(max(passed, -self.before), 1 + self.after)  # rounding aside
         return passed if self.phases_per_second > 0 else 1 - passed

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import inf
 from typing import Generic, TypeVar
 
 import numpy as np
@@ -32,12 +33,20 @@ class Life(Generic[Contact]):
         Time -> x, y and normal of the tangent plane, as rows in a frame at rest.
     kinks : tuple of float
         Times between which its changes are smooth, where they are known [s].
+    touch : float
+        Load from which on surfaces that come together carry that of the contact, whatever the separation
+        given [N], of a line contact for each length [N/m]; inf where a separation that is given holds.
+    touched : float
+        Time from which on its films begin with a steady one, where those of surfaces that come together
+        before are not found [s].
     """
 
     duration: float
     at: Callable[[float], Contact]
     axes_at: Callable[[float], np.ndarray] = unturned
     kinks: tuple[float, ...] = ()
+    touch: float = inf
+    touched: float = 0.0
 
     def turning(self, seconds: float) -> float:
         """Angular velocity of the axes about the normal [rad/s], positive from x to y."""

@@ -42,6 +42,7 @@ from pyworm.drives.zi_worm.sensitivity import sensitivity_data
 from pyworm.drives.zi_worm.shapes import in_space
 from pyworm.drives.zi_worm.shim import found_shim
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
+from pyworm.drives.zi_worm.tooth_pair_life import tooth_life
 from pyworm.drives.zi_worm.wanted_pattern import set_up
 from pyworm.drives.zi_worm.worm_shaft import BentShaft, WormShaft, bent_shaft
 from pyworm.io.on_demand import xarray as xr
@@ -211,6 +212,10 @@ class ZiWormDrive(ZiWormGears, Drive):
         """The unloaded tooth contact at a phase of the mesh cycle, 0 to 1."""
         if not 0 <= phase <= 1:
             raise ValueError(f"phase is {phase:.6g}; a tooth pair touches from phase 0 to phase 1")
+        return self.contact_beyond(phase)
+
+    def contact_beyond(self, phase: float) -> ToothContact:
+        """The same at any phase; before and after the mesh cycle flanks may touch at an edge of a tooth."""
         return self.cycle.contact(phase, self.rotation)
 
     @property
@@ -319,10 +324,16 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
-        return ToothLife(self._scene, self.phases_per_second, self._axes).at(phase)
+        self.contact(phase)  # refuses other phases
+        return replace(self._scene(phase), past=self.life.past(phase))
+
+    @cached_property
+    def life(self) -> ToothLife:
+        """The life of a tooth pair, from flanks that come together to the last ones under load."""
+        return tooth_life(self, self._scene, self._axes)
 
     def _axes(self, phase: float) -> Array:
-        return self.contact(phase).axes
+        return self.contact_beyond(phase).axes
 
     def _scene(self, phase: float) -> Scene:
         if self.interference_words is not None:
@@ -330,20 +341,23 @@ class ZiWormDrive(ZiWormGears, Drive):
         load = self.normal_load(phase)
         if load == 0:
             raise ValueError("the tooth pair carries no load there, its neighbours carry all")
-        return self.scene_under(load, phase)
+        return self.scene_of(self.contact_beyond(phase), load)
 
     def scene_under(self, load: float, phase: float) -> Scene:
         """The contact at a phase under a normal load [N], without its past."""
-        contact = self.contact(phase)
+        return self.scene_of(self.contact(phase), load)
+
+    def scene_of(self, contact: ToothContact, load: float) -> Scene:
+        """The same of a contact."""
         return Scene(
-            name=f"phase {phase:.2f}",
+            name=f"phase {contact.phase:.2f}",
             gap=self.gap(contact),
             radii=contact.radii,
             motions=self.motions(contact),
             load=load,
             bodies=self.bodies,
             oil=self.oil_supplied,
-            phase=phase,
+            phase=contact.phase,
         )
 
     @property

@@ -61,6 +61,8 @@ class Course:
         First and last time under load [s].
     sides : tuple
         Cells of the coarsest grid before and behind the contact point along each direction.
+
+    Before and after the times for which grids were fitted they stay as they are.
     """
 
     life: Life
@@ -69,6 +71,7 @@ class Course:
     end: float
     sides: tuple[tuple[int, int], ...]
     _log_spacing: tuple[np.polynomial.Polynomial, ...]
+    _fitted: tuple[float, float]
     _transits: "scipy.interpolate.PPoly"
 
     def transits(self, seconds: float) -> float:
@@ -89,7 +92,8 @@ class Course:
 
     def grid(self, seconds: float, refinement: int) -> Grid | LineGrid:
         """The grid at a time, its spacing halved some times."""
-        steps = [exp(log_spacing(seconds)) / 2**refinement for log_spacing in self._log_spacing]
+        within = float(np.clip(seconds, *self._fitted))
+        steps = [exp(log_spacing(within)) / 2**refinement for log_spacing in self._log_spacing]
         spans = [(before << refinement, behind << refinement) for before, behind in self.sides]
         if len(steps) == 1:
             ((dx,), ((before, behind),)) = steps, spans
@@ -103,7 +107,9 @@ class Course:
 
     def mesh(self, seconds: float) -> MeshMotion | Stretching:
         """Velocity of the grid's nodes at a time."""
-        growth = [float(of.deriv()(seconds)) for of in self._log_spacing]
+        first, last = self._fitted
+        breathes = first < seconds < last
+        growth = [float(of.deriv()(seconds)) * breathes for of in self._log_spacing]
         return (
             Stretching(*growth)
             if len(growth) == 1
@@ -140,6 +146,7 @@ def course_of(life: Life, plan: Plan) -> Course:
         times[-1],
         _sides(grids, coarsening),
         _spacings(at[some], grids, coarsening),
+        (at[0], at[-1]),
         _pace(at, of_all, predictions, life),
     )
 
@@ -255,8 +262,11 @@ def _pace(
         folds = _folds(before[1], after[1]) / (after[0] - before[0])
         for end in (number, number + 1):
             paces[end] = max(paces[end], folds)
-    if len(times) == 1:
-        times, paces = [0.0, duration], [*paces, *paces]
+    ends = [0.0] * (times[0] > 0), [duration] * (times[-1] < duration)
+    times, paces = (
+        [*ends[0], *times, *ends[1]],
+        [*paces[:1] * len(ends[0]), *paces, *paces[-1:] * len(ends[1])],
+    )
     return scipy.interpolate.PchipInterpolator(times, paces).antiderivative()
 
 

@@ -7,7 +7,7 @@ instants of that part, and the rates of change that films on other grids take, f
 """
 
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
@@ -50,8 +50,14 @@ iteration leaves in a rate of change."""
 WARMING = 1e-2
 """Last change of their temperatures over the largest rise; heat is quasi-steady and keeps no errors."""
 
+TRACE = 1.0
+"""Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
+
 LOST = 1e-2
 """Residual above which the film of an instant is lost."""
+
+UNSETTLED = 0.1
+"""The same of temperatures while surfaces come together: films are thick, and warm by a few kelvin."""
 
 MOST_STEPS, TRIAL_STEPS = 15, 4
 """Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and the number
@@ -170,17 +176,47 @@ def march(
     _require_memory(course, refinement)
     asked = _instants(course, refinement, begin, max(*wanted, until))
     framed = set(asked[:: 2**refinement])
+    later = [seconds for seconds in asked if seconds >= course.life.touched]
+    if len(later) == len(asked):
+        return _through(course, refinement, asked, wanted, framed)
+    try:
+        found = _through(course, refinement, asked, wanted, framed)
+    except LostError:
+        found = None
+    if found is not None and len(found.rates) == len(wanted):
+        return found
+    try:
+        again = _through(course, refinement, later, wanted, framed)
+    except LostError:
+        if found is None:
+            raise
+        return found
+    return again if found is None or len(again.rates) > len(found.rates) else found
+
+
+def _through(
+    course: Course,
+    refinement: int,
+    asked: Sequence[float],
+    wanted: Sequence[float],
+    framed: Container[float],
+) -> March:
+    """The films of some instants, of which the fields of a few are kept; as of `march`."""
     instants, level, before, steps = _begun(course, refinement, asked, min(wanted))
     needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
     kept: dict[float, _Instant] = {}
     heat: list[HeatedInstant] = []
-    moments, lost = [], None
+    moments, lost, held = [], None, True
     last: deque[_Instant] = deque(maxlen=2 * AROUND)
     for seconds in instants:
         try:
             if before:
-                level, taken = _onward(course, refinement, seconds, before, heat)
+                level, taken = _onward(course, refinement, seconds, before, heat, held)
                 steps += taken
+                if held and level.carried() > course.life.touch:
+                    held = False
+                    level, taken = _onward(course, refinement, seconds, before, heat, held)
+                    steps += taken
         except LostError as error:
             lost = str(error)
             break
@@ -191,6 +227,8 @@ def march(
         last.append(now)
         if seconds in needed:
             kept[seconds] = now
+    if not moments:
+        raise LostError(lost)
     kept |= {one.seconds: one for one in last}
     found = [one.seconds for one in moments]
     rates = {
@@ -257,12 +295,12 @@ def _begun(
 
 
 def _at_rest(course: Course, refinement: int, seconds: float) -> _Instant:
-    """The oil that fills the gap between surfaces that are apart, without pressure: its density is 1."""
+    """The oil that fills the gap between surfaces that are apart, hardly under pressure: its density is 1."""
     contact, grid = _contact_at(course, seconds), course.grid(seconds, refinement)
     gap, _ = contact.gap(*grid.mesh())
     film = contact.separation + gap
-    nothing = np.zeros(film.shape)
-    return _Instant(seconds, film, InitialGuess(nothing, contact.separation, None, nothing))
+    pressure = np.full(film.shape, TRACE)
+    return _Instant(seconds, film, InitialGuess(pressure, contact.separation, None, pressure))
 
 
 def _steady(course: Course, refinement: int, seconds: float) -> tuple[Level, int]:
@@ -281,9 +319,16 @@ def _onward(
     seconds: float,
     before: Sequence[_Instant],
     heat: Sequence[HeatedInstant],
+    held: bool,
 ) -> tuple[Level, int]:
-    """The film at a time, from those before and their heat, the latest first, and its Newton steps."""
+    """The film at a time, from those before and their heat, the latest first, and its Newton steps.
+
+    Where a separation is given but its surfaces are no longer held there the load is given in its place.
+    """
     contact, mesh = _contact_at(course, seconds), course.mesh(seconds)
+    unsettled = UNSETTLED if seconds < course.life.touched else LOST
+    if not held:
+        contact = replace(contact, separation=None)
     grid = course.grid(seconds, refinement)
     _, (implicit, *earlier) = weights([seconds, *(one.seconds for one in before)], seconds)
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
@@ -303,10 +348,10 @@ def _onward(
         taken = 1 + len(lead(level, *tolerances, most=TRIAL_STEPS - 1))
         if level.film.balance.residual <= SENSELESS:
             taken += len(lead(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
-        if contact.separation is None and not level.film.balance.worst <= LOST:
+        if contact.separation is None and not level.film.balance.within(LOST, unsettled):
             level = _beside(contact, course, grid, solver)
             taken += len(lead(level, *tolerances))
-    return _sound(level, seconds), taken
+    return _sound(level, seconds, unsettled), taken
 
 
 def _contact_at(course: Course, seconds: float) -> Scene | LineScene:
@@ -328,9 +373,9 @@ def _beside(
     return solver.on_grid(grid, _moved(level, grid))
 
 
-def _sound(level: Level, seconds: float) -> Level:
-    """The level, if its film is found."""
-    if not level.film.balance.worst <= LOST:
+def _sound(level: Level, seconds: float, unsettled: float = LOST) -> Level:
+    """The level, if its film is found, its temperatures up to a share of the largest rise."""
+    if not level.film.balance.within(LOST, unsettled):
         raise LostError(_failed(seconds))
     return level
 

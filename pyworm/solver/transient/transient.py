@@ -130,6 +130,8 @@ def recent(scene: Scene | LineScene) -> Past:
         lambda seconds: past.life.at(start + seconds),
         lambda seconds: past.life.axes_at(start + seconds),
         tuple(kink - start for kink in past.life.kinks if start < kink < end),
+        past.life.touch,
+        past.life.touched - start,
     )
     return Past(life, past.seconds - start)
 

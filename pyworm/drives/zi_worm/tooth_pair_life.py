@@ -1,0 +1,125 @@
+"""The life of a tooth pair of a worm drive: from flanks that come together to the last ones under load.
+
+Where teeth share a torque elastically, a pair is brought together by the wheel's turn under the load of the
+others. Its flanks are rigidly
+
+    h0 = -lever (Theta + ahead)                                                                          (1)
+
+apart (`load_sharing`, equation 1, without a load). While they come together that is given, and the film
+between them carries what it does. From `TOUCH` of the load of all pairs on, the pair carries so much, or its
+share where that is more: oil carries load before dry flanks would touch.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import scipy
+
+from pyworm.drives.tooth_life import ToothLife
+from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.drives.zi_worm.load_sharing import Transmission
+from pyworm.drives.zi_worm.tooth_compliance import BEYOND
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import scales
+
+TOUCH = 0.01
+"""Load of a pair from which on it is given, over that of all pairs."""
+
+APART = 6.0
+"""Least distance of the flanks at which a life begins, over the film expected at `TOUCH`; there they carry
+a tenth of that load."""
+
+LATE = 0.25
+"""Phases after the beginning of the mesh cycle, and before its end, within which a pair comes to `TOUCH` and
+goes from it."""
+
+
+def tooth_life(
+    drive: Any, scene_at: Callable[[float], Scene], axes_at: Callable[[float], Array]
+) -> ToothLife:
+    """The life of a tooth pair; under a given load, or with equal shares, it begins under load.
+
+    Parameters
+    ----------
+    drive : ZiWormDrive
+        The drive.
+    scene_at, axes_at : callable
+        Phase -> contact under its share of the load, and its axes.
+    """
+    shared = isinstance(drive.load, Transmission) and drive.load.sharing == "elastic"
+    pair = _Pair(drive, scene_at) if shared else None
+    if pair is None or pair.met is None:
+        return ToothLife(scene_at, drive.phases_per_second, axes_at)
+    ends = {"before": -pair.begin, "after": pair.parted - 1, "touch": pair.touch}
+    return ToothLife(pair.scene, drive.phases_per_second, axes_at, **ends)
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """A tooth pair over the part of the mesh cycle that is past, in the sense in which the drive turns."""
+
+    drive: Any
+    scene_at: Callable[[float], Scene]
+
+    @cached_property
+    def touch(self) -> float:
+        """Load from which on it is given [N]."""
+        return TOUCH * float(self.drive.springs.loads[-1])
+
+    @cached_property
+    def met(self) -> float | None:
+        """Part that is past when the pair comes to that load; None where it does so much earlier or later."""
+        return self._where(self._excess, -BEYOND, LATE)
+
+    @cached_property
+    def parted(self) -> float:
+        """The same when it goes from that load, not before the end of the mesh cycle."""
+        return max(self._where(self._excess, 1 - LATE, 1 + BEYOND) or 1.0, 1.0)
+
+    @cached_property
+    def begin(self) -> float:
+        """The same where the flanks are `APART`."""
+        first = self.drive.springs.phases[0 if self._turned(0.0) == 0 else -1]
+        film = scales(self.drive.scene_of(self._contact(self.met), self.touch)).film
+
+        def nearer(past: float) -> float:
+            phase = self._turned(past)
+            return self.drive.springs.at(phase).separation + self._separation(phase) - APART * film
+
+        earliest = self._turned(float(first))
+        return self._where(nearer, earliest, self.met) or earliest
+
+    def scene(self, phase: float) -> Scene:
+        """The contact at a phase of its life: its flanks' separation, or its load."""
+        if self._turned(phase) >= self.met:
+            return self.scene_at(phase)
+        contact = self.drive.contact_beyond(phase)
+        apart = self._separation(phase)
+        return replace(self.drive.scene_of(contact, self.touch), separation=apart)
+
+    def _turned(self, phase: float) -> float:
+        """Part of the mesh cycle that is past at a phase, and the phase where a part is past."""
+        return phase if self.drive.phases_per_second > 0 else 1 - phase
+
+    def _contact(self, past: float) -> Any:
+        return self.drive.contact_beyond(self._turned(past))
+
+    def _excess(self, past: float) -> float:
+        return self.drive.normal_load(self._turned(past)) - self.touch
+
+    def _separation(self, phase: float) -> float:
+        """Equation 1 [m]."""
+        at = np.array([phase])
+        ahead = self.drive.cycle.transmission_error(at)[0]
+        lever = self.drive.arms(at).wheel_normal[0]
+        return float(-lever * (self.drive.shared(phase).turn + ahead))
+
+    @staticmethod
+    def _where(of: Callable[[float], float], first: float, last: float) -> float | None:
+        """Where a function changes its sign; None where it does not."""
+        if of(first) * of(last) >= 0:
+            return None
+        return float(scipy.optimize.brentq(of, first, last, xtol=1e-5))

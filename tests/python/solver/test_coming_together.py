@@ -1,0 +1,67 @@
+"""Films of tooth pairs whose flanks come together."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import pyworm
+from pyworm.drives.tooth_life import ToothLife
+from pyworm.solver.transient import march as march_module
+from pyworm.solver.transient.course import course_of
+
+
+@pytest.fixture(scope="module")
+def drive():
+    return pyworm.load("cases/zi_drive.toml").drive
+
+
+def marched(drive, life, last=0.14, effects="isothermal,squeeze"):
+    """Instants of the first transient solve of a life up to a phase."""
+    scene = replace(drive.scene(0.5), past=life.past(0.5))
+    course = course_of(scene.past.life, pyworm.plan(scene, 0.05, effects, ("film",)))
+    return march_module.march(course, 0, 0.0, [life.past(last).seconds]).moments
+
+
+@pytest.mark.parametrize(
+    "effects", ["isothermal,squeeze", pytest.param("auto", marks=pytest.mark.long)]
+)
+def test_the_film_between_flanks_that_come_together_takes_the_load_over(drive, effects):
+    moments = marched(drive, drive.life, effects=effects)
+    touch = drive.life.touch
+    carried = [one.load for one in moments]
+    given = [drive.normal_load(one.phase) for one in moments]
+    # at first less than the load from which on it is given, and never less than at the time before
+    assert moments[0].phase < 0 and carried[0] < touch
+    assert all(after >= 0.999 * before for before, after in pairwise(carried[:12]))
+    # then the larger of that and the pair's share
+    taken = next(number for number, load in enumerate(carried) if load > 0.999 * touch)
+    assert given[taken] < touch  # oil carries it before dry flanks would touch
+    assert carried[taken:] == pytest.approx([max(touch, load) for load in given[taken:]], rel=2e-3)
+    films = [one.figures["film_min"] for one in moments[:12]]
+    assert films[0] > 5 * films[-1] and all(np.diff(films) < 0)
+
+
+def test_a_steady_film_at_the_beginning_of_the_cycle_is_forgotten_and_too_thin_until_then(drive):
+    steady = ToothLife(drive._scene, drive.phases_per_second, drive._axes)
+    films = []
+    for life in (drive.life, steady):
+        moments = marched(drive, life, 0.3)
+        phases = [one.phase for one in moments]
+        least = [one.figures["film_min"] for one in moments]
+        films.append(np.interp([0.02, 0.1, 0.28], phases, least))
+    excess = films[0] / films[1] - 1
+    assert excess[0] > 0.4 and 0.1 < excess[1] < 0.4 and abs(excess[2]) < 0.05
+
+
+def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one(
+    drive, monkeypatch
+):
+    def lost(course, refinement, seconds):
+        raise march_module.LostError("no film between them")
+
+    monkeypatch.setattr(march_module, "_at_rest", lost)
+    moments = marched(drive, drive.life)
+    assert 0 <= moments[0].phase < 0.02
+    assert moments[0].load == pytest.approx(drive.normal_load(moments[0].phase), rel=2e-3)
