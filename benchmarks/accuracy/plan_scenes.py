@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import sin
 from pathlib import Path
 
 import pyworm
@@ -10,6 +11,8 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
+from pyworm.planning.prediction import predicted
+from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
@@ -95,6 +98,28 @@ def roller(phase: float) -> Callable[[], LineScene]:
     case = Path("cases/roller_ref.toml")
     place = {"section": "left", "phase": phase, "station": 0.5}
     return lambda: replace(pyworm.load(case).scene(**place), past=None)
+
+
+def aged(contact_at: Callable[[float], LineScene], transits: float) -> LineScene:
+    """A line contact at the end of a life of some transits of its oil: contacts by transits passed."""
+    now = contact_at(transits)
+    transit = predicted(now).transit
+    life = Life(transits * transit, lambda seconds: contact_at(seconds / transit))
+    return replace(now, past=Past(life, transits * transit))
+
+
+def spun_up(passed: float) -> LineScene:
+    """A line whose speed rises by a thousandth in a transit."""
+    speed = 2.0 + 0.002 * passed
+    oil = mineral(0.03, 1.8e-8)
+    return line("speed rising slowly", 0.012, 2e5, (speed, speed), (STEEL, STEEL), oil)
+
+
+def swinging(passed: float) -> LineScene:
+    """A line whose load swings by a third, once in six transits."""
+    load = 2e5 * (1 + sin(passed) / 3)
+    oil = mineral(0.03, 1.8e-8)
+    return line("load swings", 0.012, load, (2.0, 2.0), (STEEL, STEEL), oil)
 
 
 @dataclass(frozen=True)
@@ -218,6 +243,14 @@ TRIALS: dict[str, Trial] = {
     "gear, tip": Trial(
         lambda: line("gear, tip", 0.009, 1.2e5, (3.2, 1.1), (STEEL, STEEL), mineral(0.03, 1.8e-8)),
         ALL,
+    ),
+    "speed rising slowly": Trial(lambda: aged(spun_up, 8.0), FILM),
+    "load swings": Trial(lambda: aged(swinging, 8.0), FILM),
+    "roller, as its worm turns": Trial(
+        lambda: pyworm.load(Path("cases/roller_ref.toml")).scene(
+            section="left", phase=0.5, station=0.5
+        ),
+        FILM,
     ),
     "starved bearing": Trial(
         lambda: point(

@@ -24,8 +24,8 @@ class ToothLife:
     axes_at : callable
         Phase -> x, y and normal of the tangent plane, as rows in the frame of the velocities.
     before, after : float
-        Phases before the first and after the last one, in the sense in which the drive turns, in which the pair
-        has a scene, too: of flanks that come together, and of edges under load.
+        Phases before the first and after the last one, in the sense in which the drive turns, in which the
+        pair has a scene, too: of flanks that come together, and of edges under load.
     touch : float
         Load from which on flanks that come together carry that of the scene (`scene.life.Life`) [N].
     """

@@ -18,7 +18,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from cost_map import draw_map
+from cost_map import PANELS, draw_map
 from draws import DRAWS, SEED
 from fuzz import many
 from fuzz_results import many as many_files
@@ -162,7 +162,7 @@ def main() -> int:
             drawn[part] = verdicts
         report(part, verdicts)
         found += complaints(part, verdicts, seed)
-    if drawn:
+    if drawn.keys() & PANELS.keys():
         traits = {
             one.name: DRAWS[kind](int(one.name.partition(":")[2]), seed).traits
             for kind, verdicts in drawn.items()

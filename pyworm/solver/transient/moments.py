@@ -151,13 +151,13 @@ def curves(
     kind: Kind,
     share: float,
     least: float,
+    at: float,
     present: Mapping[str, float],
     inlet: float | None,
 ) -> PlainDataset:
     """Figures over time with their error bars, and frames of pressure and film.
 
-    A bar is never less than what the last moment is off from the present film on the finer grid of the
-    figures.
+    A bar is never less than what the curve is off from the present film on the finer grid of the figures.
 
     Parameters
     ----------
@@ -171,8 +171,10 @@ def curves(
         Error of the finest over its change from the one before [-].
     least : float
         Least relative error.
+    at : float
+        Time of the present film [s], beyond which the curves of the last scene of a life go on.
     present : Mapping
-        Figures of the present film, on the first grid of the figures.
+        Figures of that film, on the first grid of the figures.
     inlet : float or None
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
     """
@@ -186,7 +188,8 @@ def curves(
         variables[f"life_entrainment_{axis}"] = ("instant",), np.array(of)
     for name in moments[0].figures:
         values = np.array([one.figures[name] for one in moments])
-        off = abs(present[name] - values[-1]) / max(abs(values[-1]), TINY)
+        then = float(np.interp(at, [one.seconds for one in moments], values))
+        off = abs(present[name] - then) / max(abs(then), TINY)
         error = np.abs(values) * np.maximum(
             max(least, off), share * _changes(solves, moments, name)
         )

@@ -301,7 +301,8 @@ def _life(
     inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
     shared = readings[: len(rates.moments) + 1]
     least, present = _least(shared, kind), readings[-1].figures
-    return curves(rates.moments, rates.since, kind, LEFT[kind], least, present, inlet)
+    at = scene.past.seconds
+    return curves(rates.moments, rates.since, kind, LEFT[kind], least, at, present, inlet)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind) -> dict[str, float]:

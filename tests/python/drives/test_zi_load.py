@@ -188,11 +188,15 @@ def test_friction_of_a_worm_asks_for_more_torque_than_of_a_wheel(drive):
 
 
 def test_a_driven_worm_has_the_motions_reversed(drive):
-    forward, back = drive.scene(0.4), replace(drive, driver="wheel").scene(0.4)
+    driven = replace(drive, driver="wheel")
+    forward, back = drive.scene(0.4), driven.scene(0.4)
     for one, other in zip(forward.motions, back.motions, strict=True):
         np.testing.assert_allclose(np.array(one(2e-3, 1e-3)), -np.array(other(2e-3, 1e-3)))
     assert forward.past.before(1e-3).phase < 0.4 < back.past.before(1e-3).phase
-    assert back.past.seconds == pytest.approx(forward.past.seconds * 0.6 / 0.4)
+    for scene, of, passed in ((forward, drive, 0.4), (back, driven, 0.6)):
+        assert scene.past.seconds == pytest.approx(
+            (of.life.before + passed) / drive.phases_per_second
+        )
 
 
 def test_the_x_axis_of_an_earlier_contact_is_turned_by_the_turning_since(drive):

@@ -12,15 +12,20 @@ def _moments(values):
     ]
 
 
-def _bars(solves, present):
+def _bars(solves, present, at=2e-3):
     """Relative error bars of curves whose least error is 1 %."""
-    life = curves(solves, -1.0, "line", 0.25, 0.01, {"film_min": present}, None)
+    life = curves(solves, -1.0, "line", 0.25, 0.01, at, {"film_min": present}, None)
     return life["life_film_min_error"].values / life["life_film_min"].values
 
 
 def test_bars_of_a_curve_reach_the_present_film_on_its_finer_grid():
     assert _bars([_moments([2.0, 2.0, 2.0])], 2.4) == pytest.approx([0.2, 0.2, 0.2])
     assert _bars([_moments([2.0, 2.0, 2.0])], 2.0) == pytest.approx([0.01, 0.01, 0.01])
+
+
+def test_curves_that_go_on_beyond_the_present_are_compared_where_it_is():
+    solves = [_moments([2.0, 2.0, 8.0])]
+    assert _bars(solves, 2.2, 1e-3) == pytest.approx([0.1, 0.1, 0.1])
 
 
 def test_the_larger_of_both_differences_counts():
