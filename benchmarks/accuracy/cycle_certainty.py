@@ -32,8 +32,8 @@ MODELS = {
     "to 5 %": ("auto,-squeeze", 0.05, "tab:orange"),
     "to 1 %": ("auto,-squeeze", 0.01, "tab:blue"),
 }
-"""What is solved -> effects, accuracy of each phase, colour; the last is the reference. Films are steady, as those
-of the source."""
+"""What is solved -> effects, accuracy of each phase, colour; the last is the reference. Films are steady, as
+those of the source."""
 
 COUNTS = (1, 3, 5, 9)
 PHASES = np.linspace(FIRST, LAST, COUNTS[-1])
