@@ -60,6 +60,7 @@ def march(
     rates: Rates,
     tolerance: float,
     keep: Callable[[Worn, float], None] = lambda worn, error: None,
+    deepest: float = np.inf,
 ) -> Worn:
     """March a worn flank to a time.
 
@@ -75,11 +76,15 @@ def march(
         Largest error of the depth in a step [m].
     keep : callable, optional
         Given each step's end and its error [m] before the next begins.
+    deepest : float, optional
+        The march ends before a step that would go deeper [m].
     """
     worn = start
     shortest = LEAST * (until - start.hours)
     while worn.hours < until * (1 - 1e-12):
         step = min(worn.step, until - worn.hours)
+        if float((worn.depth + worn.rate * step).max()) > deepest:
+            break
         rate = rates(worn.depth + worn.rate * step)
         error = float(np.abs(rate - worn.rate).max() * step / 2)
         wanted = step * SAFETY * np.sqrt(tolerance / max(error, 1e-3 * tolerance))

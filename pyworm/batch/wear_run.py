@@ -165,10 +165,18 @@ class WearRun:
         self.key = key_of(identity)
 
     def run(self) -> tuple[WearFigures, ...]:
-        """March to the plan's hours; figures at the end of each step."""
+        """March to the plan's hours, or to what the standard allows; figures at the end of each step."""
         worn = self._restored() or self._begun()
-        march(worn, self.plan.hours, self._rates, self.plan.tolerance, self._keep)
+        allowed = self.duty.gear.wear_limit
+        march(worn, self.plan.hours, self._rates, self.plan.tolerance, self._keep, allowed)
         return tuple(self.steps)
+
+    @property
+    def hours_allowed(self) -> float:
+        """Hours after which the deepest place is as deep as the standard allows, at the last rate [h]."""
+        left, rate = self.duty.gear.wear_limit - self.depths[-1], self._last.rate
+        with np.errstate(divide="ignore"):
+            return self.steps[-1].hours + float(np.min(np.where(rate > 0, left / rate, np.inf)))
 
     def _begun(self) -> Worn:
         """The flank as it was cut, with the rate of its wear."""

@@ -61,10 +61,11 @@ class DeviationTable(Table):
     along: tuple[float, ...]
     radius: tuple[float, ...]
     deviation: tuple[tuple[float, ...], ...]
+    worn: bool = False
 
     def deviations(self) -> FlankDeviations:
         """The deviations."""
-        return FlankDeviations(self.along, self.radius, self.deviation)
+        return FlankDeviations(self.along, self.radius, self.deviation, self.worn)
 
 
 class WormTable(_Helicoid, _Relieved):
@@ -298,6 +299,7 @@ class WormDriveCase(RatedCase):
             along=tuple(face.tolist()),
             radius=tuple(radius.tolist()),
             deviation=tuple(map(tuple, (-below).tolist())),
+            worn=True,
         )
         body = self.bodies.wheel.model_copy(
             update={"roughness": roughness, "roughness_ra": None, "finish": None}

@@ -11,6 +11,7 @@ from pyworm.io.terminal import put
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
+    from pyworm.report.page.content import Picture
     from pyworm.result.result import Result
 
 
@@ -28,6 +29,9 @@ def add_report(commands: argparse._SubParsersAction) -> None:
     )
     report.add_argument("--drawing", metavar="NUMBER", help="drawing number on the page to sign")
     report.add_argument("--customer", metavar="NAME", help="customer on the page to sign")
+    report.add_argument(
+        "--wear", type=Path, metavar="DIR", help="what pyworm wear left there, on the pages to sign"
+    )
     add_compared_case(report)
     report.set_defaults(command=_report)
 
@@ -61,7 +65,7 @@ def _report(options: argparse.Namespace) -> int:
 
 def _refuse_of_one(options: argparse.Namespace) -> None:
     """Refuse options that mean one result."""
-    for name in ("case", "drawing", "customer"):
+    for name in ("case", "drawing", "customer", "wear"):
         if getattr(options, name) is not None:
             raise CaseError(f"--{name}: is of one result, {len(options.results)} are given")
 
@@ -78,7 +82,19 @@ def _one(options: argparse.Namespace) -> str:
     if options.case is not None:
         case, differ = case_for(options.case, result, options.anyway)
     with readable(path):
-        return render(build_report(result, case, differ, _identity(options)))
+        return render(build_report(result, case, differ, _identity(options), _worn(options.wear)))
+
+
+def _worn(directory: Path | None) -> "tuple[Picture, ...]":
+    """The picture of a simulated wear; none without one."""
+    from pyworm.report.page.content import Picture
+
+    if directory is None:
+        return ()
+    file = directory / "wear.png"
+    if not file.is_file():
+        raise CaseError(f"--wear {directory}: has no wear.png, which pyworm wear writes at its end")
+    return (Picture("Simulated wear of the wheel", file.read_bytes()),)
 
 
 def _variants(paths: list[Path]) -> str:

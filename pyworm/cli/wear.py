@@ -80,7 +80,7 @@ def _wear(options: argparse.Namespace) -> int:
         except ValueError as error:
             raise CaseError(f"{options.case}: {error}") from None
     limit = case.drive.duty().gear.wear_limit
-    allowed = steps[-1].depth_max_m <= limit
+    allowed = steps[-1].hours >= plan.hours * (1 - 1e-9)
     assumed = (
         f"k = {run.coefficient:.3g} m2/N, {by}; wheel's roughness falls to {plan.run_in:g} of that as cut; "
         "before the first and after the last phase of the case their contacts go on"
@@ -92,6 +92,7 @@ def _wear(options: argparse.Namespace) -> int:
                 "steps": [asdict(step) for step in steps],
                 "wear_limit_m": limit,
                 "within_limit": allowed,
+                "hours_allowed": run.hours_allowed,
                 "coefficient_m2_N": run.coefficient,
                 "assumed": assumed,
                 "state": str(directory / STATE),
@@ -105,7 +106,11 @@ def _wear(options: argparse.Namespace) -> int:
     picture = directory / "wear.png"
     with whole_file(picture) as partial:
         draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
-    put(f"Allowed: {limit * 1e6:.4g} um: {'within' if allowed else 'WORN OUT'}. {assumed}.")
+    verdict = "within" if allowed else f"WORN OUT before {plan.hours:g} h"
+    put(
+        f"Allowed: {limit * 1e6:.4g} um: {verdict}; at the last rate as deep after "
+        f"{run.hours_allowed:.4g} h. {assumed}."
+    )
     put(f"Maps: {directory / STATE}, picture: {picture}")
     return CONVERGED
 

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 LARGEST = 0.05
 """Largest difference of deviations of a flank over the module."""
 
+LARGEST_WORN = 0.3
+"""The same of a worn flank, what the worm standard allows (0.3 m_x cos gamma)."""
+
 SHORT = 0.5
 """Distance from the ends of a mesh cycle over the module within which deviations of the worm may end."""
 
@@ -32,7 +35,10 @@ def check_deviations(gears: "ZiWormGears") -> None:
     """
     for name, part in gears.deviating.items():
         spread = part.deviations.spread
-        if spread > LARGEST * gears.module:
+        if part.deviations.worn:
+            if spread > LARGEST_WORN * gears.module:
+                raise ValueError(f"{name} is worn by {_mm(spread)}, more than 0.3 of the module")
+        elif spread > LARGEST * gears.module:
             raise ValueError(
                 f"{name}.deviations differ by {_mm(spread)}, more than a twentieth of the module; are they "
                 "in other units? deviation_um is in micrometres"

@@ -23,11 +23,14 @@ class FlankDeviations:
         the driving worm acts. Distances from the own axis. Both rise [m].
     deviation : tuple of tuple of float
         Out of the flank's material [m], for each place over the radii.
+    worn : bool
+        Whether they are what wear took off, and not measured or designed.
     """
 
     along: tuple[float, ...]
     radius: tuple[float, ...]
     deviation: Rows
+    worn: bool = False
 
     @property
     def spread(self) -> float:

@@ -114,6 +114,35 @@ def test_calibrated_wear_is_what_it_is_calibrated_to(case, contacts, tmp_path):
     assert more.depth_mean_m == pytest.approx(2e-8 * 120, rel=1e-6)
 
 
+def test_a_march_ends_where_the_standard_allows_no_more(case, contacts, tmp_path):
+    """0.3 m_x cos gamma: told as worn out, with the hours of it; nothing is simulated beyond."""
+    steps = wear(case, tmp_path, hours=1e6, tolerance=50e-6)
+    limit = case.drive.duty().gear.wear_limit
+    assert steps[-1].hours < 1e6 and 0.2 * limit < steps[-1].depth_max_m <= limit
+
+
+def test_hours_that_are_allowed_follow_from_the_last_rate(case, contacts, tmp_path):
+    run = WearRun(
+        case,
+        [Task(case, place, 0.1) for place in case.places()],
+        WearPlan(100.0, run_in=1.0),
+        tmp_path,
+    )
+    *_, last = run.run()
+    limit = case.drive.duty().gear.wear_limit
+    assert run.hours_allowed == pytest.approx(100 * limit / last.depth_max_m, rel=1e-6)
+
+
+def test_worn_flanks_may_be_deeper_than_files_of_deviations(case):
+    depth = np.full(GRID.shape, 0.3e-3)  # 0.075 modules
+    worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, 0.4e-6)).drive
+    assert worn.wheel.deviations.worn and worn.wheel.deviations.spread > 0.05 * 4e-3
+    with pytest.raises(ValueError, match="worn by"):
+        case.with_found(case.tables.worn(GRID.face, GRID.radius, 5 * depth, 0.4e-6)).scene(
+            phase=0.5
+        )
+
+
 def test_wear_is_drawn(case, contacts, tmp_path):
     run = WearRun(
         case, [Task(case, place, 0.1) for place in case.places()], WearPlan(50.0), tmp_path

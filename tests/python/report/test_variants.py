@@ -102,6 +102,16 @@ def test_the_command_names_variants_by_their_folders(files, capsys):
     assert '<th scope="col">b</th>' in out.read_text()
 
 
+def test_simulated_wear_stands_on_the_pages_to_sign(files, capsys, tmp_path):
+    out = tmp_path / "report.html"
+    assert main(["report", str(files[0]), "--wear", str(tmp_path), "--out", str(out)]) == 2
+    assert "has no wear.png" in capsys.readouterr().err
+    (tmp_path / "wear.png").write_bytes(b"PNG")
+    assert main(["report", str(files[0]), "--wear", str(tmp_path), "--out", str(out)]) == 0
+    behind = out.read_text().partition('class="overleaf"')[2].partition("<nav>")[0]
+    assert "Simulated wear of the wheel" in behind
+
+
 def test_options_of_one_result_are_refused_of_several(files, capsys):
     assert main(["report", *map(str, files), "--drawing", "4711"]) == 2
     assert "--drawing: is of one result, 2 are given" in capsys.readouterr().err
