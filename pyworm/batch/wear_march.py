@@ -22,6 +22,10 @@ LEAST = 1e-3
 """Shortest step, over the time to march, that is still halved."""
 
 
+class UnsolvedError(ValueError):
+    """Contacts of a worn flank that could not be solved."""
+
+
 @dataclass(frozen=True)
 class Worn:
     """A flank at a time.
@@ -78,6 +82,11 @@ def march(
         Given each step's end and its error [m] before the next begins.
     deepest : float, optional
         The march ends before a step that would go deeper [m].
+
+    Raises
+    ------
+    UnsolvedError
+        What `rates` raises for the shortest step; longer ones are tried shorter.
     """
     worn = start
     shortest = LEAST * (until - start.hours)
@@ -85,7 +94,13 @@ def march(
         step = min(worn.step, until - worn.hours)
         if float((worn.depth + worn.rate * step).max()) > deepest:
             break
-        rate = rates(worn.depth + worn.rate * step)
+        try:
+            rate = rates(worn.depth + worn.rate * step)
+        except UnsolvedError:
+            if step <= 2 * shortest:
+                raise
+            worn = Worn(worn.hours, worn.depth, worn.rate, step / 4)
+            continue
         error = float(np.abs(rate - worn.rate).max() * step / 2)
         wanted = step * SAFETY * np.sqrt(tolerance / max(error, 1e-3 * tolerance))
         if error > tolerance and step > shortest:

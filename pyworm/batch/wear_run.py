@@ -11,14 +11,14 @@ import numpy as np
 
 from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.task import Task, key_of
-from pyworm.batch.wear_march import Worn, first_step, march
+from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, march
 from pyworm.case.case import Case
 from pyworm.formulas.wear_law import RUN_IN, WEAR_COEFFICIENT, truncated_roughness
 from pyworm.io.atomic import whole_file
-from pyworm.io.input_error import CaseError
 from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
+from pyworm.scene.index import Place
 
 Array = np.ndarray
 
@@ -224,13 +224,14 @@ class WearRun:
             case = case.with_found(found | {"operation": self.loads})
         tasks = [replace(task, case=case) for task in self.tasks]
         result, _ = run_balanced(case, tasks, self.directory / "contacts", say=self.say, **self.how)
-        self.loads = self._loads(result)
         try:
             if self.grid is None:
                 self.grid = flank_grid(result)
             made = asperity_pass(result, self.grid, case.drive.phases_per_second)
         except ValueError as error:
-            raise CaseError(f"{case.name}: {error}") from None
+            why = "; ".join(f"{Place.of(one)}: {one.stop_reason}" for one in result.unsound)
+            raise UnsolvedError(f"{error} ({why})" if why else str(error)) from None
+        self.loads = self._loads(result)
         turns = self.duty.worm_speed / self.duty.gear.ratio / (2 * pi) * HOUR
         per_hour = self.coefficient * turns
         turn = float(result.mesh_cycle["wheel_turn"].mean())

@@ -108,7 +108,7 @@ def _wear(options: argparse.Namespace) -> int:
         draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
     verdict = "within" if allowed else f"WORN OUT before {plan.hours:g} h"
     put(
-        f"Allowed: {limit * 1e6:.4g} um: {verdict}; at the last rate as deep after "
+        f"Allowed: {limit * 1e6:.4g} µm: {verdict}; at the last rate as deep after "
         f"{run.hours_allowed:.4g} h. {assumed}."
     )
     put(f"Maps: {directory / STATE}, picture: {picture}")
@@ -137,14 +137,17 @@ def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, flo
 
 
 def _show(steps) -> None:
+    from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
     from pyworm.io.console import Console
 
-    table = Table(title="Wear of the wheel", title_justify="left")
+    table = Table(
+        title="Wear of the wheel", title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0)
+    )
     for head in (
-        "h", "deepest um", "mean um", "g", "backlash um", "pattern mm2", "asperities", "friction", "film um",
-        "Rq um",
+        "h", "deepest µm", "mean µm", "g", "backlash µm", "pattern mm²", "on asp.", "friction", "film µm",
+        "Rq µm",
     ):  # fmt: skip
         table.add_column(head, justify="right")
     for of in steps:

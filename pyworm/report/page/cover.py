@@ -23,7 +23,7 @@ Identity = tuple[tuple[str, str], ...]
 
 def verdict_of(safety: Safety) -> Verdict:
     """A safety as it is signed."""
-    words = safety.verdict + (", within its bars" if safety.open else "")
+    words = safety.verdict + (", uncertain" if safety.open else "")
     return Verdict(
         f"{named(safety.symbol)}, {safety.label}",
         safety.shown,
@@ -54,7 +54,7 @@ def cover_of(
         return None
     head = (("Case", result.case_name), *identity, *_operation(case), *_computed(result))
     doubts = (
-        f"{named(of.symbol)}: {doubt}"
+        f"{named(of.symbol)}, {of.label}: {doubt}"
         for rating in made
         for of in rating.safeties
         for doubt in of.doubts

@@ -35,7 +35,7 @@ def render(report: Report) -> str:
         f'<li><a href="#part-{number}">{escape(section.title)}</a></li>'
         for number, section in enumerate(report.sections, 1)
     )
-    warnings = "\n".join(f'<p class="warning">{escape(of)}</p>' for of in report.warnings)
+    warnings = "\n".join(f'<p class="warning">{typeset(of)}</p>' for of in report.warnings)
     opening = warnings if report.cover is None else _cover(report.cover, warnings)
     if report.overleaf is not None:
         opening += _overleaf(report.overleaf)

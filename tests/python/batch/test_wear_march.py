@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 
-from pyworm.batch.wear_march import Worn, first_step, march
+from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, march
 
 SLOW = np.array([[1.0, 0.5], [0.2, 0.0]]) * 1e-6
 """Rate of a flank as cut [m/h]."""
@@ -106,3 +106,18 @@ def test_killing_a_march_loses_one_step_at_most(tmp_path):
         begin, begin.hours + 5, lambda depth: np.full((3, 3), 1e-6) * np.exp(-depth / 5e-6), 1e-7
     )
     assert found.depth.max() == pytest.approx(5e-6 * np.log1p(found.hours / 5), rel=0.03)
+
+
+def test_a_step_whose_contacts_cannot_be_solved_is_tried_shorter():
+    """A flank that is solved up to a depth: the march comes near it by its shortest step, then tells why."""
+    kept = []
+
+    def rates(depth):
+        if depth.max() > 5e-6:
+            raise UnsolvedError("phase 0.8 did not converge")
+        return np.full(3, 1e-7)
+
+    with pytest.raises(UnsolvedError, match=r"phase 0\.8"):
+        start = Worn(0.0, np.zeros(3), np.full(3, 1e-7), 40.0)
+        march(start, 100.0, rates, 1e-6, lambda worn, error: kept.append(worn))
+    assert 4e-6 < kept[-1].depth.max() <= 5e-6
