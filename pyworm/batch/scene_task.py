@@ -3,7 +3,7 @@
 import io
 import pickle
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from functools import cached_property
 from hashlib import sha256
 from types import CodeType, FunctionType, ModuleType
@@ -31,12 +31,15 @@ class SceneTask:
         The contact.
     accuracy, effects, quantities
         As `pyworm.plan` takes them.
+    largest_grid : int or None
+        Nodes beyond which grids are not refined, where fewer than the plan's.
     """
 
     scene: Scene | LineScene
     accuracy: float
     effects: str = "auto"
     quantities: tuple[str, ...] | None = None
+    largest_grid: int | None = None
 
     @property
     def case(self) -> Any:
@@ -51,7 +54,10 @@ class SceneTask:
     @cached_property
     def plan(self) -> Plan:
         """Plan of the solve; ValueError if it cannot be planned."""
-        return plan(self.scene, self.accuracy, self.effects, self.quantities)
+        found = plan(self.scene, self.accuracy, self.effects, self.quantities)
+        if self.largest_grid is None:
+            return found
+        return replace(found, largest_grid=min(self.largest_grid, found.largest_grid))
 
     @cached_property
     def identity(self) -> dict[str, Any]:
@@ -63,6 +69,7 @@ class SceneTask:
             "accuracy": self.accuracy,
             "effects": self.effects,
             "quantities": self.quantities,
+            "largest_grid": self.largest_grid,
         }
 
     @cached_property

@@ -39,6 +39,7 @@ def sweep(
     scheduler: str | None = None,
     progress: bool | Progress = True,
     title: str = "study",
+    largest_grid: int | None = None,
     **vary: Sequence[Any],
 ) -> SweepResult:
     """Solve a scene over ranges of its values, `sweep(make, load=(10, 20), speed=(0.5, 1.0))`.
@@ -61,6 +62,9 @@ def sweep(
         Whether a bar shows the progress, on a terminal or in a notebook; or what is called instead.
     title : str, optional
         Heading of the table's picture.
+    largest_grid : int, optional
+        Nodes beyond which no grid is refined: what the dearest scene may cost. Those that need more are not
+        converged, with the error bars that they reach. Not of a sweep file.
     **vary
         Values of each argument of `make`; all are crossed, the last one changing fastest.
 
@@ -82,7 +86,7 @@ def sweep(
             store = Store(directory.absolute() / SCENES, fields)
             study = _of_file(make, vary, workers, told, store)
         else:
-            how = _accuracy(accuracy), effects, quantities and tuple(quantities)
+            how = _accuracy(accuracy), effects, quantities and tuple(quantities), largest_grid
             study = _study(make, title, vary, how, sent=workers is not None)
         return run_sweep(study, directory, fields, workers, told, say if progress else _unheard)
 

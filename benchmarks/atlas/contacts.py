@@ -1,0 +1,180 @@
+"""The contacts of the atlas: a sequence of similarity groups that fills its box, and one realisation of each.
+
+Any first part of the sequence fills the box evenly (scrambled Sobol numbers), so that an atlas may be made
+in parts and continued.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from math import cos, exp, log, radians, sin
+
+from scipy.stats import qmc
+
+from pyworm.formulas.film import radii_at_angle
+from pyworm.formulas.hertz import hertz
+from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+
+SEED = 28
+"""Of the scrambling; the atlas is these contacts and no others."""
+
+DRAWN = 2**13
+"""Numbers drawn, of which those within `LARGEST_PRESSURE` are contacts."""
+
+MOES_M, MOES_L = (1.0, 3000.0), (0.3, 25.0)
+"""Load and lubricant parameter, by the radius along the entrainment, drawn evenly in the logarithm."""
+
+RATIO = (1.0, 30.0)
+"""Larger over smaller relative radius, evenly in the logarithm; with the angle all ratios from 1/30 to 30."""
+
+ALIGNED = 0.25
+"""Share of the contacts entrained along a principal axis, half of them along each."""
+
+SPIN, STRAIGHT = 0.2, 0.6
+"""Largest spin, mean angular velocity times long semi-axis over entrainment speed, and the share without."""
+
+VISCOSITY, Z = (0.006, 0.6), (0.4, 0.75)
+"""Viscosity [Pa s] and exponent of Roelands' law, from thin mineral oils to thick traction fluids: together
+they give alpha, from 9 to 34 /GPa."""
+
+BARUS, INCOMPRESSIBLE = 0.2, 0.25
+"""Shares of the oils with Barus' law and without compressibility, independently."""
+
+LARGEST_PRESSURE = 50.0
+"""alpha times the Hertz pressure, at most: 2.5 GPa at 20 /GPa."""
+
+RADIUS, POISSON, DENSITY = 0.01, 0.3, 850.0
+"""Realisation: smaller radius [m], Poisson's ratio, density [kg/m3]; the film in Moes' groups does not depend
+on them."""
+
+
+@dataclass(frozen=True)
+class Groups:
+    """Similarity groups of a contact.
+
+    Attributes
+    ----------
+    moes_m, moes_l : float
+        Moes' parameters by the radius along the entrainment.
+    ratio : float
+        Larger relative radius over the smaller one [-].
+    angle : float
+        Of the entrainment from the direction of the smaller radius, 0 to 90 [deg]: at 0 the long axis of the
+        contact lies across the entrainment.
+    spin : float
+        Mean angular velocity, positive from the smaller to the larger radius, times Hertz's long semi-axis
+        over the entrainment speed [-].
+    viscosity : float
+        Of Roelands' law [Pa s].
+    z : float
+        Exponent of Roelands' law [-].
+    barus : bool
+        Whether the viscosity follows Barus' law with the same alpha instead.
+    compressible : bool
+        Whether the oil has Dowson and Higginson's density.
+    """
+
+    moes_m: float
+    moes_l: float
+    ratio: float
+    angle: float
+    spin: float
+    viscosity: float
+    z: float
+    barus: bool
+    compressible: bool
+
+    @property
+    def alpha(self) -> float:
+        """Pressure-viscosity coefficient [1/Pa]."""
+        return self.z * (log(self.viscosity) + ROELANDS_POLE_LOG) / ROELANDS_PRESSURE
+
+    @property
+    def material(self) -> float:
+        """G of the realisation: speeds are moderate at both ends of L."""
+        return 4500 * (self.moes_l / 10) ** 0.5
+
+    @property
+    def reduced_modulus(self) -> float:
+        """E' of the realisation [Pa]."""
+        return self.material / self.alpha
+
+    @property
+    def speed(self) -> float:
+        """U of the realisation [-]."""
+        return (self.moes_l / self.material) ** 4 / 2
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """Relative radii of the realisation, the smaller first [m]."""
+        return RADIUS, RADIUS * self.ratio
+
+    @property
+    def along(self) -> float:
+        """Radius along the entrainment [m]."""
+        return radii_at_angle(*self.radii, radians(self.angle))[0]
+
+    @property
+    def load(self) -> float:
+        """Load of the realisation [N]."""
+        return self.moes_m * (2 * self.speed) ** 0.75 * self.reduced_modulus * self.along**2
+
+    @property
+    def pressure(self) -> float:
+        """alpha times the Hertz pressure [-]."""
+        return self.alpha * hertz(*self.radii, self.load, self.reduced_modulus).pressure_max
+
+
+@cache
+def sequence() -> tuple[Groups, ...]:
+    """The groups of all contacts, in the order in which they are solved."""
+    drawn = qmc.Sobol(9, seed=SEED).random(DRAWN).tolist()
+    return tuple(one for row in drawn if (one := _groups(*row)).pressure <= LARGEST_PRESSURE)
+
+
+def _groups(m, el, ratio, angle, spin, viscosity, z, barus, density) -> Groups:
+    """Groups from nine numbers between 0 and 1."""
+    turning = 2 * spin - 1
+    beyond = max(abs(turning) - STRAIGHT, 0.0) / (1 - STRAIGHT)
+    between = (angle - ALIGNED / 2) / (1 - ALIGNED)
+    return Groups(
+        moes_m=_log(MOES_M, m),
+        moes_l=_log(MOES_L, el),
+        ratio=_log(RATIO, ratio),
+        angle=90 * min(max(between, 0.0), 1.0),
+        spin=SPIN * (beyond if turning > 0 else -beyond),
+        viscosity=_log(VISCOSITY, viscosity),
+        z=Z[0] + (Z[1] - Z[0]) * z,
+        barus=barus < BARUS,
+        compressible=density >= INCOMPRESSIBLE,
+    )
+
+
+def _log(bounds: tuple[float, float], at: float) -> float:
+    return exp(log(bounds[0]) + log(bounds[1] / bounds[0]) * at)
+
+
+def contact(number: int) -> Scene:
+    """A contact of the atlas as a scene of pure rolling."""
+    of = sequence()[number]
+    law = Roelands(of.viscosity, of.z)
+    speed = of.speed * of.reduced_modulus * of.along / law.eta0
+    dry = hertz(*of.radii, of.load, of.reduced_modulus)
+    turning = of.spin * speed / max(dry.semi_axis_x, dry.semi_axis_y)
+    angle = radians(of.angle)
+    motion = RigidMotion(speed * cos(angle), speed * sin(angle), turning)
+    body = Body(of.reduced_modulus * (1 - POISSON**2), POISSON)
+    density = Density.dowson_higginson if of.compressible else Density.incompressible
+    viscosity = Barus(law.eta0, of.alpha) if of.barus else law
+    return Scene(
+        name=f"contact {number}",
+        gap=Paraboloid(*of.radii),
+        radii=of.radii,
+        motions=(motion, motion),
+        load=of.load,
+        bodies=(body, body),
+        oil=Oil(viscosity, density(DENSITY)),
+    )

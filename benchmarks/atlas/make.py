@@ -1,0 +1,142 @@
+"""Solve the contacts of the atlas that its table does not have yet, to certified films.
+
+    python benchmarks/atlas/make.py TABLE.csv STORE [--upto 4000] [--largest-grid 1000000] [--again]
+
+Each part of the sequence is a sweep, whose solved scenes are kept in STORE, and is added to the table as soon
+as it is solved; the same command continues where it was stopped. `--again` solves those that are not
+certified once more, on the larger grids given. A contact without a film has a row that says why.
+"""
+
+import argparse
+import csv
+import math
+import sys
+import time
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from atlas.contacts import contact, sequence
+
+import pyworm
+from pyworm.formulas.hertz import hertz
+from pyworm.io.atomic import whole_file
+from pyworm.scene.scales import scales
+
+ACCURACY = 0.005
+"""Relative error of central and least film at which a contact is certified [-]."""
+
+PART = 25
+"""Contacts solved in one sweep, and added to the table together."""
+
+
+def solved(numbers: Sequence[int], store: Path, largest_grid: int) -> list[dict]:
+    """Rows of the table for some contacts; those without a solution have a reason and no films."""
+    with warnings.catch_warnings():
+        warnings.simplefilter(
+            "ignore", pyworm.UnusualWarning
+        )  # realisations of groups, no machines
+        result = pyworm.sweep(
+            contact,
+            out=store,
+            accuracy=ACCURACY,
+            effects="isothermal",
+            quantities=("film",),
+            progress=False,
+            largest_grid=largest_grid,
+            number=numbers,
+        )
+        rows = result.table.to_dataframe().to_dict("records")
+        return [row(number, of) for number, of in zip(numbers, rows, strict=True)]
+
+
+def row(number: int, of: dict) -> dict:
+    """One contact's groups, its films in Moes' unit with their bars, and how they were found."""
+    groups = sequence()[number]
+    dry = hertz(*groups.radii, groups.load, groups.reduced_modulus)
+    unit = scales(contact(number)).groups.moes_film
+
+    def figure(key: str, over: float = 1.0) -> float:
+        value = of.get(key)
+        return math.nan if value is None else float(value) / over
+
+    return {
+        "number": number,
+        **{name: float(value) for name, value in vars(groups).items()},
+        "alpha": groups.alpha,
+        "alpha_pressure": groups.pressure,
+        "film_central": figure("film_central_m", unit),
+        "film_central_error": figure("film_central_error"),
+        "film_min": figure("film_min_m", unit),
+        "film_min_error": figure("film_min_error"),
+        "film_min_x": figure("film_min_at_m_x", dry.semi_axis_x),
+        "film_min_y": figure("film_min_at_m_y", dry.semi_axis_y),
+        "film_min_kind": of.get("film_min_kind") or "",
+        "film_exit_min": figure("film_exit_min_m", unit),
+        "film_lift": figure("film_lift_m", unit),
+        "pressure_max": figure("pressure_max_Pa", dry.pressure_max),
+        "pressure_max_error": figure("pressure_max_error"),
+        "certified": int(bool(of["converged"] == 1.0)),
+        "status": of["stop_reason"],
+        "grid_x": figure("grid_x"),
+        "grid_y": figure("grid_y"),
+        "convolutions": figure("convolutions"),
+        "seconds": figure("seconds"),
+    }
+
+
+def read(table: Path) -> dict[int, dict]:
+    """The rows of a table by their numbers."""
+    if not table.exists():
+        return {}
+    with table.open(newline="") as file:
+        return {int(of["number"]): of for of in csv.DictReader(file)}
+
+
+def write(table: Path, rows: dict[int, dict]) -> None:
+    """Write a table whole, or not at all."""
+    ordered = [rows[number] for number in sorted(rows)]
+    with whole_file(table) as partial, partial.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(ordered[0]), lineterminator="\n")
+        writer.writeheader()
+        for one in ordered:
+            writer.writerow({name: _short(value) for name, value in one.items()})
+
+
+def _short(value: float | str) -> float | str:
+    """Numbers to seven digits, a thousandth of their bars."""
+    return f"{value:.7g}" if isinstance(value, float) else value
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("table", type=Path)
+    parser.add_argument("store", type=Path)
+    parser.add_argument("--upto", type=int, default=4000)
+    parser.add_argument("--largest-grid", type=int, default=1_000_000)
+    parser.add_argument("--again", action="store_true")
+    given = parser.parse_args()
+    rows = read(given.table)
+    wanted = [
+        number
+        for number in range(given.upto)
+        if number not in rows or (given.again and rows[number]["certified"] == "0")
+    ]
+    for first in range(0, len(wanted), PART):
+        numbers = wanted[first : first + PART]
+        before = time.process_time()
+        new = solved(numbers, given.store, given.largest_grid)
+        rows |= {one["number"]: one for one in new}
+        write(given.table, rows)
+        certified = sum(one["certified"] for one in new)
+        print(
+            f"{len(rows)} contacts; {certified} of the last {len(new)} certified, "
+            f"{time.process_time() - before:.1f} s of processor",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    main()
