@@ -1,7 +1,7 @@
 """The contacts of the atlas: a sequence of similarity groups that fills its box, and one realisation of each.
 
-Any first part of the sequence fills the box evenly (scrambled Sobol numbers), so that an atlas may be made
-in parts and continued.
+Any first part of the sequence fills the box evenly (scrambled Sobol numbers), and in `order` more
+densely where the film turns, so that an atlas may be made in parts and continued.
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from math import cos, exp, log, radians, sin
 
 from scipy.stats import qmc
 
-from pyworm.formulas.film import radii_at_angle
+from pyworm.formulas.film import PointGroups, nijenbanning_venner_moes, radii_at_angle
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.materials.body import Body
@@ -22,7 +22,7 @@ SEED = 28
 """Of the scrambling; the atlas is these contacts and no others."""
 
 DRAWN = 2**13
-"""Numbers drawn, of which those within `LARGEST_PRESSURE` are contacts."""
+"""Numbers drawn, of which those within `LARGEST_PRESSURE` and `THICKEST` are contacts."""
 
 MOES_M, MOES_L = (1.0, 3000.0), (0.3, 25.0)
 """Load and lubricant parameter, by the radius along the entrainment, drawn evenly in the logarithm."""
@@ -45,6 +45,10 @@ BARUS, INCOMPRESSIBLE = 0.2, 0.25
 
 LARGEST_PRESSURE = 50.0
 """alpha times the Hertz pressure, at most: 2.5 GPa at 20 /GPa."""
+
+THICKEST = 3.0
+"""Film by Nijenbanning, Venner and Moes over the Hertz approach, at most: beyond it bodies hardly deform, the
+film depends on surfaces far from the contact, and the limits of rigid bodies hold."""
 
 RADIUS, POISSON, DENSITY = 0.01, 0.3, 850.0
 """Realisation: smaller radius [m], Poisson's ratio, density [kg/m3]; the film in Moes' groups does not depend
@@ -127,12 +131,48 @@ class Groups:
         """alpha times the Hertz pressure [-]."""
         return self.alpha * hertz(*self.radii, self.load, self.reduced_modulus).pressure_max
 
+    @property
+    def thickness(self) -> float:
+        """Expected film over the Hertz approach [-]."""
+        approach = hertz(*self.radii, self.load, self.reduced_modulus).approach
+        across = radii_at_angle(*self.radii, radians(self.angle))[1]
+        load = self.moes_m * (2 * self.speed) ** 0.75
+        groups = PointGroups(self.along, self.along / across, self.speed, load, self.material)
+        return nijenbanning_venner_moes(groups).central / approach
+
+    @property
+    def inside(self) -> bool:
+        """Whether the contact is in the box of the atlas."""
+        return self.pressure <= LARGEST_PRESSURE and self.thickness <= THICKEST
+
 
 @cache
-def sequence() -> tuple[Groups, ...]:
-    """The groups of all contacts, in the order in which they are solved."""
-    drawn = qmc.Sobol(9, seed=SEED).random(DRAWN).tolist()
-    return tuple(one for row in drawn if (one := _groups(*row)).pressure <= LARGEST_PRESSURE)
+def sequence() -> dict[int, Groups]:
+    """The groups of all contacts by their numbers."""
+    drawn = enumerate(qmc.Sobol(9, seed=SEED).random(DRAWN).tolist())
+    return {number: one for number, row in drawn if (one := _groups(*row)).inside}
+
+
+def order() -> list[int]:
+    """Numbers of the contacts in the order in which they are solved.
+
+    After each contact of the sequence comes the next one from where the film turns most with the groups
+    (`turning`), so that these are twice to three times as dense.
+    """
+    numbers = dict.fromkeys(sequence())
+    dense = iter([number for number, of in sequence().items() if turning(of)])
+    found: dict[int, None] = {}
+    for number in numbers:
+        found.setdefault(number)
+        following = next((one for one in dense if one not in found), None)
+        if following is not None:
+            found.setdefault(following)
+    return list(found)
+
+
+def turning(of: Groups) -> bool:
+    """Whether small changes of the groups change the film much: light loads, slender and askew or along."""
+    return of.moes_m < 10 or (of.ratio > 3 and of.angle > 60)
 
 
 def _groups(m, el, ratio, angle, spin, viscosity, z, barus, density) -> Groups:

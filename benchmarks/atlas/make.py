@@ -8,7 +8,6 @@ certified once more, on the larger grids given. A contact without a film has a r
 """
 
 import argparse
-import csv
 import math
 import sys
 import time
@@ -18,11 +17,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from atlas.contacts import contact, sequence
+from atlas.contacts import contact, order, sequence
+from atlas.table import read, write
 
 import pyworm
 from pyworm.formulas.hertz import hertz
-from pyworm.io.atomic import whole_file
 from pyworm.scene.scales import scales
 
 ACCURACY = 0.005
@@ -87,29 +86,6 @@ def row(number: int, of: dict) -> dict:
     }
 
 
-def read(table: Path) -> dict[int, dict]:
-    """The rows of a table by their numbers."""
-    if not table.exists():
-        return {}
-    with table.open(newline="") as file:
-        return {int(of["number"]): of for of in csv.DictReader(file)}
-
-
-def write(table: Path, rows: dict[int, dict]) -> None:
-    """Write a table whole, or not at all."""
-    ordered = [rows[number] for number in sorted(rows)]
-    with whole_file(table) as partial, partial.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(ordered[0]), lineterminator="\n")
-        writer.writeheader()
-        for one in ordered:
-            writer.writerow({name: _short(value) for name, value in one.items()})
-
-
-def _short(value: float | str) -> float | str:
-    """Numbers to seven digits, a thousandth of their bars."""
-    return f"{value:.7g}" if isinstance(value, float) else value
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("table", type=Path)
@@ -121,7 +97,7 @@ def main() -> None:
     rows = read(given.table)
     wanted = [
         number
-        for number in range(given.upto)
+        for number in order()[: given.upto]
         if number not in rows or (given.again and rows[number]["certified"] == "0")
     ]
     for first in range(0, len(wanted), PART):

@@ -1,0 +1,418 @@
+"""Films of isothermal point contacts by a formula fitted to the atlas of converged films.
+
+The limits of the film are closed forms: exact ones for rigid bodies, at any angle of entrainment, and power
+laws for elastic ones (`limits`). They are joined smoothly, and a small network, which is constant outside the
+atlas and fades where bodies are rigid, gives what remains. Constants, box and left-out errors are data
+(`benchmarks/atlas/fit.py`); `docs/reference/atlas.md` tells how they were found.
+
+Inside, lengths are over the smaller radius, and 2U along the entrainment is 1.
+"""
+
+import json
+from dataclasses import dataclass, fields
+from functools import cache
+from importlib.resources import files
+from math import log, pi
+
+import numpy as np
+
+from pyworm.formulas.hertz import hertz
+from pyworm.formulas.ranges import Values
+from pyworm.formulas.regimes import (
+    ISOVISCOUS_ELASTIC,
+    ISOVISCOUS_RIGID,
+    PIEZOVISCOUS_ELASTIC,
+    PIEZOVISCOUS_RIGID,
+)
+
+PART = 8192
+"""Contacts computed together: what fits into a processor's cache."""
+
+MOST_SLENDER = 1e4
+"""Largest ratio of radii of the table of Hertz's ellipses."""
+
+
+@dataclass(frozen=True)
+class AtlasGroups:
+    """Similarity groups of isothermal point contacts, numbers or arrays that broadcast together.
+
+    Attributes
+    ----------
+    moes_m, moes_l : float or array
+        Moes' M and L by the radius along the entrainment (`radii_at_angle`), L with alpha at zero pressure.
+    ratio : float or array
+        Larger relative radius over the smaller one, 1 or more [-].
+    angle : float or array
+        Of the entrainment from the direction of the smaller radius, 0 to pi/2 [rad]: at 0 the long axis of
+        the contact lies across the entrainment.
+    spin : float or array
+        Mean angular velocity, positive from the smaller towards the larger radius, times Hertz's longer
+        semi-axis over the entrainment speed [-].
+    alpha_ratio : float or array
+        Reciprocal asymptotic isoviscous pressure coefficient over alpha [-], `reciprocal_alpha`; 1 of Barus'
+        law.
+    compression : float or array
+        Relative increase of the oil's density at the Hertz pressure [-].
+    """
+
+    moes_m: Values
+    moes_l: Values
+    ratio: Values
+    angle: Values
+    spin: Values = 0.0
+    alpha_ratio: Values = 1.0
+    compression: Values = 0.0
+
+
+@dataclass(frozen=True)
+class AtlasFilms:
+    """Films by the formula, each shaped as the groups together.
+
+    Attributes
+    ----------
+    central, minimum : array
+        Film at the contact point and least film in Moes' unit, R (2U)^(1/2) [-].
+    central_error, minimum_error : array
+        Relative errors within which 19 of 20 contacts lay that the fit had not seen [-].
+    inside : array of bool
+        Whether the contact is in the box of the atlas; outside it the errors are not known.
+    """
+
+    central: np.ndarray
+    minimum: np.ndarray
+    central_error: np.ndarray
+    minimum_error: np.ndarray
+    inside: np.ndarray
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Logarithms of the central film of the four limits, in Moes' unit.
+
+    Attributes
+    ----------
+    rigid_isoviscous, elastic_isoviscous, rigid_piezoviscous, elastic_piezoviscous : array
+        ln H of each.
+    wedge : array
+        Part of the wedge that is entrained along the smaller radius, 0 to 1 [-].
+    """
+
+    rigid_isoviscous: np.ndarray
+    elastic_isoviscous: np.ndarray
+    rigid_piezoviscous: np.ndarray
+    elastic_piezoviscous: np.ndarray
+    wedge: np.ndarray
+
+
+def limits(groups: AtlasGroups, constants: dict) -> Limits:
+    """The four limits of the central film.
+
+    Rigid bodies: p = 4 eta (u x/(1 + 2D/3) + v y/(1 + 2/(3D)))/h^2 solves Reynolds' equation for a paraboloid
+    of D = Rx/Ry and constant viscosity; with the scaled wedge S^2 = 2 Rx u^2/(1 + 2D/3)^2 +
+    2 Ry v^2/(1 + 2/(3D))^2 it carries F = 4 pi eta S (Rx Ry/h)^(1/2) where it is positive, and its largest
+    value is 1.29904 eta S h^(-3/2), which is 1/alpha in the piezoviscous limit. Reynolds' exit condition
+    raises both by the factors of `_exit`.
+
+    Elastic bodies: power laws of load, speed and pressure-viscosity coefficient as of a line contact, as
+    G. Nijenbanning, C. H. Venner and H. Moes, Wear 176 (1994) 217-229, have them, with fitted functions of D.
+    At an angle the film is that of the speed normal to Hertz's outline where the oil of the contact point
+    enters, between the films of both axes by how far round that is (`_inlet`): a circular contact has the
+    same film at any angle.
+
+    Parameters
+    ----------
+    groups : AtlasGroups
+        The contacts, arrays of one shape.
+    constants : dict
+        Of the fit.
+    """
+    r, load, re, cos2, sin2 = _sizes(groups)
+    side, normal = _inlet(r, cos2, sin2)
+    along, across = (
+        re + normal,
+        re - r + normal,
+    )  # ln 2U of the speed into the contact along either axis
+    alpha = np.log(groups.moes_l * groups.alpha_ratio)
+    elastic = []
+    for name, speed, bearing, oil in (
+        ("isoviscous", 0.6, 2 / 15, 0.0),
+        ("piezoviscous", 0.75, 1 / 12, 0.75),
+    ):
+        given = constants[name]
+        long = _shape(-r, bearing / 2, given) - bearing * load + speed * along
+        tip = _shape(r, bearing / 2, given) - bearing * (load - 2 * r) + speed * across + r
+        elastic.append(tip + _turned(side, given["turn"]) * (long - tip) + oil * alpha - re)
+    delta = np.exp(-r)
+    x = 2 * cos2 / (1 + 2 * delta / 3) ** 2
+    y = 2 * sin2 / delta / (1 + 2 / (3 * delta)) ** 2
+    wedge = x / (x + y)
+    exit_ = _exit(wedge, delta)
+    speed = 0.5 * np.log(x + y) + re - log(2)  # ln eta S
+    rigid = 2 * (log(4 * pi) + speed + r / 2 + np.log(exit_) - load) - re
+    thick = (log(1.29904) + alpha + speed + np.log1p(PEAK * (exit_ - 1))) * 2 / 3 - re
+    return Limits(rigid, elastic[0], thick, elastic[1], wedge)
+
+
+PEAK = 0.765
+"""What Reynolds' exit condition raises the largest pressure by, over what it raises the load by: 1.171 and
+1.224 of a cylinder, exact; of other paraboloids `benchmarks/atlas/rigid.py` finds 0.7 to 0.85."""
+
+
+def _exit(wedge, delta):
+    """Factor of the load of rigid bodies by Reynolds' exit condition; exact for a cylinder, 0.5 % else.
+
+    1.2238 = 4.89497/4 (Martin) of a cylinder; the rest is fitted to `benchmarks/atlas/rigid.py`.
+    """
+    return 1 + 0.22374 * (wedge / (1 + 0.83 * delta) + (1 - wedge) / (1 + 0.83 / delta))
+
+
+def _sizes(groups: AtlasGroups):
+    """Sizes of the contacts in the units of this module.
+
+    Returns ln of the ratio of radii, of the load over E' and of the radius along the entrainment, and the
+    squares of the direction's parts along the smaller and the larger radius.
+    """
+    cos2 = np.cos(groups.angle) ** 2
+    sin2 = 1 - cos2
+    r = np.log(groups.ratio)
+    re = -np.log(cos2 + sin2 / groups.ratio)
+    return r, np.log(groups.moes_m) + 2 * re, re, cos2, sin2
+
+
+def _shape(log_ratio, slope: float, given: dict):
+    """ln of a limit's factor for D = radius along over radius across; D^-slope towards a line contact."""
+    bend = np.log1p(given["bend"] * np.exp(given["rate"] * log_ratio))
+    return given["factor"] - slope * log_ratio - given["fall"] * bend
+
+
+def _inlet(r, cos2, sin2):
+    """Where the oil of the contact point enters Hertz's ellipse.
+
+    Returns the part of the long side in it, 1 where it enters across the middle of the long side and 0 at the
+    tip, and ln of the speed normal to the outline there over the whole speed.
+    """
+    longer = np.exp(-2 * np.interp(r, *_ellipses()[:2]))  # (a/b)^2
+    inward = cos2 + sin2 * longer
+    return cos2 / inward, np.log(inward / np.sqrt(cos2 + sin2 * longer**2))
+
+
+def _turned(side, power: float):
+    """A part between 0 and 1, steeper in the middle by a power."""
+    one, other = side**power, (1 - side) ** power
+    return one / (one + other)
+
+
+def joined(groups: AtlasGroups, found: Limits, constants: dict):
+    """ln of the central film of the limits joined, without the network."""
+    how = constants["joined"]
+    n, s = how["isoviscous"], how["power"]
+    rigid, elastic = found.rigid_piezoviscous, found.elastic_piezoviscous
+    thin = np.logaddexp(n * found.rigid_isoviscous, n * found.elastic_isoviscous) / n
+    stiff = _rising(how["rate"] * (thickness(groups, rigid) - how["middle"]))
+    thick = elastic + stiff * (rigid - elastic)
+    film = np.logaddexp(s * thin, s * thick) / s
+    return film - how["compression"] * np.log1p(groups.compression)
+
+
+def _rising(value):
+    """1/(1 + e^-x), 0 to 1."""
+    return (1 + np.tanh(value / 2)) / 2
+
+
+@cache
+def _ellipses() -> tuple[np.ndarray, ...]:
+    """ln of ratios of radii, and of ellipticity, longer semi-axis, pressure and approach of unit contacts."""
+    ratios = np.geomspace(1, MOST_SLENDER, 400)
+    contacts = [hertz(1.0, ratio, 1.0, 1.0) for ratio in ratios]
+    rows = (
+        [of.ellipticity for of in contacts],
+        [of.semi_axis_y for of in contacts],
+        [of.pressure_max for of in contacts],
+        [of.approach for of in contacts],
+    )
+    return np.log(ratios), *(np.log(row) for row in rows)
+
+
+def longer_semi_axis(ratio: Values) -> Values:
+    """Hertz's longer semi-axis over (F R/E')^(1/3), R the smaller radius [-], from the ratio of radii."""
+    table, _, longer, *_ = _ellipses()
+    return np.exp(np.interp(np.log(ratio), table, longer))
+
+
+def pressure(groups: AtlasGroups):
+    """alpha times the Hertz pressure, by alpha at zero pressure [-]."""
+    r, load, *_ = _sizes(groups)
+    table, *_, pressures, _ = _ellipses()
+    return groups.moes_l * np.exp(np.interp(r, table, pressures) + load / 3)
+
+
+def thickness(groups: AtlasGroups, film):
+    """ln of the film over the Hertz approach, from ln of the film in Moes' unit."""
+    r, load, re, *_ = _sizes(groups)
+    table, *_, approaches = _ellipses()
+    return film + re - np.interp(r, table, approaches) - 2 * load / 3
+
+
+THICKNESS, PRESSURE = 9, 10
+"""Places of the film over the approach and of alpha p_H in what the network reads, as logarithms."""
+
+
+def features(groups: AtlasGroups, found: Limits, film) -> np.ndarray:
+    """What the network reads, (contacts, features)."""
+    r, _, _, cos2, sin2 = _sizes(groups)
+    side, normal = _inlet(r, cos2, sin2)
+    return np.stack(
+        np.broadcast_arrays(
+            np.log(groups.moes_m),
+            np.log(groups.moes_l),
+            r,
+            2 * cos2 - 1,
+            2 * found.wedge - 1,
+            side,
+            normal,
+            found.elastic_isoviscous - found.elastic_piezoviscous,
+            found.rigid_piezoviscous - found.elastic_piezoviscous,
+            thickness(groups, film),
+            np.log(pressure(groups)),
+            np.log1p(groups.compression),
+            groups.alpha_ratio,
+            groups.spin * np.sin(2 * groups.angle),
+            groups.spin**2,
+        ),
+        axis=-1,
+    )
+
+
+RIGID = 10.0
+"""Film over the Hertz approach at which half of the network's part of the central film remains."""
+
+
+def fade(groups: AtlasGroups, film):
+    """Share of the network in the central film: 1 of elastic bodies, 0 of rigid ones."""
+    return _rising(2 * (log(RIGID) - thickness(groups, film)))
+
+
+def network(read: np.ndarray, constants: dict) -> np.ndarray:
+    """The network: one layer of hyperbolic tangents, and straight lines beside it, (contacts, 2).
+
+    The first column is added to ln of the central film, the second tells how far the least film is below it.
+    """
+    inside = np.clip(read, constants["low"], constants["high"])
+    scaled = (inside - constants["shift"]) / constants["scale"]
+    hidden = np.tanh(scaled @ constants["inner"] + constants["inner_bias"])
+    return hidden @ constants["outer"] + scaled @ constants["straight"] + constants["bias"]
+
+
+def films(groups: AtlasGroups) -> AtlasFilms:
+    """Films of isothermal point contacts of smooth surfaces with enough oil.
+
+    Parameters
+    ----------
+    groups : AtlasGroups
+        The contacts; sizes as wanted, since what is computed together fits a processor's cache.
+
+    Returns
+    -------
+    AtlasFilms
+        Films with left-out errors.
+    """
+    given = np.broadcast_arrays(*(getattr(groups, of.name) for of in fields(groups)))
+    shape = given[0].shape
+    flat = [np.asarray(of, dtype=float).ravel() for of in given]
+    count = flat[0].size
+    out = np.empty((4, count))
+    inside = np.empty(count, dtype=bool)
+    constants = _constants()
+    for first in range(0, count, PART):
+        part = slice(first, first + PART)
+        out[:, part], inside[part] = _films(AtlasGroups(*(of[part] for of in flat)), constants)
+    return AtlasFilms(*(row.reshape(shape) for row in out), inside.reshape(shape))
+
+
+def _films(groups: AtlasGroups, constants: dict) -> tuple[np.ndarray, np.ndarray]:
+    found = limits(groups, constants)
+    film = joined(groups, found, constants)
+    read = features(groups, found, film)
+    beside = network(read, constants["network"])
+    central = film + fade(groups, film) * beside[:, 0]
+    minimum = central - np.logaddexp(0, beside[:, 1])
+    errors = scatter(read, constants["errors"])
+    return np.vstack([np.exp(central), np.exp(minimum), errors.T]), _inside(
+        groups, read, constants["box"]
+    )
+
+
+def scatter(read: np.ndarray, constants: dict) -> np.ndarray:
+    """Relative errors of central and least film that 19 of 20 left-out contacts kept, (contacts, 2)."""
+    inside = np.clip(read, constants["low"], constants["high"])
+    level = (inside - constants["shift"]) / constants["scale"] @ constants["slope"] + constants[
+        "level"
+    ]
+    return np.exp(np.clip(level, log(LEAST_ERROR), 0))
+
+
+LEAST_ERROR = 0.01
+"""Errors below that of the atlas by a little are not told."""
+
+
+def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
+    """Whether contacts are in the box of the atlas."""
+    values = {
+        "moes_m": groups.moes_m,
+        "moes_l": groups.moes_l,
+        "ratio": groups.ratio,
+        "spin": np.abs(groups.spin),
+        "alpha_ratio": groups.alpha_ratio,
+        "compression": groups.compression,
+        "pressure": np.exp(read[:, PRESSURE]),
+        "thickness": np.exp(read[:, THICKNESS]),
+    }
+    within = [(low <= values[name]) & (values[name] <= high) for name, (low, high) in box.items()]
+    return np.all(within, axis=0)
+
+
+def regimes(groups: AtlasGroups) -> np.ndarray:
+    """Names of the regimes: which of the four limits the film is nearest to where they are joined."""
+    constants = _constants()
+    found = limits(groups, constants)
+    rigid = thickness(groups, found.rigid_piezoviscous) > constants["joined"]["middle"]
+    thick = np.where(rigid, found.rigid_piezoviscous, found.elastic_piezoviscous)
+    stiff = found.rigid_isoviscous > found.elastic_isoviscous
+    thin = np.where(stiff, found.rigid_isoviscous, found.elastic_isoviscous)
+    return np.where(
+        thick > thin,
+        np.where(rigid, PIEZOVISCOUS_RIGID, PIEZOVISCOUS_ELASTIC),
+        np.where(stiff, ISOVISCOUS_RIGID, ISOVISCOUS_ELASTIC),
+    )
+
+
+def reciprocal_alpha(viscosity, alpha: float) -> float:
+    """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-].
+
+    1/(alpha int_0^inf eta0/eta dp): what Weibull, Blok and Bair take for the pressure-viscosity coefficient
+    of films (S. Bair, High Pressure Rheology for Quantitative Elastohydrodynamics (2007)); 1 of Barus' law.
+
+    Parameters
+    ----------
+    viscosity : callable
+        Viscosity at pressures [Pa].
+    alpha : float
+        Coefficient at zero pressure [1/Pa]; 0 gives 1.
+    """
+    if alpha == 0:
+        return 1.0
+    place, weight = np.polynomial.legendre.leggauss(64)
+    parts = np.array([0.0, 3.0, 12.0, 40.0, 120.0])  # alpha p
+    half = np.diff(parts)[:, None] / 2
+    steps = (parts[:-1, None] + half * (1 + place)).ravel() / alpha
+    fluidity = viscosity(np.zeros(1)) / viscosity(steps)
+    return float(1 / (fluidity @ (half * weight).ravel()))
+
+
+@cache
+def _constants() -> dict:
+    """The constants of the fit."""
+    content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text())
+    for name in ("network", "errors"):
+        content[name] = {key: np.asarray(of) for key, of in content[name].items()}
+    return content
