@@ -44,6 +44,9 @@ Solving
     solve           the film of a scene by its plan
     dry_contact     the pressure of a scene without oil
     passes          one contact after another over one track, by what each leaves
+    film            films of many contacts by a formula, without a solve
+    film_of         those of a scene
+    FormulaFilms    what they give
     traction_curve  friction over the slide-roll ratio
     sweep           many scenes to one table
 
@@ -122,6 +125,9 @@ if (
     from pyworm.result.result import open_result as open_result
     from pyworm.result.sweep_result import SweepResult as SweepResult
     from pyworm.result.sweep_result import open_sweep as open_sweep
+    from pyworm.scene.formula_film import FormulaFilms as FormulaFilms
+    from pyworm.scene.formula_film import film as film
+    from pyworm.scene.formula_film import film_of as film_of
     from pyworm.scene.gap_file import read_gap as read_gap
     from pyworm.scene.line import LineScene as LineScene
     from pyworm.scene.line import Parabola as Parabola
@@ -155,6 +161,7 @@ _HOMES = {
     "Estimate": "pyworm.solver.estimate",
     "Figures": "pyworm.solver.solution",
     "FlowLaw": "pyworm.materials.flow_laws",
+    "FormulaFilms": "pyworm.scene.formula_film",
     "KernelError": "pyworm.kernel.core",
     "LineScene": "pyworm.scene.line",
     "NamedOil": "pyworm.materials.library",
@@ -175,6 +182,8 @@ _HOMES = {
     "UnusualWarning": "pyworm.scene.plausibility",
     "compare": "pyworm.result.compare",
     "dry_contact": "pyworm.solver.point.dry",
+    "film": "pyworm.scene.formula_film",
+    "film_of": "pyworm.scene.formula_film",
     "load": "pyworm.case.case",
     "named_body": "pyworm.materials.body",
     "named_liquid": "pyworm.case.oil",

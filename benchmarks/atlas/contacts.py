@@ -40,6 +40,10 @@ VISCOSITY, Z = (0.006, 0.6), (0.4, 0.75)
 """Viscosity [Pa s] and exponent of Roelands' law, from thin mineral oils to thick traction fluids: together
 they give alpha, from 9 to 34 /GPa."""
 
+WORM_RATIO, WORM_Z = (1.0, 60.0), (0.2, 0.4)
+"""Ratio of radii and exponent of a second sequence: worm contacts, and polyglycols, whose viscosity rises
+less with pressure; its alpha is 5 to 19 /GPa."""
+
 BARUS, INCOMPRESSIBLE = 0.2, 0.25
 """Shares of the oils with Barus' law and without compressibility, independently."""
 
@@ -149,24 +153,30 @@ class Groups:
 @cache
 def sequence() -> dict[int, Groups]:
     """The groups of all contacts by their numbers."""
-    drawn = enumerate(qmc.Sobol(9, seed=SEED).random(DRAWN).tolist())
-    return {number: one for number, row in drawn if (one := _groups(*row)).inside}
+    first, second = (qmc.Sobol(9, seed=seed).random(DRAWN).tolist() for seed in (SEED, SEED + 1))
+    drawn = [_groups(RATIO, Z, *row) for row in first]
+    drawn += [_groups(WORM_RATIO, WORM_Z, *row) for row in second]
+    return {number: one for number, one in enumerate(drawn) if one.inside}
 
 
 def order() -> list[int]:
     """Numbers of the contacts in the order in which they are solved.
 
-    After each contact of the sequence comes the next one from where the film turns most with the groups
-    (`turning`), so that these are twice to three times as dense.
+    After each contact of the first sequence comes the next one from where the film turns most with the groups
+    (`turning`), so that these are twice to three times as dense, and after every other one the next of the
+    second sequence.
     """
-    numbers = dict.fromkeys(sequence())
-    dense = iter([number for number, of in sequence().items() if turning(of)])
+    first = [number for number in sequence() if number < DRAWN]
+    dense = iter([number for number in first if turning(sequence()[number])])
+    worms = iter([number for number in sequence() if number >= DRAWN])
     found: dict[int, None] = {}
-    for number in numbers:
+    for place, number in enumerate(first):
         found.setdefault(number)
         following = next((one for one in dense if one not in found), None)
         if following is not None:
             found.setdefault(following)
+        if place % 2:
+            found.setdefault(next(worms, number))
     return list(found)
 
 
@@ -175,19 +185,19 @@ def turning(of: Groups) -> bool:
     return of.moes_m < 10 or (of.ratio > 3 and of.angle > 60)
 
 
-def _groups(m, el, ratio, angle, spin, viscosity, z, barus, density) -> Groups:
-    """Groups from nine numbers between 0 and 1."""
+def _groups(ratios, exponents, m, el, ratio, angle, spin, viscosity, z, barus, density) -> Groups:
+    """Groups from two ranges and nine numbers between 0 and 1."""
     turning = 2 * spin - 1
     beyond = max(abs(turning) - STRAIGHT, 0.0) / (1 - STRAIGHT)
     between = (angle - ALIGNED / 2) / (1 - ALIGNED)
     return Groups(
         moes_m=_log(MOES_M, m),
         moes_l=_log(MOES_L, el),
-        ratio=_log(RATIO, ratio),
+        ratio=_log(ratios, ratio),
         angle=90 * min(max(between, 0.0), 1.0),
         spin=SPIN * (beyond if turning > 0 else -beyond),
         viscosity=_log(VISCOSITY, viscosity),
-        z=Z[0] + (Z[1] - Z[0]) * z,
+        z=exponents[0] + (exponents[1] - exponents[0]) * z,
         barus=barus < BARUS,
         compressible=density >= INCOMPRESSIBLE,
     )

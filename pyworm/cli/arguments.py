@@ -10,12 +10,18 @@ def add_json(command: argparse.ArgumentParser) -> None:
 
 
 def add_case(command: argparse.ArgumentParser) -> None:
-    """The case of a command, and which of its contacts and quantities are meant."""
+    """The case of a command, and which of its contacts and quantities are meant; JSON."""
     command.add_argument("case", type=Path, metavar="CASE.toml")
     command.add_argument(
         "--quantities",
         help="film, friction, temperature, with commas; else the case's, or all that the oil's data allow",
     )
+    add_places(command)
+    add_json(command)
+
+
+def add_places(command: argparse.ArgumentParser) -> None:
+    """Which of a case's contacts are meant."""
     command.add_argument(
         "--section", nargs="+", help="sections of a roller worm to solve; else the case's"
     )
@@ -34,7 +40,6 @@ def add_case(command: argparse.ArgumentParser) -> None:
         nargs="+",
         help="places on a traction curve to solve; else the case's",
     )
-    add_json(command)
 
 
 def add_accuracy_and_effects(command: argparse.ArgumentParser) -> None:

@@ -13,6 +13,7 @@ from pyworm.batch.workers import WorkerDiedError
 from pyworm.cli.check import add_check
 from pyworm.cli.doctor import add_doctor
 from pyworm.cli.explore import add_explore
+from pyworm.cli.film import add_film
 from pyworm.cli.new import add_new
 from pyworm.cli.oil import add_oil
 from pyworm.cli.plot import add_plot
@@ -85,6 +86,7 @@ def _parser() -> argparse.ArgumentParser:
         add_new,
         add_check,
         add_precision,
+        add_film,
         add_sweep,
         add_wear,
         add_plot,

@@ -239,11 +239,16 @@ def longer_semi_axis(ratio: Values) -> Values:
     return np.exp(np.interp(np.log(ratio), table, longer))
 
 
+def hertz_pressure(ratio: Values) -> Values:
+    """Hertz's pressure over (F E'^2/R^2)^(1/3), R the smaller radius [-], from the ratio of radii."""
+    table, *_, pressures, _ = _ellipses()
+    return np.exp(np.interp(np.log(ratio), table, pressures))
+
+
 def pressure(groups: AtlasGroups):
     """alpha times the Hertz pressure, by alpha at zero pressure [-]."""
-    r, load, *_ = _sizes(groups)
-    table, *_, pressures, _ = _ellipses()
-    return groups.moes_l * np.exp(np.interp(r, table, pressures) + load / 3)
+    _, load, *_ = _sizes(groups)
+    return groups.moes_l * hertz_pressure(groups.ratio) * np.exp(load / 3)
 
 
 def thickness(groups: AtlasGroups, film):

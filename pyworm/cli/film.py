@@ -1,0 +1,221 @@
+"""pyworm film: films of contacts by the formula of the atlas, without a solve."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pyworm.cli.arguments import add_json, add_places
+from pyworm.cli.shared import CONVERGED, warn_of_unusual
+from pyworm.io.input_error import CaseError
+from pyworm.io.json import print_json
+from pyworm.scene.index import PLACE_NAMES
+
+if TYPE_CHECKING:
+    from pyworm.scene.line import LineScene
+    from pyworm.scene.point import Scene
+
+STEEL = "16MnCr5"
+"""Material of the bodies of a contact given by options, if they name none."""
+
+LINE_FORMULA, POINT_FORMULA = "Moes (line)", "atlas"
+
+
+def add_film(commands: argparse._SubParsersAction) -> None:
+    """Add the command `film`."""
+    film = commands.add_parser("film", help="films by a formula, without a solve")
+    film.add_argument("case", nargs="?", type=Path, metavar="CASE.toml")
+    add_places(film)
+    film.add_argument("--radii", nargs=2, metavar="R", help='relative radii, "10 mm" "100 mm"')
+    film.add_argument("--load", help='normal load, "200 N"')
+    film.add_argument(
+        "--velocity", nargs="+", metavar="U", help='mean velocity along x (and y), "2 m/s" "0 m/s"'
+    )
+    film.add_argument("--oil", help='oil of the list, "PAG VG 460"; with --temperature')
+    film.add_argument("--temperature", help='of the inlet, "60 degC"')
+    film.add_argument(
+        "--bodies",
+        nargs=2,
+        metavar="MATERIAL",
+        default=(STEEL, STEEL),
+        help=f"materials of body 1 and 2 (default: {STEEL})",
+    )
+    add_json(film)
+    film.set_defaults(command=_film)
+
+
+def _film(options: argparse.Namespace) -> int:
+    if options.case is None:
+        name, scenes, warnings = "contact", [_of_options(options)], []
+    else:
+        from pyworm.case.case import load
+
+        case = load(options.case)
+        warn_of_unusual(case)
+        places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+        name, warnings = case.name, list(case.warnings)
+        scenes = [case.scene(**place.given) for place in places]
+    try:
+        rows = [film_summary(scene) for scene in scenes]
+    except ValueError as error:
+        raise CaseError(str(error)) from error
+    if options.json:
+        print_json({"case": name, "scenes": rows, "warnings": warnings})
+    else:
+        _show(rows)
+    return CONVERGED
+
+
+def _of_options(options: argparse.Namespace) -> "Scene":
+    """The contact that options describe, in pure rolling."""
+    missing = [
+        f"--{name}"
+        for name in ("radii", "load", "velocity", "oil", "temperature")
+        if getattr(options, name) is None
+    ]
+    if missing:
+        raise CaseError(f"give a case file, or {', '.join(missing)} too")
+    from pyworm.io import units
+    from pyworm.io.given import kind_of
+    from pyworm.io.quantity import parse
+    from pyworm.materials.body import named_body
+    from pyworm.materials.library import named_oil
+    from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+
+    def read(text: str, kind: Any) -> float:
+        return parse(text, kind_of(kind))
+
+    try:
+        motion = RigidMotion(*([read(of, units.Velocity) for of in options.velocity] + [0.0])[:2])
+        temperature = read(options.temperature, units.Temperature)
+        return Scene(
+            name="contact",
+            gap=Paraboloid(*(read(of, units.Radius) for of in options.radii)),
+            motions=(motion, motion),
+            load=read(options.load, units.Force),
+            bodies=tuple(named_body(of, None, temperature) for of in options.bodies),
+            oil=named_oil(options.oil).oil(temperature),
+        )
+    except ValueError as error:
+        raise CaseError(str(error)) from error
+
+
+def film_summary(scene: "Scene | LineScene") -> dict[str, Any]:
+    """The films of a scene as one object, units in the keys, as `Solution.summary` has them.
+
+    Errors are relative; null outside the box of the atlas, and of line contacts, whose formula has none.
+    """
+    from dataclasses import asdict
+
+    from pyworm.formulas.lubrication import lubrication
+    from pyworm.planning.plan import plan_of
+    from pyworm.scene.index import Place
+    from pyworm.scene.line import LineScene
+    from pyworm.solver import left_out
+
+    films = _line_films(scene) if isinstance(scene, LineScene) else _point_films(scene)
+    roughness = scene.composite_roughness
+    known = {"lubrication": lubrication(None, None)}
+    if roughness is not None:
+        ratios = [films[key] / roughness for key in ("film_central_m", "film_min_m")]
+        known = {
+            "composite_roughness_m": roughness,
+            "specific_film": ratios[1],
+            "specific_film_error": films["film_min_error"],
+            "lambda_central": ratios[0],
+            "lubrication": lubrication(*ratios),
+        }
+    plan = plan_of(scene, JUDGED_AT, "isothermal,-real-gap", ("film",))
+    return {
+        "name": scene.name,
+        **asdict(Place.of(scene)),
+        **films,
+        **known,
+        "left_out": left_out.expected(scene, plan).influence,
+    }
+
+
+JUDGED_AT = 0.02
+"""Influence from which effects that the formula leaves out are told [-]."""
+
+
+def _point_films(scene: "Scene") -> dict[str, Any]:
+    from pyworm.scene.formula_film import film_of
+
+    found = film_of(scene)
+    return {
+        "kind": "point",
+        "formula": POINT_FORMULA,
+        "film_central_m": float(found.central),
+        "film_central_error": float(found.central_error),
+        "film_min_m": float(found.minimum),
+        "film_min_error": float(found.minimum_error),
+        "inside_atlas": bool(found.inside),
+        "regime": str(found.regime),
+        "moes_M": float(found.groups.moes_m),
+        "moes_L": float(found.groups.moes_l),
+    }
+
+
+def _line_films(scene: "LineScene") -> dict[str, Any]:
+    from math import inf
+
+    from pyworm.formulas.film import moes_line
+    from pyworm.formulas.regimes import line_regime
+    from pyworm.scene.scales import line_scales
+
+    groups = line_scales(scene).groups
+    found = moes_line(groups)
+    return {
+        "kind": "line",
+        "formula": LINE_FORMULA,
+        "film_central_m": float(found.central),
+        "film_central_error": inf,
+        "film_min_m": float(found.minimum),
+        "film_min_error": inf,
+        "inside_atlas": False,
+        "regime": line_regime(groups).name,
+        "moes_M": float(groups.moes_m),
+        "moes_L": float(groups.moes_l),
+    }
+
+
+def _show(rows: list[dict[str, Any]]) -> None:
+    """Print films as a table, and what they leave out."""
+    from rich.table import Table
+
+    from pyworm.io.console import Console
+
+    table = Table("Contact")
+    for heading in ("Central film\nµm", "Least film\nµm", "Lambda\nleast", "Regime"):
+        table.add_column(heading, justify="right")
+    for row in rows:
+        table.add_row(
+            row["name"],
+            _with_bar(row["film_central_m"], row["film_central_error"]),
+            _with_bar(row["film_min_m"], row["film_min_error"]),
+            f"{row['specific_film']:.2g}" if "specific_film" in row else "",
+            row["regime"],
+        )
+    console = Console()
+    console.print(table)
+    if any(row["kind"] == "line" for row in rows):
+        console.print("Line contacts by Moes' formula, whose errors are not known here.")
+    if any(row["kind"] == "point" and not row["inside_atlas"] for row in rows):
+        console.print(
+            "Films without a bar are outside the box of the atlas; their errors are not known."
+        )
+    largest: dict[str, float] = {}
+    for row in rows:
+        for effect, share in row["left_out"].items():
+            largest[effect] = max(share, largest.get(effect, 0.0))
+    if largest:
+        listed = ", ".join(
+            f"{effect} up to {100 * share:.2g} %" for effect, share in largest.items()
+        )
+        console.print(f"Not in the films: {listed}.")
+
+
+def _with_bar(film: float, error: float) -> str:
+    """A film in um with its bar, where one is known."""
+    known = f" ± {100 * error:.2g} %" if error < 1 else ""
+    return f"{film * 1e6:.4g}{known}"
