@@ -22,8 +22,8 @@ from atlas.table import groups, known, part
 from pyworm.formulas import film_atlas
 from pyworm.formulas.film_atlas import AtlasGroups
 
-HIDDEN, DECAY, STEPS = 16, 1e-3, 600
-"""Tangents of the network, weight of its squares in the fit, and steps of that."""
+MEMBERS, HIDDEN, DECAY, STEPS = 4, 16, 1e-3, 500
+"""Networks whose mean is taken, tangents of each, weight of their squares in the fit, and steps of that."""
 
 FOLDS, ROBUST, LARGEST_BAR = 5, 0.02, 0.02
 """Folds of the left-out errors; miss beyond which contacts count linearly; bar of the contacts fitted to."""
@@ -135,7 +135,19 @@ def films(of: AtlasGroups, constants: dict) -> np.ndarray:
 def fitted(of: AtlasGroups, central: np.ndarray, minimum: np.ndarray, seed: int) -> dict:
     """All constants from some contacts."""
     constants = fit_limits(of, central)
-    return constants | {"network": fit_network(of, constants, central, minimum, seed)}
+    seeds = range(MEMBERS * seed, MEMBERS * (seed + 1))
+    members = [fit_network(of, constants, central, minimum, one) for one in seeds]
+    return constants | {"network": mean_network(members)}
+
+
+def mean_network(members: list[dict]) -> dict:
+    """The mean of networks as one: their tangents side by side."""
+    joined = {"inner": 1, "inner_bias": 0, "outer": 0}
+    mean = {name: np.mean([of[name] for of in members], axis=0) for name in members[0]}
+    side = {
+        name: np.concatenate([of[name] for of in members], axis) for name, axis in joined.items()
+    }
+    return mean | side | {"outer": side["outer"] / len(members)}
 
 
 def left_out(of: AtlasGroups, central: np.ndarray, minimum: np.ndarray) -> np.ndarray:

@@ -1,6 +1,7 @@
 """The table of the atlas: read, write, and as groups of the film formula."""
 
 import csv
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -81,4 +82,4 @@ def _alpha_ratio(of: dict[str, np.ndarray]) -> np.ndarray:
 
 def part(of: AtlasGroups, which: np.ndarray) -> AtlasGroups:
     """Some of the contacts."""
-    return AtlasGroups(*(np.asarray(value)[which] for value in vars(of).values()))
+    return AtlasGroups(*(np.asarray(getattr(of, one.name))[which] for one in fields(of)))

@@ -10,7 +10,7 @@ Inside, lengths are over the smaller radius, and 2U along the entrainment is 1.
 
 import json
 from dataclasses import dataclass, fields
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources import files
 from math import log, pi
 
@@ -28,8 +28,8 @@ from pyworm.formulas.regimes import (
 PART = 8192
 """Contacts computed together: what fits into a processor's cache."""
 
-MOST_SLENDER = 1e4
-"""Largest ratio of radii of the table of Hertz's ellipses."""
+MOST_SLENDER = 1e3
+"""Largest ratio of radii up to which Hertz's ellipses are fitted."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +62,43 @@ class AtlasGroups:
     spin: Values = 0.0
     alpha_ratio: Values = 1.0
     compression: Values = 0.0
+
+    @cached_property
+    def cos2(self) -> Values:
+        """Square of the part of the entrainment along the smaller radius [-]."""
+        return np.cos(self.angle) ** 2
+
+    @cached_property
+    def slender(self) -> Values:
+        """ln of the ratio of radii."""
+        return np.log(self.ratio)
+
+    @cached_property
+    def along(self) -> Values:
+        """ln of the radius along the entrainment over the smaller one."""
+        return -np.log(self.cos2 + (1 - self.cos2) / self.ratio)
+
+    @cached_property
+    def load(self) -> Values:
+        """ln of F/E' in units of the smaller radius, with 2U = 1 along the entrainment."""
+        return np.log(self.moes_m) + 2 * self.along
+
+    @cached_property
+    def inlet(self) -> tuple[Values, Values]:
+        """Where the oil of the contact point enters Hertz's ellipse.
+
+        The part of the long side in it, 1 where it enters across the middle of the long side and 0 at the
+        tip, and ln of the speed normal to the outline there over the whole speed.
+        """
+        longer = np.exp(-2 * np.polyval(_ellipses()[0], self.slender))  # (a/b)^2
+        sin2 = 1 - self.cos2
+        inward = self.cos2 + sin2 * longer
+        return self.cos2 / inward, np.log(inward / np.sqrt(self.cos2 + sin2 * longer**2))
+
+    @cached_property
+    def approach(self) -> Values:
+        """ln of the Hertz approach in Moes' unit."""
+        return np.polyval(_ellipses()[3], self.slender) + 2 * self.load / 3 - self.along
 
 
 @dataclass(frozen=True)
@@ -116,8 +153,8 @@ def limits(groups: AtlasGroups, constants: dict) -> Limits:
     Elastic bodies: power laws of load, speed and pressure-viscosity coefficient as of a line contact, as
     G. Nijenbanning, C. H. Venner and H. Moes, Wear 176 (1994) 217-229, have them, with fitted functions of D.
     At an angle the film is that of the speed normal to Hertz's outline where the oil of the contact point
-    enters, between the films of both axes by how far round that is (`_inlet`): a circular contact has the
-    same film at any angle.
+    enters, between the films of both axes by how far round that is (`AtlasGroups.inlet`): a circular contact
+    has the same film at any angle.
 
     Parameters
     ----------
@@ -126,8 +163,8 @@ def limits(groups: AtlasGroups, constants: dict) -> Limits:
     constants : dict
         Of the fit.
     """
-    r, load, re, cos2, sin2 = _sizes(groups)
-    side, normal = _inlet(r, cos2, sin2)
+    r, load, re, cos2 = groups.slender, groups.load, groups.along, groups.cos2
+    side, normal = groups.inlet
     along, across = (
         re + normal,
         re - r + normal,
@@ -144,7 +181,7 @@ def limits(groups: AtlasGroups, constants: dict) -> Limits:
         elastic.append(tip + _turned(side, given["turn"]) * (long - tip) + oil * alpha - re)
     delta = np.exp(-r)
     x = 2 * cos2 / (1 + 2 * delta / 3) ** 2
-    y = 2 * sin2 / delta / (1 + 2 / (3 * delta)) ** 2
+    y = 2 * (1 - cos2) / delta / (1 + 2 / (3 * delta)) ** 2
     wedge = x / (x + y)
     exit_ = _exit(wedge, delta)
     speed = 0.5 * np.log(x + y) + re - log(2)  # ln eta S
@@ -166,34 +203,10 @@ def _exit(wedge, delta):
     return 1 + 0.22374 * (wedge / (1 + 0.83 * delta) + (1 - wedge) / (1 + 0.83 / delta))
 
 
-def _sizes(groups: AtlasGroups):
-    """Sizes of the contacts in the units of this module.
-
-    Returns ln of the ratio of radii, of the load over E' and of the radius along the entrainment, and the
-    squares of the direction's parts along the smaller and the larger radius.
-    """
-    cos2 = np.cos(groups.angle) ** 2
-    sin2 = 1 - cos2
-    r = np.log(groups.ratio)
-    re = -np.log(cos2 + sin2 / groups.ratio)
-    return r, np.log(groups.moes_m) + 2 * re, re, cos2, sin2
-
-
 def _shape(log_ratio, slope: float, given: dict):
     """ln of a limit's factor for D = radius along over radius across; D^-slope towards a line contact."""
     bend = np.log1p(given["bend"] * np.exp(given["rate"] * log_ratio))
     return given["factor"] - slope * log_ratio - given["fall"] * bend
-
-
-def _inlet(r, cos2, sin2):
-    """Where the oil of the contact point enters Hertz's ellipse.
-
-    Returns the part of the long side in it, 1 where it enters across the middle of the long side and 0 at the
-    tip, and ln of the speed normal to the outline there over the whole speed.
-    """
-    longer = np.exp(-2 * np.interp(r, *_ellipses()[:2]))  # (a/b)^2
-    inward = cos2 + sin2 * longer
-    return cos2 / inward, np.log(inward / np.sqrt(cos2 + sin2 * longer**2))
 
 
 def _turned(side, power: float):
@@ -221,41 +234,40 @@ def _rising(value):
 
 @cache
 def _ellipses() -> tuple[np.ndarray, ...]:
-    """ln of ratios of radii, and of ellipticity, longer semi-axis, pressure and approach of unit contacts."""
-    ratios = np.geomspace(1, MOST_SLENDER, 400)
-    contacts = [hertz(1.0, ratio, 1.0, 1.0) for ratio in ratios]
+    """Polynomials of ln of the ratio of radii, highest power first.
+
+    They give ln of ellipticity, longer semi-axis, pressure and approach of contacts of unit load, modulus and
+    smaller radius, within 1e-5 of `pyworm.formulas.hertz`.
+    """
+    places = log(MOST_SLENDER) * (1 - np.cos(np.linspace(0, pi, 60))) / 2
+    contacts = [hertz(1.0, ratio, 1.0, 1.0) for ratio in np.exp(places)]
     rows = (
         [of.ellipticity for of in contacts],
         [of.semi_axis_y for of in contacts],
         [of.pressure_max for of in contacts],
         [of.approach for of in contacts],
     )
-    return np.log(ratios), *(np.log(row) for row in rows)
+    return tuple(np.polyfit(places, np.log(row), 12) for row in rows)
 
 
 def longer_semi_axis(ratio: Values) -> Values:
     """Hertz's longer semi-axis over (F R/E')^(1/3), R the smaller radius [-], from the ratio of radii."""
-    table, _, longer, *_ = _ellipses()
-    return np.exp(np.interp(np.log(ratio), table, longer))
+    return np.exp(np.polyval(_ellipses()[1], np.log(ratio)))
 
 
 def hertz_pressure(ratio: Values) -> Values:
     """Hertz's pressure over (F E'^2/R^2)^(1/3), R the smaller radius [-], from the ratio of radii."""
-    table, *_, pressures, _ = _ellipses()
-    return np.exp(np.interp(np.log(ratio), table, pressures))
+    return np.exp(np.polyval(_ellipses()[2], np.log(ratio)))
 
 
 def pressure(groups: AtlasGroups):
     """alpha times the Hertz pressure, by alpha at zero pressure [-]."""
-    _, load, *_ = _sizes(groups)
-    return groups.moes_l * hertz_pressure(groups.ratio) * np.exp(load / 3)
+    return groups.moes_l * hertz_pressure(groups.ratio) * np.exp(groups.load / 3)
 
 
 def thickness(groups: AtlasGroups, film):
     """ln of the film over the Hertz approach, from ln of the film in Moes' unit."""
-    r, load, re, *_ = _sizes(groups)
-    table, *_, approaches = _ellipses()
-    return film + re - np.interp(r, table, approaches) - 2 * load / 3
+    return film - groups.approach
 
 
 THICKNESS, PRESSURE = 9, 10
@@ -263,17 +275,17 @@ THICKNESS, PRESSURE = 9, 10
 
 
 def features(groups: AtlasGroups, found: Limits, film) -> np.ndarray:
-    """What the network reads, (contacts, features)."""
-    r, _, _, cos2, sin2 = _sizes(groups)
-    side, normal = _inlet(r, cos2, sin2)
+    """What the network reads, (contacts, features); of a circular contact nothing turns with the angle."""
+    oval = 1 - np.exp(-groups.slender)
+    side, normal = groups.inlet
     return np.stack(
         np.broadcast_arrays(
             np.log(groups.moes_m),
             np.log(groups.moes_l),
-            r,
-            2 * cos2 - 1,
-            2 * found.wedge - 1,
-            side,
+            groups.slender,
+            oval * (2 * groups.cos2 - 1),
+            oval * (2 * found.wedge - 1),
+            oval * (2 * side - 1),
             normal,
             found.elastic_isoviscous - found.elastic_piezoviscous,
             found.rigid_piezoviscous - found.elastic_piezoviscous,
@@ -281,7 +293,7 @@ def features(groups: AtlasGroups, found: Limits, film) -> np.ndarray:
             np.log(pressure(groups)),
             np.log1p(groups.compression),
             groups.alpha_ratio,
-            groups.spin * np.sin(2 * groups.angle),
+            oval * groups.spin * np.sin(2 * groups.angle),
             groups.spin**2,
         ),
         axis=-1,
@@ -377,10 +389,10 @@ def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
 
 
 def regimes(groups: AtlasGroups) -> np.ndarray:
-    """Names of the regimes: which of the four limits the film is nearest to where they are joined."""
+    """Names of the regimes by the rule of `pyworm.formulas.regimes`, from the limits of the central film."""
     constants = _constants()
     found = limits(groups, constants)
-    rigid = thickness(groups, found.rigid_piezoviscous) > constants["joined"]["middle"]
+    rigid = found.rigid_piezoviscous < found.elastic_piezoviscous
     thick = np.where(rigid, found.rigid_piezoviscous, found.elastic_piezoviscous)
     stiff = found.rigid_isoviscous > found.elastic_isoviscous
     thin = np.where(stiff, found.rigid_isoviscous, found.elastic_isoviscous)
