@@ -191,19 +191,20 @@ def _groups(ratios, exponents, m, el, ratio, angle, spin, viscosity, z, barus, d
     beyond = max(abs(turning) - STRAIGHT, 0.0) / (1 - STRAIGHT)
     between = (angle - ALIGNED / 2) / (1 - ALIGNED)
     return Groups(
-        moes_m=_log(MOES_M, m),
-        moes_l=_log(MOES_L, el),
-        ratio=_log(ratios, ratio),
+        moes_m=logarithmic(MOES_M, m),
+        moes_l=logarithmic(MOES_L, el),
+        ratio=logarithmic(ratios, ratio),
         angle=90 * min(max(between, 0.0), 1.0),
         spin=SPIN * (beyond if turning > 0 else -beyond),
-        viscosity=_log(VISCOSITY, viscosity),
+        viscosity=logarithmic(VISCOSITY, viscosity),
         z=exponents[0] + (exponents[1] - exponents[0]) * z,
         barus=barus < BARUS,
         compressible=density >= INCOMPRESSIBLE,
     )
 
 
-def _log(bounds: tuple[float, float], at: float) -> float:
+def logarithmic(bounds: tuple[float, float], at: float) -> float:
+    """A value between two bounds, evenly in its logarithm, from a number between 0 and 1."""
     return exp(log(bounds[0]) + log(bounds[1] / bounds[0]) * at)
 
 

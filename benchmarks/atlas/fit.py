@@ -16,8 +16,8 @@ from scipy.optimize import least_squares, minimize
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from atlas.regions import percent, regions
-from atlas.table import groups, known, part
+from atlas.regions import evenly_drawn, percent, regions
+from atlas.table import columns, groups, known, part
 
 from pyworm.formulas import film_atlas
 from pyworm.formulas.film_atlas import AtlasGroups
@@ -192,7 +192,8 @@ def main() -> None:
     alone = read_by_network(of, constants)[0] - np.log(central)
     print(f"{len(central)} contacts, errors in %: median, 90, 95, 99 of 100, largest")
     print(f"limits joined, central:       {percent(alone)}")
-    for name, which in regions(of).items():
+    even = evenly_drawn(data["number"], columns(given.table)["number"])
+    for name, which in ({"evenly drawn over the box": even} | regions(of)).items():
         errors = "  least ".join(percent(row[which]) for row in missed)
         print(f"{name:28s} {which.sum():5d}  central {errors}")
     _, read = read_by_network(of, constants)

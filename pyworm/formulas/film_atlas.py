@@ -270,7 +270,7 @@ def thickness(groups: AtlasGroups, film):
     return film - groups.approach
 
 
-THICKNESS, PRESSURE = 9, 10
+THICKNESS, PRESSURE = 12, 13
 """Places of the film over the approach and of alpha p_H in what the network reads, as logarithms."""
 
 
@@ -289,6 +289,9 @@ def features(groups: AtlasGroups, found: Limits, film) -> np.ndarray:
             normal,
             found.elastic_isoviscous - found.elastic_piezoviscous,
             found.rigid_piezoviscous - found.elastic_piezoviscous,
+            np.logaddexp(0.0, found.rigid_isoviscous - found.elastic_isoviscous),
+            np.logaddexp(0.0, found.elastic_isoviscous - found.elastic_piezoviscous),
+            np.logaddexp(0.0, thickness(groups, film)),
             thickness(groups, film),
             np.log(pressure(groups)),
             np.log1p(groups.compression),

@@ -1,0 +1,132 @@
+"""The thermal contacts of the atlas: isothermal ones with sliding, heat and an oil that shears thin.
+
+To each contact of `contacts.sequence` come similarity groups of heat, drawn likewise: the film over that
+without heat depends on them.
+"""
+
+from dataclasses import dataclass, replace
+from functools import cache
+from math import log
+
+from atlas.contacts import DRAWN, Groups, contact, logarithmic, sequence
+from scipy.stats import qmc
+
+from pyworm.formulas.hertz import hertz
+from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.scene.point import Scene
+from pyworm.scene.slide_roll import with_slide_roll_ratio
+
+SEED = 128
+"""Of the scrambling."""
+
+SLIDING = (0.0, 4.0)
+"""Slide-roll ratio, evenly; above 2 the surfaces move in opposite directions."""
+
+LOADING = (0.01, 30.0)
+"""Thermal loading eta0 beta u^2/k, evenly in the logarithm."""
+
+CONDUCTIVITY_RATIO = (0.002, 0.2)
+"""Conductivity of the oil over that of the bodies, in the logarithm: from steel to glass."""
+
+EYRING, LIMITING = (0.002, 0.03), (0.02, 0.1)
+"""Eyring stress over the Hertz pressure, in the logarithm, and the limiting stress over pressure."""
+
+INLET, CONDUCTIVITY, SPECIFIC_HEAT, BETA = 333.15, 0.14, 2000.0, 0.04
+"""Inlet temperature [K], conductivity [W/(m K)], specific heat [J/(kg K)] and fall of viscosity [1/K] of the
+oil: realisations of the groups."""
+
+BODY_HEAT = 3.6e6
+"""Heat capacity of the bodies for each volume, as of steel [J/(m3 K)]."""
+
+
+@dataclass(frozen=True)
+class Heat:
+    """Similarity groups of heat and flow.
+
+    Attributes
+    ----------
+    sliding : float
+        Slide-roll ratio [-].
+    loading : float
+        eta0 beta u^2/k [-].
+    conductivity_ratio : float
+        Oil over bodies [-].
+    eyring : float
+        Eyring stress over the Hertz pressure [-].
+    limiting : float
+        Limiting stress over pressure [-].
+    """
+
+    sliding: float
+    loading: float
+    conductivity_ratio: float
+    eyring: float
+    limiting: float
+
+
+@cache
+def heats() -> dict[int, Heat]:
+    """Groups of heat by the numbers of the contacts."""
+    rows = qmc.Sobol(5, seed=SEED).random(2 * DRAWN).tolist()
+    return {number: _heat(*rows[number]) for number in sequence()}
+
+
+def _heat(sliding, loading, conductivity, eyring, limiting) -> Heat:
+    return Heat(
+        SLIDING[0] + (SLIDING[1] - SLIDING[0]) * sliding,
+        logarithmic(LOADING, loading),
+        logarithmic(CONDUCTIVITY_RATIO, conductivity),
+        logarithmic(EYRING, eyring),
+        LIMITING[0] + (LIMITING[1] - LIMITING[0]) * limiting,
+    )
+
+
+def thermal_contact(number: int) -> Scene:
+    """A contact of the atlas that slides and warms.
+
+    Its size follows from the thermal loading: at given groups of the film the speed goes with the size, so
+    that all lengths are those of the isothermal contact times a factor.
+    """
+    of, heat, cold = sequence()[number], heats()[number], contact(number)
+    speed = (heat.loading * CONDUCTIVITY / (of.viscosity * BETA)) ** 0.5
+    size = speed / _speed(of)
+    motion = cold.motions[0]
+    fast = replace(motion, u=size * motion.u, v=size * motion.v)  # a spin goes with speed over size
+    radii = tuple(size * radius for radius in cold.radii)
+    load = cold.load * size**2
+    peak = hertz(*radii, load, of.reduced_modulus).pressure_max
+    body = replace(
+        cold.bodies[0],
+        density=7800.0,
+        specific_heat=BODY_HEAT / 7800.0,
+        conductivity=CONDUCTIVITY / heat.conductivity_ratio,
+    )
+    span = INLET - ROELANDS_POLE_TEMPERATURE
+    exponent = BETA if of.barus else BETA * span / (log(of.viscosity) + ROELANDS_POLE_LOG)
+    oil = replace(
+        cold.oil,
+        flow=FlowLaw(
+            "eyring-limited",
+            stress=heat.eyring * peak,
+            limit=heat.eyring * peak,
+            limit_pressure=heat.limiting,
+        ),
+        heat=OilHeat(INLET, exponent, CONDUCTIVITY, SPECIFIC_HEAT),
+    )
+    rolling = replace(
+        cold,
+        gap=type(cold.gap)(*radii),
+        radii=radii,
+        motions=(fast, fast),
+        load=load,
+        bodies=(body, body),
+        oil=oil,
+    )
+    return replace(with_slide_roll_ratio(rolling, heat.sliding), name=cold.name)
+
+
+def _speed(of: Groups) -> float:
+    """Entrainment speed of the isothermal realisation [m/s]."""
+    return of.speed * of.reduced_modulus * of.along / of.viscosity
