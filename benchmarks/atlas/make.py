@@ -1,6 +1,7 @@
 """Solve the contacts of the atlas that its table does not have yet, to certified films.
 
-    python benchmarks/atlas/make.py TABLE.csv STORE [--upto 4000] [--largest-grid 1000000] [--again]
+    python benchmarks/atlas/make.py atlas/films.csv STORE [--upto 4000] [--largest-grid 1000000] [--again]
+    python benchmarks/atlas/make.py atlas/thermal.csv STORE --thermal [--upto 1500] ...
 
 Each part of the sequence is a sweep, whose solved scenes are kept in STORE, and is added to the table as soon
 as it is solved; the same command continues where it was stopped. `--again` solves those that are not
@@ -19,9 +20,11 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from atlas.contacts import contact, order, sequence
 from atlas.table import read, write
+from atlas.thermal_contacts import heats, thermal_contact
 
 import pyworm
 from pyworm.formulas.hertz import hertz
+from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 
 ACCURACY = 0.005
@@ -31,31 +34,35 @@ PART = 25
 """Contacts solved in one sweep, and added to the table together."""
 
 
-def solved(numbers: Sequence[int], store: Path, largest_grid: int) -> list[dict]:
+def solved(numbers: Sequence[int], store: Path, largest_grid: int, thermal: bool) -> list[dict]:
     """Rows of the table for some contacts; those without a solution have a reason and no films."""
+    make = thermal_contact if thermal else contact
     with warnings.catch_warnings():
         warnings.simplefilter(
             "ignore", pyworm.UnusualWarning
         )  # realisations of groups, no machines
         result = pyworm.sweep(
-            contact,
+            make,
             out=store,
             accuracy=ACCURACY,
-            effects="isothermal",
+            effects="all" if thermal else "isothermal",
             quantities=("film",),
             progress=False,
             largest_grid=largest_grid,
             number=numbers,
         )
         rows = result.table.to_dataframe().to_dict("records")
-        return [row(number, of) for number, of in zip(numbers, rows, strict=True)]
+        return [
+            row(number, of, make(number), vars(heats()[number]) if thermal else {})
+            for number, of in zip(numbers, rows, strict=True)
+        ]
 
 
-def row(number: int, of: dict) -> dict:
+def row(number: int, of: dict, scene: Scene, heat: dict[str, float]) -> dict:
     """One contact's groups, its films in Moes' unit with their bars, and how they were found."""
     groups = sequence()[number]
-    dry = hertz(*groups.radii, groups.load, groups.reduced_modulus)
-    unit = scales(contact(number)).groups.moes_film
+    dry = hertz(*scene.radii, scene.load, scene.reduced_modulus)
+    unit = scales(scene).groups.moes_film
 
     def figure(key: str, over: float = 1.0) -> float:
         value = of.get(key)
@@ -66,6 +73,7 @@ def row(number: int, of: dict) -> dict:
         **{name: float(value) for name, value in vars(groups).items()},
         "alpha": groups.alpha,
         "alpha_pressure": groups.pressure,
+        **heat,
         "film_central": figure("film_central_m", unit),
         "film_central_error": figure("film_central_error"),
         "film_min": figure("film_min_m", unit),
@@ -93,6 +101,7 @@ def main() -> None:
     parser.add_argument("--upto", type=int, default=4000)
     parser.add_argument("--largest-grid", type=int, default=1_000_000)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--thermal", action="store_true")
     given = parser.parse_args()
     rows = read(given.table)
     wanted = [
@@ -103,7 +112,7 @@ def main() -> None:
     for first in range(0, len(wanted), PART):
         numbers = wanted[first : first + PART]
         before = time.process_time()
-        new = solved(numbers, given.store, given.largest_grid)
+        new = solved(numbers, given.store, given.largest_grid, given.thermal)
         rows |= {one["number"]: one for one in new}
         write(given.table, rows)
         certified = sum(one["certified"] for one in new)

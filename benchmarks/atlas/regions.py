@@ -7,7 +7,7 @@ from pyworm.formulas.film_atlas import AtlasGroups, pressure
 
 
 def evenly_drawn(numbers: np.ndarray, solved: np.ndarray) -> np.ndarray:
-    """Which contacts are of the beginning of the first sequence, of which all are solved: they fill the box."""
+    """Which contacts are of the beginning of the first sequence, all solved: they fill the box."""
     first = [number for number in sequence() if number < DRAWN]
     there = set(solved.astype(int).tolist())
     end = next((number for number in first if number not in there), DRAWN)

@@ -63,8 +63,7 @@ def sweep(
     title : str, optional
         Heading of the table's picture.
     largest_grid : int, optional
-        Nodes beyond which no grid is refined: what the dearest scene may cost. Those that need more are not
-        converged, with the error bars that they reach. Not of a sweep file.
+        Nodes beyond which no grid is refined, which ends dear scenes unconverged; not of a sweep file.
     **vary
         Values of each argument of `make`; all are crossed, the last one changing fastest.
 
@@ -79,15 +78,16 @@ def sweep(
         Nothing to vary, a scene that is none, cannot be planned, or cannot go to other processes.
     """
     with ExitStack() as stack:
-        directory = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)
+        directory = Path(
+            stack.enter_context(TemporaryDirectory()) if out is None else out
+        ).absolute()
         told = stack.enter_context(_progress(progress))
         workers = stack.enter_context(_executor(processes, scheduler))
         if isinstance(make, str | Path):
-            store = Store(directory.absolute() / SCENES, fields)
-            study = _of_file(make, vary, workers, told, store)
+            study = _of_file(make, vary, workers, told, Store(directory / SCENES, fields))
         else:
-            how = _accuracy(accuracy), effects, quantities and tuple(quantities), largest_grid
-            study = _study(make, title, vary, how, sent=workers is not None)
+            how = effects, quantities and tuple(quantities), largest_grid
+            study = _study(make, title, vary, (_accuracy(accuracy), *how), workers is not None)
         return run_sweep(study, directory, fields, workers, told, say if progress else _unheard)
 
 

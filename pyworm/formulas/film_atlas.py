@@ -218,13 +218,18 @@ def _turned(side, power: float):
 def joined(groups: AtlasGroups, found: Limits, constants: dict):
     """ln of the central film of the limits joined, without the network."""
     how = constants["joined"]
-    n, s = how["isoviscous"], how["power"]
+    thin, thick = _thin_and_thick(groups, found, how)
+    film = np.logaddexp(how["power"] * thin, how["power"] * thick) / how["power"]
+    return film - how["compression"] * np.log1p(groups.compression)
+
+
+def _thin_and_thick(groups: AtlasGroups, found: Limits, how: dict):
+    """ln of the central film of an oil that does not thicken under pressure, and of one that does."""
+    n = how["isoviscous"]
     rigid, elastic = found.rigid_piezoviscous, found.elastic_piezoviscous
     thin = np.logaddexp(n * found.rigid_isoviscous, n * found.elastic_isoviscous) / n
     stiff = _rising(how["rate"] * (thickness(groups, rigid) - how["middle"]))
-    thick = elastic + stiff * (rigid - elastic)
-    film = np.logaddexp(s * thin, s * thick) / s
-    return film - how["compression"] * np.log1p(groups.compression)
+    return thin, elastic + stiff * (rigid - elastic)
 
 
 def _rising(value):
@@ -392,17 +397,20 @@ def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
 
 
 def regimes(groups: AtlasGroups) -> np.ndarray:
-    """Names of the regimes by the rule of `pyworm.formulas.regimes`, from the limits of the central film."""
+    """Names of the regimes, by the central film.
+
+    Bodies count as rigid where the film is thicker than the Hertz approach, and the oil as piezoviscous where
+    the limits of an oil that thickens under pressure give more film than those of one that does not (our
+    convention: unlike Hamrock and Dowson's chart it holds for any ratio of radii and any angle).
+    """
     constants = _constants()
     found = limits(groups, constants)
-    rigid = found.rigid_piezoviscous < found.elastic_piezoviscous
-    thick = np.where(rigid, found.rigid_piezoviscous, found.elastic_piezoviscous)
-    stiff = found.rigid_isoviscous > found.elastic_isoviscous
-    thin = np.where(stiff, found.rigid_isoviscous, found.elastic_isoviscous)
+    thin, thick = _thin_and_thick(groups, found, constants["joined"])
+    rigid = thickness(groups, joined(groups, found, constants)) > 0
     return np.where(
         thick > thin,
         np.where(rigid, PIEZOVISCOUS_RIGID, PIEZOVISCOUS_ELASTIC),
-        np.where(stiff, ISOVISCOUS_RIGID, ISOVISCOUS_ELASTIC),
+        np.where(rigid, ISOVISCOUS_RIGID, ISOVISCOUS_ELASTIC),
     )
 
 

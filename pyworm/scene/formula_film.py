@@ -97,6 +97,23 @@ def film(
     ValueError
         Radii, loads or moduli that are not positive, or no entrainment.
     """
+    groups, unit = _groups(radii, load, reduced_modulus, velocity, oil, spin)
+    found = films(groups)
+    errors = (
+        np.where(found.inside, of, np.inf) for of in (found.central_error, found.minimum_error)
+    )
+    return FormulaFilms(unit * found.central, unit * found.minimum, *errors, found.inside, groups)
+
+
+def _groups(
+    radii: tuple[Values, Values],
+    load: Values,
+    reduced_modulus: Values,
+    velocity: tuple[Values, Values],
+    oil: Oil,
+    spin: Values,
+) -> tuple[AtlasGroups, np.ndarray]:
+    """The groups of contacts, and Moes' unit of their films [m]; arguments as of `film`."""
     rx, ry, load, modulus, u, v, spin = (
         np.asarray(of, dtype=float) for of in (*radii, load, reduced_modulus, *velocity, spin)
     )
@@ -117,7 +134,7 @@ def film(
     semi_axis = longer_semi_axis(long / short) * np.cbrt(load * short / modulus)
     peak = hertz_pressure(long / short) * np.cbrt(load * (modulus / short) ** 2)
     # mirrors turn a spin about: that which exchanges the axes, and one for each part of the velocity
-    turned = np.sign(u) * np.sign(v) * np.where(swapped, -1.0, 1.0)
+    turned = np.where((u < 0) ^ (v < 0) ^ swapped, -1.0, 1.0)
     alpha = oil.viscosity.alpha
     groups = AtlasGroups(
         moes_m=load / (modulus * along**2) * twice**-0.75,
@@ -128,12 +145,7 @@ def film(
         alpha_ratio=reciprocal_alpha(oil.viscosity, alpha),
         compression=oil.density(peak) / oil.density(np.zeros(())) - 1,
     )
-    found = films(groups)
-    unit = along * np.sqrt(twice)
-    errors = (
-        np.where(found.inside, of, np.inf) for of in (found.central_error, found.minimum_error)
-    )
-    return FormulaFilms(unit * found.central, unit * found.minimum, *errors, found.inside, groups)
+    return groups, along * np.sqrt(twice)
 
 
 def film_of(scene: Scene) -> FormulaFilms:
