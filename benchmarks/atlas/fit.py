@@ -206,7 +206,7 @@ def main() -> None:
         }
         content = {"contacts": len(central), "box": ends} | constants
         target = Path(film_atlas.__file__).with_suffix(".json")
-        target.write_text(json.dumps(content, default=_listed, indent=1) + "\n")
+        target.write_text(json.dumps(content, default=_listed) + "\n")
     np.savez(given.table.with_suffix(".left_out.npz"), missed=missed, number=data["number"])
 
 

@@ -58,10 +58,8 @@ def sweep(
         Processes that solve; more than one need a script with `if __name__ == "__main__":`.
     scheduler : str, optional
         Address of a dask.distributed scheduler whose workers solve instead.
-    progress : bool or callable, optional
-        Whether a bar shows the progress, on a terminal or in a notebook; or what is called instead.
-    title : str, optional
-        Heading of the table's picture.
+    progress, title : bool or callable, str, optional
+        Whether a bar shows the progress, or what is called instead; heading of the table's picture.
     largest_grid : int, optional
         Nodes beyond which no grid is refined, which ends dear scenes unconverged; not of a sweep file.
     **vary
@@ -78,9 +76,8 @@ def sweep(
         Nothing to vary, a scene that is none, cannot be planned, or cannot go to other processes.
     """
     with ExitStack() as stack:
-        directory = Path(
-            stack.enter_context(TemporaryDirectory()) if out is None else out
-        ).absolute()
+        where = stack.enter_context(TemporaryDirectory()) if out is None else out
+        directory = Path(where).absolute()
         told = stack.enter_context(_progress(progress))
         workers = stack.enter_context(_executor(processes, scheduler))
         if isinstance(make, str | Path):
