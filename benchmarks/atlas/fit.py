@@ -207,7 +207,6 @@ def main() -> None:
         content = {"contacts": len(central), "box": ends} | constants
         target = Path(film_atlas.__file__).with_suffix(".json")
         target.write_text(json.dumps(content, default=_listed) + "\n")
-    np.savez(given.table.with_suffix(".left_out.npz"), missed=missed, number=data["number"])
 
 
 def _box(of: AtlasGroups, read: np.ndarray) -> dict[str, np.ndarray]:

@@ -74,7 +74,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("table", type=Path)
     table = parser.parse_args().table
-    dataset(table).to_netcdf(table.with_suffix(".nc"), engine="h5netcdf")
+    dataset(table).to_netcdf(table.with_suffix(".nc"), engine="netcdf4")
 
 
 if __name__ == "__main__":
