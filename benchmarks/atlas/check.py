@@ -2,7 +2,8 @@
 
     python benchmarks/atlas/check.py atlas/films.csv [--share 0.1] [--limit 40]
 
-A bar holds if the stored film and the new one differ by no more than both bars together.
+A bar holds if the stored film and the new one differ by no more than both bars together. New films without
+bars, such as of solves that did not converge, tell nothing and are named.
 """
 
 import argparse
@@ -22,6 +23,9 @@ from pyworm.scene.scales import scales
 
 SEED, FINER = 5, 0.0015
 """Of the choice; the accuracy of the second solution [-]."""
+
+UNKNOWN = 0.02
+"""Bar of a new film from which it is no check."""
 
 
 def main() -> None:
@@ -43,6 +47,9 @@ def main() -> None:
         unit = scales(scene).groups.moes_film
         for name in ("film_central", "film_min"):
             film = getattr(figures, name)
+            if not film.error < UNKNOWN:
+                print(f"{number} {name}: no new film within {UNKNOWN:.0%}", flush=True)
+                continue
             stored, bar = float(rows[number][name]), float(rows[number][f"{name}_error"])
             difference = abs(stored * unit / film.value - 1)
             differences.append(difference)
