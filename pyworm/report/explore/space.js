@@ -105,7 +105,8 @@ function centre(shape) {
 
 function watchSpace() {
   const canvas = element("space");
-  element("space-title").textContent = `${page.bodies.join(" and ")} in space`;
+  const title = page.bodies.join(" and ");
+  element("space-title").textContent = title[0].toUpperCase() + title.slice(1);
   element("space-read").textContent = `Drag to turn, wheel to come nearer. ${page.space.drawn}`;
   canvas.addEventListener("mousemove", (event) => {
     if (!(event.buttons & 1)) return;
