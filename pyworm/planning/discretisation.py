@@ -53,6 +53,10 @@ COARSER_MENISCI = 2
 """Grids before the first grid of the figures on which the inlet meniscus of a starved film is sought: it
 moves out by a node a step, and those of wide contacts stand far out."""
 
+NEAR_MENISCUS = 0.7
+"""Supply over the flooded film up to which the meniscus stands at the dry contact, where it is found at once.
+Films so thin would be negative on coarser grids."""
+
 RESIDUAL_FRACTION = 0.1
 """Residual allowed, as a fraction of the accuracy asked for; its effect on figures is estimated apart."""
 
@@ -90,7 +94,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         change = _first_change(scene, size, spacing)
     grids = nest(inner, outer, *spacing)[nested]
     wider_grids = nest(wider, *far, *spacing)[nested]
-    if starved:
+    if starved and size.supply_ratio > NEAR_MENISCUS:
         grids, wider_grids = (led_up_to(of[-1], COARSER_MENISCI) for of in (grids, wider_grids))
     work = expected_work(
         "point",
