@@ -40,7 +40,7 @@ goes from it."""
 def tooth_life(
     drive: Any, scene_at: Callable[[float], Scene], axes_at: Callable[[float], Array]
 ) -> ToothLife:
-    """The life of a tooth pair; under a given load, or with equal shares, it begins under load.
+    """The life of a tooth pair; under a given load, with equal shares or without others it begins under load.
 
     Parameters
     ----------
@@ -49,7 +49,8 @@ def tooth_life(
     scene_at, axes_at : callable
         Phase -> contact under its share of the load, and its axes.
     """
-    shared = isinstance(drive.load, Transmission) and drive.load.sharing == "elastic"
+    others = drive.pitch <= 1
+    shared = others and isinstance(drive.load, Transmission) and drive.load.sharing == "elastic"
     pair = _Pair(drive, scene_at) if shared else None
     if pair is None or pair.met is None:
         return ToothLife(scene_at, drive.phases_per_second, axes_at)

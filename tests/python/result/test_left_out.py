@@ -213,9 +213,9 @@ def test_pictures_and_reports_show_what_was_left_out(rough):
 
 
 def test_ratings_head_the_simulation_as_if_smooth(rough, case):
-    worm, films, *bearings = ratings(asked_of(case), rough)
+    worm, flanks, films, *bearings = ratings(asked_of(case), rough)
     assert worm.headings == ("Standard", "Simulation, as if smooth")
-    assert WORDS in worm.titled and WORDS in films.titled
+    assert all(WORDS in rating.titled for rating in (worm, flanks, films))
     assert all(bearing.titled == bearing.title for bearing in bearings)
     assert "simulation" in worm.summary()
 
