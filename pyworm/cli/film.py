@@ -184,6 +184,7 @@ def _show(rows: list[dict[str, Any]]) -> None:
     from rich.table import Table
 
     from pyworm.io.console import Console
+    from pyworm.report.console.scenes import influence_percent
 
     table = Table("Contact")
     for heading in ("Central film\nµm", "Least film\nµm", "Lambda\nleast", "Regime"):
@@ -210,9 +211,9 @@ def _show(rows: list[dict[str, Any]]) -> None:
             largest[effect] = max(share, largest.get(effect, 0.0))
     if largest:
         listed = ", ".join(
-            f"{effect} up to {100 * share:.2g} %" for effect, share in largest.items()
+            f"{effect} {influence_percent(share)}" for effect, share in largest.items()
         )
-        console.print(f"Not in the films: {listed}.")
+        console.print(f"Left out, and what each may change at most: {listed}.")
 
 
 def _with_bar(film: float, error: float) -> str:
