@@ -108,7 +108,7 @@ class Course:
     def mesh(self, seconds: float) -> MeshMotion | Stretching:
         """Velocity of the grid's nodes at a time."""
         first, last = self._fitted
-        breathes = first < seconds < last
+        breathes = first <= seconds <= last
         growth = [float(of.deriv()(seconds)) * breathes for of in self._log_spacing]
         return (
             Stretching(*growth)
