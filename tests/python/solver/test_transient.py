@@ -112,7 +112,7 @@ def test_rates_of_change_are_exact_for_polynomials():
 @pytest.mark.parametrize(
     ("kind", "accuracy", "within"),
     [
-        pytest.param(as_line, 0.003, 0.02, marks=pytest.mark.long),
+        (as_line, 0.003, 0.02),
         pytest.param(lambda scene: scene, 0.02, 0.03, marks=pytest.mark.long),
     ],
     ids=["line", "point"],
