@@ -80,9 +80,11 @@ class Drive(ABC):
         ValueError
             No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
         """
-        teeth = self.oiled_teeth()
-        if self.lubrication is None or teeth is None:
+        if self.lubrication is None:
             return None
+        teeth = self.oiled_teeth()
+        if teeth is None:
+            raise ValueError("method: how the teeth of this kind of drive carry oil is not known")
         return oil_brought(self.lubrication, teeth, self.oil)
 
     @property
