@@ -1,4 +1,4 @@
-"""The wear of a worm drive's wheel over its life: contacts solved anew as the flank wears."""
+"""Wear of a worm drive over its life: contacts solved anew as the wheel's flank wears; the worm beside it."""
 
 import json
 from collections.abc import Callable, Sequence
@@ -13,7 +13,14 @@ from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.task import Task, key_of
 from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, march
 from pyworm.case.case import Case
-from pyworm.formulas.wear_law import RUN_IN, WEAR_COEFFICIENT, truncated_roughness
+from pyworm.formulas.wear_law import (
+    RUN_IN,
+    WEAR_COEFFICIENT,
+    WHEEL_HARDNESS,
+    WORM_HARDNESS,
+    harder_ratio,
+    truncated_roughness,
+)
 from pyworm.io.atomic import whole_file
 from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
 from pyworm.result.mesh_cycle import drive_cycle
@@ -50,6 +57,8 @@ class WearPlan:
         Largest error of the depth in a step [m].
     run_in : float
         Roughness of the wheel after running in, over that as cut [-].
+    worm_ratio : float
+        k of the worm over that of the wheel, and the worm's worn volume over the wheel's [-].
     """
 
     hours: float
@@ -57,6 +66,7 @@ class WearPlan:
     calibrated_to: float | None = None
     tolerance: float = 0.25e-6
     run_in: float = RUN_IN
+    worm_ratio: float = harder_ratio(WORM_HARDNESS, WHEEL_HARDNESS)
 
 
 @dataclass(frozen=True)
@@ -83,8 +93,12 @@ class WearFigures:
         Mean friction of the teeth [-].
     film_min_m : float
         Least film of the solved phases [m].
-    wheel_roughness_m : float
-        Rq of the wheel [m].
+    worm_roughness_m, wheel_roughness_m : float
+        Rq of both [m].
+    worm_depth_max_m : float
+        Largest depth worn off the worm's threads [m].
+    worm_volume_m3, worm_mass_kg : float
+        Worn off a thread [m3], and off the worm [kg].
     """
 
     hours: float
@@ -98,19 +112,28 @@ class WearFigures:
     asperity_share: float
     friction: float
     film_min_m: float
+    worm_roughness_m: float
     wheel_roughness_m: float
+    worm_depth_max_m: float
+    worm_volume_m3: float
+    worm_mass_kg: float
 
 
 @dataclass(frozen=True)
 class _Solved:
-    """Contacts of a worn flank: rates, and figures that do not depend on what is worn off yet."""
+    """Contacts of worn flanks: rates, and figures that do not depend on what is worn off yet."""
 
     rate: Array
+    worm_rate: Array
     volume_rate: float
-    work: Array
-    roughness: float
+    roughness: tuple[float, float]
     turn: float
-    result: Result
+    result: Result | None
+
+    @property
+    def rates(self) -> Array:
+        """Rates of wear of the wheel's cells, then of the worm's [m/h]."""
+        return np.concatenate([self.rate.ravel(), self.worm_rate.ravel()])
 
 
 class WearRun:
@@ -145,13 +168,14 @@ class WearRun:
         self.case, self.plan, self.directory, self.say, self.how = case, plan, directory, say, how
         self.tasks = [replace(task, effects=EFFECTS, wider_window=False) for task in tasks]
         self.duty = case.drive.duty()
-        self.cut = self.duty.roughness[1]
+        self.cut = self.duty.roughness
         self.steps: list[WearFigures] = []
         self.depths: list[Array] = []
         self.volume, self.turn = 0.0, 0.0
         self.coefficient = plan.coefficient
         self.loads: dict[str, Any] = {}
         self.grid: FlankGrid | None = None
+        self.thread: FlankGrid | None = None
         self._last: _Solved | None = None
         identity = {
             "case": case.physics,
@@ -159,6 +183,7 @@ class WearRun:
             "coefficient": plan.calibrated_to or plan.coefficient,
             "tolerance": plan.tolerance,
             "run_in": plan.run_in,
+            "worm_ratio": plan.worm_ratio,
             "accuracy": self.tasks[0].accuracy,
             "places": [task.place.given for task in self.tasks],
         }
@@ -179,33 +204,43 @@ class WearRun:
             return self.steps[-1].hours + float(np.min(np.where(rate > 0, left / rate, np.inf)))
 
     def _begun(self) -> Worn:
-        """The flank as it was cut, with the rate of its wear."""
+        """The flanks as they were cut, with the rates of their wear."""
         solved = self._solved(None, self.cut)
-        nothing = np.zeros(self.grid.shape)
         if self.plan.calibrated_to is not None:
-            solved = self._calibrated(solved, nothing)
+            solved = self._calibrated(solved)
         self._last, self.turn = solved, solved.turn
-        step = min(first_step(solved.rate, self.plan.tolerance), self.plan.hours)
-        worn = Worn(0.0, nothing, solved.rate, step)
+        step = min(first_step(solved.rates, self.plan.tolerance), self.plan.hours)
+        worn = Worn(0.0, np.zeros(len(solved.rates)), solved.rates, step)
         self._written(worn, 0.0)
         return worn
 
-    def _calibrated(self, solved: _Solved, nothing: Array) -> _Solved:
-        """The flank as it was cut, worn at the k by which the run-in one wears as it is calibrated to."""
-        run_in = self._solved(nothing, self.plan.run_in * self.cut)
-        found = float((run_in.rate * run_in.work).sum() / run_in.work.sum())
+    def _calibrated(self, solved: _Solved) -> _Solved:
+        """Flanks as they were cut, worn at the k by which run-in ones wear as it is calibrated to."""
+        worm, wheel = self.cut
+        part = self.plan.run_in
+        run_in = self._solved(np.zeros(self.grid.shape), (part * worm, part * wheel))
+        found = _mean(run_in.rate, run_in.rate)
         scale = self.plan.calibrated_to / found
         self.coefficient *= scale
         self.say(f"k = {self.coefficient:.3g} m2/N, calibrated")
-        return replace(solved, rate=scale * solved.rate, volume_rate=scale * solved.volume_rate)
+        rates = {of: scale * getattr(solved, of) for of in ("rate", "volume_rate", "worm_rate")}
+        return replace(solved, **rates)
+
+    def _split(self, depth: Array) -> tuple[Array, Array]:
+        """Depths off the wheel and off the worm, each over its cells."""
+        wheel, worm = np.split(depth, [self.grid.shape[0] * self.grid.shape[1]])
+        return wheel.reshape(self.grid.shape), worm.reshape(self.thread.shape)
 
     def _rates(self, depth: Array) -> Array:
-        """Rate of wear of a flank worn so far [m/h]."""
-        work = self._last.work
-        removed = float((depth * work).sum() / max(work.sum(), 1e-300))
-        roughness = truncated_roughness(self.cut, removed, self.plan.run_in)
-        self._next = self._solved(depth, roughness)
-        return self._next.rate
+        """Rates of wear of flanks worn so far [m/h]."""
+        wheel, worm = self._split(depth)
+        removed = _mean(worm, self._last.worm_rate), _mean(wheel, self._last.rate)
+        roughness = tuple(
+            truncated_roughness(cut, off, self.plan.run_in)
+            for cut, off in zip(self.cut, removed, strict=True)
+        )
+        self._next = self._solved(wheel, roughness)
+        return self._next.rates
 
     def _keep(self, worn: Worn, error: float) -> None:
         """Store a step's end, before the next begins."""
@@ -215,8 +250,8 @@ class WearRun:
         self._last = self._next
         self._written(worn, error)
 
-    def _solved(self, depth: Array | None, roughness: float) -> _Solved:
-        """Contacts of the flank so worn; load sharing, friction and films are those of now."""
+    def _solved(self, depth: Array | None, roughness: tuple[float, float]) -> _Solved:
+        """Contacts of flanks so worn; load sharing, friction and films are those of now."""
         case = self.case
         if depth is not None:
             grid = self.grid
@@ -226,17 +261,21 @@ class WearRun:
         result, _ = run_balanced(case, tasks, self.directory / "contacts", say=self.say, **self.how)
         try:
             if self.grid is None:
-                self.grid = flank_grid(result)
-            made = asperity_pass(result, self.grid, case.drive.phases_per_second)
+                self.grid, self.thread = flank_grid(result), flank_grid(result, "worm")
+            speed = case.drive.phases_per_second
+            made = asperity_pass(result, self.grid, speed)
+            on_worm = asperity_pass(result, self.thread, speed, "worm")
         except ValueError as error:
             why = "; ".join(f"{Place.of(one)}: {one.stop_reason}" for one in result.unsound)
             raise UnsolvedError(f"{error} ({why})" if why else str(error)) from None
         self.loads = self._loads(result)
-        turns = self.duty.worm_speed / self.duty.gear.ratio / (2 * pi) * HOUR
-        per_hour = self.coefficient * turns
+        # a tooth meets a thread once in a turn of the wheel, a thread a tooth once in a turn of the worm
+        worm_turns = self.duty.worm_speed / (2 * pi) * HOUR
+        of_worm = self.coefficient * self.plan.worm_ratio * worm_turns
+        of_wheel = self.coefficient * worm_turns / self.duty.gear.ratio
         turn = float(result.mesh_cycle["wheel_turn"].mean())
-        rates = per_hour * made.work, per_hour * made.volume
-        return _Solved(*rates, made.work, roughness, turn, result)
+        rates = of_wheel * made.work, of_worm * on_worm.work, of_wheel * made.volume
+        return _Solved(*rates, roughness, turn, result)
 
     def _loads(self, result: Result) -> dict[str, Any]:
         """Friction in the balance of torques and lifts of the films, for the next flank."""
@@ -246,29 +285,40 @@ class WearRun:
 
     def _figures(self, worn: Worn, error: float) -> WearFigures:
         of, solutions = self._last, self._last.result.sound.solutions
-        work, cycle = of.work, drive_cycle(of.result)
-        density = self.case.drive.bodies[1].density or 8800.0
+        cycle = drive_cycle(of.result)
+        wheel_depth, worm_depth = self._split(worn.depth)
+        densities = [
+            body.density or usual
+            for body, usual in zip(self.case.drive.bodies, (7850.0, 8800.0), strict=True)
+        ]
+        # the same force and path on both: volumes are as their k, over all threads and all teeth
+        worm = self.plan.worm_ratio * self.volume * self.duty.gear.ratio
         return WearFigures(
             hours=worn.hours,
-            depth_max_m=float(worn.depth.max()),
-            depth_mean_m=float((worn.depth * work).sum() / max(work.sum(), 1e-300)),
+            depth_max_m=float(wheel_depth.max()),
+            depth_mean_m=_mean(wheel_depth, of.rate),
             step_error_m=error,
             volume_m3=self.volume,
-            mass_kg=self.volume * self.duty.gear.teeth * density,
+            mass_kg=self.volume * self.duty.gear.teeth * densities[1],
             backlash_m=(of.turn - self.turn) * self.duty.gear.module * self.duty.gear.teeth / 2,
-            pattern_m2=float((work > PATTERN * work.max()).sum() * self.grid.cell),
+            pattern_m2=float((of.rate > PATTERN * of.rate.max()).sum() * self.grid.cell),
             asperity_share=float(
                 np.mean([one.figures.asperity_load_fraction.value for one in solutions])
             ),
             friction=cycle.loss.friction,
             film_min_m=min(one.figures.film_min.value for one in solutions),
-            wheel_roughness_m=of.roughness,
+            worm_roughness_m=of.roughness[0],
+            wheel_roughness_m=of.roughness[1],
+            worm_depth_max_m=float(worm_depth.max()),
+            worm_volume_m3=worm,
+            worm_mass_kg=worm * self.duty.gear.starts * densities[0],
         )
 
     def _written(self, worn: Worn, error: float) -> None:
         """Everything that a march needs to go on, in one file that is whole or not there."""
         self.steps.append(self._figures(worn, error))
-        self.depths.append(worn.depth)
+        wheel_depth, self.worm_depth = self._split(worn.depth)
+        self.depths.append(wheel_depth)
         self.say(_told(self.steps[-1]))
         with whole_file(self.directory / STATE) as aside, aside.open("wb") as file:
             np.savez_compressed(
@@ -278,8 +328,11 @@ class WearRun:
                 face=self.grid.face,
                 radius=self.grid.radius,
                 depths=np.array(self.depths),
-                rate=worn.rate,
-                work=self._last.work,
+                axial=self.thread.face,
+                from_worm_axis=self.thread.radius,
+                worm_depth=self.worm_depth,
+                rate=self._last.rate,
+                worm_rate=self._last.worm_rate,
                 volume_rate=self._last.volume_rate,
                 turns=(self.turn, self._last.turn),
                 coefficient=self.coefficient,
@@ -297,20 +350,33 @@ class WearRun:
                 self.say(f"{path}: of another case or plan, not used")
                 return None
             self.grid = FlankGrid(held["face"], held["radius"])
+            self.thread = FlankGrid(held["axial"], held["from_worm_axis"])
+            self.worm_depth = held["worm_depth"]
             self.depths = list(held["depths"])
             self.steps = [WearFigures(**step) for step in json.loads(str(held["steps"]))]
             last = self.steps[-1]
             self.volume = last.volume_m3
-            rate, self.loads = held["rate"], json.loads(str(held["loads"]))
+            self.loads = json.loads(str(held["loads"]))
             if self.loads.get("lifts") is not None:
                 self.loads["lifts"] = tuple(map(tuple, self.loads["lifts"]))
             self.turn, turn = map(float, held["turns"])
             self.coefficient = float(held["coefficient"])
             self._last = _Solved(
-                rate, float(held["volume_rate"]), held["work"], last.wheel_roughness_m, turn, None
+                held["rate"],
+                held["worm_rate"],
+                float(held["volume_rate"]),
+                (last.worm_roughness_m, last.wheel_roughness_m),
+                turn,
+                None,
             )
             self.say(f"goes on at {last.hours:.4g} h")
-            return Worn(last.hours, self.depths[-1], rate, float(held["next_step"]))
+            depth = np.concatenate([self.depths[-1].ravel(), self.worm_depth.ravel()])
+            return Worn(last.hours, depth, self._last.rates, float(held["next_step"]))
+
+
+def _mean(depth: Array, rate: Array) -> float:
+    """Depth in the mean over where a flank wears, by how fast [m]."""
+    return float((depth * rate).sum() / max(rate.sum(), 1e-300))
 
 
 def _told(step: WearFigures) -> str:

@@ -273,7 +273,11 @@ class WormDriveCase(RatedCase):
         return {table: keys for table, keys in left.items() if keys}
 
     def worn(
-        self, face: np.ndarray, radius: np.ndarray, depth: np.ndarray, roughness: float
+        self,
+        face: np.ndarray,
+        radius: np.ndarray,
+        depth: np.ndarray,
+        roughness: tuple[float, float],
     ) -> dict[str, dict[str, Any]]:
         """What a case with a worn wheel has in place of this one's (`Case.with_found`).
 
@@ -283,8 +287,8 @@ class WormDriveCase(RatedCase):
             Places along the wheel's face and away from its axis [m].
         depth : ndarray
             Worn off its driven flanks there, (radius, face), beside the deviations that they have [m].
-        roughness : float
-            Of the wheel then, Rq [m].
+        roughness : tuple of float
+            Of worm and wheel then, Rq [m].
         """
         wheel, given = self.drive.wheel, self.drive.wheel.deviations
         design = self.drive.design()
@@ -301,12 +305,13 @@ class WormDriveCase(RatedCase):
             deviation=tuple(map(tuple, (-below).tolist())),
             worn=True,
         )
-        body = self.bodies.wheel.model_copy(
-            update={"roughness": roughness, "roughness_ra": None, "finish": None}
+        worm, wheel_body = (
+            body.model_copy(update={"roughness": now, "roughness_ra": None, "finish": None})
+            for body, now in zip((self.bodies.worm, self.bodies.wheel), roughness, strict=True)
         )
         return {
             "drive": {"wheel": wheel.model_copy(update={"deviations": table})},
-            "bodies": {"wheel": body},
+            "bodies": {"worm": worm, "wheel": wheel_body},
         }
 
     def cooling_of(self, drive: ZiWormDrive) -> Cooling:

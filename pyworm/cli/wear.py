@@ -3,16 +3,27 @@
 import argparse
 from dataclasses import asdict
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_case, add_processes
 from pyworm.cli.shared import CONVERGED, FAILED, batch_executor, end_with, planned_tasks
 from pyworm.drives.duty import WormDuty
-from pyworm.formulas.wear_law import WEAR_COEFFICIENT, WEAR_SPREAD, energy_coefficient
+from pyworm.formulas.wear_law import (
+    WEAR_COEFFICIENT,
+    WEAR_SPREAD,
+    WHEEL_HARDNESS,
+    WORM_HARDNESS,
+    energy_coefficient,
+    harder_ratio,
+)
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.terminal import put, say
+
+if TYPE_CHECKING:
+    from pyworm.batch.wear_run import WearRun
 
 ACCURACY = "10 %"
 """Accuracy of the contacts unless another is asked for: the wear coefficient is known to a factor of 3."""
@@ -49,16 +60,22 @@ def add_wear(commands: argparse._SubParsersAction) -> None:
         metavar="UM",
         help="largest error of the depth in a step in micrometres (default: %(default)g)",
     )
+    wear.add_argument(
+        "--worm-ratio",
+        type=float,
+        metavar="R",
+        help="k of the worm over that of the wheel (default: by their hardnesses)",
+    )
     wear.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
     add_processes(wear)
     wear.set_defaults(command=_wear, accuracy=ACCURACY, effects=None)
 
 
 def _wear(options: argparse.Namespace) -> int:
-    for name in ("hours", "coefficient", "energy", "tolerance"):
+    for name in ("hours", "coefficient", "energy", "tolerance", "worm_ratio"):
         value = getattr(options, name)
         if value is not None and not 0 < value < float("inf"):
-            raise CaseError(f"--{name} = {value:g}: must be above zero")
+            raise CaseError(f"--{name.replace('_', '-')} = {value:g}: must be above zero")
     case = load(options.case)
     directory = options.out or Path("results") / case.name / "wear"
     check_writable(directory)
@@ -70,7 +87,8 @@ def _wear(options: argparse.Namespace) -> int:
     from pyworm.batch.wear_run import STATE, WearPlan, WearRun
 
     found, by = _coefficient(options, case)
-    plan = WearPlan(options.hours, tolerance=options.tolerance * 1e-6, **found)
+    ratio, on_worm = _worm_ratio(options, case)
+    plan = WearPlan(options.hours, tolerance=options.tolerance * 1e-6, worm_ratio=ratio, **found)
     with batch_executor(options) as executor:
         try:
             run = WearRun(case, tasks, plan, directory, say, executor=executor)
@@ -82,8 +100,8 @@ def _wear(options: argparse.Namespace) -> int:
     limit = case.drive.duty().gear.wear_limit
     allowed = steps[-1].hours >= plan.hours * (1 - 1e-9)
     assumed = (
-        f"k = {run.coefficient:.3g} m2/N, {by}; wheel's roughness falls to {plan.run_in:g} of that as cut; "
-        "before the first and after the last phase of the case their contacts go on"
+        f"k = {run.coefficient:.3g} m2/N, {by}; roughness of both falls to {plan.run_in:g} of that as cut; "
+        f"before the first and after the last phase of the case their contacts go on; {on_worm}"
     )
     if options.json:
         print_json(
@@ -94,25 +112,38 @@ def _wear(options: argparse.Namespace) -> int:
                 "within_limit": allowed,
                 "hours_allowed": run.hours_allowed,
                 "coefficient_m2_N": run.coefficient,
+                "worm_ratio": plan.worm_ratio,
                 "assumed": assumed,
                 "state": str(directory / STATE),
             }
         )
         return CONVERGED
     _show(steps)
-    from pyworm.plots.layout import DOTS_PER_INCH
-    from pyworm.plots.wear import draw_wear
-
-    picture = directory / "wear.png"
-    with whole_file(picture) as partial:
-        draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
     verdict = "within" if allowed else f"WORN OUT before {plan.hours:g} h"
     put(
         f"Allowed: {limit * 1e6:.4g} µm: {verdict}; at the last rate as deep after "
         f"{run.hours_allowed:.4g} h. {assumed}."
     )
-    put(f"Maps: {directory / STATE}, picture: {picture}")
+    _draw(case, run, limit)
     return CONVERGED
+
+
+def _draw(case: Case, run: "WearRun", limit: float) -> None:
+    """The worm's wear in words, and the picture."""
+    from pyworm.batch.wear_run import STATE
+    from pyworm.plots.layout import DOTS_PER_INCH
+    from pyworm.plots.wear import draw_wear
+
+    last = run.steps[-1]
+    deep = last.worm_depth_max_m
+    put(
+        f"Worm: {deep * 1e6:.3g} µm at most, {last.worm_mass_kg * 1e3:.3g} g: {run.plan.worm_ratio:.2g} of "
+        f"the wheel's volume, {deep / last.depth_max_m:.2g} of its depth."
+    )
+    picture = run.directory / "wear.png"
+    with whole_file(picture) as partial:
+        draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
+    put(f"Maps: {run.directory / STATE}, picture: {picture}")
 
 
 def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, float], str]:
@@ -136,6 +167,22 @@ def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, flo
     )
 
 
+def _worm_ratio(options: argparse.Namespace, case: Case) -> tuple[float, str]:
+    """k of the worm over that of the wheel, and what it rests on."""
+    if options.worm_ratio is not None:
+        return (
+            options.worm_ratio,
+            f"the worm's k is {options.worm_ratio:g} of the wheel's, as given",
+        )
+    usual = WORM_HARDNESS, WHEEL_HARDNESS
+    worm, wheel = (own.hardness or of for own, of in zip(case.drive.bodies, usual, strict=True))
+    ratio, linear = (harder_ratio(max(worm, wheel), wheel, power) for power in (2.0, 1.0))
+    return ratio, (
+        f"the worm's k is {ratio:.2g} of the wheel's, the square of their hardnesses {wheel * 1e-9:.3g} and "
+        f"{worm * 1e-9:.3g} GPa (Rabinowicz; {linear:.2g} by hardness alone)"
+    )
+
+
 def _show(steps) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
@@ -147,9 +194,9 @@ def _show(steps) -> None:
     )
     for head in (
         "h", "deepest µm", "mean µm", "g", "backlash µm", "pattern mm²", "on asp.", "friction", "film µm",
-        "Rq µm",
+        "Rq µm", "worm µm",
     ):  # fmt: skip
-        table.add_column(head, justify="right")
+        table.add_column(head, justify="right", min_width=max(map(len, head.split())))
     for of in steps:
         table.add_row(
             f"{of.hours:.4g}",
@@ -162,5 +209,6 @@ def _show(steps) -> None:
             f"{of.friction:.4f}",
             f"{of.film_min_m * 1e6:.3g}",
             f"{of.wheel_roughness_m * 1e6:.3g}",
+            f"{of.worm_depth_max_m * 1e6:.3g}",
         )
     Console().print(table)

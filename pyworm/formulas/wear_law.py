@@ -17,6 +17,12 @@ standard's curves and of the share: a factor of `WEAR_SPREAD` either way."""
 WEAR_SPREAD = 3.0
 """Factor by which `WEAR_COEFFICIENT` may be too large or too small [-]."""
 
+HARDNESS_EXPONENT = 2.0
+"""Exponent of the ratio of hardnesses in `harder_ratio` [-]."""
+
+WORM_HARDNESS, WHEEL_HARDNESS = 6.7e9, 0.93e9
+"""Indentation hardness of case hardened worms, 680 HV, and of tin bronze, 95 HB [Pa], of bodies without."""
+
 RUN_IN = 0.6
 """Roughness of hobbed flanks after running in, over that before [-]; a gear program's manual has 20 to 45 of
 30 to 80 uin."""
@@ -37,6 +43,26 @@ def archard_depth(coefficient: float, pressure: Values, path: Values) -> Values:
     positive("wear coefficient", coefficient, "m2/N")
     within("wear coefficient", coefficient, 1e-24, 1e-9, "m2/N")
     return coefficient * np.asarray(pressure) * np.asarray(path)
+
+
+def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPONENT) -> float:
+    """k of the harder of two surfaces over that of the softer one [-], (H_soft/H_hard)^n.
+
+    Both bear the same asperities over the same path, so this is the ratio of their worn volumes too. Source:
+    E. Rabinowicz, Friction and Wear of Materials: n = 2 through tests that scatter widely; a hardness in
+    Archard's law alone, with one constant for both, is n = 1 and bounds it from above.
+
+    Parameters
+    ----------
+    hardness, softer : float
+        Indentation hardness of the harder and of the softer surface [Pa].
+    exponent : float
+        n [-].
+    """
+    positive("hardness", softer, "Pa")
+    within("hardness of the harder surface", hardness, softer, 1e11, "Pa")
+    within("exponent of the hardness", exponent, 0, 4, "")
+    return (softer / hardness) ** exponent
 
 
 def energy_coefficient(energy: float, friction: float) -> float:

@@ -49,6 +49,8 @@ VARIABLES = {
     "contact_path_y": ("m", "path of the contact point along y"),
     "tooth_face": ("m", "place on the wheel's flank along its face, from the middle"),
     "tooth_radius": ("m", "place on the wheel's flank: distance from the wheel's axis"),
+    "thread_axial": ("m", "place on the worm's thread along its axis, from the line of centres"),
+    "thread_radius": ("m", "place on the worm's thread: distance from the worm's axis"),
     "rim_face": ("m", "outline of the wheel's flank along its face, from the middle"),
     "rim_radius": ("m", "outline of the wheel's flank: distance from the wheel's axis"),
     "marked_flank": ("1", "the wheel's flank that the worm drives, and the other one"),

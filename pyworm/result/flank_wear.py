@@ -1,4 +1,4 @@
-"""Work of asperities at each place of the wheel's flank: pressure times sliding, over a pass in mesh.
+"""Work of asperities at each place of a wheel's or worm's flank: pressure times sliding, over a pass in mesh.
 
 Wear is proportional to it. Between solved phases fields and places are interpolated, as for extremes
 (`pyworm.result.flank_map`). Each node of a contact gives its share to the cells of the flank around it by
@@ -7,13 +7,16 @@ the area it has there, so that the sum over the flank is that over the contact: 
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 import scipy
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.result.flank_map import LOADED_FRACTION, common_grid, layer_of
+from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
+from pyworm.solver.solution import Solution
 
 Array = np.ndarray
 
@@ -26,12 +29,13 @@ MARGIN = 2e-3
 
 @dataclass(frozen=True)
 class FlankGrid:
-    """Cells over a wheel's flank.
+    """Cells over a wheel's flank, or a worm's thread.
 
     Attributes
     ----------
     face, radius : ndarray
-        Their middles along the face and away from the wheel's axis, evenly spaced [m].
+        Their middles along the wheel's face, or along the worm's axis, and away from the own axis, evenly
+        spaced [m].
     """
 
     face: Array
@@ -79,7 +83,7 @@ def _between(place: Array, axis: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Pass:
-    """What a pass through the mesh does to a wheel's flank.
+    """What a pass through the mesh does to a flank.
 
     Attributes
     ----------
@@ -93,8 +97,28 @@ class Pass:
     volume: float
 
 
-def flank_grid(result: Result) -> FlankGrid:
+Side = Literal["wheel", "worm"]
+"""Whose flank."""
+
+_PLACES = {"wheel": ("tooth_face", "tooth_radius"), "worm": ("thread_axial", "thread_radius")}
+"""Fields with the place on each flank."""
+
+
+def _placed(one: Solution, x: Array, y: Array, side: Side) -> dict[str, Array]:
+    """A solution's fields on the common grid, with places on one of the flanks."""
+    places = flank_place(one, *np.meshgrid(x, y), _PLACES[side])
+    return {**layer_of(one, x, y), **dict(zip(("face", "radius"), places, strict=True))}
+
+
+def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
     """Cells that hold all contacts of a result, with a margin.
+
+    Parameters
+    ----------
+    result : Result
+        Solved phases of a worm drive with simulated roughness.
+    side : str, optional
+        "wheel", or "worm" for a thread of it.
 
     Raises
     ------
@@ -102,7 +126,7 @@ def flank_grid(result: Result) -> FlankGrid:
         Too few phases converged.
     """
     solved = _solved(result)
-    layers = [layer_of(one, *common_grid(solved)) for one in solved]
+    layers = [_placed(one, *common_grid(solved), side) for one in solved]
     stations = _whole_mesh([one.phase for one in solved], layers, _tooth_load(result))
     axes = []
     for name in ("face", "radius"):
@@ -128,7 +152,9 @@ def _solved(result: Result) -> list:
     return sorted(solved, key=lambda one: one.phase)
 
 
-def asperity_pass(result: Result, grid: FlankGrid, phases_per_second: float) -> Pass:
+def asperity_pass(
+    result: Result, grid: FlankGrid, phases_per_second: float, side: Side = "wheel"
+) -> Pass:
     """A pass through the mesh, from the first touch of a tooth pair to its last.
 
     Before the first solved phase and after the last one the contact of that phase goes on, its work in the
@@ -142,10 +168,13 @@ def asperity_pass(result: Result, grid: FlankGrid, phases_per_second: float) -> 
         Cells of the flank.
     phases_per_second : float
         Rate of the phase [1/s].
+    side : str, optional
+        Whose flank, as of `flank_grid`. A tooth has a pass in each turn of the wheel, a thread in each turn
+        of the worm.
     """
     solved = _solved(result)
     x, y = common_grid(solved)
-    layers = [_with_areas(layer_of(one, x, y), x, y) for one in solved]
+    layers = [_with_areas(_placed(one, x, y, side), x, y) for one in solved]
     work, volume = np.zeros(grid.shape), 0.0
     stations = _whole_mesh([one.phase for one in solved], layers, _tooth_load(result))
     for (phase, before), (next_phase, after) in pairwise(stations):

@@ -223,19 +223,33 @@ def _largest_at(solution: Solution) -> tuple[float, float]:
     return float(x), float(y)
 
 
-def flank_place(solution: Solution, x: Array, y: Array) -> tuple:
-    """Place on the wheel's flank over points of a solution's tangent plane.
+def flank_place(
+    solution: Solution,
+    x: Array,
+    y: Array,
+    names: tuple[str, str] = ("tooth_face", "tooth_radius"),
+) -> tuple:
+    """Place on a flank over points of a solution's tangent plane.
+
+    Parameters
+    ----------
+    solution : Solution
+        Of a worm drive.
+    x, y : float or ndarray
+        Points [m].
+    names : tuple of str, optional
+        Fields with the places; unless given those of the wheel.
 
     Returns
     -------
     tuple
-        Along the face from its middle, and distance from the wheel's axis [m]; of the shape of x and y.
+        Along the wheel's face from its middle, and distance from its axis, or what the fields hold [m]; of
+        the shape of x and y.
     """
     fields = solution.fields
     at = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
     places = [
-        fields[name].interp(at, assume_sorted=True).values.reshape(np.shape(x))
-        for name in ("tooth_face", "tooth_radius")
+        fields[name].interp(at, assume_sorted=True).values.reshape(np.shape(x)) for name in names
     ]
     return tuple(float(place) if np.ndim(x) == 0 else place for place in places)
 

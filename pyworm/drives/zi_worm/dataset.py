@@ -141,9 +141,11 @@ def _loads(shared: Sequence[SharedLoad], phases: np.ndarray) -> np.ndarray:
     return np.array([of.force(float(phase)) for of, phase in zip(shared, phases, strict=True)])
 
 
-def tooth_data(
-    outline: Any, gap: Gap, place: Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
-) -> PlainDataset:
+FlankPlace = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+"""(x, y) [m] -> two coordinates [m] on a flank under a tangent plane."""
+
+
+def tooth_data(outline: Any, gap: Gap, place: FlankPlace, on_thread: FlankPlace) -> PlainDataset:
     """The tooth, its whole gap and its path of contact over a contact's tangent plane.
 
     Parameters
@@ -153,18 +155,22 @@ def tooth_data(
     gap : Gap
         The gap of the contact.
     place : callable
-        (x, y) [m] -> place on the wheel's flank: along the face from its middle, and distance from the
-        wheel's axis [m].
+        Place on the wheel's flank: along the face from its middle, and distance from the wheel's axis.
+    on_thread : callable
+        Place on the worm's thread: along its axis from the line of centres, and distance from that axis.
     """
     x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
     y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
     opening, covered = gap(*np.meshgrid(x, y))
     face, radius = place(*np.meshgrid(x, y))
+    axial, from_axis = on_thread(*np.meshgrid(x, y))
     return described(
         {
             "tooth_gap": (("tooth_y", "tooth_x"), np.where(covered, opening, np.nan)),
             "tooth_face": (("tooth_y", "tooth_x"), face),
             "tooth_radius": (("tooth_y", "tooth_x"), radius),
+            "thread_axial": (("tooth_y", "tooth_x"), axial),
+            "thread_radius": (("tooth_y", "tooth_x"), from_axis),
             "tooth_outline_x": (("outline",), outline.x),
             "tooth_outline_y": (("outline",), outline.y),
             "contact_path_x": (("path",), outline.path_x),

@@ -438,5 +438,5 @@ class ZiWormDrive(ZiWormGears, Drive):
     def scene_data(self, scene: Scene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
         contact = self.contact(scene.phase)
-        place = partial(self.flank_place, contact)
-        return tooth_data(self.tooth_outline(contact), scene.gap, place)
+        places = partial(self.flank_place, contact), partial(self.thread_place, contact)
+        return tooth_data(self.tooth_outline(contact), scene.gap, *places)

@@ -270,6 +270,17 @@ class ZiWormGears:
         point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
         return point[1], wheel_radius(point)
 
+    def thread_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
+        """Place on the worm's thread over points of a tangent plane, the same at all worm angles.
+
+        Returns
+        -------
+        tuple of ndarray
+            Along the worm's axis from the line of centres, and distance from that axis [m].
+        """
+        point = surface_points(contact, x, y, contact.worm_height.solve(x, y)[0])
+        return self.worm_flank.along_axis(point), self.worm_flank.radius(point)
+
     @cached_property
     def rim(self) -> Array:
         """Parameters of the wheel flank's outline: tip, face end, root, face end."""

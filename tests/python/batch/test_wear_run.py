@@ -38,7 +38,7 @@ def contacts(monkeypatch):
         sound = SimpleNamespace(solutions=(one,))
         return SimpleNamespace(sound=sound, case=case, mesh_cycle=cycle_data), tasks
 
-    def work(result, grid, rate):
+    def work(result, grid, rate, side="wheel"):
         rough = result.case.tables.bodies.wheel.roughness
         middle = np.exp(-((grid.face / 2e-3) ** 2))[None, :] * np.ones((len(grid.radius), 1))
         made = 3e6 * (rough / 0.6e-6) ** 3 * middle
@@ -51,7 +51,7 @@ def contacts(monkeypatch):
     )
     cycle = SimpleNamespace(loss=SimpleNamespace(friction=0.03), lifts=())
     monkeypatch.setattr(wear_run, "run_balanced", run)
-    monkeypatch.setattr(wear_run, "flank_grid", lambda result: GRID)
+    monkeypatch.setattr(wear_run, "flank_grid", lambda result, side="wheel": GRID)
     monkeypatch.setattr(wear_run, "asperity_pass", work)
     monkeypatch.setattr(wear_run, "drive_cycle", lambda result: cycle)
     return solved
@@ -66,12 +66,12 @@ def test_a_worn_wheel_has_its_depth_off_its_flank(case):
     """Where it is deepest the gap is wider by that, beyond the map nothing is worn."""
     depth = np.zeros(GRID.shape)
     depth[4, 12] = 3e-6
-    worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, 0.4e-6)).drive
+    worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, (0.3e-6, 0.4e-6))).drive
     deviations = worn.wheel.deviations
     assert deviations.taken_off(0.0, 83e-3) == pytest.approx(3e-6, rel=1e-6)
     assert deviations.taken_off(-14e-3, 83e-3) == pytest.approx(0, abs=1e-9)
     assert worn.bodies[1].roughness == 0.4e-6
-    assert worn.bodies[0].roughness == case.drive.bodies[0].roughness
+    assert worn.bodies[0].roughness == 0.3e-6
 
 
 def test_depth_volume_and_grams_are_of_the_same_wear(case, contacts, tmp_path):
@@ -85,6 +85,19 @@ def test_depth_volume_and_grams_are_of_the_same_wear(case, contacts, tmp_path):
     assert last.depth_max_m == pytest.approx(depths[-1].max())
     assert last.volume_m3 == pytest.approx(depths[-1].sum() * GRID.cell, rel=1e-6)
     assert last.mass_kg == pytest.approx(last.volume_m3 * 41 * 8800)
+
+
+def test_the_worm_loses_its_share_of_the_same_work(case, contacts, tmp_path):
+    """Threads as often as the worm turns, teeth as often as the wheel: volumes as the k of both."""
+    *_, last = wear(case, tmp_path, worm_ratio=0.02)
+    threads, teeth = 2, 41
+    assert last.worm_volume_m3 * threads == pytest.approx(0.02 * last.volume_m3 * teeth)
+    assert last.worm_mass_kg == pytest.approx(last.worm_volume_m3 * threads * 7850)
+    with np.load(tmp_path / STATE) as held:
+        depth = held["worm_depth"]
+    # the contacts that stand in do the same work on both maps
+    assert depth.sum() * GRID.cell == pytest.approx(last.worm_volume_m3, rel=1e-6)
+    assert last.worm_depth_max_m == pytest.approx(depth.max())
 
 
 def test_backlash_is_what_the_wheel_stays_behind_at_its_reference_circle(case, contacts, tmp_path):
@@ -135,12 +148,12 @@ def test_hours_that_are_allowed_follow_from_the_last_rate(case, contacts, tmp_pa
 
 def test_worn_flanks_may_be_deeper_than_files_of_deviations(case):
     depth = np.full(GRID.shape, 0.3e-3)  # 0.075 modules
-    worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, 0.4e-6)).drive
+    worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, (0.3e-6, 0.4e-6))).drive
     assert worn.wheel.deviations.worn and worn.wheel.deviations.spread > 0.05 * 4e-3
     with pytest.raises(ValueError, match="worn by"):
-        case.with_found(case.tables.worn(GRID.face, GRID.radius, 5 * depth, 0.4e-6)).scene(
-            phase=0.5
-        )
+        case.with_found(
+            case.tables.worn(GRID.face, GRID.radius, 5 * depth, (0.3e-6, 0.4e-6))
+        ).scene(phase=0.5)
 
 
 def test_wear_is_drawn(case, contacts, tmp_path):
@@ -216,6 +229,7 @@ def test_a_run_goes_on_where_it_was_stopped(case, contacts, tmp_path):
     again = wear(case, tmp_path / "stopped")
     assert [step.hours for step in again] == pytest.approx([step.hours for step in whole])
     assert again[-1].depth_max_m == pytest.approx(whole[-1].depth_max_m, rel=1e-9)
+    assert again[-1].worm_depth_max_m == pytest.approx(whole[-1].worm_depth_max_m, rel=1e-9)
 
 
 def test_another_plan_begins_anew(case, contacts, tmp_path):
@@ -229,6 +243,7 @@ def test_another_plan_begins_anew(case, contacts, tmp_path):
     [
         (["--hours", "0"], "--hours = 0: must be above zero"),
         (["--hours", "10", "--coefficient", "-1"], "--coefficient = -1: must be above zero"),
+        (["--hours", "10", "--worm-ratio", "0"], "--worm-ratio = 0: must be above zero"),
     ],
 )
 def test_what_cannot_be_worn_is_refused(arguments, sentence, capsys):

@@ -11,6 +11,7 @@ from pyworm.drives.zi_worm import loaded_pattern as loaded
 from pyworm.drives.zi_worm.contact_pattern import both_flanks, contact_pattern
 from pyworm.drives.zi_worm.dataset import pattern_data
 from pyworm.drives.zi_worm.design import Assembly
+from pyworm.drives.zi_worm.gap import surface_points
 from pyworm.drives.zi_worm.loaded_pattern import deflection, loaded_pattern
 from pyworm.drives.zi_worm.shim import found_shim
 from pyworm.drives.zi_worm.tooth_compliance import PlacedGap
@@ -70,6 +71,18 @@ def test_the_separation_is_that_of_a_place_followed_by_hand(drive, pattern):
         if off[nearest] < 0.5e-3:
             least = min(least, gap[nearest])
     assert pattern.separation[row, column] == pytest.approx(least, rel=0.1)
+
+
+def test_places_on_the_thread_are_where_the_wheel_touches_it(drive):
+    """By the wheel's flank and the worm's axis, 304.8 mm off and along z."""
+    x, y = np.meshgrid(np.linspace(-4e-3, 4e-3, 5), np.linspace(-0.4e-3, 0.4e-3, 3))
+    for phase in (0.2, 0.8):
+        contact = drive.contact(phase)
+        on_wheel = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
+        axial, radius = drive.thread_place(contact, x, y)
+        assert np.ptp(axial) > 0.5e-3 and np.ptp(radius) > 0.5e-3
+        assert axial == pytest.approx(on_wheel[2], abs=20e-6)
+        assert radius == pytest.approx(np.hypot(on_wheel[0] + 0.3048, on_wheel[1]), abs=20e-6)
 
 
 def test_errors_of_the_assembly_move_the_pattern_as_they_move_the_contact(drive, pattern):

@@ -5,7 +5,14 @@ import itertools
 import numpy as np
 import pytest
 
-from pyworm.formulas.wear_law import archard_depth, energy_coefficient, truncated_roughness
+from pyworm.formulas.wear_law import (
+    WHEEL_HARDNESS,
+    WORM_HARDNESS,
+    archard_depth,
+    energy_coefficient,
+    harder_ratio,
+    truncated_roughness,
+)
 
 
 def test_both_forms_of_the_law_wear_as_much():
@@ -36,3 +43,13 @@ def test_roughness_falls_to_that_of_a_run_in_flank_and_no_further():
 def test_what_is_no_wear_coefficient_is_refused():
     with pytest.raises(ValueError, match="wear coefficient = 7 m2/N"):
         archard_depth(7.0, 1e8, 1.0)
+
+
+def test_a_worm_of_hardened_steel_loses_below_a_twentieth_of_its_bronze_wheel():
+    """Rabinowicz's square of the hardnesses; by hardness alone it would be more than that."""
+    squared = harder_ratio(WORM_HARDNESS, WHEEL_HARDNESS)
+    assert squared == pytest.approx((95 / 680) ** 2, rel=0.02)
+    assert squared < 0.05 < harder_ratio(WORM_HARDNESS, WHEEL_HARDNESS, 1.0)
+    assert harder_ratio(2e9, 2e9) == 1
+    with pytest.raises(ValueError, match="harder surface"):
+        harder_ratio(1e9, 2e9)
