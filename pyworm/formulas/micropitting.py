@@ -1,7 +1,8 @@
 """Micropitting of gear teeth by ISO/TS 6336-22: the specific film at each contact against a permissible one.
 
-The standard's text was not available; its formulas are from memory, each checked by what it must agree with
-(`docs/reference/scuffing-and-micropitting.md`). All arguments are in SI, temperatures in kelvin.
+The standard's text was not available; its formulas are those of ISO/TR 15144-1 as a public program has them
+with equation numbers, and factors from memory are named (`docs/reference/scuffing-and-micropitting.md`). All
+arguments are in SI, temperatures in kelvin.
 """
 
 from collections.abc import Callable
@@ -16,10 +17,10 @@ from pyworm.formulas.scuffing import flash_temperature
 
 Array = np.ndarray
 
-SOURCE = "ISO/TS 6336-22:2018 (as ISO/TR 15144-1), from memory"
+SOURCE = "ISO/TS 6336-22:2018 (as ISO/TR 15144-1), by a public program"
 
 FRICTION_FACTORS = {"mineral": 1.0, "PAO": 0.8, "ester": 0.8, "PAG": 0.7}
-"""X_L of the mean friction, by base stock; polyglycols not soluble in water."""
+"""X_L by base stock (ISO/TR 15144-1, table 3): polyglycols not soluble in water; esters assumed as PAO."""
 
 TEST_FACTOR = 1.4
 """Permissible specific film over that of the test gears at the load stage that fails them."""
@@ -109,8 +110,8 @@ def mean_friction(
 
         0.045 (w/(v_sum rho))^0.2 (1000 eta)^-0.05 X_R X_L,  X_R = 2.2 (Ra/rho)^0.25
 
-    with w in N/mm, v in m/s, rho in mm, eta in Pa s, Ra in um. Source: ISO/TS 6336-22, from memory; within
-    20 % of Schlenk's 0.048 ... eta^-0.05 Ra^0.25 X_L where rho is some 10 mm.
+    with w in N/mm, v in m/s, rho in mm, eta in Pa s, Ra in um. Source: ISO/TR 15144-1, equations 86, 87;
+    within 20 % of Schlenk's 0.048 ... eta^-0.05 Ra^0.25 X_L where rho is some 10 mm.
 
     Parameters
     ----------
@@ -197,7 +198,7 @@ def bulk_rise(
     """Rise of the teeth's bulk over oil that is injected [K], without tip relief.
 
     7400 (P mu H_v/(a b))^0.72 X_S/(1.2 X_Ca), P in kW, a and b in mm, X_S = 1.2 and X_Ca = 1. Source:
-    ISO/TS 6336-22, from memory.
+    ISO/TR 15144-1, equation 84.
 
     Parameters
     ----------

@@ -90,17 +90,17 @@ def gear_oil(oil: Oil, base: str) -> GearOil:
     return GearOil(law("eta0"), law("alpha"), FRICTION_FACTORS[base])
 
 
-def scuffing_limit(table: DamageLimits, base: str | None) -> Limit:
-    """The oil's scuffing temperature by its load stage in the FZG test [K]."""
+def scuffing_limit(table: DamageLimits, oil: Oil, base: str | None) -> Limit:
+    """The oil's scuffing temperature by its load stage in the FZG test and its viscosity as it is fed [K]."""
     if table.scuffing_load_stage is None:
         return Limit(None, "scuffing_load_stage of the oil (FZG A/8.3/90) is missing")
     if base is None:
         return Limit(None, "base of the oil is missing")
     factor, structure = FRICTION_FACTORS[base], table.scuffing_structure_factor
-    kelvin = scuffing_temperature_of_stage(table.scuffing_load_stage, factor, structure)
-    return Limit(
-        kelvin, by=f"load stage {table.scuffing_load_stage}, X_L {factor:g}, X_W {structure:g}"
-    )
+    stage, viscosity = table.scuffing_load_stage, oil.viscosity.eta0
+    kelvin = scuffing_temperature_of_stage(stage, viscosity, factor, structure)
+    by = f"load stage {stage}, X_L {factor:g} x {1e3 * viscosity:.3g}^-0.05, X_W {structure:g}"
+    return Limit(kelvin, by=by)
 
 
 def film_limit(table: DamageLimits, oil: Oil, base: str | None) -> Limit:
@@ -183,6 +183,7 @@ def scuffing(
         "theta_S_C": limit.value - ZERO_CELSIUS,
         "theta_B_C": contact - ZERO_CELSIUS,
         "theta_oil_C": oil_temperature - ZERO_CELSIUS,
+        "margin_K": limit.value - contact,
         "theta_S": limit.by,
         "at": place,
     }

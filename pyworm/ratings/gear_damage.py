@@ -55,7 +55,7 @@ class GearDamage:
     @cached_property
     def limits(self) -> tuple[Limit, Limit]:
         """Scuffing temperature, by load stage or else the mean of AGMA 925, and permissible specific film."""
-        of_stage = scuffing_limit(self.table, self.base)
+        of_stage = scuffing_limit(self.table, self.duty.oil, self.base)
         mean = mean_scuffing_temperature(self.duty, self.table)
         if of_stage.value is None and mean is not None:
             given = self.duty.scuffing_temperature is not None

@@ -40,7 +40,7 @@ def worm_flanks(
     result : Result
         Solved contacts that converged.
     """
-    limits = scuffing_limit(table, base), film_limit(table, oil, base)
+    limits = scuffing_limit(table, oil, base), film_limit(table, oil, base)
     roughness = MEAN_TO_RMS * float(np.mean(duty.roughness))
     return flank_table(
         simulated_spots(result.solutions),

@@ -54,11 +54,16 @@ def safeties(case, result=None):
     return {of.symbol: of for of in made["gear teeth"].safeties}
 
 
-def test_stage_12_of_a_mineral_oil_scuffs_at_404_degrees():
-    """80 + (0.85 + 1.4) 144 by hand; polyalphaolefins have a fifth less above 80."""
-    assert scuffing_temperature_of_stage(12) - 273.15 == pytest.approx(80 + 2.25 * 144)
-    assert scuffing_temperature_of_stage(12, 0.8) - 273.15 == pytest.approx(80 + 0.8 * 2.25 * 144)
-    assert scuffing_temperature_of_stage(12, 1.0, 1.5) > scuffing_temperature_of_stage(12)
+def test_stage_12_of_a_mineral_oil_of_30_mpa_s_scuffs_at_353_degrees():
+    """80 + (0.85 + 1.4) 144 30^-0.05 by hand; polyalphaolefins have a fifth less above 80."""
+    by_hand = 2.25 * 144 / 30**0.05
+    assert by_hand == pytest.approx(273.3, abs=0.1)
+    assert scuffing_temperature_of_stage(12, 0.03) - 273.15 == pytest.approx(80 + by_hand)
+    assert scuffing_temperature_of_stage(12, 0.03, 0.8) - 273.15 == pytest.approx(
+        80 + 0.8 * by_hand
+    )
+    nitrided, carburised = (scuffing_temperature_of_stage(12, 0.03, 1.0, x) for x in (1.5, 1.0))
+    assert nitrided > carburised
     assert scuffing_safety(OIL + 50, OIL, OIL + 150) == pytest.approx(3)
     with pytest.raises(ValueError, match="rise of the contact"):
         scuffing_safety(OIL - 1, OIL, OIL + 150)
@@ -109,7 +114,8 @@ def test_simulated_safeties_have_both_bars_and_their_worst_place():
     made = safeties(case, result)
     scuffs = made["S_B_simulated"]
     assert scuffs.inputs["at"] == "phase 0.6"
-    limit = scuffing_temperature_of_stage(12, 0.8)
+    limit = scuffing_temperature_of_stage(12, case.drive.oil.viscosity.eta0, 0.8)
+    assert scuffs.inputs["margin_K"] == pytest.approx(limit - 420.0)
     assert scuffs.value == pytest.approx((limit - OIL) / (420.0 - OIL))
     assert (scuffs.error, scuffs.model) == (0.1, 0.2) and scuffs.shown.endswith(
         "± 10 % ± 20 % (model)"
