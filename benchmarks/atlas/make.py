@@ -1,7 +1,7 @@
 """Solve the contacts of the atlas that its table does not have yet, to certified films.
 
     python benchmarks/atlas/make.py atlas/films.csv STORE [--upto 4000] [--largest-grid 1000000] [--again]
-    python benchmarks/atlas/make.py atlas/thermal.csv STORE --thermal [--upto 1500] ...
+    python benchmarks/atlas/make.py atlas/thermal.csv STORE --thermal --upto 1500 --largest-grid 70000
 
 Each part of the sequence is a sweep, whose solved scenes are kept in STORE, and is added to the table as soon
 as it is solved; the same command continues where it was stopped. `--again` solves those that are not
@@ -14,21 +14,24 @@ import sys
 import time
 import warnings
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from atlas.contacts import contact, order, sequence
 from atlas.table import read, write
-from atlas.thermal_contacts import heats, thermal_contact
+from atlas.thermal_contacts import BETA, INLET, heats, thermal_contact, thermal_order
 
 import pyworm
 from pyworm.formulas.hertz import hertz
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 
-ACCURACY = 0.005
-"""Relative error of central and least film at which a contact is certified [-]."""
+ACCURACY, THERMAL_ACCURACY = 0.005, 0.05
+"""Relative error of central and least film at which a contact is certified [-]: isothermal, and thermal, whose
+central films have a tenth of it in the median."""
 
 PART = 25
 """Contacts solved in one sweep, and added to the table together."""
@@ -44,7 +47,7 @@ def solved(numbers: Sequence[int], store: Path, largest_grid: int, thermal: bool
         result = pyworm.sweep(
             make,
             out=store,
-            accuracy=ACCURACY,
+            accuracy=THERMAL_ACCURACY if thermal else ACCURACY,
             effects="all" if thermal else "isothermal",
             quantities=("film",),
             progress=False,
@@ -53,9 +56,26 @@ def solved(numbers: Sequence[int], store: Path, largest_grid: int, thermal: bool
         )
         rows = result.table.to_dataframe().to_dict("records")
         return [
-            row(number, of, make(number), vars(heats()[number]) if thermal else {})
+            row(number, of, make(number), heat_columns(number, of) if thermal else {})
             for number, of in zip(numbers, rows, strict=True)
         ]
+
+
+def heat_columns(number: int, of: dict) -> dict:
+    """Groups of heat, friction and largest rise of the film's temperature of a thermal contact."""
+    rise = _figure(of, "temperature_max_C_film") + ZERO_CELSIUS - INLET
+    return {
+        **vars(heats()[number]),
+        "friction": _figure(of, "friction_coefficient"),
+        "friction_error": _figure(of, "friction_coefficient_error"),
+        "warming": BETA * rise,
+        "warming_error": _figure(of, "temperature_max_error_K_film", rise),
+    }
+
+
+def _figure(of: dict, key: str, over: float = 1.0) -> float:
+    value = of.get(key)
+    return math.nan if value is None else float(value) / over
 
 
 def row(number: int, of: dict, scene: Scene, heat: dict[str, float]) -> dict:
@@ -63,11 +83,7 @@ def row(number: int, of: dict, scene: Scene, heat: dict[str, float]) -> dict:
     groups = sequence()[number]
     dry = hertz(*scene.radii, scene.load, scene.reduced_modulus)
     unit = scales(scene).groups.moes_film
-
-    def figure(key: str, over: float = 1.0) -> float:
-        value = of.get(key)
-        return math.nan if value is None else float(value) / over
-
+    figure = partial(_figure, of)
     return {
         "number": number,
         **{name: float(value) for name, value in vars(groups).items()},
@@ -106,7 +122,7 @@ def main() -> None:
     rows = read(given.table)
     wanted = [
         number
-        for number in order()[: given.upto]
+        for number in (thermal_order() if given.thermal else order())[: given.upto]
         if number not in rows or (given.again and rows[number]["certified"] == "0")
     ]
     for first in range(0, len(wanted), PART):

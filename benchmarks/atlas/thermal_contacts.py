@@ -1,14 +1,15 @@
 """The thermal contacts of the atlas: isothermal ones with sliding, heat and an oil that shears thin.
 
 To each contact of `contacts.sequence` come similarity groups of heat, drawn likewise: the film over that
-without heat depends on them.
+without heat depends on them. A thermal contact has the number of the isothermal one, so that the factor by
+which heat and shear thinning change a film follows from two rows.
 """
 
 from dataclasses import dataclass, replace
 from functools import cache
 from math import log
 
-from atlas.contacts import DRAWN, Groups, contact, logarithmic, sequence
+from atlas.contacts import DRAWN, Groups, contact, logarithmic, order, sequence
 from scipy.stats import qmc
 
 from pyworm.formulas.hertz import hertz
@@ -30,8 +31,13 @@ LOADING = (0.01, 30.0)
 CONDUCTIVITY_RATIO = (0.002, 0.2)
 """Conductivity of the oil over that of the bodies, in the logarithm: from steel to glass."""
 
-EYRING, LIMITING = (0.002, 0.03), (0.02, 0.1)
+EYRING, LIMITING = (0.002, 0.03), (0.03, 0.12)
 """Eyring stress over the Hertz pressure, in the logarithm, and the limiting stress over pressure."""
+
+RATIO, MOES_L, PRESSURE, THICKNESS = 30.0, (0.5, 15.0), 15.0, (0.015, 0.3)
+"""Of the isothermal contact: largest ratio of radii, L, largest alpha p_H, and film over the Hertz approach.
+Thinner films need more nodes than a set of some thousand seconds can have, thicker ones depend on surfaces
+far out, and under larger pressures the limiting stress of the oil bears no pressure spike."""
 
 INLET, CONDUCTIVITY, SPECIFIC_HEAT, BETA = 333.15, 0.14, 2000.0, 0.04
 """Inlet temperature [K], conductivity [W/(m K)], specific heat [J/(kg K)] and fall of viscosity [1/K] of the
@@ -64,6 +70,20 @@ class Heat:
     conductivity_ratio: float
     eyring: float
     limiting: float
+
+
+def thermal_order() -> list[int]:
+    """Numbers of the thermal contacts in the order in which they are solved: `contacts.order` in their box."""
+    return [number for number in order() if _inside(sequence()[number])]
+
+
+def _inside(of: Groups) -> bool:
+    return (
+        of.ratio <= RATIO
+        and MOES_L[0] <= of.moes_l <= MOES_L[1]
+        and of.pressure <= PRESSURE
+        and THICKNESS[0] <= of.thickness <= THICKNESS[1]
+    )
 
 
 @cache
