@@ -93,33 +93,32 @@ def table(of: AtlasGroups, data: dict) -> None:
 def ratios(of: AtlasGroups, data: dict, target: Path) -> None:
     """Ratios of formulas to the atlas over M, coloured by angle."""
     found = classical(of)
-    figure, axes = plt.subplots(
-        2, 3, figsize=(11, 6), sharex=True, sharey="row", layout="constrained"
+    figure, axes = plt.subplots(2, 3, figsize=(11, 6), sharey=True, layout="constrained")
+    shown = (
+        ("central", ("Hamrock-Dowson", "Chittenden", "Nijenbanning-Venner-Moes")),
+        ("least", ("Hamrock-Dowson", "Chittenden", "Masjedi-Khonsari")),
     )
-    cases = [
-        (name, found[name]) for name in ("Hamrock-Dowson", "Chittenden", "Nijenbanning-Venner-Moes")
-    ]
-    for column, (name, one) in enumerate(cases):
-        for row, (told, stored, word) in enumerate(
-            (
-                (one.central, data["film_central"], "central"),
-                (one.minimum, data["film_min"], "least"),
-            )
-        ):
-            axis = axes[row, column]
-            if told is None:
-                axis.set_axis_off()
-                continue
-            dots = axis.scatter(
-                of.moes_m, told / stored, c=np.degrees(of.angle), s=6, cmap="viridis"
-            )
-            axis.set(xscale="log", yscale="log", title=f"{name}, {word} film", ylim=(0.2, 8))
+    outside = 0
+    for row, (word, names) in zip(axes, shown, strict=True):
+        stored = data[{"central": "film_central", "least": "film_min"}[word]]
+        for axis, name in zip(row, names, strict=True):
+            one = found[name]
+            ratio = (one.central if word == "central" else one.minimum) / stored
+            outside += np.sum((ratio < SHOWN[0]) | (ratio > SHOWN[1]))
+            dots = axis.scatter(of.moes_m, ratio, c=np.degrees(of.angle), s=3, cmap="viridis")
+            axis.set(xscale="log", yscale="log", ylim=SHOWN, xlabel="M")
+            axis.set_title(f"{name}: {word} film", fontsize=10)
+            axis.set_yticks(RATIOS, [f"{tick:g}" for tick in RATIOS])
+            axis.minorticks_off()
             axis.axhline(1, color="k", lw=0.7)
-            axis.set_xlabel("M")
-    axes[0, 0].set_ylabel("formula over atlas")
-    axes[1, 0].set_ylabel("formula over atlas")
+        row[0].set_ylabel("formula over atlas")
     figure.colorbar(dots, ax=axes, label="angle of entrainment [deg]")
     figure.savefig(target, dpi=110)
+    print(f"{outside} of {6 * len(data['number'])} points beyond the axes")
+
+
+SHOWN, RATIOS = (0.2, 8.0), (0.2, 0.5, 1, 2, 5)
+"""Ends of the axis of ratios, and its ticks."""
 
 
 def over_load(target: Path) -> None:
@@ -151,7 +150,7 @@ def over_load(target: Path) -> None:
 
 def regime_maps(target: Path) -> None:
     """Regimes over M and L for ellipses across, round and along."""
-    m, el = np.meshgrid(np.geomspace(0.1, 3000, 240), np.geomspace(0.1, 30, 160))
+    m, el = np.meshgrid(np.geomspace(0.1, 3000, 500), np.geomspace(0.1, 30, 400))
     figure, axes = plt.subplots(1, 5, figsize=(12.5, 3.2), sharey=True, layout="constrained")
     cases = ((30, 0), (5, 0), (1, 0), (5, 90), (30, 90))
     for axis, (ratio, angle) in zip(axes, cases, strict=True):
@@ -160,7 +159,7 @@ def regime_maps(target: Path) -> None:
         axis.pcolormesh(
             m, el, found, cmap=plt.get_cmap("viridis", 4), vmin=-0.5, vmax=3.5, rasterized=True
         )
-        where = {0: "", 90: ", along"}[angle] if ratio > 1 else ""
+        where = {0: ", across", 90: ", along"}[angle] if ratio > 1 else ", circular"
         axis.set(
             xscale="log",
             yscale="log",

@@ -1,7 +1,7 @@
 """Solve the contacts of the atlas that its table does not have yet, to certified films.
 
     python benchmarks/atlas/make.py atlas/films.csv STORE [--upto 4000] [--largest-grid 1000000] [--again]
-    python benchmarks/atlas/make.py atlas/thermal.csv STORE --thermal --upto 1500 --largest-grid 70000
+    python benchmarks/atlas/make.py atlas/thermal.csv STORE --thermal --upto 1500 --largest-grid 100000
 
 Each part of the sequence is a sweep, whose solved scenes are kept in STORE, and is added to the table as soon
 as it is solved; the same command continues where it was stopped. `--again` solves those that are not
@@ -30,8 +30,8 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 
 ACCURACY, THERMAL_ACCURACY = 0.005, 0.05
-"""Relative error of central and least film at which a contact is certified [-]: isothermal, and thermal, whose
-central films have a tenth of it in the median."""
+"""Relative error of central and least film at which a contact is certified [-]: isothermal, and thermal. Central
+films of the latter have a tenth of it in the median."""
 
 PART = 25
 """Contacts solved in one sweep, and added to the table together."""
@@ -75,7 +75,7 @@ def heat_columns(number: int, of: dict) -> dict:
 
 def _figure(of: dict, key: str, over: float = 1.0) -> float:
     value = of.get(key)
-    return math.nan if value is None else float(value) / over
+    return float(value) / over if value is not None and over else math.nan
 
 
 def row(number: int, of: dict, scene: Scene, heat: dict[str, float]) -> dict:

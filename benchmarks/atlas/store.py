@@ -1,6 +1,7 @@
-"""Write the atlas as a NetCDF file beside its table.
+"""Write a table of the atlas as a NetCDF file beside it.
 
 python benchmarks/atlas/store.py atlas/films.csv
+python benchmarks/atlas/store.py atlas/thermal.csv
 """
 
 import argparse
@@ -40,19 +41,35 @@ SCHEMA = {
     "film_lift": "increase of the rigid separation by the film over R (2U)^(1/2)",
     "pressure_max": "largest pressure over Hertz's",
     "pressure_max_error": "relative error bar of the largest pressure",
-    "certified": "1: both films have error bars of 0.5 % or less",
+    "certified": "1: both films have error bars of 0.5 % or less (thermal contacts: 5 %)",
     "status": "why the solver stopped",
     "grid_x": "nodes along the smaller radius",
     "grid_y": "nodes along the larger radius",
     "convolutions": "processor time in convolutions on the finest grid",
     "seconds": "elapsed time on a shared machine [s]",
+    "sliding": "slide-roll ratio, sliding along the entrainment over the entrainment speed",
+    "loading": "thermal loading eta0 beta u^2/k of the inlet",
+    "conductivity_ratio": "conductivity of the oil over that of the bodies",
+    "eyring": "Eyring stress over the Hertz pressure, also the limiting stress at ambient pressure",
+    "limiting": "rise of the limiting stress with pressure",
+    "friction": "coefficient of friction",
+    "friction_error": "relative error bar of the friction",
+    "warming": "largest rise of the film's temperature above the inlet times beta",
+    "warming_error": "relative error bar of the rise",
 }
-"""Meaning of each column."""
+"""Meaning of each column; the last nine are of thermal contacts."""
+
+KINDS = {
+    True: ("thermal elastohydrodynamic", "with heat, Eyring and limiting stress"),
+    False: ("isothermal elastohydrodynamic", "Newtonian"),
+}
+"""Of contacts with and without heat: what they are, and what their oil does."""
 
 
 def dataset(table: Path) -> xr.Dataset:
     """The table with the meaning of its columns."""
     found = columns(table)
+    kind, oil = KINDS["loading" in found]
     data = {
         name: ("contact", of if name in TEXTS else of.astype(float), {"long_name": SCHEMA[name]})
         for name, of in found.items()
@@ -60,12 +77,12 @@ def dataset(table: Path) -> xr.Dataset:
     return xr.Dataset(
         data,
         attrs={
-            "title": "Converged films of isothermal elastohydrodynamic point contacts",
+            "title": f"Converged films of {kind} point contacts",
             "source": f"pyworm {pyworm.__version__}, benchmarks/atlas/make.py",
             "license": "BSD-3-Clause, as pyworm",
             "references": "docs/reference/atlas.md",
             "conventions": "R is the radius along the entrainment, U = eta0 u/(E' R) with the mean speed u; "
-            "steady, smooth, fully flooded, Newtonian, elastic half-spaces",
+            f"steady, smooth, fully flooded, {oil}, elastic half-spaces",
         },
     )
 

@@ -34,8 +34,8 @@ CONDUCTIVITY_RATIO = (0.002, 0.2)
 EYRING, LIMITING = (0.002, 0.03), (0.03, 0.12)
 """Eyring stress over the Hertz pressure, in the logarithm, and the limiting stress over pressure."""
 
-RATIO, MOES_L, PRESSURE, THICKNESS = 30.0, (0.5, 15.0), 15.0, (0.015, 0.3)
-"""Of the isothermal contact: largest ratio of radii, L, largest alpha p_H, and film over the Hertz approach.
+RATIO, LEAST_M, MOES_L, PRESSURE, THICKNESS = 30.0, 5.0, (0.5, 15.0), 15.0, (0.015, 0.25)
+"""Of the isothermal contact: largest ratio of radii, least M, L, largest alpha p_H, film over Hertz approach.
 Thinner films need more nodes than a set of some thousand seconds can have, thicker ones depend on surfaces
 far out, and under larger pressures the limiting stress of the oil bears no pressure spike."""
 
@@ -73,13 +73,14 @@ class Heat:
 
 
 def thermal_order() -> list[int]:
-    """Numbers of the thermal contacts in the order in which they are solved: `contacts.order` in their box."""
+    """Numbers of thermal contacts in the order in which they are solved, `contacts.order` in their box."""
     return [number for number in order() if _inside(sequence()[number])]
 
 
 def _inside(of: Groups) -> bool:
     return (
         of.ratio <= RATIO
+        and of.moes_m >= LEAST_M
         and MOES_L[0] <= of.moes_l <= MOES_L[1]
         and of.pressure <= PRESSURE
         and THICKNESS[0] <= of.thickness <= THICKNESS[1]

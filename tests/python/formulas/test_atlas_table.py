@@ -43,7 +43,7 @@ def test_both_files_are_one_table(atlas):
 
 def test_certified_films_have_bars_of_half_a_per_cent(atlas):
     certified = atlas.where(atlas.certified == 1, drop=True)
-    assert certified.sizes["contact"] > 800
+    assert certified.sizes["contact"] > 3000
     for name in ("film_central", "film_min"):
         assert float(certified[f"{name}_error"].max()) <= 0.005
     assert (certified.film_min <= certified.film_central * 1.005).all()
@@ -61,17 +61,23 @@ def test_contacts_are_those_of_the_sequence(atlas, study):
 
 
 def test_the_formula_is_that_of_the_table(study):
-    """Fitted errors only; those of contacts left out are on the page."""
+    """Errors of the fifth of the contacts that no fit has seen."""
     from pyworm.formulas.film_atlas import films
 
-    _, table = study
+    contacts, table = study
     data = table.known(ATLAS / "films.csv", 0.02)
+    held = set(contacts.order()[4::5])
+    data = {name: of[[int(one) in held for one in data["number"]]] for name, of in data.items()}
     found = films(table.groups(data))
     missed = np.abs(
         np.log([found.central / data["film_central"], found.minimum / data["film_min"]])
     )
-    print(np.percentile(missed, [50, 95], axis=1))
-    assert found.inside.mean() > 0.99
-    assert (np.median(missed, axis=1) < 0.02).all()
-    assert (missed[0] <= found.central_error).mean() > 0.95
-    assert (missed[1] <= found.minimum_error).mean() > 0.95
+    median, most = np.percentile(missed, [50, 95], axis=1)
+    print(len(data["number"]), median, most)
+    assert len(data["number"]) > 650
+    assert found.inside.mean() > 0.98
+    assert (median < 0.02).all()
+    assert most[0] < 0.05
+    assert most[1] < 0.08
+    assert (missed[0] <= found.central_error).mean() > 0.92
+    assert (missed[1] <= found.minimum_error).mean() > 0.92
