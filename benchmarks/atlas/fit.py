@@ -35,8 +35,8 @@ FITTED_BAR, LARGEST_BAR = 0.1, 0.02
 """Bar of the contacts fitted to, which count the less the wider it is, and of those that tell errors."""
 
 THINNEST = 0.005
-"""Share of the contacts, those of the thinnest films over the Hertz approach, that are outside the box: most of
-their like have no certified film."""
+"""Share of the contacts, those of the thinnest films over the Hertz approach, that are outside the box: most
+of their like have no certified film."""
 
 COVERED = 0.95
 """Share of the left-out contacts within the bars."""

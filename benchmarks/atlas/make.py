@@ -30,8 +30,7 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 
 ACCURACY, THERMAL_ACCURACY = 0.005, 0.05
-"""Relative error of central and least film at which a contact is certified [-]: isothermal, and thermal. Central
-films of the latter have a tenth of it in the median."""
+"""Relative error of central and least film at which contacts are certified [-]: isothermal, and thermal."""
 
 PART = 25
 """Contacts solved in one sweep, and added to the table together."""
