@@ -75,7 +75,8 @@ def _draw_films(axes: Axes, result: Result, life: ContactLife, at: Array) -> Non
     thick = THICKEST * float(np.median(life.figures["film_central"])) * MICRO
     axes.set_ylim(0, min(ROOM * axes.get_ylim()[1], thick))
     axes.set_ylabel("film / µm")
-    axes.legend(frameon=False, ncols=2, loc="upper left")
+    # films are thick where a life begins and ends
+    axes.legend(frameon=False, ncols=2, loc="upper center")
 
 
 def _draw_pressure(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
