@@ -65,6 +65,7 @@ def march(
     tolerance: float,
     keep: Callable[[Worn, float], None] = lambda worn, error: None,
     deepest: float = np.inf,
+    relative: float = 0.0,
 ) -> Worn:
     """March a worn flank to a time.
 
@@ -77,11 +78,13 @@ def march(
     rates : callable
         Rate of wear of a worn flank.
     tolerance : float
-        Largest error of the depth in a step [m].
+        Largest error of the depth in a step [m], where nothing is worn off yet.
     keep : callable, optional
         Given each step's end and its error [m] before the next begins.
     deepest : float, optional
         The march ends before a step that would go deeper [m].
+    relative : float, optional
+        By how much that error may be larger, over the largest depth [-].
 
     Raises
     ------
@@ -102,8 +105,9 @@ def march(
             worn = Worn(worn.hours, worn.depth, worn.rate, step / 4)
             continue
         error = float(np.abs(rate - worn.rate).max() * step / 2)
-        wanted = step * SAFETY * np.sqrt(tolerance / max(error, 1e-3 * tolerance))
-        if error > tolerance and step > shortest:
+        allowed = tolerance + relative * float(worn.depth.max())
+        wanted = step * SAFETY * np.sqrt(allowed / max(error, 1e-3 * allowed))
+        if error > allowed and step > shortest:
             worn = Worn(worn.hours, worn.depth, worn.rate, max(wanted, step / 5))
             continue
         depth = worn.depth + (worn.rate + rate) / 2 * step

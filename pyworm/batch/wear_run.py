@@ -54,7 +54,9 @@ class WearPlan:
     calibrated_to : float or None
         Mean depth worn off the run-in pattern in an hour [m/h], by which k is found; None where it is given.
     tolerance : float
-        Largest error of the depth in a step [m].
+        Largest error of the depth in a step [m], where nothing is worn off yet.
+    relative : float
+        By how much that error may be larger, over the largest depth worn off [-].
     run_in : float
         Roughness of the wheel after running in, over that as cut [-].
     worm_ratio : float
@@ -65,6 +67,7 @@ class WearPlan:
     coefficient: float = WEAR_COEFFICIENT
     calibrated_to: float | None = None
     tolerance: float = 0.25e-6
+    relative: float = 0.02
     run_in: float = RUN_IN
     worm_ratio: float = harder_ratio(WORM_HARDNESS, WHEEL_HARDNESS)
 
@@ -181,7 +184,7 @@ class WearRun:
             "case": case.physics,
             "form": "whole mesh",
             "coefficient": plan.calibrated_to or plan.coefficient,
-            "tolerance": plan.tolerance,
+            "tolerance": (plan.tolerance, plan.relative),
             "run_in": plan.run_in,
             "worm_ratio": plan.worm_ratio,
             "accuracy": self.tasks[0].accuracy,
@@ -193,7 +196,8 @@ class WearRun:
         """March to the plan's hours, or to what the standard allows; figures at the end of each step."""
         worn = self._restored() or self._begun()
         allowed = self.duty.gear.wear_limit
-        march(worn, self.plan.hours, self._rates, self.plan.tolerance, self._keep, allowed)
+        plan = self.plan
+        march(worn, plan.hours, self._rates, plan.tolerance, self._keep, allowed, plan.relative)
         return tuple(self.steps)
 
     @property

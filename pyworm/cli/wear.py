@@ -58,7 +58,8 @@ def add_wear(commands: argparse._SubParsersAction) -> None:
         type=float,
         default=0.25,
         metavar="UM",
-        help="largest error of the depth in a step in micrometres (default: %(default)g)",
+        help="largest error of the depth in a step in micrometres, and 2 %% of the deepest place beside it "
+        "(default: %(default)g)",
     )
     wear.add_argument(
         "--worm-ratio",

@@ -59,6 +59,20 @@ def test_steps_keep_their_tolerance():
     assert len(errors) > 5
 
 
+def test_a_part_of_the_depth_may_be_allowed_beside_the_tolerance():
+    """Steps grow with the depth, and the whole stays by the closed form."""
+    steps = {0.0: [], 0.02: []}
+    for relative, ends in steps.items():
+        found = march(
+            begun(0.25e-7), 400.0, rates, 0.25e-7, lambda w, e, to=ends: to.append((w, e)),
+            relative=relative,
+        )  # fmt: skip
+        assert found.depth == pytest.approx(worn_exactly(400.0), rel=0.02)
+    assert len(steps[0.02]) < 0.7 * len(steps[0.0])
+    assert max(error for _, error in steps[0.02]) > 0.25e-7
+    assert all(error <= 0.25e-7 + 0.02 * worn.depth.max() for worn, error in steps[0.02])
+
+
 def test_a_march_goes_on_as_if_it_had_not_been_stopped():
     ends = []
     whole = march(begun(1e-7), 50.0, rates, 1e-7, lambda worn, error: ends.append(worn))
