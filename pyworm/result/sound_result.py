@@ -117,7 +117,8 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
         if axis not in fields.coords or not _rises(fields[axis]):
             yield f"its fields have no increasing {axis}"
     needed = NEEDED[solution.kind]
-    needed += _SHEAR * (figures.friction_coefficient is not None)
+    # a Newtonian film of one temperature has friction, but no fields of it (`solver.newtonian_shear`)
+    needed += _SHEAR * any(name in fields for name in _SHEAR)
     needed += _HEAT * (figures.temperature_max_film is not None)
     for name in needed:
         if name not in fields:
