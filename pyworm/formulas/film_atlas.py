@@ -471,12 +471,18 @@ def reciprocal_alpha(viscosity, alpha: float) -> float:
     """
     if alpha == 0:
         return 1.0
-    place, weight = np.polynomial.legendre.leggauss(64)
+    place, weight = _gauss()
     parts = np.array([0.0, 3.0, 12.0, 40.0, 120.0])  # alpha p
     half = np.diff(parts)[:, None] / 2
     steps = (parts[:-1, None] + half * (1 + place)).ravel() / alpha
     fluidity = viscosity(np.zeros(1)) / viscosity(steps)
     return float(1 / (fluidity @ (half * weight).ravel()))
+
+
+@cache
+def _gauss() -> tuple[np.ndarray, np.ndarray]:
+    """Places and weights of Gauss and Legendre's rule between -1 and 1."""
+    return np.polynomial.legendre.leggauss(64)
 
 
 @cache

@@ -21,9 +21,6 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import LINE_MEAN, POINT_MEAN, line_scales, scales
 
-LEAST_TO_CENTRAL = 0.6
-"""Typical ratio of minimum to central film, where no formula gives it."""
-
 SOLID = 100.0
 """Limit of alpha p, beyond which no oil flows and exp(alpha p) is meaningless."""
 
@@ -294,7 +291,7 @@ def _point(scene: Scene) -> Prediction:
         mean_to_max=POINT_MEAN,
         pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
         film_central=size.open_film,
-        film_min=LEAST_TO_CENTRAL * size.open_film,
+        film_min=size.least * size.open_film,
         speed=size.groups.speed
         * scene.reduced_modulus
         * size.groups.radius

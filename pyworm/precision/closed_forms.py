@@ -1,6 +1,7 @@
-"""The cheapest models: published formulas for a contact, with their processor time."""
+"""The cheapest models: formulas for a contact, with their processor time."""
 
 from collections.abc import Callable
+from functools import partial
 from time import process_time
 
 import numpy as np
@@ -9,6 +10,7 @@ from pyworm.formulas import film
 from pyworm.formulas.film import Film
 from pyworm.planning.prediction import predicted
 from pyworm.precision.grid_series import Point
+from pyworm.scene.formula_film import FormulaFilms, film_of
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales, scales
@@ -26,6 +28,9 @@ LINE_FORMULAS: dict[str, Callable[..., Film]] = {
     "Dowson-Toyoda": film.dowson_toyoda,
 }
 
+ATLAS = "atlas"
+"""The formula of the atlas, for point contacts with entrainment at the contact point."""
+
 PREDICTION = "estimate of plans"
 """Friction and temperature by which plans judge effects (`pyworm.planning.prediction`)."""
 
@@ -35,11 +40,9 @@ REPEATS = 20
 
 def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:
     """Every formula for films of the scene's kind, and the estimate of friction and temperature."""
-    line = isinstance(scene, LineScene)
-    sizes = line_scales if line else scales
     points = {}
-    for name, formula in (LINE_FORMULAS if line else POINT_FORMULAS).items():
-        found, seconds = _timed(lambda formula=formula: formula(sizes(scene).groups))
+    for name, films_of in _films(scene).items():
+        found, seconds = _timed(films_of)
         films = {"film_min": found.minimum, "film_central": found.central}
         points[name] = Point(
             (), seconds, 0.0, {key: float(of) for key, of in films.items() if of is not None}
@@ -48,6 +51,19 @@ def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:
         figures, seconds = _timed(lambda: _estimate(scene))
         points[PREDICTION] = Point((), seconds, 0.0, figures)
     return points
+
+
+def _films(scene: Scene | LineScene) -> dict[str, Callable[[], Film | FormulaFilms]]:
+    """What gives the films of a scene by each formula for its kind, by name."""
+    line = isinstance(scene, LineScene)
+    groups = (line_scales if line else scales)(scene).groups
+    formulas = LINE_FORMULAS if line else POINT_FORMULAS
+    films: dict[str, Callable[[], Film | FormulaFilms]] = {
+        name: partial(formula, groups) for name, formula in formulas.items()
+    }
+    if not line and any(scene.entrainment(np.zeros(()), np.zeros(()))):
+        films[ATLAS] = partial(film_of, scene)
+    return films
 
 
 def _estimate(scene: Scene | LineScene) -> dict[str, float]:

@@ -5,6 +5,7 @@ from math import atan2, cos, hypot, inf, pi, sin
 
 import numpy as np
 
+from pyworm.formulas import film_atlas
 from pyworm.formulas.film import (
     LineGroups,
     PointGroups,
@@ -17,6 +18,7 @@ from pyworm.formulas.film import (
 from pyworm.formulas.hertz import HertzContact, HertzLine, hertz, hertz_line
 from pyworm.formulas.starvation import film_over_flooded
 from pyworm.scene.contact import Contact
+from pyworm.scene.formula_film import film_of
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -25,6 +27,9 @@ POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
 
 MOST_SLENDER = 1e6
 """Largest ratio of the relative radii."""
+
+LEAST_TO_CENTRAL = 0.6
+"""Typical ratio of least to central film, where no formula gives it."""
 
 STARVED_EXPONENT, NEVER_BELOW = 3.0, 0.01
 """Exponent of the law of starved films for point contacts (`formulas.starvation`), and the least share of the
@@ -47,7 +52,11 @@ class Scales:
     angle : float
         Direction of the entrainment, from x to y [rad].
     film : float
-        Central film of smooth surfaces by Nijenbanning, Venner and Moes, less where its oil is short [m].
+        Central film of smooth surfaces by formula (`_flooded`), less where its oil is short [m].
+    least : float
+        Least film over the central one by formula, with enough oil [-].
+    inside_atlas : bool
+        Whether the contact is in the box of the atlas.
     open_film : float
         Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
     supply_ratio : float
@@ -58,6 +67,8 @@ class Scales:
     groups: PointGroups
     angle: float
     film: float
+    least: float
+    inside_atlas: bool
     open_film: float
     supply_ratio: float
 
@@ -108,11 +119,25 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.alpha,
     )
     require_proportion(scene.name, groups)
-    flooded = float(nijenbanning_venner_moes(groups).central)
+    flooded, least, inside = _flooded(scene, groups, at_rest=speed < typical / 10)
     ratio = _supply_ratio(scene, flooded)
     film = flooded * max(film_over_flooded(ratio, STARVED_EXPONENT), NEVER_BELOW)
     mean_pressure = POINT_MEAN * contact.pressure_max
-    return Scales(contact, groups, angle, film, _open_film(scene, film, mean_pressure), ratio)
+    open_film = _open_film(scene, film, mean_pressure)
+    return Scales(contact, groups, angle, film, least, inside, open_film, ratio)
+
+
+def _flooded(scene: Scene, groups: PointGroups, at_rest: bool) -> tuple[float, float, bool]:
+    """Central film with enough oil [m], the least one over it [-], and whether the atlas has such contacts.
+
+    By the formula of the atlas, which outside its box too is nearer to solved films than Nijenbanning, Venner
+    and Moes' (docs/reference/atlas.md). That is taken where the contact point is nearly at rest, which the
+    atlas is not about, and of contacts more slender than its ellipses are fitted to.
+    """
+    if at_rest or max(scene.radii) > film_atlas.MOST_SLENDER * min(scene.radii):
+        return float(nijenbanning_venner_moes(groups).central), LEAST_TO_CENTRAL, False
+    found = film_of(scene)
+    return float(found.central), float(found.minimum / found.central), bool(found.inside)
 
 
 def _supply_ratio(scene: Contact, flooded: float) -> float:

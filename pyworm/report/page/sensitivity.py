@@ -11,6 +11,7 @@ from math import isnan, nan
 from pyworm.case.case import Case
 from pyworm.case.contact import GapCase
 from pyworm.drives.misalignment import MountingError
+from pyworm.formulas.film import nijenbanning_venner_moes
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.materials.viscosity_density import Barus, Roelands
@@ -20,7 +21,7 @@ from pyworm.result.result import Result
 from pyworm.scene.contact import Contact
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
-from pyworm.scene.scales import line_scales, scales
+from pyworm.scene.scales import LineScales, Scales, line_scales, scales
 
 GRADE_STEP = 10 ** (1 / 6)
 """Ratio of the viscosities at 40 degC of neighbouring grades of ISO 3448, on average."""
@@ -89,10 +90,11 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
     ]
     head = ("", "Least film", "change", *(("lambda",) if roughness else ()), "Hertz pressure", "")
     words = (
-        "By closed forms, not solved again: the film of Nijenbanning, Venner and Moes (point) or of Moes "
-        "(line contact) at each solved contact, the simulated film changed by the same fraction. One grade "
-        f"is a factor of {GRADE_STEP:.2f} in viscosity at one temperature; temperatures are those of the "
-        "oil at the inlet, by the case's own law of viscosity."
+        "By closed forms, not solved again: at each solved contact the simulated film is changed by the "
+        "fraction by which the least film of the atlas changes, outside its box the film of Nijenbanning, "
+        "Venner and Moes (point), or that of Moes (line contact). One grade is a factor of "
+        f"{GRADE_STEP:.2f} in viscosity at one temperature; temperatures are those of the oil at the inlet, "
+        "by the case's own law of viscosity."
     )
     blocks: list[Block] = [Table(head, tuple(rows)), Words(words)]
     if found.mounting is not None:
@@ -131,13 +133,11 @@ class _Solved:
 
     def changed(self, label: str, contacts: Sequence[Contact], note: str = "") -> Variation:
         """What other contacts make of these films."""
-        ratios = [
-            _closed_form(new)[0] / _closed_form(old)[0]
-            for old, new in zip(self.contacts, contacts, strict=True)
-        ]
+        ratios = [_film_change(old, new) for old, new in zip(self.contacts, contacts, strict=True)]
         films = [film * ratio for film, ratio in zip(self.films, ratios, strict=True)]
         before, after = (
-            max(_closed_form(contact)[1] for contact in of) for of in (self.contacts, contacts)
+            max(_sizes(contact).hertz.pressure_max for contact in of)
+            for of in (self.contacts, contacts)
         )
         return Variation(
             label=label,
@@ -167,10 +167,23 @@ def _of_oil(solved: _Solved) -> Iterator[Variation]:
         yield with_oil(f"oil {WARMER:g} K warmer", lambda oil: oil.warmed(WARMER))
 
 
-def _closed_form(scene: Contact) -> tuple[float, float]:
-    """Film [m] and largest pressure [Pa] of a contact in closed form."""
-    sizes = line_scales(scene) if isinstance(scene, LineScene) else scales(scene)
-    return sizes.film, sizes.hertz.pressure_max
+def _sizes(scene: Contact) -> Scales | LineScales:
+    return line_scales(scene) if isinstance(scene, LineScene) else scales(scene)
+
+
+def _film_change(before: Contact, after: Contact) -> float:
+    """Film of a contact over that of another, both by one formula.
+
+    The least film by the atlas where that has both contacts, else Nijenbanning, Venner and Moes' central one:
+    beyond its box the atlas is nearer to films, but not to their changes (docs/reference/atlas.md).
+    """
+    old, new = _sizes(before), _sizes(after)
+    if isinstance(old, LineScales):
+        return new.film / old.film
+    if before.oil.supply is not None or (old.inside_atlas and new.inside_atlas):
+        return new.least * new.film / (old.least * old.film)
+    changed, known = (nijenbanning_venner_moes(of.groups).central for of in (new, old))
+    return float(changed / known)
 
 
 def thickened(oil: Oil, ratio: float) -> Oil:
