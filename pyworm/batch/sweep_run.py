@@ -1,6 +1,10 @@
-"""Solve a sweep and make its table; scenes solved by an earlier run are reused."""
+"""Solve a sweep and make its table; scenes solved by an earlier run are reused.
 
-from collections.abc import Callable
+Scenes of which films alone are asked for, no more accurately than a formula gives them, are not solved
+(`planning.by_formula`), unless fields are wanted, which only solved ones have.
+"""
+
+from collections.abc import Callable, Iterable
 from concurrent.futures import Executor
 from dataclasses import asdict
 from pathlib import Path
@@ -12,7 +16,13 @@ from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import Sweep
 from pyworm.batch.task import Task
 from pyworm.io.progress import Progress
+from pyworm.planning.by_formula import films_by_formula
+from pyworm.planning.effects.effect import FILM
+from pyworm.result.formula_summary import formula_summary
 from pyworm.result.sweep_result import SweepResult, sweep_table
+
+BY_FORMULA = "films by formula, as accurate as asked for"
+"""Stop reason of a scene that needed no solve."""
 
 
 def run_sweep(
@@ -73,19 +83,38 @@ def solve_share(
     Returns
     -------
     tuple of dict and dict
-        Key and reason of each scene without solution; key and summary of each that was solved before.
+        Key and reason of each scene without solution; key and summary of each that was solved before, or
+        needs no solve.
     """
     store = _store(directory, fields)
     found = store.solved(tasks)
     if found:
         before = sum(task.key in found for task in tasks)
         say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+    if not fields:
+        given = _by_formula(task for task in tasks if task.key not in found)
+        if given:
+            say(f"{len(given)} of {len(tasks)} scenes need no solve: {BY_FORMULA}")
+        found |= given
     missing = list({task.key: task for task in tasks if task.key not in found}.values())
     return solve_all(missing, store, executor, progress), found
 
 
 def _store(directory: Path, fields: bool) -> Store:
     return Store(directory.absolute() / SCENES, fields)
+
+
+def _by_formula(tasks: Iterable[Task]) -> dict[str, dict]:
+    """Key and summary of each scene whose films a formula gives as accurately as they are asked for."""
+    found = {}
+    for task in tasks:
+        if task.quantities != (FILM,):
+            continue
+        films = films_by_formula(task.scene, task.plan)
+        if films is not None:
+            summary = formula_summary(task.scene, task.plan, films)
+            found[task.key] = {**summary, "converged": True, "stop_reason": BY_FORMULA}
+    return found
 
 
 def _unsolved(task: Task, reason: str) -> dict:

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 STEEL = "16MnCr5"
 """Material of the bodies of a contact given by options, if they name none."""
 
-LINE_FORMULA, POINT_FORMULA = "Moes (line)", "atlas"
-
 
 def add_film(commands: argparse._SubParsersAction) -> None:
     """Add the command `film`."""
@@ -55,7 +53,7 @@ def _film(options: argparse.Namespace) -> int:
         name, warnings = case.name, list(case.warnings)
         scenes = [case.scene(**place.given) for place in places]
     try:
-        rows = [film_summary(scene) for scene in scenes]
+        rows = [_summary(scene) for scene in scenes]
     except ValueError as error:
         raise CaseError(str(error)) from error
     if options.json:
@@ -99,84 +97,16 @@ def _of_options(options: argparse.Namespace) -> "Scene":
         raise CaseError(str(error)) from error
 
 
-def film_summary(scene: "Scene | LineScene") -> dict[str, Any]:
-    """The films of a scene as one object, units in the keys, as `Solution.summary` has them.
-
-    Errors are relative; null outside the box of the atlas, and of line contacts, whose formula has none.
-    """
-    from dataclasses import asdict
-
-    from pyworm.formulas.lubrication import lubrication
-    from pyworm.planning.plan import plan_of
-    from pyworm.scene.index import Place
-    from pyworm.scene.line import LineScene
-    from pyworm.solver import left_out
-
-    films = _line_films(scene) if isinstance(scene, LineScene) else _point_films(scene)
-    roughness = scene.composite_roughness
-    known = {"lubrication": lubrication(None, None)}
-    if roughness is not None:
-        ratios = [films[key] / roughness for key in ("film_central_m", "film_min_m")]
-        known = {
-            "composite_roughness_m": roughness,
-            "specific_film": ratios[1],
-            "specific_film_error": films["film_min_error"],
-            "lambda_central": ratios[0],
-            "lubrication": lubrication(*ratios),
-        }
-    plan = plan_of(scene, JUDGED_AT, "isothermal,-real-gap", ("film",))
-    return {
-        "name": scene.name,
-        **asdict(Place.of(scene)),
-        **films,
-        **known,
-        "left_out": left_out.expected(scene, plan).influence,
-    }
-
-
 JUDGED_AT = 0.02
 """Influence from which effects that the formula leaves out are told [-]."""
 
 
-def _point_films(scene: "Scene") -> dict[str, Any]:
-    from pyworm.scene.formula_film import film_of
+def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
+    from pyworm.planning.plan import plan_of
+    from pyworm.result.formula_summary import formula_summary
 
-    found = film_of(scene)
-    return {
-        "kind": "point",
-        "formula": POINT_FORMULA,
-        "film_central_m": float(found.central),
-        "film_central_error": float(found.central_error),
-        "film_min_m": float(found.minimum),
-        "film_min_error": float(found.minimum_error),
-        "inside_atlas": bool(found.inside),
-        "regime": str(found.regime),
-        "moes_M": float(found.groups.moes_m),
-        "moes_L": float(found.groups.moes_l),
-    }
-
-
-def _line_films(scene: "LineScene") -> dict[str, Any]:
-    from math import inf
-
-    from pyworm.formulas.film import moes_line
-    from pyworm.formulas.regimes import line_regime
-    from pyworm.scene.scales import line_scales
-
-    groups = line_scales(scene).groups
-    found = moes_line(groups)
-    return {
-        "kind": "line",
-        "formula": LINE_FORMULA,
-        "film_central_m": float(found.central),
-        "film_central_error": inf,
-        "film_min_m": float(found.minimum),
-        "film_min_error": inf,
-        "inside_atlas": False,
-        "regime": line_regime(groups).name,
-        "moes_M": float(groups.moes_m),
-        "moes_L": float(groups.moes_l),
-    }
+    plan = plan_of(scene, JUDGED_AT, "isothermal,-real-gap", ("film",))
+    return formula_summary(scene, plan)
 
 
 def _show(rows: list[dict[str, Any]]) -> None:
