@@ -194,8 +194,8 @@ def _show(steps) -> None:
         title="Wear of the wheel", title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0)
     )
     for head in (
-        "h", "deepest µm", "mean µm", "g", "backlash µm", "pattern mm²", "on asp.", "friction", "film µm",
-        "Rq µm", "worm µm",
+        "h", "deepest µm", "mean µm", "mg", "play µm", "pattern mm²", "on asp.", "friction", "film µm",
+        "Rq µm",
     ):  # fmt: skip
         table.add_column(head, justify="right", min_width=max(map(len, head.split())))
     for of in steps:
@@ -203,13 +203,12 @@ def _show(steps) -> None:
             f"{of.hours:.4g}",
             f"{of.depth_max_m * 1e6:.3g}",
             f"{of.depth_mean_m * 1e6:.3g}",
-            f"{of.mass_kg * 1e3:.3g}",
-            f"{of.backlash_m * 1e6:.3g}",
+            f"{of.mass_kg * 1e6:.3g}",
+            f"{of.backlash_m * 1e6:.2f}",
             f"{of.pattern_m2 * 1e6:.1f}",
             f"{of.asperity_share:.1%}",
             f"{of.friction:.4f}",
             f"{of.film_min_m * 1e6:.3g}",
             f"{of.wheel_roughness_m * 1e6:.3g}",
-            f"{of.worm_depth_max_m * 1e6:.3g}",
         )
     Console().print(table)
