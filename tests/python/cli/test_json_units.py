@@ -52,6 +52,7 @@ RANGES = {
     # temperatures: no kelvin of a machine that stands in a room is below 250
     r"_C\b": (-5, 250),
     r"temperature_K$": (1, 200),
+    r"^S_\w+\.inputs\.margin_K$": (-250, 250),
     r"grades\.(sump|bulk)_temperature$": (280, 400),
     # forces, moments, powers
     r"(torque_N_m|torque_Nm)$": (50, 1e4),
