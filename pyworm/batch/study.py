@@ -51,8 +51,8 @@ def sweep(
     out : path, optional
         Directory where solved scenes are kept, and found again by another call; by default none are.
     accuracy, effects, quantities
-        As of `pyworm.plan`; of a sweep file its own. Where `quantities` are films alone, those that the formula
-        of the atlas gives to the accuracy are not solved, unless `fields` are kept.
+        As of `pyworm.plan`; of a sweep file its own. Where `quantities` are films alone, those that the
+        formula of the atlas gives to the accuracy are not solved, unless `fields` are kept.
     fields : bool, optional
         Whether solutions are kept in full, or their scalars only.
     processes : int, optional
