@@ -104,9 +104,15 @@ JUDGED_AT = 0.02
 def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
     from pyworm.planning.plan import plan_of
     from pyworm.result.formula_summary import formula_summary
+    from pyworm.scene.formula_film import film_of
+    from pyworm.scene.line import LineScene
 
     plan = plan_of(scene, JUDGED_AT, "isothermal,-real-gap", ("film",))
-    return formula_summary(scene, plan)
+    films = None if isinstance(scene, LineScene) else film_of(scene, reduced=True)
+    holds = () if films is None else films.holds
+    found = formula_summary(scene, plan, films)
+    left_out = {name: of for name, of in found["left_out"].items() if name not in holds}
+    return {**found, "holds": list(holds), "left_out": left_out}
 
 
 def _show(rows: list[dict[str, Any]]) -> None:
@@ -135,6 +141,10 @@ def _show(rows: list[dict[str, Any]]) -> None:
         console.print(
             "Films without a bar are outside the box of the atlas; their errors are not known."
         )
+    held = sum(bool(row["holds"]) for row in rows)
+    if held:
+        whose = "" if held == len(rows) else f", in {held} of {len(rows)} contacts"
+        console.print(f"Reduced by heat and shear thinning{whose}.")
     largest: dict[str, float] = {}
     for row in rows:
         for effect, share in row["left_out"].items():

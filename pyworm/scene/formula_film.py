@@ -1,6 +1,6 @@
 """Films of point contacts by the formula of the atlas (`formulas.film_atlas`), a microsecond each."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,9 +12,11 @@ from pyworm.formulas.film_atlas import (
     reciprocal_alpha,
     regimes,
 )
+from pyworm.formulas.film_reduction import reduction
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.ranges import Values, positive
 from pyworm.materials.oil import Oil
+from pyworm.scene.formula_heat import heat_groups, lacks_heat
 from pyworm.scene.point import Scene
 
 LEAST_L = 1e-3
@@ -39,6 +41,8 @@ class FormulaFilms:
         Whether the contact is in that box.
     groups : AtlasGroups
         Its similarity groups.
+    holds : tuple of str
+        Effects of `pyworm.planning.effects` that the films hold besides (`film_of`).
     """
 
     central: np.ndarray
@@ -47,6 +51,7 @@ class FormulaFilms:
     minimum_error: np.ndarray
     inside: np.ndarray
     groups: AtlasGroups
+    holds: tuple[str, ...] = ()
 
     @property
     def regime(self) -> np.ndarray:
@@ -148,8 +153,26 @@ def _groups(
     return groups, along * np.sqrt(twice)
 
 
-def film_of(scene: Scene) -> FormulaFilms:
+HEAT_AND_FLOW = (
+    "film-heating",
+    "surface-heating",
+    "viscosity-across",
+    "shear-thinning",
+    "limiting-stress",
+)
+"""Effects of the thermal contacts of the atlas."""
+
+
+def film_of(scene: Scene, reduced: bool = False) -> FormulaFilms:
     """The films of a scene by `film`: its radii, load and velocities at the contact point, its oil.
+
+    Parameters
+    ----------
+    scene : Scene
+        The contact.
+    reduced : bool, optional
+        Whether by heat and shear thinning too, where oil and bodies have the data and the contact is in the
+        box of the thermal contacts; `holds` tells whether they are.
 
     Raises
     ------
@@ -164,4 +187,21 @@ def film_of(scene: Scene) -> FormulaFilms:
     )
     u, v = (np.broadcast_to(of, 5) for of in scene.entrainment(*places))
     spin = ((v[1] - v[2]) - (u[3] - u[4])) / (4 * step)
-    return film(scene.radii, scene.load, scene.reduced_modulus, (u[0], v[0]), scene.oil, spin)
+    cold = film(scene.radii, scene.load, scene.reduced_modulus, (u[0], v[0]), scene.oil, spin)
+    return cold if not reduced or lacks_heat(scene) else _reduced(scene, cold)
+
+
+def _reduced(scene: Scene, cold: FormulaFilms) -> FormulaFilms:
+    """Films with heat and shear thinning; those without outside the box of the thermal contacts."""
+    heat = heat_groups(scene, cold.central)
+    by = reduction(cold.groups, films(cold.groups).central, heat)
+    if not (by.inside and cold.inside):
+        return cold
+    return replace(
+        cold,
+        central=cold.central * by.central,
+        minimum=cold.minimum * by.minimum,
+        central_error=cold.central_error + by.central_error,
+        minimum_error=cold.minimum_error + by.minimum_error,
+        holds=HEAT_AND_FLOW,
+    )

@@ -51,3 +51,12 @@ def test_a_contact_of_options(capsys):
 def test_what_is_missing_is_named(capsys):
     assert main(["film", "--load", "100 N"]) == 2
     assert "--radii, --velocity, --oil, --temperature" in capsys.readouterr().err
+
+
+def test_heat_is_held_where_the_contact_is_in_the_box_of_the_thermal_set(capsys):
+    """The worm with its roughness left out and its film reduced: what is held is not left out."""
+    out = json.loads(printed(capsys, CASES / "zi_sharif_2001.toml", "--phase", 0.5, "--json"))
+    (scene,) = out["scenes"]
+    assert set(scene["holds"]).isdisjoint(scene["left_out"])
+    (cold,) = json.loads(printed(capsys, CASES / "mourier_2006.toml", "--json"))["scenes"]
+    assert cold["holds"] == []

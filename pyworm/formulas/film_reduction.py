@@ -1,0 +1,188 @@
+"""How heat and shear thinning reduce films of point contacts, fitted to the thermal contacts of the atlas.
+
+ln of the factor of each film is -(T e^a + V e^b): T is that of Wilson and Sheu's heated inlet, which ends
+with the thermal loading, V that of an oil whose viscosity falls with the shear rate of the inlet by Eyring's
+law, which ends with speed over stress; a and b are a small network of the groups, held constant outside the
+box (`benchmarks/atlas/fit_thermal.py`). So a factor is below 1, and 1 where neither is at work.
+"""
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from math import log
+
+import numpy as np
+
+from pyworm.formulas.film_atlas import AtlasGroups, pressure, thickness
+from pyworm.formulas.ranges import Values
+from pyworm.formulas.thermal_reduction import wilson_sheu
+
+LEAST_SHEAR = 1e-3
+"""Shear rate of the inlet from which the series of the sinh's inverse no longer serves."""
+
+
+@dataclass(frozen=True)
+class HeatGroups:
+    """Similarity groups of heat and flow of point contacts, numbers or arrays.
+
+    Attributes
+    ----------
+    loading : float or array
+        Thermal loading eta0 beta u^2/k of the entrainment speed u [-].
+    sliding : float or array
+        Slide-roll ratio, the size of sliding over entrainment [-]; above 2 the surfaces move in opposite
+        directions.
+    shear : float or array
+        eta0 u/(h tau0) with the central film h without heat and the Eyring stress tau0 [-].
+    conductivity_ratio : float or array
+        Conductivity of the oil over that of the bodies [-].
+    eyring : float or array
+        Eyring stress over the Hertz pressure [-].
+    limiting : float or array
+        Limiting stress at the Hertz pressure over that pressure [-].
+    graetz : float or array
+        Heat carried by the film over heat conducted across it, rho c u h^2/(k b) with the half b of Hertz's
+        ellipse along the entrainment [-].
+    peclet : float or array
+        rho c u b/k of the bodies [-].
+    film_warmth, surface_warmth : float or array
+        beta times the rise of the film over its walls, q h/8k, and of the walls, q [b/(u rho c k)]^(1/2),
+        with the heat q of the shear at the mean pressure in an oil that heat leaves alone [-].
+    """
+
+    loading: Values
+    sliding: Values
+    shear: Values
+    conductivity_ratio: Values
+    eyring: Values
+    limiting: Values
+    graetz: Values
+    peclet: Values
+    film_warmth: Values
+    surface_warmth: Values
+
+
+@dataclass(frozen=True)
+class FilmReduction:
+    """Factors of films by heat and shear thinning, each shaped as the groups together.
+
+    Attributes
+    ----------
+    central, minimum : array
+        Factor of the film at the contact point and of the least film [-].
+    central_error, minimum_error : array
+        Relative errors of the factors that 19 of 20 contacts kept which the fit had not seen [-].
+    inside : array of bool
+        Whether the contact is in the box of the thermal contacts; outside it the errors are not known.
+    """
+
+    central: np.ndarray
+    minimum: np.ndarray
+    central_error: np.ndarray
+    minimum_error: np.ndarray
+    inside: np.ndarray
+
+
+def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmReduction:
+    """Factors of the central and least film by heat and shear thinning.
+
+    Parameters
+    ----------
+    groups : AtlasGroups
+        The contacts without heat.
+    central : float or array
+        Their central films in Moes' unit, `film_atlas.films` [-].
+    heat : HeatGroups
+        Their heat and flow.
+    """
+    constants = _constants()
+    read = features(groups, central, heat)
+    inside = np.all((constants["low"] <= read) & (read <= constants["high"]), axis=-1)
+    kept = scaled(read, constants)
+    factors = np.exp(-lost(kept, heat, constants["films"]))
+    errors = bars(kept, constants)
+    return FilmReduction(factors[..., 0], factors[..., 1], errors[..., 0], errors[..., 1], inside)
+
+
+def bars(kept: np.ndarray, constants: dict) -> np.ndarray:
+    """Relative errors of both factors that 19 of 20 left-out contacts kept, (..., 2)."""
+    level = kept @ constants["slope"] + constants["level"]
+    return np.exp(np.clip(level, log(LEAST_ERROR), 0))
+
+
+LEAST_ERROR = 0.01
+"""Errors below the bars of the thermal contacts are not told."""
+
+
+SLENDER = 12
+"""Place of ln of the ratio of radii in what the network reads."""
+
+LEAST_WARMTH = 1e-3
+"""Warmth that changes nothing: as of pure rolling."""
+
+
+def features(groups: AtlasGroups, central: Values, heat: HeatGroups) -> np.ndarray:
+    """What the network reads, (..., features); of a circular contact nothing turns with the angle."""
+    oval = 1 - np.exp(-groups.slender)
+    side, _ = groups.inlet
+    return np.stack(
+        np.broadcast_arrays(
+            np.log(heat.loading),
+            heat.sliding,
+            np.log(heat.shear),
+            np.log(heat.conductivity_ratio),
+            np.log(heat.eyring),
+            heat.limiting,
+            np.log(heat.graetz),
+            np.log(heat.peclet),
+            np.log(heat.film_warmth + LEAST_WARMTH),
+            np.log(heat.surface_warmth + LEAST_WARMTH),
+            np.log(groups.moes_m),
+            np.log(groups.moes_l),
+            groups.slender,
+            oval * (2 * side - 1),
+            thickness(groups, np.log(central)),
+            np.log(pressure(groups)),
+        ),
+        axis=-1,
+    )
+
+
+def scaled(read: np.ndarray, constants: dict) -> np.ndarray:
+    """The features inside their box, -1 to 1."""
+    low, high = constants["low"], constants["high"]
+    return (2 * np.clip(read, low, high) - low - high) / (high - low)
+
+
+def lost(kept: np.ndarray, heat: HeatGroups, constants: dict) -> np.ndarray:
+    """-ln of both factors, (..., 2)."""
+    return (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(axis=-1)
+
+
+def terms(heat: HeatGroups) -> np.ndarray:
+    """-ln of Wilson and Sheu's factor, and ln of the inlet's viscosity over the thinned one, (..., 2)."""
+    warm = -np.log(wilson_sheu(heat.loading, np.minimum(heat.sliding, MOST_SLIDING)))
+    given = np.asarray(heat.shear, float)
+    small = np.minimum(given, LEAST_SHEAR)
+    thin = np.where(given < LEAST_SHEAR, small**2 / 6, np.log(given / np.arcsinh(given)))
+    return np.stack(np.broadcast_arrays(warm, thin), axis=-1)
+
+
+MOST_SLIDING = 2.0
+"""Slide-roll ratio beyond which Wilson and Sheu's factor is that of this one."""
+
+
+def exponents(kept: np.ndarray, constants: dict) -> np.ndarray:
+    """a and b, exponents of the shares of heat and thinning in both films, (..., film, share)."""
+    hidden = np.tanh(kept @ constants["inner"] + constants["inner_bias"])
+    out = hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
+    return out.reshape(*out.shape[:-1], 2, 2)
+
+
+@cache
+def _constants() -> dict:
+    """The constants of the fit."""
+    content = json.loads(files("pyworm.formulas").joinpath("film_reduction.json").read_text())
+    films = {name: np.asarray(of) for name, of in content.pop("films").items()}
+    return {name: np.asarray(of) for name, of in content.items()} | {"films": films}
