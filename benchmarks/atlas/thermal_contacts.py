@@ -29,7 +29,7 @@ LOADING = (0.01, 30.0)
 """Thermal loading eta0 beta u^2/k, evenly in the logarithm."""
 
 MOST_LOADING = 6.0
-"""Loading up to which contacts are solved: beyond it a third had no film, or took half a minute."""
+"""Loading up to which contacts are solved: beyond it one in five had no film within 10 %."""
 
 CONDUCTIVITY_RATIO = (0.002, 0.2)
 """Conductivity of the oil over that of the bodies, in the logarithm: from steel to glass."""
