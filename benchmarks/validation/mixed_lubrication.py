@@ -16,13 +16,15 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, fields
 from math import exp, log, sqrt
 from pathlib import Path
+from unittest.mock import patch
 
 import numpy as np
+from yielding_summits import DENSITY, SHARPNESS, SUMMITS_ABOVE, YieldingSummits, summits
 
 import pyworm
 from pyworm.case.case import Case, case_of
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
-from pyworm.formulas.rough_contact import greenwood_tripp, overlap_moment, self_affine
+from pyworm.formulas.rough_contact import greenwood_tripp, self_affine
 from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.worm_gear import REFERENCE_FILM, REFERENCE_GEAR
 from pyworm.formulas.worm_standard import teeth_loss, tooth_friction
@@ -42,17 +44,17 @@ LOAD, SPEED, MATERIAL, HARDNESS = 1e-4, 1e-11, 4500.0, 0.01
 HEIGHTS = (5e-6, 2e-5, 5e-5)
 """Composite roughness over the radius of the line contact [-], beside a smooth one."""
 
+YIELDING = "summits that yield"
+"""Asperities as Masjedi and Khonsari had them (`yielding_summits`)."""
+
 FINISHES = {
     "slope 0.008": {"roughness_slope": 0.008},
     "slope 0.016": {"roughness_slope": 0.016},
-    "sigma/beta 0.01": {"asperity_sharpness": 0.01, "asperity_density": 0.05},
+    "sigma/beta 0.01": {"asperity_sharpness": SHARPNESS, "asperity_density": DENSITY},
+    YIELDING: {},
 }
 """Asperities of each surface: the default slope of run-in ones, twice that, and Greenwood and Tripp's of one
-radius, with the numbers that Masjedi and Khonsari had (from memory)."""
-
-SUMMITS_ABOVE = 0.045944
-"""Mean of the summits above that of the heights, over sigma, times n beta sigma (McCool 1987; from
-memory)."""
+radius, with the numbers that Masjedi and Khonsari had for theirs (from memory)."""
 
 RADIUS, ALPHA, ETA0 = 0.01, 20e-9, 0.04
 
@@ -141,12 +143,18 @@ def rolling_line(height: float, asperities: dict[str, float]) -> LineScene:
     )
 
 
+def yielding_pair(*surfaces) -> YieldingSummits:
+    """Surfaces as Masjedi and Khonsari had them; arguments as of `rough_pair`."""
+    pair = rough_pair(*surfaces)
+    return YieldingSummits(pair.surfaces, pair.modulus)
+
+
 def mean_planes(scene: LineScene, solution: Solution) -> float:
     """Central gap between mean planes over the radius [-]; the film is the mean thickness of that gap."""
     film = solution.figures.film_central.value
     if scene.bodies[0].roughness is None:
         return film / RADIUS
-    curves = rough_pair(scene.bodies, scene.motion_angles).curves()
+    curves = scene.rough_pair.curves()
     return float(np.interp(film, curves.thicknesses, curves.gaps)) / RADIUS
 
 
@@ -171,31 +179,37 @@ def compare_line() -> None:
 
 
 def compare_asperities() -> None:
-    """Pressure of the elastic asperities of each kind over E*, and of single summits on a flat.
+    """Pressure of the elastic asperities of each kind over E*, and of summits on a flat.
 
-    Those of Greenwood and Williamson, one rough surface on a flat, stand for the asperities of Masjedi and
-    Khonsari as long as they are elastic; the gap is from the mean of the heights or from that of the summits.
+    The gap of these is from the mean of the heights, as the formulas have it, or from that of the summits.
     """
     gaps = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 3.0])
-    print("\n| pressure of elastic asperities over E* at H = |", *(f"{gap:g} |" for gap in gaps))
+    print("\n| pressure of asperities over E* at H = |", *(f"{gap:g} |" for gap in gaps))
     print("|---|" + "---|" * len(gaps))
     rows = {
         "slope 0.008 of each surface": self_affine(gaps, 0.008 * sqrt(2), 1.0)[0],
         "slope 0.016": self_affine(gaps, 0.016 * sqrt(2), 1.0)[0],
         "Greenwood and Tripp, n beta sigma 0.05, sigma/beta 0.01": greenwood_tripp(
-            gaps, 0.05, 0.01, 1.0
+            gaps, DENSITY, SHARPNESS, 1.0
         )[0],
     }
-    for name, above in (("heights", 0.0), ("summits", SUMMITS_ABOVE / 0.05)):
-        rows[f"summits on a flat, the same numbers, H from the mean of the {name}"] = (
-            4 / 3 * 0.05 * sqrt(0.01) * overlap_moment(1.5, gaps - above)
-        )
+    for origin, above in (("heights", SUMMITS_ABOVE), ("summits", 0.0)):
+        for kind, hardness in (("elastic", None), ("yielding", 2 * HARDNESS)):
+            rows[
+                f"summits on a flat, the same numbers, {kind}, H from the mean of the {origin}"
+            ] = [summits(gap - above, 1.0, hardness)[0] for gap in gaps]
     for name, pressures in rows.items():
         print(f"| {name} |", *(f"{pressure:.1e} |" for pressure in pressures))
 
 
 def line_row(height: float, finish: str) -> str:
     """A row of the line's table."""
+    pair = yielding_pair if finish == YIELDING else rough_pair
+    with patch("pyworm.scene.contact.rough_pair", pair):
+        return _line_row(height, finish)
+
+
+def _line_row(height: float, finish: str) -> str:
     film, share = masjedi_khonsari(height)
     scene = rolling_line(height, FINISHES.get(finish, {}))
     effects = "isothermal,roughness" if height else "isothermal"
