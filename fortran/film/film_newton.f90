@@ -32,14 +32,17 @@ module pyworm_film_newton
 
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
   public :: set_film, film_residual, film_step, set_ruptured
-  public :: set_system, film_direction, move_film, film_balance, bearable, search_step, first_row, last_row
+  public :: set_system, film_direction, move_film, film_balance, bearable, note_progress, search_step, first_row, last_row
 
   !> Cycles of GMRES in a Newton step: most need a third of one, sheared films with thick inlets up to three.
   integer, parameter :: most_cycles = 4
   !> Least damping factor of a Newton step.
   real(wp), parameter :: shortest_step = 1.0_wp/64
-  !> Largest growth of the residual by a step: a moving rupture line raises it for a step or two.
+  !> Largest growth of the residual by a step: a moving rupture line raises it for a step or two. After so many steps that
+  !> did not reach a new least residual no step may raise it any more: where viscosity grows e-fold many times from node to
+  !> node, or walls slip, full steps throw the pressure of single nodes to and fro by half of it, without end.
   real(wp), parameter :: most_growth = 2
+  integer, parameter :: patience = 3
 
   !> Work on a contact: convolutions, fields and flows, building the preconditioner, its solves; `whole` is
   !> timed by the caller.
@@ -66,6 +69,9 @@ module pyworm_film_newton
     !> Summed wedge flow of the undeformed gap [m/s], the reference of residuals, and the scale of the load's
     !> row.
     real(wp) :: wedge = 0, load_weight = 0
+    !> Least residual and load error of the iteration, and steps since it was reached, up to `patience`.
+    real(wp) :: least = 0
+    integer :: idle_steps = 0
     !> True where pressure is free in the present step.
     logical, allocatable :: free(:, :)
     !> Net outflow per area [m/s].
@@ -279,6 +285,8 @@ contains
 
     call set_film(self, p, h0)
     call film_balance(self, residual, load_error)
+    self%least = residual + abs(load_error)
+    self%idle_steps = 0
     if (allocated(self%fields%rough)) self%free = self%covered .and. .not. self%fields%rough%ruptured
   end subroutine film_residual
 
@@ -353,8 +361,21 @@ contains
 
     step = 0
     call film_direction(self, forcing, p, h0, load_error, krylov, stat)
-    if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step, stat)
+    if (stat /= status_ok) return
+    call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step, stat)
+    call note_progress(self, residual, load_error)
   end subroutine film_step
+
+  !> Notes after a step whether it reached a new least residual. Once `patience` has ended it stays so until the film is
+  !> started again.
+  pure subroutine note_progress(self, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(in) :: residual, load_error
+
+    if (self%idle_steps >= patience) return
+    self%idle_steps = merge(0, self%idle_steps + 1, residual + abs(load_error) < self%least)
+    self%least = min(self%least, residual + abs(load_error))
+  end subroutine note_progress
 
   !> Computes the Newton step from (p, h0), which `move_film` applies with a damping factor.
   subroutine film_direction(self, forcing, p, h0, load_error, krylov, stat)
@@ -458,10 +479,11 @@ contains
   end subroutine move_film
 
   !> Whether the residual and load error of a film have not grown too much from `merit`, their sum.
-  pure logical function bearable(merit, residual, load_error)
+  pure logical function bearable(self, merit, residual, load_error)
+    class(film_contact), intent(in) :: self
     real(wp), intent(in) :: merit, residual, load_error
 
-    bearable = residual + abs(load_error) <= most_growth*merit
+    bearable = residual + abs(load_error) <= merge(most_growth, 1.0_wp, self%idle_steps < patience)*merit
   end function bearable
 
   !> Takes the Newton step with the largest damping factor, by halving, at which the residual does not grow too much;
@@ -479,7 +501,7 @@ contains
       call move_film(self, step, p, h0)
       call film_balance(self, residual, load_error)
       stat = merge(status_ok, status_no_descent, step > 0)
-      if (bearable(merit, residual, load_error) .or. .not. step > 0) return
+      if (bearable(self, merit, residual, load_error) .or. .not. step > 0) return
       if (interrupted()) then
         stat = status_interrupted
         return

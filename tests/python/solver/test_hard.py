@@ -13,7 +13,7 @@ import stability
 from draws import DRAWS, HOT_LIMITS, HOT_RANGES, LIMITS, RANGES
 from named import ISOTHERMAL, REFUSED
 from promise import COUNTS, complaints
-from trial import Verdict, trial, verdict
+from trial import BriefTrial, Verdict, trial, verdict
 
 import pyworm
 from pyworm import kernel
@@ -189,6 +189,13 @@ def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path, nu
     solution = pyworm.solve(one.plan.simplified(one.scene), one.plan)
     assert solution.converged, solution.stop_reason
     assert solution.figures.temperature_max_film.value > one.scene.oil.heat.inlet_temperature + 10
+
+
+def test_pressures_of_single_nodes_do_not_jump_to_and_fro_without_end(tmp_path):
+    """A film that slips and stiffens e-fold within a cell settles on its first grid: `rough:28`."""
+    one = trial(DRAWS["rough"](28).tables, "jumping", tmp_path, "all", BriefTrial)
+    (solution,) = one.solved().solutions
+    assert "largest grid" in solution.stop_reason
 
 
 def test_a_restarted_film_keeps_its_outline_and_carries_its_load():
