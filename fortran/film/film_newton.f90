@@ -39,8 +39,8 @@ module pyworm_film_newton
   !> Least damping factor of a Newton step.
   real(wp), parameter :: shortest_step = 1.0_wp/64
   !> Largest growth of the residual by a step: a moving rupture line raises it for a step or two. After so many steps that
-  !> did not reach a new least residual no step may raise it any more: where viscosity grows e-fold many times from node to
-  !> node, or walls slip, full steps throw the pressure of single nodes to and fro by half of it, without end.
+  !> did not reach a new least residual no step may raise it as long as a shorter one lowers it: where viscosity grows e-fold
+  !> many times from node to node, or walls slip, full steps throw the pressure of single nodes to and fro by half of it.
   real(wp), parameter :: most_growth = 2
   integer, parameter :: patience = 3
 
@@ -366,8 +366,8 @@ contains
     call note_progress(self, residual, load_error)
   end subroutine film_step
 
-  !> Notes after a step whether it reached a new least residual. Once `patience` has ended it stays so until the film is
-  !> started again.
+  !> Notes after a step whether it reached a new least residual. Once `patience` has ended it stays so until no step lowers the
+  !> residual (`search_step`), or the film is started again.
   pure subroutine note_progress(self, residual, load_error)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: residual, load_error
@@ -507,6 +507,11 @@ contains
         return
       end if
       step = merge(step/2, 0.0_wp, step > shortest_step)
+      if (.not. step > 0 .and. self%idle_steps >= patience) then
+        ! no step lowers the residual: a rupture line has to move first, and patience begins anew
+        self%idle_steps = 0
+        step = 1
+      end if
     end do
   end subroutine search_step
 
