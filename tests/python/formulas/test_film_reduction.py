@@ -84,7 +84,8 @@ def test_the_thermal_files_are_one_table(study):
     order = thermal.thermal_order()
     assert {int(of["number"]) for of in rows} <= set(order[:1500])
     certified = [of for of in rows if of["certified"] == "1"]
-    assert len(certified) > 0.85 * len(rows) > 500
+    assert len(certified) > 0.9 * len(rows)
+    assert len(rows) == 1500
     assert max(float(of["film_min_error"]) for of in certified) <= 0.05
     heats = thermal.heats()
     for of in certified[::40]:
@@ -103,7 +104,7 @@ def test_contacts_that_the_fit_has_not_seen_lie_within_the_bars(study):
     errors = np.stack([found.central_error, found.minimum_error], axis=1)
     missed = np.abs(np.log(told) + lost)
     print(len(of.moes_m), np.percentile(missed, [50, 95], axis=0))
-    assert len(of.moes_m) > 100
+    assert len(of.moes_m) > 250
     assert (np.median(missed, axis=0) < 0.04).all()
     assert ((missed <= errors + bars).mean(axis=0) > 0.9).all()
 
