@@ -17,16 +17,15 @@ from pyworm.planning.target import FILMS
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import LostError, RateOfChange, march
+from pyworm.solver.transient.march import LostError, march
+from pyworm.solver.transient.moments import until
 from pyworm.solver.transient.transient import Rates, part_at, transient
 
 ACCURACY = 0.05
 """Accuracy of the plans [-]; bars of each number of solves are judged alike."""
 
 
-def found(
-    scenes: Sequence[Scene | LineScene], plan: Plan, solves: int
-) -> dict[str, tuple[RateOfChange, ...]]:
+def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[str, Rates]:
     """Rates of change of scenes of one life by several transient solves, by the scene's name.
 
     LostError where there is no film.
@@ -42,18 +41,22 @@ def found(
         for lost in filter(None, (one.lost for one in solved)):
             raise LostError(lost)
         for scene in some:
-            rates[scene.name] = tuple(one.rates[scene.past.seconds] for one in solved)
+            at = scene.past.seconds
+            rates[scene.name] = Rates(
+                tuple(one.rates[at] for one in solved),
+                tuple(until(one.moments, at) for one in solved),
+            )
     return rates
 
 
 def judged(
-    scene: Scene | LineScene, plan: Plan, rates: tuple[RateOfChange, ...]
+    scene: Scene | LineScene, plan: Plan, rates: Rates
 ) -> Iterator[tuple[int, str, float, float]]:
     """Number of solves, film, its error against the last solve, and its bar."""
     simple = plan.simplified(scene)
+    some = [slice(max(0, last - 2), last + 1) for last in range(len(rates.found))]
     of = [  # errors are told after up to three solves
-        transient(simple, plan, Rates(rates[max(0, last - 2) : last + 1]))
-        for last in range(len(rates))
+        transient(simple, plan, Rates(rates.found[those], rates.moments[those])) for those in some
     ]
     truth = of[-1].level.read().figures
     for number, one in enumerate(of[:-1], 1):
@@ -68,7 +71,7 @@ class Tally:
     def __init__(self) -> None:
         self._held: dict[int, list[bool]] = defaultdict(list)
 
-    def show(self, scene: Scene | LineScene, plan: Plan, rates: tuple[RateOfChange, ...]) -> None:
+    def show(self, scene: Scene | LineScene, plan: Plan, rates: Rates) -> None:
         """Print the rows of a scene."""
         for number, name, error, bar in judged(scene, plan, rates):
             self._held[number].append(error <= bar)

@@ -5,8 +5,8 @@ each other, the temperatures of its oil and bodies from the loss between the tee
 films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `STRIDE`-th phase and steady films, lifts at an accuracy of `GLANCE` and in
-one window: all that is solved last is solved in full.
+temperatures are found with every `STRIDE`-th phase and steady films, lifts at an accuracy of `GLANCE`, in one
+window and with steady films first: all that is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.batch.case_run import RESULT_NAME, run
+from pyworm.batch.films_in_motion import in_motion
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
@@ -105,14 +106,17 @@ class _Search:
     def glance(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with the values found by films of lower accuracy."""
         less = {"accuracy": GLANCE, "wider_window": False}
-        for _ in range(GLANCES):
-            tasks = [replace(task, case=case, **less) for task in tasks]
-            before, result = case, run(case, tasks, **how, cycle_of=methodcaller("loaded_cycle"))
+        moving = [replace(task, case=case, **less) for task in tasks]
+        # steady films lead from no lifts to the first ones as well, at a fraction of the cost
+        first = [steady(task) for task in moving] if any(map(in_motion, moving)) else moving
+        for some in (first, *[moving] * (GLANCES - 1)):
+            again = [replace(task, case=case) for task in some]
+            before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
             if case is before:
                 break
             moved = load_change(before, case, drive_cycle(result).phases)
-            if GLANCE_LEAVES * moved <= LOAD_SHARE * self.accuracy:
+            if some is moving and GLANCE_LEAVES * moved <= LOAD_SHARE * self.accuracy:
                 break
         return case
 

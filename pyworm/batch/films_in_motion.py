@@ -162,14 +162,14 @@ def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
     for task in tasks:
         by_life[id(task.case), replace(task.place, phase=None)].append(task)
     lives = (
-        [task for task in some if _in_motion(task) and rates_for(task, directory) is None]
+        [task for task in some if in_motion(task) and rates_for(task, directory) is None]
         for some in by_life.values()
         if len(some) >= FEWEST
     )
     return [life for life in lives if len(life) >= FEWEST]
 
 
-def _in_motion(task: Task) -> bool:
+def in_motion(task: Task) -> bool:
     """Whether a task's film is in motion, and its life is solved as a whole."""
     try:
         return "squeeze" in task.plan.on and recent(task.scene) is task.scene.past

@@ -88,7 +88,7 @@ THICKENING, THICKENING_POWER = 10.0, 0.7
 STIFF, STIFF_POWER = 15.0, 2.5
 """Moes' L above which the linear systems of heated steps take more iterations, and the exponent of L."""
 
-STEPS_A_TRANSIT: dict[Kind, int] = {"point": 12, "line": 48}
+STEPS_A_TRANSIT: dict[Kind, int] = {"point": 9, "line": 48}
 """Time steps of a transit of oil in the first transient solve of a life; each further one doubles them
 (`solver.transient.march`)."""
 

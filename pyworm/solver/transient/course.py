@@ -36,6 +36,10 @@ DEGREE = 4
 LEAST_TRANSITS = 4.0
 """Transits that a life counts at least, where oil hardly moves."""
 
+FOLDS = 2.0
+"""E-folds of the load of a tooth pair that count as a transit: as teeth part it falls three- or fourfold
+while oil passes. Films are worse with time steps far below the time in which oil passes a cell."""
+
 COMMON = 0.6
 """Share of the knots whose windows the grid covers on each side."""
 
@@ -252,14 +256,13 @@ def _pace(
     """Transits over time; the integral of the inverse of the transit time.
 
     In a written course, which may change far faster than oil passes, an e-fold of load, or of the distance of
-    surfaces that are apart, counts as one. In a tooth pair's films are worse with time steps far below the
-    time in which oil passes a cell.
+    surfaces that are apart, counts as one, in a tooth pair's two of them (`FOLDS`).
     """
     duration = life.duration
     paces = [max(1 / of.transit, LEAST_TRANSITS / duration) for of in predictions]
-    written = list(zip(times, contacts, strict=True)) if life.kinks else []
-    for number, (before, after) in enumerate(pairwise(written)):
-        folds = _folds(before[1], after[1]) / (after[0] - before[0])
+    each = 1.0 if life.kinks else 1 / FOLDS
+    for number, (before, after) in enumerate(pairwise(zip(times, contacts, strict=True))):
+        folds = each * _folds(before[1], after[1]) / (after[0] - before[0])
         for end in (number, number + 1):
             paces[end] = max(paces[end], folds)
     ends = [0.0] * (times[0] > 0), [duration] * (times[-1] < duration)

@@ -55,6 +55,11 @@ class HeatedInstant:
     flux: Array
     velocities: tuple[tuple[float, ...], ...]
 
+    def finer(self) -> "HeatedInstant":
+        """Interpolated to nodes of half the spacing."""
+        flux = kernel.prolong_levels(self.flux)
+        return HeatedInstant(self.seconds, self.grid.finer(), flux, self.velocities)
+
 
 def velocities_at_origin(contact: Scene | LineScene) -> tuple[tuple[float, ...], ...]:
     """Velocity of each body at the contact point along each direction [m/s]."""

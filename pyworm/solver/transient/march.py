@@ -7,7 +7,7 @@ instants of that part, and the rates of change that films on other grids take, f
 """
 
 from collections import deque
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
@@ -32,16 +32,14 @@ from pyworm.solver.transient.heat_memory import (
     remembered_rise,
     velocities_at_origin,
 )
+from pyworm.solver.transient.instant import Instant, extrapolated, instant_of
 from pyworm.solver.transient.moments import Moment, moment
 from pyworm.solver.transient.moving_grid import at_places, seen_from, slopes
+from pyworm.solver.transient.time_steps import AROUND, Step, steps_of
 
 ORDER = 3
 """Order of the backward differences: at second order, notches that an edge leaves in the film and that travel
 with the oil need four times as many time steps."""
-
-AROUND = 3
-"""Instants to either side of a wanted time near which films are interpolated in time. What Newton's iteration
-left in each of them would be noise in a rate of change from the nearest four."""
 
 TOLERANCE = 0.06
 """Residual of the films over the square of the time step in transits: half the step halves what Newton's
@@ -115,16 +113,6 @@ class _Backwards:
 
 
 @dataclass(frozen=True)
-class _Instant:
-    """The film at one time, and what its surfaces remember."""
-
-    seconds: float
-    content: Array
-    state: InitialGuess
-    rise: Array | None = None
-
-
-@dataclass(frozen=True)
 class March:
     """What a transient solve through a part of a life found.
 
@@ -174,19 +162,18 @@ def march(
         No film was found from which to begin.
     """
     _require_memory(course, refinement)
-    asked = _instants(course, refinement, begin, max(*wanted, until))
-    framed = set(asked[:: 2**refinement])
-    later = [seconds for seconds in asked if seconds >= course.life.touched]
+    asked = steps_of(course, refinement, begin, max(*wanted, until))
+    later = [step for step in asked if step.seconds >= course.life.touched]
     if len(later) == len(asked):
-        return _through(course, refinement, asked, wanted, framed)
+        return _through(course, asked, wanted)
     try:
-        found = _through(course, refinement, asked, wanted, framed)
+        found = _through(course, asked, wanted)
     except LostError:
         found = None
     if found is not None and len(found.rates) == len(wanted):
         return found
     try:
-        again = _through(course, refinement, later, wanted, framed)
+        again = _through(course, later, wanted)
     except LostError:
         if found is None:
             raise
@@ -194,39 +181,41 @@ def march(
     return again if found is None or len(again.rates) > len(found.rates) else found
 
 
-def _through(
-    course: Course,
-    refinement: int,
-    asked: Sequence[float],
-    wanted: Sequence[float],
-    framed: Container[float],
-) -> March:
-    """The films of some instants, of which the fields of a few are kept; as of `march`."""
-    instants, level, before, steps = _begun(course, refinement, asked, min(wanted))
-    needed = {seconds for at in wanted for seconds in _nearest(instants, at)}
-    kept: dict[float, _Instant] = {}
+def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> March:
+    """The films of some steps, of which those of the finest grid are kept; as of `march`."""
+    refinement = asked[-1].refinement
+    finest = [step.seconds for step in asked if step.refinement == refinement]
+    framed = set(finest[:: 2**refinement])
+    steps, level, before, taken_of_all = _begun(course, asked, min(wanted))
+    needed = {seconds for at in wanted for seconds in _nearest(finest, at)}
+    kept: dict[float, Instant] = {}
     heat: list[HeatedInstant] = []
     moments, lost, held = [], None, True
-    last: deque[_Instant] = deque(maxlen=2 * AROUND)
-    for seconds in instants:
+    last: deque[Instant] = deque(maxlen=2 * AROUND)
+    on = steps[0].refinement
+    for step in steps:
+        if step.refinement > on:
+            before, heat = ([one.finer() for one in of] for of in (before, heat))
+            on = step.refinement
         try:
             if before:
-                level, taken = _onward(course, refinement, seconds, before, heat, held)
-                steps += taken
+                level, taken = _onward(course, step, before, heat, held)
+                taken_of_all += taken
                 if held and level.carried() > course.life.touch:
                     held = False
-                    level, taken = _onward(course, refinement, seconds, before, heat, held)
-                    steps += taken
+                    level, taken = _onward(course, step, before, heat, held)
+                    taken_of_all += taken
         except LostError as error:
             lost = str(error)
             break
-        now = _instant(level, seconds)
-        heat = [*_heated(level, seconds), *heat]
+        now = instant_of(level, step.seconds)
+        heat = [*_heated(level, step.seconds), *heat]
         before = [now, *before[: ORDER - 1]]
-        moments.append(moment(level, seconds, refinement, seconds in framed))
-        last.append(now)
-        if seconds in needed:
-            kept[seconds] = now
+        if on == refinement:
+            moments.append(moment(level, step.seconds, refinement, step.seconds in framed))
+            last.append(now)
+        if step.seconds in needed:
+            kept[step.seconds] = now
     if not moments:
         raise LostError(lost)
     kept |= {one.seconds: one for one in last}
@@ -236,7 +225,7 @@ def _through(
         for at in wanted
         if at <= found[-1]
     }
-    return March(rates, tuple(moments), steps, lost)
+    return March(rates, tuple(moments), taken_of_all, lost)
 
 
 def _require_memory(course: Course, refinement: int) -> None:
@@ -244,25 +233,6 @@ def _require_memory(course: Course, refinement: int) -> None:
     short = shortage(course.grid(course.begin, refinement), course.plan.model)
     if short is not None:
         raise LostError(short)
-
-
-def _instant(level: Level, seconds: float) -> _Instant:
-    """What later films need of the one at a time."""
-    film, density, _ = level.film.fields()
-    term = level.transient_term
-    rise = None if term is None else term.remembered(level.grid)
-    return _Instant(seconds, level.film.fraction() * density * film, level.state(), rise)
-
-
-def _instants(course: Course, refinement: int, begin: float, last: float) -> list[float]:
-    """Times of the march [s], up to `AROUND` steps after the last that is wanted."""
-    step = course.step(refinement)
-    whole = course.transits(course.end)
-    count = int((course.transits(last) - begin) / step) + 1 + AROUND
-    places = [begin + step * number for number in range(count + 1)]
-    return [course.instant(place) for place in places if place < whole - step / 2] + [
-        course.end
-    ] * (places[-1] >= whole - step / 2)
 
 
 def _nearest(instants: Sequence[float], at: float) -> list[float]:
@@ -274,50 +244,51 @@ def _nearest(instants: Sequence[float], at: float) -> list[float]:
 
 
 def _begun(
-    course: Course, refinement: int, instants: Sequence[float], wanted: float
-) -> tuple[Sequence[float], Level | None, list[_Instant], int]:
-    """The instants to solve, the film of the first or those before it, and Newton steps taken.
+    course: Course, steps: Sequence[Step], wanted: float
+) -> tuple[Sequence[Step], Level | None, list[Instant], int]:
+    """The steps to solve, the film of the first or those before it, and Newton steps taken.
 
     They begin with the first that has a steady film, or after the first where its surfaces are apart. A tooth
     that is touched at its tip has no steady film yet; LostError where there is none before a wanted time.
     """
-    if course.life.at(instants[0]).separation is not None:
-        return instants[1:], None, [_at_rest(course, refinement, instants[0])], 0
-    for number, seconds in enumerate(instants):
+    if course.life.at(steps[0].seconds).separation is not None:
+        return steps[1:], None, [_at_rest(course, steps[0])], 0
+    for number, step in enumerate(steps):
         try:
-            level, taken = _steady(course, refinement, seconds)
+            level, taken = _steady(course, step)
         except LostError:
-            if seconds >= wanted:
+            if step.seconds >= wanted:
                 raise
         else:
-            return instants[number:], level, [], taken
+            return steps[number:], level, [], taken
     raise LostError(_failed(wanted))
 
 
-def _at_rest(course: Course, refinement: int, seconds: float) -> _Instant:
+def _at_rest(course: Course, step: Step) -> Instant:
     """The oil that fills the gap between surfaces that are apart, hardly under pressure: its density is 1."""
-    contact, grid = _contact_at(course, seconds), course.grid(seconds, refinement)
+    seconds = step.seconds
+    contact, grid = _contact_at(course, seconds), course.grid(seconds, step.refinement)
     gap, _ = contact.gap(*grid.mesh())
     film = contact.separation + gap
     pressure = np.full(film.shape, TRACE)
-    return _Instant(seconds, film, InitialGuess(pressure, contact.separation, None, pressure))
+    return Instant(seconds, film, InitialGuess(pressure, contact.separation, None, pressure))
 
 
-def _steady(course: Course, refinement: int, seconds: float) -> tuple[Level, int]:
+def _steady(course: Course, step: Step) -> tuple[Level, int]:
     """The steady film at a time on the moving grid, and its Newton steps there."""
+    seconds = step.seconds
     contact = _contact_at(course, seconds)
-    grid = course.grid(seconds, refinement)
+    grid = course.grid(seconds, step.refinement)
     with _told(seconds):
         level = _beside(contact, course, grid, SOLVERS[type(contact)](contact, course.plan))
-        taken = len(lead(level, *_tolerances(course, refinement)))
+        taken = len(lead(level, *_tolerances(course, step)))
     return _sound(level, seconds), taken
 
 
 def _onward(
     course: Course,
-    refinement: int,
-    seconds: float,
-    before: Sequence[_Instant],
+    step: Step,
+    before: Sequence[Instant],
     heat: Sequence[HeatedInstant],
     held: bool,
 ) -> tuple[Level, int]:
@@ -325,11 +296,12 @@ def _onward(
 
     Where a separation is given but its surfaces are no longer held there the load is given in its place.
     """
+    seconds = step.seconds
     contact, mesh = _contact_at(course, seconds), course.mesh(seconds)
     unsettled = UNSETTLED if seconds < course.life.touched else LOST
     if not held:
         contact = replace(contact, separation=None)
-    grid = course.grid(seconds, refinement)
+    grid = course.grid(seconds, step.refinement)
     _, (implicit, *earlier) = weights([seconds, *(one.seconds for one in before)], seconds)
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
     rise = None
@@ -337,9 +309,9 @@ def _onward(
         rise = remembered_rise(heat, contact, grid, course.grid(seconds, 0), seconds, mesh.turning)
     term = _Backwards(implicit + mesh.divergence, explicit, rise)
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
-    tolerances = _tolerances(course, refinement)
+    tolerances = _tolerances(course, step)
     with _told(seconds):
-        guess = _extrapolated(before, seconds)
+        guess = extrapolated(before, seconds)
         if contact.separation is not None:
             guess = replace(guess, rigid_film=contact.separation)
         level = solver.on_grid(grid, guess)
@@ -359,9 +331,9 @@ def _contact_at(course: Course, seconds: float) -> Scene | LineScene:
     return course.plan.simplified(replace(course.life.at(seconds), past=None))
 
 
-def _tolerances(course: Course, refinement: int) -> tuple[float, float]:
+def _tolerances(course: Course, step: Step) -> tuple[float, float]:
     """Residual and warming to which films are solved."""
-    return TOLERANCE * course.step(refinement) ** 2, WARMING
+    return TOLERANCE * course.step(step.refinement) ** 2, WARMING
 
 
 def _beside(
@@ -407,25 +379,7 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
     return InitialGuess(pressure, state.rigid_film, rise, oil)
 
 
-def _extrapolated(before: Sequence[_Instant], seconds: float) -> InitialGuess:
-    """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
-
-    Temperatures are the latest: those of far nodes settle slowly, and extrapolated they run away.
-    """
-    latest = before[0].state
-    of, _ = weights([one.seconds for one in before], seconds)
-
-    def onward(name: str) -> Array:
-        return sum(
-            weight * getattr(one.state, name) for weight, one in zip(of, before, strict=True)
-        )
-
-    pressure = np.where(latest.pressure > 0, np.maximum(onward("pressure"), 0.0), 0.0)
-    oil = np.where(latest.oil > 0, np.maximum(onward("oil"), 0.0), 0.0)
-    return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)
-
-
-def _rate_at(course: Course, refinement: int, at: float, near: Sequence[_Instant]) -> RateOfChange:
+def _rate_at(course: Course, refinement: int, at: float, near: Sequence[Instant]) -> RateOfChange:
     """Rate of change at a time, by interpolation between some instants; equation 1 of `moving_grid`."""
     grid, mesh = course.grid(at, refinement), course.mesh(at)
     of_value, of_rate = weights([one.seconds for one in near], at)

@@ -12,6 +12,8 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, inf
 
+import numpy as np
+
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
@@ -32,7 +34,7 @@ WARM_UP = 2.0
 """Transits before the first wanted time at which a solve of a later part of a life begins, from a steady
 film."""
 
-PART = 3.5
+PART = 4.0
 """Most transits of a part of a life whose films are wanted, so that several processes may work on a life."""
 
 LONGEST, RECENT = 30.0, 6.0
@@ -42,7 +44,8 @@ then before the present."""
 LEFT: dict[Kind, float] = {"point": 0.5, "line": 1.0}
 """Error of the figures by the last rate of change, over the largest of what they and the films change with it
 from the one before. At second order a third of that is left; where a kink of the load or an edge passes, the
-order is lower, and where the load of a gear pair jumps, it is one."""
+order is lower, and where the load of a gear pair jumps, or the entrainment has turned round
+(`_turned_round`), it is one: what is left of the film of that time is a dip as narrow as the grid."""
 
 REGULAR = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
@@ -278,18 +281,32 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
         settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
         readings.append(settled.reading)
-    errors = _errors(readings, plan.work.kind)
+    share = 1.0 if _turned_round(scene, rates.moments) else LEFT[plan.work.kind]
+    errors = _errors(readings, plan.work.kind, share)
     left = plan.aim.worst(errors, readings[-1].figures)
     flaw = None
     if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
         flaw = f"the transient solve through the contact's life leaves an error of {left:.1%}"
     coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
-    life = _life(scene, plan, rates, readings)
+    life = _life(scene, plan, rates, readings, share)
     return Transient(rates.found[-1], level, errors, flaw, coarse, life)
 
 
+def _turned_round(scene: Scene | LineScene, solves: Sequence[Sequence[Moment]]) -> bool:
+    """Whether the entrainment has turned round while oil went the last `WARM_UP` lengths of the contact."""
+    moments = until(solves[-1], recent(scene).seconds) if solves else ()
+    length, way = WARM_UP * 2 * predicted(scene).half_width, 0.0
+    for after, before in pairwise(reversed(moments)):
+        if np.dot(before.entrainment, moments[-1].entrainment) < 0:
+            return True
+        way += float(np.hypot.reduce(after.entrainment)) * (after.seconds - before.seconds)
+        if way > length:
+            break
+    return False
+
+
 def _life(
-    scene: Scene | LineScene, plan: Plan, rates: Rates, readings: Sequence[Reading]
+    scene: Scene | LineScene, plan: Plan, rates: Rates, readings: Sequence[Reading], share: float
 ) -> PlainDataset | None:
     """The film up to now; None where the solves found no instant since the scene before.
 
@@ -302,16 +319,19 @@ def _life(
     shared = readings[: len(rates.moments) + 1]
     least, present = _least(shared, kind), readings[-1].figures
     at = scene.past.seconds
-    return curves(rates.moments, rates.since, kind, LEFT[kind], least, at, present, inlet)
+    return curves(rates.moments, rates.since, kind, share, least, at, present, inlet)
 
 
-def _errors(readings: Sequence[Reading], kind: Kind) -> dict[str, float]:
-    """Relative errors of the figures by the rates, from readings of the steady film and with each rate."""
+def _errors(readings: Sequence[Reading], kind: Kind, share: float) -> dict[str, float]:
+    """Relative errors of the figures by the rates, from readings of the steady film and with each rate.
+
+    `share` is that of the last change of two (`LEFT`).
+    """
     _, *moving = readings
     least = _least(readings, kind)
     if len(moving) == 1:
         return dict.fromkeys(moving[-1].figures, least)
-    left = _left(moving, LEFT[kind])
+    left = _left(moving, share)
     films = max(left[name] for name in FILMS)
     return {name: max(of, films, least) for name, of in left.items()}
 

@@ -14,8 +14,9 @@ from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.solver.transient import march as march_module
+from pyworm.solver.transient import time_steps
 from pyworm.solver.transient import transient as transient_module
-from pyworm.solver.transient.course import course_of
+from pyworm.solver.transient.course import FOLDS, course_of
 from pyworm.solver.transient.differences import weights
 
 TRANSITS = 5.0
@@ -248,6 +249,55 @@ def test_a_further_solve_of_one_point_contact_begins_two_transits_before_it(kind
         assert part.begin < begin == pytest.approx(present - transient_module.WARM_UP)
     else:
         assert begin == part.begin
+
+
+def test_a_third_solve_of_a_later_part_begins_on_the_grid_before(monkeypatch):
+    """For a transit; another later its films are those of one grid, but for a quarter of what it changes."""
+
+    def contact_at(seconds):
+        return as_line(ball(1 + 0.3 * np.sin(seconds / transit)))
+
+    transit = predicted(as_line(ball())).transit
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
+    life = Life(6 * transit, contact_at)
+    course = course_of(life, pyworm.plan(contact_at(0.0), 0.05, "isothermal", ("film",)))
+    at = course.instant(4.0)
+    steps = time_steps.steps_of(course, 2, 2.0, at)
+    coarse = [step for step in steps if step.refinement == 1]
+    assert len(coarse) == 24
+    assert course.place(steps[24].seconds) == pytest.approx(3.0)
+    assert {step.refinement for step in steps[24:]} == {2}
+    assert all(before.seconds < after.seconds for before, after in pairwise(steps))
+    found = march_module.march(course, 2, 2.0, [at])
+    before = march_module.march(course, 1, 2.0, [at])
+    monkeypatch.setattr(time_steps, "COARSE_FROM", 3)
+    alone = march_module.march(course, 2, 2.0, [at])
+    assert len(found.moments) == len(alone.moments) - 48
+    for name in ("film_min", "film_central"):
+        by_two, by_one, coarser = (
+            np.interp(
+                at, [one.seconds for one in of.moments], [one.figures[name] for one in of.moments]
+            )
+            for of in (found, alone, before)
+        )
+        assert abs(by_two / by_one - 1) < 0.25 * abs(coarser / by_one - 1)
+
+
+def test_as_the_load_of_a_tooth_pair_falls_by_two_e_folds_a_time_step_s_share_of_a_transit_passes():
+    """Its last ones, where oil passes the shrinking contact more slowly than the load falls."""
+    steady = as_line(ball())
+    transit = predicted(steady).transit
+
+    def falling(folds):
+        life = Life(
+            8 * transit,
+            lambda at: replace(steady, load=steady.load * np.exp(-folds * at / transit)),
+        )
+        course = course_of(life, pyworm.plan(steady, 0.05, "isothermal", ("film",)))
+        return course.transits(course.end)
+
+    assert falling(4.0) == pytest.approx(4.0 / FOLDS * 8, rel=0.5)
+    assert falling(0.01) == pytest.approx(8.0, rel=0.05)
 
 
 def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():

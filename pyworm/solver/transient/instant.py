@@ -1,0 +1,65 @@
+"""The film at one time of a transient solve, and what follows from some of them for another time."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm import kernel
+from pyworm.scene.contact import Array
+from pyworm.solver.level import InitialGuess, Level
+from pyworm.solver.transient.differences import weights
+
+
+@dataclass(frozen=True)
+class Instant:
+    """The film at one time, and what its surfaces remember.
+
+    Attributes
+    ----------
+    seconds : float
+        The time [s].
+    content : numpy.ndarray
+        Oil at the nodes: film thickness times relative density, as far as the gap is filled [m].
+    state : InitialGuess
+        Pressure, rigid film and temperatures.
+    rise : numpy.ndarray or None
+        What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
+        [K]; None where that is not known.
+    """
+
+    seconds: float
+    content: Array
+    state: InitialGuess
+    rise: Array | None = None
+
+    def finer(self) -> "Instant":
+        """Interpolated to nodes of half the spacing."""
+        rise = None if self.rise is None else kernel.prolong_levels(self.rise)
+        return Instant(self.seconds, kernel.prolong(self.content), self.state.finer(), rise)
+
+
+def instant_of(level: Level, seconds: float) -> Instant:
+    """What later films need of the one at a time."""
+    film, density, _ = level.film.fields()
+    term = level.transient_term
+    rise = None if term is None else term.remembered(level.grid)
+    return Instant(seconds, level.film.fraction() * density * film, level.state(), rise)
+
+
+def extrapolated(before: Sequence[Instant], seconds: float) -> InitialGuess:
+    """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
+
+    Temperatures are the latest: those of far nodes settle slowly, and extrapolated they run away.
+    """
+    latest = before[0].state
+    of, _ = weights([one.seconds for one in before], seconds)
+
+    def onward(name: str) -> Array:
+        return sum(
+            weight * getattr(one.state, name) for weight, one in zip(of, before, strict=True)
+        )
+
+    pressure = np.where(latest.pressure > 0, np.maximum(onward("pressure"), 0.0), 0.0)
+    oil = np.where(latest.oil > 0, np.maximum(onward("oil"), 0.0), 0.0)
+    return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)
