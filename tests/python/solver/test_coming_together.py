@@ -58,7 +58,7 @@ def test_a_steady_film_at_the_beginning_of_the_cycle_is_forgotten_and_too_thin_u
 def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one(
     drive, monkeypatch
 ):
-    def lost(course, refinement, seconds):
+    def lost(course, step):
         raise march_module.LostError("no film between them")
 
     monkeypatch.setattr(march_module, "_at_rest", lost)
