@@ -19,7 +19,7 @@ from pyworm.scene.point import Scene
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import LostError, march
 from pyworm.solver.transient.moments import until
-from pyworm.solver.transient.transient import Rates, part_at, transient
+from pyworm.solver.transient.transient import WARM_UP, Rates, part_at, transient
 
 ACCURACY = 0.05
 """Accuracy of the plans [-]; bars of each number of solves are judged alike."""
@@ -28,7 +28,8 @@ ACCURACY = 0.05
 def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[str, Rates]:
     """Rates of change of scenes of one life by several transient solves, by the scene's name.
 
-    LostError where there is no film.
+    The last of them, which the others are judged by, begins `WARM_UP` transits earlier. LostError where there is
+    no film.
     """
     course = course_of(scenes[0].past.life, plan)
     parts = defaultdict(list)
@@ -37,7 +38,8 @@ def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[
     rates = {}
     for part, some in parts.items():
         wanted = sorted(scene.past.seconds for scene in some)
-        solved = [march(course, number, part.begin, wanted) for number in range(solves)]
+        begins = [part.begin] * (solves - 1) + [max(0.0, part.begin - WARM_UP)]
+        solved = [march(course, number, begin, wanted) for number, begin in enumerate(begins)]
         for lost in filter(None, (one.lost for one in solved)):
             raise LostError(lost)
         for scene in some:

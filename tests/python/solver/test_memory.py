@@ -81,10 +81,15 @@ def test_a_finer_grid_beyond_memory_ends_the_grid_sequence(monkeypatch):
 def test_a_wider_window_beyond_memory_ends_the_grid_sequence(monkeypatch):
     scene = pyworm.load(CASE).scene()
     plan = pyworm.plan(scene, 0.001, "isothermal")
-    wider = max(grid.nodes for grid in plan.wider_grids)
-    monkeypatch.setattr(memory, "available", lambda: memory.needed(2 * wider, plan.model))
+    *_, wider = plan.wider_grids
+    # at first there is enough: others take the memory while the narrow window is solved
+    free = iter([memory.needed(2 * wider.nodes, plan.model)])
+    scarce = memory.needed(wider.nodes // 2, plan.model)
+    monkeypatch.setattr(memory, "available", lambda: next(free, scarce))
     solution = pyworm.solve(scene, plan)
     assert not solution.converged
+    size = " x ".join(map(str, wider.shape))
+    assert solution.stop_reason.startswith(f"{size} nodes take")
     assert "GB of memory" in solution.stop_reason
 
 
