@@ -28,8 +28,8 @@ ACCURACY = 0.05
 def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[str, Rates]:
     """Rates of change of scenes of one life by several transient solves, by the scene's name.
 
-    The last of them, which the others are judged by, begins `WARM_UP` transits earlier. LostError where there is
-    no film.
+    The last of them, which the others are judged by, begins `WARM_UP` transits earlier. LostError where
+    there is no film.
     """
     course = course_of(scenes[0].past.life, plan)
     parts = defaultdict(list)
