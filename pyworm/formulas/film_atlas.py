@@ -475,7 +475,8 @@ def reciprocal_alpha(viscosity, alpha: float) -> float:
     parts = np.array([0.0, 3.0, 12.0, 40.0, 120.0])  # alpha p
     half = np.diff(parts)[:, None] / 2
     steps = (parts[:-1, None] + half * (1 + place)).ravel() / alpha
-    fluidity = viscosity(np.zeros(1)) / viscosity(steps)
+    with np.errstate(over="ignore"):  # an infinite viscosity adds nothing
+        fluidity = viscosity(np.zeros(1)) / viscosity(steps)
     return float(1 / (fluidity @ (half * weight).ravel()))
 
 

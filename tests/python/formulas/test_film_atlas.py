@@ -149,3 +149,16 @@ def test_the_reciprocal_alpha_of_laws():
     place, weight = np.polynomial.laguerre.laggauss(60)
     area = weight @ (1 + place / s) ** (1 / ROELANDS.z - 1)
     assert reciprocal_alpha(ROELANDS, ROELANDS.alpha) == pytest.approx(1 / area, rel=1e-4)
+
+
+def test_a_viscosity_that_overflows_adds_no_fluidity():
+    """Where plans make an overflow an error, too: hard scene `isothermal:85`."""
+
+    def viscosity(pressure):
+        return np.exp(2e-8 * pressure + (1e-8 * pressure) ** 3)
+
+    def bounded(pressure):
+        return np.exp(np.minimum(2e-8 * pressure + (1e-8 * pressure) ** 3, 700.0))
+
+    with np.errstate(over="raise"):
+        assert reciprocal_alpha(viscosity, 2e-8) == reciprocal_alpha(bounded, 2e-8)
