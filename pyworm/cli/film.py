@@ -79,17 +79,21 @@ def _of_options(options: argparse.Namespace) -> "Scene":
     from pyworm.materials.library import named_oil
     from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
-    def read(text: str, kind: Any) -> float:
-        return parse(text, kind_of(kind))
+    def read(name: str, text: str, kind: Any) -> float:
+        try:
+            return parse(text, kind_of(kind))
+        except ValueError as error:
+            raise CaseError(f'--{name} "{text}" {error}') from error
 
     try:
-        motion = RigidMotion(*([read(of, units.Velocity) for of in options.velocity] + [0.0])[:2])
-        temperature = read(options.temperature, units.Temperature)
+        velocity = [read("velocity", of, units.Velocity) for of in options.velocity]
+        motion = RigidMotion(*[*velocity, 0.0][:2])
+        temperature = read("temperature", options.temperature, units.Temperature)
         return Scene(
             name="contact",
-            gap=Paraboloid(*(read(of, units.Radius) for of in options.radii)),
+            gap=Paraboloid(*(read("radii", of, units.Radius) for of in options.radii)),
             motions=(motion, motion),
-            load=read(options.load, units.Force),
+            load=read("load", options.load, units.Force),
             bodies=tuple(named_body(of, None, temperature) for of in options.bodies),
             oil=named_oil(options.oil).oil(temperature),
         )

@@ -53,6 +53,12 @@ def test_what_is_missing_is_named(capsys):
     assert "--radii, --velocity, --oil, --temperature" in capsys.readouterr().err
 
 
+def test_a_wrong_unit_is_refused_by_its_option(capsys):
+    options = ["--radii", "10 mm", "100 lbs", "--load", "300 N", "--velocity", "1 m/s"]
+    assert main(["film", *options, "--oil", "PAO VG 220", "--temperature", "60 degC"]) != 0
+    assert '--radii "100 lbs" must be a radius with its unit' in capsys.readouterr().err
+
+
 def test_heat_is_held_where_the_contact_is_in_the_box_of_the_thermal_set(capsys):
     """The worm with its roughness left out and its film reduced: what is held is not left out."""
     out = json.loads(printed(capsys, CASES / "zi_sharif_2001.toml", "--phase", 0.5, "--json"))
