@@ -105,7 +105,6 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         full=model.levels > 0,
         stiffness=stiffness(model.heated, size.groups.moes_l),
         auxiliary=drawn is not scene,
-        moving=scene.past is not None,
     )
     return _Numerics(
         grids=grids,
@@ -137,7 +136,6 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
         LARGEST_LINE,
         full=model.levels > 0,
         stiffness=stiffness(model.heated, size.groups.moes_l),
-        moving=scene.past is not None,
     )
     return _Numerics(
         grids=(grid,),

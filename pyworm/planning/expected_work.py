@@ -92,14 +92,8 @@ STEPS_A_TRANSIT: dict[Kind, int] = {"point": 9, "line": 48}
 """Time steps of a transit of oil in the first transient solve of a life; each further one doubles them
 (`solver.transient.march`)."""
 
-ONE_SOLVE, TWO_SOLVES = 0.08, 0.035
+ONE_SOLVE, TWO_SOLVES = 0.09, 0.035
 """Accuracies from which one and two transient solves of a life suffice."""
-
-TRANSITS_BEFORE = 4.0
-"""Transits that a part of a life has, on average, before one of its contacts."""
-
-STEPS_OF_INSTANT = 2.0
-"""Newton steps of each time step."""
 
 AUXILIARY_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
 """Newton steps of a film carried by heat alone."""
@@ -125,22 +119,6 @@ class Stage:
 
 
 @dataclass(frozen=True)
-class Instants:
-    """Time steps of a transient solve.
-
-    Attributes
-    ----------
-    nodes : float
-        Number of nodes of its grid.
-    count : float
-        Number of time steps.
-    """
-
-    nodes: float
-    count: float
-
-
-@dataclass(frozen=True)
 class Work:
     """Expected work of a solve, grid by grid.
 
@@ -154,15 +132,12 @@ class Work:
         Expected number of nodes for an error of `WORTHLESS`.
     in_vain : bool
         Whether that number exceeds the largest grid so far that no grid is refined.
-    past : tuple of Instants
-        Transient solves of its past, which contacts of one life share; empty of a steady film.
     """
 
     kind: Kind
     stages: tuple[Stage, ...]
     needed: float = 0.0
     in_vain: bool = False
-    past: tuple[Instants, ...] = ()
 
     @property
     def finest(self) -> float:
@@ -246,7 +221,6 @@ def expected_work(
     full: bool,
     stiffness: float = 1.0,
     auxiliary: bool = False,
-    moving: bool = False,
 ) -> Work:
     """Expected work of a solve, grid by grid.
 
@@ -268,8 +242,6 @@ def expected_work(
         Factor of the work of a step over the usual (`stiffness`).
     auxiliary : bool
         Whether heat alone carries the film, which needs auxiliary entrainment.
-    moving : bool
-        Whether the film is transient.
     """
     steps = AUXILIARY_STEPS if auxiliary else STEPS[kind]
     cold = 1.0 if full else stiffness
@@ -278,24 +250,17 @@ def expected_work(
         stages += [Stage(nodes, cold * steps.outer, 0.0) for nodes in nest[:-1]]
         stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
-    past = tuple(
-        Instants(
-            nests[0][-1] * growth ** (refinement + (1 if kind == "line" else -1)),
-            TRANSITS_BEFORE * (STEPS_A_TRANSIT[kind] << refinement),
-        )
-        for refinement in range(solves_of_life(accuracy) * moving)
-    )
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
     least = _halvings(change / max(accuracy, WORTHLESS))
     needed = nests[0][-1] * growth**least
     if least > most + IN_VAIN:
-        return Work(kind, tuple(stages), needed, in_vain=True, past=past)
+        return Work(kind, tuple(stages), needed, in_vain=True)
     halvings = min(most, _halvings(change / accuracy))
     for number in range(int(halvings)):
         # the last grid is as fine as likely
         nodes = nests[0][-1] * growth ** (halvings - int(halvings) + number + 1)
         stages.append(Stage(nodes, cold * steps.finer * (not full), stiffness * steps.finer * full))
-    return Work(kind, tuple(stages), needed, past=past)
+    return Work(kind, tuple(stages), needed)
 
 
 def _halvings(change: float) -> float:

@@ -7,6 +7,7 @@ split into a constant and a part proportional to the nodes, for each model.
 import json
 import os
 import platform
+from collections.abc import Sequence
 from dataclasses import asdict, astuple, dataclass, replace
 from hashlib import sha256
 from pathlib import Path
@@ -21,11 +22,12 @@ from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.planning.effects.judgement import simplified
-from pyworm.planning.expected_work import STEPS_OF_INSTANT, Kind, Work
+from pyworm.planning.expected_work import Kind, Work
 from pyworm.planning.model import Model
 from pyworm.planning.plan import Plan, plan_of
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+from pyworm.solver.cost.expected_motion import TimeSteps
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import settle
 from pyworm.solver.timing import convolution_seconds
@@ -40,6 +42,15 @@ CALIBRATION_HALVINGS = {"point": 2, "line": 4}
 """Halvings from the first grid to the finest timed."""
 
 CALIBRATION_ACCURACY = 0.01
+
+NEWTON_STEPS: dict[Kind, tuple[float, float]] = {"point": (1.4, 2.3), "line": (1.8, 1.0)}
+"""Newton steps of a time step, without and with heat: medians of those of the cases that
+`benchmarks/accuracy/expected_cost.py` names for it."""
+
+BESIDE: dict[Kind, tuple[float, float]] = {"point": (0.0, 1.3), "line": (1.5, 4.0)}
+"""What a time step takes beside its grid and Newton steps, for figures and the heat that surfaces remember,
+without and with heat, over setting up the coarsest grid of its life, on which that heat is found; from the
+same cases."""
 
 
 @dataclass(frozen=True)
@@ -112,12 +123,17 @@ class Calibration:
             for stage in work.stages
         )
 
-    def past_seconds(self, work: Work, model: Model) -> float:
-        """Expected processor time of the transient solves of its past, without the sampling [s]."""
-        full = self._full(work.kind, model)
+    def motion_seconds(self, kind: Kind, model: Model, steps: Sequence[TimeSteps]) -> float:
+        """Expected processor time of time steps, without the sampling of the scene [s]."""
+        full = self._full(kind, model)
         return sum(
-            one.count * full.entry(one.nodes) + full.steps(STEPS_OF_INSTANT * one.count, one.nodes)
-            for one in work.past
+            one.count
+            * (
+                full.entry(one.nodes)
+                + full.steps(NEWTON_STEPS[kind][model.heated], one.nodes)
+                + BESIDE[kind][model.heated] * full.entry(one.coarse)
+            )
+            for one in steps
         )
 
     def _full(self, kind: Kind, model: Model) -> Pace:

@@ -1,15 +1,20 @@
 """Expected processor time of a plan on this machine."""
 
+from collections import defaultdict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from time import process_time
 
 import numpy as np
 
+from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Paraboloid, Scene
 from pyworm.solver.cost.calibration import calibration
+from pyworm.solver.cost.expected_motion import FURTHER, TimeSteps, course_if_any, motion
+from pyworm.solver.transient.course import Course
+from pyworm.solver.transient.transient import Part
 
 SAMPLES = 64
 """Points along each direction on which the sampling of a gap is timed."""
@@ -20,9 +25,6 @@ contacts of M 20 to 1000, round and slender."""
 
 FIELDS = 3
 """Number of times that velocities are sampled for the fields of a solution."""
-
-PARTS = 2
-"""Parts of a whole life, over that of a lone contact."""
 
 
 @dataclass(frozen=True)
@@ -36,18 +38,31 @@ class Expectation:
     convolutions : float
         Processor time in convolutions on the expected finest grid.
     past : float
-        Part of the time for the transient solve of its past, which contacts of one life share [s].
+        Part of the time for the transient solves of its past [s].
+    shared : float
+        Processor time of those of a whole part of its life, which serve other contacts as well [s].
+    part : Part or None
+        That part; None of a contact that shares it with none.
     """
 
     seconds: float
     convolutions: float
     past: float = 0.0
+    shared: float = 0.0
+    part: Part | None = None
 
 
-def expectation(scene: Scene | LineScene, plan: Plan) -> Expectation:
+def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -> Expectation:
     """Estimate the cost of solving a scene by a plan on this machine.
 
     The first call on a machine, or with another build of the kernel, measures a calibration in some seconds.
+
+    Parameters
+    ----------
+    scene, plan : Scene or LineScene, Plan
+        The scene and its plan.
+    course : Course, optional
+        The course of its life, if it is known.
     """
     pace = calibration()
     unit = pace.convolution(plan.work.kind, plan.work.finest)
@@ -56,19 +71,46 @@ def expectation(scene: Scene | LineScene, plan: Plan) -> Expectation:
     nodes = sum(stage.nodes for stage in plan.work.stages)
     film = pace.seconds(plan.work, plan.model) + nodes * times
     film += FIELDS * plan.work.finest * motions + OUTCOME[plan.work.kind] * unit
-    past = pace.past_seconds(plan.work, plan.model)
-    past += sum(one.count * (one.nodes * times + _making(scene)) for one in plan.work.past)
-    return Expectation(film + past, (film + past) / unit, past)
+    moving = motion(scene, plan, course)
+    if moving is None:
+        return Expectation(film, film / unit)
+    making = _making(scene)
+
+    def taken(steps: Sequence[TimeSteps]) -> float:
+        sampled = sum(one.count * (one.nodes * times + making) for one in steps)
+        return pace.motion_seconds(plan.work.kind, plan.model, steps) + sampled
+
+    film += FURTHER * taken(moving.further)
+    past = taken(moving.own)
+    return Expectation(film + past, (film + past) / unit, past, taken(moving.shared), moving.part)
+
+
+def expectations(
+    contacts: Sequence[tuple[Scene | LineScene, Plan]], lives: Sequence[Hashable]
+) -> list[Expectation]:
+    """The expected cost of each of several contacts with their plans, the course of each life found once."""
+    courses: dict[Hashable, Course | None] = {}
+    for (scene, plan), life in zip(contacts, lives, strict=True):
+        if SQUEEZE.name in plan.on and life not in courses:
+            courses[life] = course_if_any(scene, plan)
+    return [
+        expectation(scene, plan, courses.get(life))
+        for (scene, plan), life in zip(contacts, lives, strict=True)
+    ]
 
 
 def together(expected: Sequence[Expectation], lives: Sequence[Hashable]) -> float:
     """Processor time of several solves, each of a life, whose transient solves they share [s]."""
-    alone = sum(of.seconds - of.past for of in expected)
-    pasts: dict[Hashable, float] = {}
-    for of, life in zip(expected, lives, strict=True):
-        pasts[life] = max(pasts.get(life, 0.0), of.past)
-    count = {life: list(lives).count(life) for life in pasts}
-    return alone + sum(past * (PARTS if count[life] > 1 else 1) for life, past in pasts.items())
+    seconds = sum(of.seconds - of.past for of in expected)
+    by_life = defaultdict(list)
+    for number, (of, life) in enumerate(zip(expected, lives, strict=True)):
+        by_life[number if of.part is None else life].append(of)
+    for some in by_life.values():
+        if len(some) == 1:
+            seconds += some[0].past
+        else:
+            seconds += sum({of.part: of.shared for of in some}.values())
+    return seconds
 
 
 def _making(scene: Scene | LineScene) -> float:

@@ -143,13 +143,17 @@ def course_of(life: Life, plan: Plan) -> Course:
     some = slice(None, None, STRIDE)  # windows cost more than predictions
     grids = [first_grids_of(whole.simplified(contact), whole)[-1] for contact in of_all[some]]
     coarsening = COARSENING[whole.work.kind]
+    sides, spacings = _sides(grids, coarsening), _spacings(at[some], grids, coarsening)
+    if whole.work.kind == "line":
+        half_widths = [of.half_width for of in predictions]
+        sides = (_covering(sides[0], at, half_widths, at[some], grids, spacings[0]),)
     return Course(
         life,
         whole,
         times[0],
         times[-1],
-        _sides(grids, coarsening),
-        _spacings(at[some], grids, coarsening),
+        sides,
+        spacings,
         (at[0], at[-1]),
         _pace(at, of_all, predictions, life),
     )
@@ -232,6 +236,33 @@ def _sides(grids: Sequence[Grid | LineGrid], coarsening: float) -> tuple[tuple[i
         ends[1] += sum(ends) % CELLS
         sides.append(tuple(ends))
     return tuple(sides)
+
+
+def _covering(
+    sides: tuple[int, int],
+    times: Sequence[float],
+    half_widths: Sequence[float],
+    drawn: Sequence[float],
+    grids: Sequence[LineGrid],
+    log_spacing: np.polynomial.Polynomial,
+) -> tuple[int, int]:
+    """Cells of a line's grid before and behind the contact point; more where Hertz's contact lies beyond.
+
+    A spacing that is smooth in time does not follow a blow; then the grid has room for the windows of all
+    times, between those that are drawn in proportion to the half-widths.
+    """
+    steps, half_widths = np.exp([log_spacing(seconds) for seconds in times]), np.array(half_widths)
+    if min(sides) >= np.max(half_widths / steps):
+        return sides
+    half = CELLS // 2
+    ends = []
+    for side, reaches in zip(
+        sides, zip(*((-of.x[0], of.x[-1]) for of in grids), strict=True), strict=True
+    ):
+        windows = np.interp(times, drawn, reaches / np.interp(drawn, times, half_widths))
+        reach = np.max(windows * half_widths / steps)
+        ends.append(max(side, half * ceil(reach / half)))
+    return ends[0], ends[1] + sum(ends) % CELLS
 
 
 def _spacings(

@@ -1,4 +1,4 @@
-"""Interpolation in time: weights of a polynomial through the values at some times, or near them."""
+"""Interpolation in time: weights of a polynomial through the values at some times."""
 
 from collections.abc import Sequence
 
@@ -6,14 +6,9 @@ import numpy as np
 
 from pyworm.scene.contact import Array
 
-DEGREE = 3
-"""Highest degree of the polynomials."""
-
 
 def weights(times: Sequence[float], at: float) -> tuple[Array, Array]:
-    """Weights of values at some times in a polynomial and in its rate of change.
-
-    The polynomial goes through up to four values; nearest to more in the sense of least squares.
+    """Weights of values at some times in the polynomial through them and in its rate of change.
 
     Parameters
     ----------
@@ -29,7 +24,25 @@ def weights(times: Sequence[float], at: float) -> tuple[Array, Array]:
     """
     since = np.asarray(times, float) - at
     scale = np.abs(since).max() or 1.0
-    terms = min(len(since), DEGREE + 1)
-    coefficients = np.linalg.pinv(np.vander(since / scale, terms, increasing=True))
-    rates = coefficients[1] / scale if terms > 1 else np.zeros(len(since))
+    coefficients = np.linalg.inv(np.vander(since / scale, increasing=True))
+    rates = coefficients[1] / scale if len(since) > 1 else np.zeros(1)
     return coefficients[0], rates
+
+
+BLEND = 0.48
+"""Share of the difference through four values in that by which films are integrated."""
+
+
+def backward_weights(times: Sequence[float]) -> Array:
+    """Weights of values at some times, the latest first, in their rate of change at the latest [1/s].
+
+    Of four values those through four and through three, blended (BDF2OPT; Vatsa, Carpenter and Lockard 2010,
+    AIAA 2010-122): of second order with half the error of three alone, and stable for all that the oil
+    carries. The difference through four is not: waves of six steps a period grow e-fold within twelve steps
+    where a step takes the oil through several cells, and a thin film under high pressure filled with them.
+    """
+    _, rates = weights(times, times[0])
+    if len(times) < 4:
+        return rates
+    _, fewer = weights(times[:3], times[0])
+    return BLEND * rates + (1 - BLEND) * np.append(fewer, 0.0)

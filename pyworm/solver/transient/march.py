@@ -1,15 +1,15 @@
 """One transient solve through a part of a contact's life.
 
 It begins with a steady film, or where the surfaces are still apart with the oil that fills their gap. The
-Reynolds equation with d(rho h)/dt is integrated by backward differences of variable step (BDF, third
-order; Hairer, Norsett and Wanner 1993, section III.5) on a grid that moves with the contact. The films of all
-instants of that part, and the rates of change that films on other grids take, follow from it.
+Reynolds equation with d(rho h)/dt is integrated by backward differences of variable step (Hairer, Norsett
+and Wanner 1993, section III.5; `differences.backward_weights`) on a grid that moves with the contact. The
+films of all instants of that part, and the rates of change that films on other grids take, follow from it.
 """
 
-from collections import deque
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.newton import lead, newton_step
 from pyworm.solver.transient.course import Course
-from pyworm.solver.transient.differences import weights
+from pyworm.solver.transient.differences import backward_weights
 from pyworm.solver.transient.heat_memory import (
     HeatedInstant,
     remembered_rise,
@@ -35,11 +35,10 @@ from pyworm.solver.transient.heat_memory import (
 from pyworm.solver.transient.instant import Instant, extrapolated, instant_of
 from pyworm.solver.transient.moments import Moment, moment
 from pyworm.solver.transient.moving_grid import at_places, seen_from, slopes
-from pyworm.solver.transient.time_steps import AROUND, Step, steps_of
+from pyworm.solver.transient.time_steps import Step, steps_of
 
-ORDER = 3
-"""Order of the backward differences: at second order, notches that an edge leaves in the film and that travel
-with the oil need four times as many time steps."""
+BEFORE = 3
+"""Films before an instant from which its rate of change follows."""
 
 TOLERANCE = 0.06
 """Residual of the films over the square of the time step in transits: half the step halves what Newton's
@@ -55,7 +54,11 @@ LOST = 1e-2
 """Residual above which the film of an instant is lost."""
 
 UNSETTLED = 0.1
-"""The same of temperatures while surfaces come together: films are thick, and warm by a few kelvin."""
+"""The same of temperatures. Where films are thick, as surfaces come together and part, one node's may swing
+by some per cent of the largest rise from step to step, while flow and load balance to the last digit."""
+
+FORGOTTEN = 2.0
+"""Transits after which films no longer depend on how the life began."""
 
 MOST_STEPS, TRIAL_STEPS = 15, 4
 """Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and the number
@@ -120,6 +123,8 @@ class March:
     ----------
     rates : dict
         Time [s] -> `RateOfChange` there; without times to which no films lead.
+    rigid_films : dict
+        The same times -> rigid film there [m].
     moments : tuple of Moment
         Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve.
     newton_steps : int
@@ -129,6 +134,7 @@ class March:
     """
 
     rates: dict[float, RateOfChange]
+    rigid_films: dict[float, float]
     moments: tuple[Moment, ...]
     newton_steps: int
     lost: str | None = None
@@ -170,7 +176,7 @@ def march(
         found = _through(course, asked, wanted)
     except LostError:
         found = None
-    if found is not None and len(found.rates) == len(wanted):
+    if found is not None and (len(found.rates) == len(wanted) or _long_after(course, found)):
         return found
     try:
         again = _through(course, later, wanted)
@@ -181,17 +187,23 @@ def march(
     return again if found is None or len(again.rates) > len(found.rates) else found
 
 
+def _long_after(course: Course, found: March) -> bool:
+    """Whether films were found for so long after the first touch that another beginning changes nothing."""
+    begun, ended = (course.transits(at) for at in (course.life.touched, found.moments[-1].seconds))
+    return ended - begun > FORGOTTEN
+
+
 def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> March:
     """The films of some steps, of which those of the finest grid are kept; as of `march`."""
     refinement = asked[-1].refinement
     finest = [step.seconds for step in asked if step.refinement == refinement]
     framed = set(finest[:: 2**refinement])
     steps, level, before, taken_of_all = _begun(course, asked, min(wanted))
-    needed = {seconds for at in wanted for seconds in _nearest(finest, at)}
-    kept: dict[float, Instant] = {}
+    turns = _turns([step.seconds for step in steps if step.refinement == refinement], wanted)
+    rates: dict[float, RateOfChange] = {}
+    rigid_films: dict[float, float] = {}
     heat: list[HeatedInstant] = []
     moments, lost, held = [], None, True
-    last: deque[Instant] = deque(maxlen=2 * AROUND)
     on = steps[0].refinement
     for step in steps:
         if step.refinement > on:
@@ -205,27 +217,39 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
                     held = False
                     level, taken = _onward(course, step, before, heat, held)
                     taken_of_all += taken
+            now = instant_of(level, step.seconds)
+            heat = [*_heated(level, step.seconds), *heat]
+            before = [now, *before[: BEFORE - 1]]
+            if on < refinement:
+                continue
+            moments.append(moment(level, step.seconds, refinement, step.seconds in framed))
+            for at in turns.get(step.seconds, ()):
+                then, taken = level, 0
+                if at > step.seconds:
+                    then, taken = _onward(course, Step(at, refinement), before, heat, held)
+                taken_of_all += taken
+                rates[at], rigid_films[at] = _rate_of(course, then, at), then.film.rigid_film
         except LostError as error:
             lost = str(error)
             break
-        now = instant_of(level, step.seconds)
-        heat = [*_heated(level, step.seconds), *heat]
-        before = [now, *before[: ORDER - 1]]
-        if on == refinement:
-            moments.append(moment(level, step.seconds, refinement, step.seconds in framed))
-            last.append(now)
-        if step.seconds in needed:
-            kept[step.seconds] = now
     if not moments:
         raise LostError(lost)
-    kept |= {one.seconds: one for one in last}
-    found = [one.seconds for one in moments]
-    rates = {
-        at: _rate_at(course, refinement, at, [kept[one] for one in _nearest(found, at)])
-        for at in wanted
-        if at <= found[-1]
-    }
-    return March(rates, tuple(moments), taken_of_all, lost)
+    return March(rates, rigid_films, tuple(moments), taken_of_all, lost)
+
+
+def _turns(instants: Sequence[float], wanted: Sequence[float]) -> dict[float, list[float]]:
+    """Wanted times by the instant from which a step of their own leads to them; none before the first.
+
+    It is half a step long at least, if it can be: shorter ones make much of what Newton's iteration left.
+    """
+    turns: dict[float, list[float]] = {}
+    halfway = [(one + other) / 2 for one, other in pairwise(instants)]
+    for at in wanted:
+        if at < instants[0]:
+            continue
+        number = max(int(np.searchsorted(halfway, at, side="right")) - 1, 0)
+        turns.setdefault(instants[number], []).append(at)
+    return turns
 
 
 def _require_memory(course: Course, refinement: int) -> None:
@@ -233,14 +257,6 @@ def _require_memory(course: Course, refinement: int) -> None:
     short = shortage(course.grid(course.begin, refinement), course.plan.model)
     if short is not None:
         raise LostError(short)
-
-
-def _nearest(instants: Sequence[float], at: float) -> list[float]:
-    """The instants around a time, as many to either side where there are."""
-    count = 2 * AROUND
-    first = int(np.searchsorted(instants, at)) - AROUND
-    first = min(max(first, 0), max(len(instants) - count, 0))
-    return list(instants[first : first + count])
 
 
 def _begun(
@@ -255,7 +271,7 @@ def _begun(
         return steps[1:], None, [_at_rest(course, steps[0])], 0
     for number, step in enumerate(steps):
         try:
-            level, taken = _steady(course, step)
+            level, taken = steady_level(course, step)
         except LostError:
             if step.seconds >= wanted:
                 raise
@@ -267,17 +283,17 @@ def _begun(
 def _at_rest(course: Course, step: Step) -> Instant:
     """The oil that fills the gap between surfaces that are apart, hardly under pressure: its density is 1."""
     seconds = step.seconds
-    contact, grid = _contact_at(course, seconds), course.grid(seconds, step.refinement)
+    contact, grid = contact_at(course, seconds), course.grid(seconds, step.refinement)
     gap, _ = contact.gap(*grid.mesh())
     film = contact.separation + gap
     pressure = np.full(film.shape, TRACE)
     return Instant(seconds, film, InitialGuess(pressure, contact.separation, None, pressure))
 
 
-def _steady(course: Course, step: Step) -> tuple[Level, int]:
+def steady_level(course: Course, step: Step) -> tuple[Level, int]:
     """The steady film at a time on the moving grid, and its Newton steps there."""
     seconds = step.seconds
-    contact = _contact_at(course, seconds)
+    contact = contact_at(course, seconds)
     grid = course.grid(seconds, step.refinement)
     with _told(seconds):
         level = _beside(contact, course, grid, SOLVERS[type(contact)](contact, course.plan))
@@ -297,12 +313,11 @@ def _onward(
     Where a separation is given but its surfaces are no longer held there the load is given in its place.
     """
     seconds = step.seconds
-    contact, mesh = _contact_at(course, seconds), course.mesh(seconds)
-    unsettled = UNSETTLED if seconds < course.life.touched else LOST
+    contact, mesh = contact_at(course, seconds), course.mesh(seconds)
     if not held:
         contact = replace(contact, separation=None)
     grid = course.grid(seconds, step.refinement)
-    _, (implicit, *earlier) = weights([seconds, *(one.seconds for one in before)], seconds)
+    implicit, *earlier = backward_weights([seconds, *(one.seconds for one in before)])
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
     rise = None
     if heat:
@@ -320,13 +335,13 @@ def _onward(
         taken = 1 + len(lead(level, *tolerances, most=TRIAL_STEPS - 1))
         if level.film.balance.residual <= SENSELESS:
             taken += len(lead(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
-        if contact.separation is None and not level.film.balance.within(LOST, unsettled):
+        if contact.separation is None and not level.film.balance.within(LOST, UNSETTLED):
             level = _beside(contact, course, grid, solver)
             taken += len(lead(level, *tolerances))
-    return _sound(level, seconds, unsettled), taken
+    return _sound(level, seconds), taken
 
 
-def _contact_at(course: Course, seconds: float) -> Scene | LineScene:
+def contact_at(course: Course, seconds: float) -> Scene | LineScene:
     """The contact at a time with the effects of the plan, and no past."""
     return course.plan.simplified(replace(course.life.at(seconds), past=None))
 
@@ -345,9 +360,9 @@ def _beside(
     return solver.on_grid(grid, _moved(level, grid))
 
 
-def _sound(level: Level, seconds: float, unsettled: float = LOST) -> Level:
+def _sound(level: Level, seconds: float) -> Level:
     """The level, if its film is found, its temperatures up to a share of the largest rise."""
-    if not level.film.balance.within(LOST, unsettled):
+    if not level.film.balance.within(LOST, UNSETTLED):
         raise LostError(_failed(seconds))
     return level
 
@@ -379,20 +394,18 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
     return InitialGuess(pressure, state.rigid_film, rise, oil)
 
 
-def _rate_at(course: Course, refinement: int, at: float, near: Sequence[Instant]) -> RateOfChange:
-    """Rate of change at a time, by interpolation between some instants; equation 1 of `moving_grid`."""
-    grid, mesh = course.grid(at, refinement), course.mesh(at)
-    of_value, of_rate = weights([one.seconds for one in near], at)
-    content = sum(weight * one.content for weight, one in zip(of_value, near, strict=True))
-    at_node = sum(weight * one.content for weight, one in zip(of_rate, near, strict=True))
+def _rate_of(course: Course, level: Level, seconds: float) -> RateOfChange:
+    """Rate of change of the film of a time; equation 1 of `moving_grid`."""
+    now, grid, mesh = instant_of(level, seconds), level.grid, course.mesh(seconds)
+    if level.transient_term is None:  # a life that begins at that time, with a steady film
+        return RateOfChange(grid, np.zeros_like(now.content))
+    implicit, explicit = level.transient_term.on(grid)
+    at_node = (implicit - mesh.divergence) * now.content + explicit
     carried = sum(
         component * slope
-        for component, slope in zip(mesh(*grid.mesh()), slopes(grid, content), strict=True)
+        for component, slope in zip(mesh(*grid.mesh()), slopes(grid, now.content), strict=True)
     )
-    rise = None
-    if all(one.rise is not None for one in near):
-        rise = sum(weight * one.rise for weight, one in zip(of_value, near, strict=True))
-    return RateOfChange(grid, at_node - carried, rise)
+    return RateOfChange(grid, at_node - carried, now.rise)
 
 
 def _heated(level: Level, seconds: float) -> list[HeatedInstant]:

@@ -9,10 +9,6 @@ COARSE, COARSE_FROM = 1.0, 2
 halvings from which on they are: what the first solve is off would leave 0.5 % in a film a transit later, what
 the second is off leaves 0.13 % where two solves leave 12."""
 
-AROUND = 3
-"""Instants to either side of a wanted time near which films are interpolated in time. What Newton's iteration
-left in each of them would be noise in a rate of change from the nearest four."""
-
 
 @dataclass(frozen=True)
 class Step:
@@ -31,7 +27,17 @@ class Step:
 
 
 def steps_of(course: Course, refinement: int, begin: float, last: float) -> list[Step]:
-    """Steps of the march, up to `AROUND` after the last time that is wanted.
+    """Steps of the march, up to the first after the last time that is wanted."""
+    return [
+        Step(course.instant(place), on)
+        for on, place in places_of(course, refinement, begin, course.transits(last))
+    ]
+
+
+def places_of(
+    course: Course, refinement: int, begin: float, last: float
+) -> list[tuple[int, float]]:
+    """The same as refinements and places, up to a place [transits].
 
     What a steady film is off where the life has begun before is forgotten on the grid before, at an eighth of
     the cost.
@@ -39,17 +45,19 @@ def steps_of(course: Course, refinement: int, begin: float, last: float) -> list
     if refinement < COARSE_FROM or begin == 0:
         return _on_one_grid(course, refinement, begin, last)
     fine = begin + COARSE
-    before = _on_one_grid(course, refinement - 1, begin, course.instant(fine))
+    before = _on_one_grid(course, refinement - 1, begin, fine)
     count = round(COARSE / course.step(refinement - 1))
     return before[:count] + _on_one_grid(course, refinement, fine, last)
 
 
-def _on_one_grid(course: Course, refinement: int, begin: float, last: float) -> list[Step]:
+def _on_one_grid(
+    course: Course, refinement: int, begin: float, last: float
+) -> list[tuple[int, float]]:
     """The same from a place on, on one grid."""
     step = course.step(refinement)
     whole = course.transits(course.end)
-    count = int((course.transits(last) - begin) / step) + 1 + AROUND
+    count = int((last - begin) / step) + 1
     places = [begin + step * number for number in range(count + 1)]
-    instants = [course.instant(place) for place in places if place < whole - step / 2]
-    instants += [course.end] * (places[-1] >= whole - step / 2)
-    return [Step(seconds, refinement) for seconds in instants]
+    kept = [place for place in places if place < whole - step / 2]
+    kept += [whole] * (places[-1] >= whole - step / 2)
+    return [(refinement, place) for place in kept]

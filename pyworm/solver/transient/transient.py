@@ -22,7 +22,7 @@ from pyworm.planning.target import FILMS
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.error_estimate import Reading, change
+from pyworm.solver.error_estimate import Reading, change, largest_of_films
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import ALGEBRA_FRACTION, settle
@@ -68,25 +68,36 @@ class Least:
     share : float
         Share of what the films in motion differ from steady ones.
     most : float
-        The largest that counts.
+        The largest that counts, of films that are not far from steady ones.
     """
 
     share: float
     most: float
 
-    def of(self, difference: float) -> float:
-        """The least error for a difference from steady films."""
-        return min(self.share * difference, self.most)
+    def of(self, difference: float, far: bool = False) -> float:
+        """The least error for a difference from steady films, which may be far from these."""
+        least = self.share * difference
+        return max(least if far else min(least, self.most), SMALLEST)
 
+
+SMALLEST = 5e-4
+"""Smallest error by transient solves: where motion hardly changes a film, a steady beginning two or more
+transits ago and Newton's iteration leave up to 0.04 %."""
+
+FAR = 0.5
+"""Difference from steady films, over those in motion, from which on a first solve errs by a share of it,
+without bound; so it does after a reversal (`_turned_round`)."""
 
 LEAST: dict[Kind, tuple[Least, ...]] = {
-    "point": (Least(0.4, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
-    "line": (Least(0.7, 0.08), Least(0.08, 0.005), Least(0.02, 0.003)),
+    "point": (Least(0.6, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
+    "line": (Least(0.7, 0.06), Least(0.08, 0.005), Least(0.02, 0.003)),
 }
-"""After one transient solve, two and three (`benchmarks/accuracy/motion_error.py`).
+"""After one transient solve, two and three, against a finer one.
 
-At the thirteen phases of `cases/zi_drive.toml` the first leaves up to 5.3 %, at twelve of them at most 0.4 of
-the difference, and the second up to 1.4 %."""
+After one: chosen on random pasts of balls and rollers (`benchmarks/accuracy/random_pasts.py`, seeds 1 to 3),
+of which 41 of 42 bars of points and 76 of 76 of lines hold. Of seeds 4 to 6, which the choice had not seen,
+38 of 42 and 78 of 78 hold. The bound is that of the thirteen phases of `cases/zi_drive.toml`, whose films are
+up to 6 % off."""
 
 
 @dataclass(frozen=True)
@@ -281,14 +292,14 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
         settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
         readings.append(settled.reading)
-    share = 1.0 if _turned_round(scene, rates.moments) else LEFT[plan.work.kind]
-    errors = _errors(readings, plan.work.kind, share)
+    turned = _turned_round(scene, rates.moments)
+    errors = _errors(readings, plan.work.kind, turned)
     left = plan.aim.worst(errors, readings[-1].figures)
     flaw = None
     if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
         flaw = f"the transient solve through the contact's life leaves an error of {left:.1%}"
     coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
-    life = _life(scene, plan, rates, readings, share)
+    life = _life(scene, plan, rates, readings, turned)
     return Transient(rates.found[-1], level, errors, flaw, coarse, life)
 
 
@@ -306,7 +317,11 @@ def _turned_round(scene: Scene | LineScene, solves: Sequence[Sequence[Moment]]) 
 
 
 def _life(
-    scene: Scene | LineScene, plan: Plan, rates: Rates, readings: Sequence[Reading], share: float
+    scene: Scene | LineScene,
+    plan: Plan,
+    rates: Rates,
+    readings: Sequence[Reading],
+    turned: bool,
 ) -> PlainDataset | None:
     """The film up to now; None where the solves found no instant since the scene before.
 
@@ -317,30 +332,37 @@ def _life(
     kind = plan.work.kind
     inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
     shared = readings[: len(rates.moments) + 1]
-    least, present = _least(shared, kind), readings[-1].figures
+    share, least = _share(kind, turned), _least(shared, kind, turned)
+    present = readings[-1].figures
     at = scene.past.seconds
     return curves(rates.moments, rates.since, kind, share, least, at, present, inlet)
 
 
-def _errors(readings: Sequence[Reading], kind: Kind, share: float) -> dict[str, float]:
+def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:
     """Relative errors of the figures by the rates, from readings of the steady film and with each rate.
 
-    `share` is that of the last change of two (`LEFT`).
+    `turned` tells whether the entrainment has turned round.
     """
     _, *moving = readings
-    least = _least(readings, kind)
+    least = _least(readings, kind, turned)
     if len(moving) == 1:
         return dict.fromkeys(moving[-1].figures, least)
-    left = _left(moving, share)
+    left = _left(moving, _share(kind, turned))
     films = max(left[name] for name in FILMS)
     return {name: max(of, films, least) for name, of in left.items()}
 
 
-def _least(readings: Sequence[Reading], kind: Kind) -> float:
+def _share(kind: Kind, turned: bool) -> float:
+    """Error by the last rate over the last change (`LEFT`)."""
+    return 1.0 if turned else LEFT[kind]
+
+
+def _least(readings: Sequence[Reading], kind: Kind, turned: bool) -> float:
     """Least relative error of the figures, from the same readings."""
     steady, *moving = readings
-    squeezed = change(steady, moving[-1])
-    return LEAST[kind][len(moving) - 1].of(max(squeezed[name] for name in FILMS))
+    difference = largest_of_films(change(steady, moving[-1]))
+    far = len(moving) == 1 and (turned or difference > FAR)
+    return LEAST[kind][len(moving) - 1].of(difference, far)
 
 
 def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:

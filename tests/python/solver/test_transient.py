@@ -6,6 +6,7 @@ from math import cos, sin
 
 import numpy as np
 import pytest
+from line import OILS, line
 from plan_scenes import STEEL, mineral, point
 
 import pyworm
@@ -13,11 +14,15 @@ from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past, unturned
+from pyworm.scene.scales import line_scales
 from pyworm.solver.transient import march as march_module
 from pyworm.solver.transient import time_steps
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.course import FOLDS, course_of
-from pyworm.solver.transient.differences import weights
+from pyworm.solver.transient.differences import backward_weights, weights
+from pyworm.solver.transient.march import March, RateOfChange
+from pyworm.solver.transient.moments import Moment
+from pyworm.solver.transient.transient import Rates
 
 TRANSITS = 5.0
 """Age of the contacts, in transits of the oil through them."""
@@ -108,6 +113,55 @@ def test_rates_of_change_are_exact_for_polynomials():
             of_value, of_rate = weights([-time for time in used], -used[0])
             assert of_rate @ values == pytest.approx(slope, abs=1e-12)
             assert of_value @ values == pytest.approx(values[0], abs=1e-12)
+
+
+def test_backward_differences_are_exact_for_parabolas():
+    times = [-0.1, -0.35, -0.9, -1.6]
+    for count in (2, 3, 4):
+        for power in range(min(count, 3)):
+            values = [time**power for time in times[:count]]
+            slope = power * times[0] ** (power - 1) if power else 0.0
+            assert backward_weights(times[:count]) @ values == pytest.approx(slope, abs=1e-12)
+
+
+def test_backward_differences_let_no_wave_grow():
+    """Oil carries waves, u h_x = -h_t: they grow along its way where the real part of h_t / h is negative."""
+    angles = np.linspace(0.01, np.pi, 300)  # of one time step
+    waves = np.exp(-1j * np.outer(np.arange(4), angles))
+    assert (backward_weights([0.0, -1.0, -2.0, -3.0]) @ waves).real.min() > -1e-12
+    assert (weights([0.0, -1.0, -2.0, -3.0], 0.0)[1] @ waves).real.min() < -0.08
+
+
+def test_steps_to_wanted_times_are_half_to_one_and_a_half_steps_long():
+    wanted = [-1.0, 0.0, 0.2, 1.4, 1.5, 2.6]
+    turns = march_module._turns([0.0, 1.0, 2.0, 3.0], wanted)
+    assert turns == {0.0: [0.0, 0.2, 1.4], 1.0: [1.5], 2.0: [2.6]}
+
+
+def test_thin_films_under_high_pressure_stay_free_of_waves():
+    """Under a blow the least film falls by an eighth; waves of six time steps once halved it."""
+    steady = line(200.0, 10.0, OILS["incompressible"])
+    transit = 2 * line_scales(steady).hertz.half_width / steady.entrainment
+
+    def contact_at(seconds):
+        blow = np.sin(np.pi * seconds / transit) ** 2 if transit < seconds < 2 * transit else 0.0
+        return replace(steady, load=steady.load * (1 + 0.3 * blow))
+
+    life = Life(3 * transit, contact_at, kinks=(transit, 2 * transit))
+    present = replace(contact_at(2.5 * transit), past=Past(life, 2.5 * transit))
+    plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
+    films_of_time = [
+        np.array([one.figures["film_min"] for one in found.moments])
+        for found in (
+            march_module.march(
+                course_of(life, plan), refinement, 0.0, [2.5 * transit], 2.9 * transit
+            )
+            for refinement in (0, 1)
+        )
+    ]
+    least, finer = (of.min() / of[0] for of in films_of_time)
+    assert least == pytest.approx(finer, rel=0.02)
+    assert 0.8 < finer < 0.95
 
 
 @pytest.mark.parametrize(
@@ -300,6 +354,53 @@ def test_as_the_load_of_a_tooth_pair_falls_by_two_e_folds_a_time_step_s_share_of
     assert falling(0.01) == pytest.approx(8.0, rel=0.05)
 
 
+@pytest.mark.parametrize(("ago", "share"), [(1.0, 1.0), (3.0, transient_module.LEFT["point"])])
+def test_after_a_reversal_the_whole_last_change_is_the_error(ago, share):
+    """Some lengths of a ball's contact ago, oil carries a dip as narrow as the grid; it leaves after two."""
+    transit = predicted(ball()).transit
+    scene = lived(lambda back: ball())
+    plan = pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",))
+    grid = plan.grids[-1]
+    backs = np.arange(4 * TRANSITS, -1, -1) * transit / 4
+    moments = tuple(
+        Moment(
+            TRANSITS * transit - back, None, scene.load, (1.0 - 2 * (back > ago * transit), 0.0), {}
+        )
+        for back in backs
+    )
+    film = predicted(scene).film_central
+    rates = tuple(
+        RateOfChange(grid, np.full(grid.shape, part * film / transit)) for part in (0.02, 0.04)
+    )
+    one, two = (
+        transient_module.transient(scene, plan, Rates(rates[:count], (moments,) * count))
+        for count in (1, 2)
+    )
+    before, after = (of.level.read().figures for of in (one, two))
+    changed = max(abs(before[name] / after[name] - 1) for name in ("film_min", "film_central"))
+    assert changed > 0.01
+    assert two.errors["film_min"] == pytest.approx(share * changed)
+
+
+@pytest.mark.parametrize(("after", "solves"), [(1.0, 2), (3.0, 1)])
+def test_a_life_begins_later_only_where_films_are_lost_soon_after_the_first_touch(
+    monkeypatch, after, solves
+):
+    transit = predicted(as_line(ball())).transit
+    life = Life(8 * transit, lambda at: as_line(ball()), touched=transit)
+    course = course_of(life, pyworm.plan(as_line(ball()), 0.05, "isothermal", ("film",)))
+    last = course.instant(course.transits(life.touched) + after)
+    asked = []
+
+    def lost(course, steps, wanted):
+        asked.append(steps)
+        return March({}, {}, (Moment(last, None, 1.0, (1.0,), {}),), 1, lost="no film")
+
+    monkeypatch.setattr(march_module, "_through", lost)
+    assert march_module.march(course, 0, 0.0, [life.duration]).lost == "no film"
+    assert len(asked) == solves
+
+
 def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():
     """Sugimura, Okumura, Yamamoto and Spikes (1999, Tribology International 32, 117-123).
 
@@ -337,3 +438,23 @@ def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():
         film = one.figures["film_central"]
         assert 0 < 1 - film / carried < 0.06
         assert 1 - film / carried < 0.4 * (1 - film / present)
+
+
+def test_the_grid_of_a_line_reaches_beyond_its_contact_under_a_blow():
+    """The load doubles and falls back within a transit, faster than the grid's spacing follows."""
+    steady = line(50.0, 5.0, OILS["compressible"])
+    half_width = line_scales(steady).hertz.half_width
+    transit = 2 * half_width / steady.entrainment
+
+    def contact_at(seconds):
+        blow = np.sin(np.pi * seconds / transit) ** 2 if transit < seconds < 2 * transit else 0.0
+        return replace(steady, load=steady.load * (1 + blow))
+
+    life = Life(3 * transit, contact_at, kinks=(transit, 2 * transit))
+    present = replace(contact_at(1.75 * transit), past=Past(life, 1.75 * transit))
+    course = course_of(life, pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",)))
+    ends = np.abs(course.grid(1.5 * transit, 0).x[[0, -1]])
+    assert min(ends) > 1.05 * 2**0.5 * half_width
+    under_the_blow = films(solved(present, "isothermal,squeeze"))["film_central"]
+    # oil that came in as the edge went to meet it has reached the middle: it is thicker than before
+    assert under_the_blow > 1.05 * films(solved(steady))["film_central"]

@@ -1,0 +1,117 @@
+"""Expected work of the transient solves of a life: its time steps are those of its course, counted."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+from pyworm.planning.effects.squeeze import SQUEEZE
+from pyworm.planning.expected_work import solves_of_life
+from pyworm.planning.plan import Plan
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.solver.transient.course import Course, course_of
+from pyworm.solver.transient.time_steps import places_of
+from pyworm.solver.transient.transient import (
+    MOST_SOLVES,
+    Part,
+    begin_of_one,
+    part_at,
+    recent,
+)
+
+FURTHER = 0.1
+"""Chance that a contact has one more transient solve than its accuracy asks for: two of 31 had."""
+
+
+@dataclass(frozen=True)
+class TimeSteps:
+    """Time steps on one grid.
+
+    Attributes
+    ----------
+    nodes : int
+        Number of nodes of the grid.
+    coarse : int
+        Number of those of the first transient solve, on which the heat that surfaces remember is found.
+    count : int
+        Number of time steps.
+    """
+
+    nodes: int
+    coarse: int
+    count: int
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Expected transient solves of the life of one contact.
+
+    Attributes
+    ----------
+    own : tuple of TimeSteps
+        Time steps up to its own time.
+    further : tuple of TimeSteps
+        Those of one more solve, for it alone; empty where there is none to be had.
+    shared : tuple of TimeSteps
+        Those of the whole part of its life, which serve contacts of other times as well.
+    part : Part or None
+        That part; None where the contact shares it with none.
+    """
+
+    own: tuple[TimeSteps, ...]
+    further: tuple[TimeSteps, ...]
+    shared: tuple[TimeSteps, ...]
+    part: Part | None
+
+
+def motion(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -> Motion | None:
+    """Expected transient solves of a contact; None of a steady film and where none can begin.
+
+    Parameters
+    ----------
+    scene, plan : Scene or LineScene, Plan
+        The contact and its plan.
+    course : Course, optional
+        The course of its whole life, if that is known: finding it costs as much as several plans.
+    """
+    if SQUEEZE.name not in plan.on:
+        return None
+    past = recent(scene)
+    lone = past is not scene.past
+    if course is None or lone:
+        course = course_if_any(scene, plan)
+    if course is None:
+        return None
+    try:
+        part, begin = part_at(course, past.seconds), begin_of_one(course, past.seconds)
+    except ValueError:  # no load at present
+        return None
+    solves, place = solves_of_life(plan.accuracy), course.transits(past.seconds)
+    last = min(part.last, course.transits(course.end))
+    return Motion(
+        _time_steps(course, range(solves), part.begin, place),
+        _time_steps(course, range(solves, min(solves + 1, MOST_SOLVES)), begin, place),
+        _time_steps(course, range(solves), part.begin, last),
+        None if lone else part,
+    )
+
+
+def course_if_any(scene: Scene | LineScene, plan: Plan) -> Course | None:
+    """The course of the life of a contact that is solved; None where it carries no load in motion."""
+    try:
+        return course_of(recent(scene).life, plan)
+    except ValueError:  # the reason that the solve will give
+        return None
+
+
+def _time_steps(
+    course: Course, refinements: range, begin: float, last: float
+) -> tuple[TimeSteps, ...]:
+    """Time steps of several transient solves between two places of a life [transits], by their grids."""
+    counts = Counter(
+        on for refinement in refinements for on, _ in places_of(course, refinement, begin, last)
+    )
+    coarse = course.grid(course.begin, 0).nodes
+    return tuple(
+        TimeSteps(course.grid(course.begin, on).nodes, coarse, count)
+        for on, count in counts.items()
+    )

@@ -1,0 +1,55 @@
+"""How much farther films in motion hold bodies apart than dry ones, from the first transient solve of a life.
+
+The lift is the rigid film plus the approach of the dry contact on the same grid. Pressure far in front of a
+contact, beyond the window of a life, pushes bodies apart by a tenth of the lift; what motion changes in a
+lift is told well by the difference from a steady film in the same window.
+"""
+
+from collections.abc import Sequence
+
+from pyworm.scene.scales import scales
+from pyworm.solver.point.level import dry_contact
+from pyworm.solver.transient.course import Course
+from pyworm.solver.transient.march import LostError, contact_at, march, steady_level
+from pyworm.solver.transient.time_steps import Step
+
+
+def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[float, float]:
+    """Lifts by the films in motion of a life of point contacts.
+
+    Parameters
+    ----------
+    course : Course
+        The life.
+    begin : float
+        Where its transient solve begins, with a steady film [transits].
+    wanted : sequence of float
+        Times at which the lift is wanted [s].
+
+    Returns
+    -------
+    dict
+        Time [s] -> lift [m]; without times to which no films lead.
+    """
+    try:
+        found = march(course, 0, begin, wanted).rigid_films
+    except LostError:
+        return {}
+    return {seconds: rigid + _approach(course, seconds) for seconds, rigid in found.items()}
+
+
+def steady_lift(course: Course, seconds: float) -> float | None:
+    """Lift by the steady film of a point contact at a time [s], in the window of its life [m], if any."""
+    try:
+        level, _ = steady_level(course, Step(seconds, 0))
+    except LostError:
+        return None
+    return level.film.rigid_film + _approach(course, seconds)
+
+
+def _approach(course: Course, seconds: float) -> float:
+    """Approach of the dry bodies at a time, on the first moving grid [m]."""
+    contact, grid = contact_at(course, seconds), course.grid(seconds, 0)
+    x, y = grid.mesh()
+    guess = scales(contact).hertz.pressure(x, y)
+    return dry_contact(contact, grid, *contact.gap(x, y), guess).approach

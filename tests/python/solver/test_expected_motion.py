@@ -1,0 +1,73 @@
+"""Expected work of transient solves."""
+
+from itertools import pairwise
+
+import pytest
+
+import pyworm
+from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
+from pyworm.solver.cost.expected_motion import course_if_any, motion
+from pyworm.solver.cost.expected_time import Expectation, together
+from pyworm.solver.transient.march import march
+from pyworm.solver.transient.transient import Part, begin_of_one, part_at
+
+LINE, POINT = ("cases/spur_pair.toml", 0.35), ("cases/zi_drive.toml", 0.5)
+
+
+def moving(case, accuracy, effects="isothermal,squeeze"):
+    """A contact of a case, its plan and the course of its life."""
+    path, phase = case
+    scene = pyworm.load(path).scene(phase=phase)
+    plan = pyworm.plan(scene, accuracy, effects, ("film",))
+    return scene, plan, course_if_any(scene, plan)
+
+
+def test_the_time_steps_counted_are_those_that_a_solve_takes(monkeypatch):
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 6)
+    scene, plan, course = moving(LINE, 0.5)
+    at = scene.past.seconds
+    part = part_at(course, at)
+    (own,) = motion(scene, plan, course).own
+    solved = march(course, 0, part.begin, [at])
+    assert own.count == len(solved.moments)
+    assert own.nodes == own.coarse == course.grid(at, 0).nodes
+    (shared,) = motion(scene, plan, course).shared
+    assert shared.count == len(
+        march(course, 0, part.begin, [at], course.instant(part.last)).moments
+    )
+
+
+@pytest.mark.parametrize("accuracy", [0.5, 0.05, 0.02])
+def test_each_solve_of_a_life_has_twice_the_time_steps_and_four_times_the_nodes(accuracy):
+    own = motion(*moving(POINT, accuracy)).own
+    assert len(own) == solves_of_life(accuracy)
+    for coarse, fine in pairwise(own):
+        assert fine.count == pytest.approx(2 * coarse.count, rel=0.1)
+        assert fine.nodes == pytest.approx(4 * coarse.nodes, rel=0.1)
+
+
+def test_a_further_solve_begins_on_the_grid_before():
+    scene, plan, course = moving(POINT, 0.05)
+    before, last = motion(scene, plan, course).further
+    assert before.nodes == motion(scene, plan, course).own[-1].nodes < last.nodes
+    passed = course.transits(scene.past.seconds) - begin_of_one(course, scene.past.seconds)
+    assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
+    assert motion(*moving(POINT, 0.02)).further == ()
+
+
+def test_a_steady_film_has_none():
+    scene, plan, _ = moving(POINT, 0.05, "isothermal")
+    assert motion(scene, plan) is None
+
+
+def test_contacts_of_one_part_of_a_life_pay_for_it_once():
+    first, second = Part(0.0, 0.0, 5.0), Part(3.0, 5.0, 9.0)
+    of = [
+        Expectation(1.0 + past, 1.0, past, 7.0, part) for past, part in ((4.0, first), (6.0, first))
+    ]
+    assert together(of, ["life"] * 2) == 2 * 1.0 + 7.0
+    assert together(of, ["one", "another"]) == 2 * 1.0 + 4.0 + 6.0
+    of.append(Expectation(3.0, 1.0, 2.0, 5.0, second))
+    assert together(of, ["life"] * 3) == 3 * 1.0 + 7.0 + 5.0
+    lone = [Expectation(1.0 + 4.0, 1.0, 4.0, 7.0, None)] * 2
+    assert together(lone, ["life"] * 2) == 2 * (1.0 + 4.0)

@@ -1,0 +1,33 @@
+"""Lifts of films in motion."""
+
+import pytest
+from test_transient import ball, lived
+
+import pyworm
+from pyworm.planning.prediction import predicted
+from pyworm.solver.transient.course import course_of
+from pyworm.solver.transient.lifts import moving_lifts, steady_lift
+from pyworm.solver.transient.transient import part_at
+
+
+def both_lifts(contact):
+    """Lift by the film in motion at present, and by a steady one."""
+    plan = pyworm.plan(contact, 0.1, "isothermal,squeeze", ("film",))
+    course, now = course_of(contact.past.life, plan), contact.past.seconds
+    moving = moving_lifts(course, part_at(course, now).begin, [now])
+    return moving[now], steady_lift(course, now)
+
+
+def test_a_contact_without_change_is_lifted_like_a_steady_one():
+    moving, steady = both_lifts(lived(lambda back: ball()))
+    assert moving == pytest.approx(steady, rel=1e-3)
+    solution = pyworm.solve(ball(), pyworm.plan(ball(), 0.1, "isothermal", ("film",)))
+    assert steady == pytest.approx(solution.figures.lift, rel=0.1)
+
+
+def test_oil_of_a_lower_speed_lifts_less():
+    """The film, and the lift with it, is that of the speed half a passage ago."""
+    transit = predicted(ball()).transit
+    moving, steady = both_lifts(lived(lambda back: ball(1 - 0.1 * back / transit)))
+    then = both_lifts(lived(lambda back: ball(0.95)))[1]
+    assert then < moving < steady
