@@ -5,8 +5,9 @@ each other, the temperatures of its oil and bodies from the loss between the tee
 films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `STRIDE`-th phase and steady films, lifts at an accuracy of `GLANCE`, in one
-window and with steady films first: all that is solved last is solved in full.
+temperatures are found with every `STRIDE`-th phase and steady films, lifts by steady films at an accuracy of
+`GLANCE` in one window, and what motion changes in them by first transient solves (`lifts_in_motion`): all
+that is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,6 +21,7 @@ import numpy as np
 
 from pyworm.batch.case_run import RESULT_NAME, run
 from pyworm.batch.films_in_motion import in_motion
+from pyworm.batch.lifts_in_motion import lifts_of
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
@@ -45,11 +47,15 @@ interpolated between phases is off by 8 % where the number of teeth in contact c
 GLANCES = 2
 """Most passes at that accuracy."""
 
-GLANCE_LEAVES = 0.25
-"""Share of a change of loads that the pass which made it leaves to the next."""
+MOST_MARCHES = 3
+"""Most transient solves of the life for its lifts."""
 
-LOAD_SHARE = 0.25
-"""Change of the loads that asks for another pass, as a share of the accuracy."""
+GLANCE_LEAVES, MARCH_LEAVES = 0.25, 0.05
+"""Shares of a change of loads that a pass which made it, and a transient solve, leave to the next."""
+
+LOAD_SHARE = 0.5
+"""Change of the loads that asks for another pass, as a share of the accuracy: pressures follow them with a
+power of a third, films with less, and the loss of the cycle hardly, since the torque is given."""
 
 WARMTH = 0.5
 """Change of the sump's temperature that does [K]."""
@@ -106,19 +112,47 @@ class _Search:
     def glance(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with the values found by films of lower accuracy."""
         less = {"accuracy": GLANCE, "wider_window": False}
-        moving = [replace(task, case=case, **less) for task in tasks]
-        # steady films lead from no lifts to the first ones as well, at a fraction of the cost
-        first = [steady(task) for task in moving] if any(map(in_motion, moving)) else moving
-        for some in (first, *[moving] * (GLANCES - 1)):
+        given = [replace(task, case=case, **less) for task in tasks]
+        moving = [task for task in given if in_motion(task)]
+        some = [steady(task) for task in given] if moving else given
+        for _ in range(1 if moving else GLANCES):
             again = [replace(task, case=case) for task in some]
             before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
-            if case is before:
+            if case is before or self._is_close(
+                before, case, drive_cycle(result).phases, GLANCE_LEAVES
+            ):
                 break
-            moved = load_change(before, case, drive_cycle(result).phases)
-            if some is moving and GLANCE_LEAVES * moved <= LOAD_SHARE * self.accuracy:
+        cycle = drive_cycle(result)
+        if cycle is None or not cycle.lifts:
+            return case
+        return self._with_motion(before, case, moving, dict(cycle.lifts), how["executor"])
+
+    def _with_motion(
+        self,
+        dry: Case,
+        case: Case,
+        moving: Sequence[Task],
+        lifts: dict[float, float],
+        executor: Executor | None,
+    ) -> Case:
+        """The case with lifts by films in motion, from those by steady films under the loads of another."""
+        if not moving:
+            return case
+        beside = lifts_of([replace(task, case=dry) for task in moving], False, executor)
+        for _ in range(MOST_MARCHES):
+            then = lifts_of([replace(task, case=case) for task in moving], True, executor)
+            by_motion = {phase: then[phase] - beside[phase] for phase in then.keys() & beside}
+            found = tuple((phase, of + by_motion.get(phase, 0.0)) for phase, of in lifts.items())
+            before, case = case, case.with_found({"operation": {"lifts": found}})
+            if self._is_close(before, case, list(lifts), MARCH_LEAVES):
                 break
+        self.say(f"films in motion: {_told_lifts(found)}")
         return case
+
+    def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
+        """Whether what a change of loads leaves to the next one is within the accuracy."""
+        return leaves * load_change(case, new, phases) <= LOAD_SHARE * self.accuracy
 
     def settle(
         self, case: Case, tasks: Sequence[Task], how: dict[str, Any], passes: int
@@ -211,9 +245,14 @@ def _told(found: dict[str, dict[str, Any]]) -> list[str]:
             if key != "lifts":
                 said.append(f"{table}.{key} = {value:g}")
             elif value is not None:
-                lifts = [1e6 * lift for _, lift in value]
-                said.append(f"{table}.lifts of {min(lifts):.2f} to {max(lifts):.2f} µm")
+                said.append(f"{table}.{_told_lifts(value)}")
     return said
+
+
+def _told_lifts(given: Sequence[tuple[float, float]]) -> str:
+    """Phases and lifts in words."""
+    lifts = [1e6 * lift for _, lift in given]
+    return f"lifts of {min(lifts):.2f} to {max(lifts):.2f} µm"
 
 
 def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:

@@ -98,7 +98,7 @@ def solve_lives(
     parts = [
         LifePart(life[0], part, refinement)
         for life in _lives(tasks, directory)
-        for part in _parts(life)
+        for part in tasks_by_part(life)
         for refinement in range(solves_of_life(life[0].accuracy))
     ]
     parts.sort(
@@ -141,7 +141,7 @@ def drop_rates(task: Task, directory: Path) -> None:
             file.unlink()
 
 
-def _parts(life: Sequence[Task]) -> list[tuple[Task, ...]]:
+def tasks_by_part(life: Sequence[Task]) -> list[tuple[Task, ...]]:
     """Tasks of a life by the part that holds their film."""
     try:
         course = life[0].course

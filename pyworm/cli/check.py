@@ -1,7 +1,7 @@
 """pyworm check: validate a case and show its plan without solving it."""
 
 import argparse
-from dataclasses import asdict, replace
+from dataclasses import asdict
 
 from pyworm.case.case import load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case
@@ -22,6 +22,7 @@ def _check(options: argparse.Namespace) -> int:
     tasks = planned_tasks(case, options)
     warn_of_unusual(case)
 
+    from pyworm.batch.expected_run import expected_run
     from pyworm.case.workshop_units import assumptions
     from pyworm.io.console import Console
     from pyworm.io.format import duration
@@ -29,9 +30,9 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.report.console.scenes import effects_table, plan_table
     from pyworm.scene.summary import scene_summary
     from pyworm.solver import left_out
-    from pyworm.solver.cost.expected_time import expectation, together
 
-    expected = [expectation(task.scene, task.plan) for task in tasks]
+    of_run = expected_run(case, tasks)
+    expected = of_run.each
     without = [left_out.expected(task.scene, task.plan) for task in tasks]
     if options.json:
         scenes = [
@@ -51,6 +52,8 @@ def _check(options: argparse.Namespace) -> int:
                 "drive": case.drive.described(),
                 "assumptions": case.drive.all_assumptions,
             }
+        content["expected_seconds"] = of_run.once
+        content["expected_seconds_of_search"] = of_run.search
         print_json(content | {"warnings": case.warnings})
     else:
         console = Console()
@@ -68,6 +71,8 @@ def _check(options: argparse.Namespace) -> int:
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))
         if len(tasks) > 1:
-            seconds = together(expected, [replace(task.place, phase=None) for task in tasks])
-            console.print(f"Expected time of all {len(tasks)}: {duration(seconds)}")
+            console.print(f"Expected time of all {len(tasks)}: {duration(of_run.once)}")
+        if of_run.search > 0:
+            found = " and ".join(key for keys in case.left_open.values() for key in keys)
+            console.print(f"Search for {found} before that: {duration(of_run.search)}")
     return CONVERGED

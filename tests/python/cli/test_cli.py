@@ -278,7 +278,9 @@ def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
 def test_check_prints_one_json_object(capsys):
     assert main(["check", DRIVE, "--phase", "0.25", "0.75", "--json"]) == CONVERGED
     content = json.loads(capsys.readouterr().out)
-    assert set(content) == {"assumptions", "case", "drive", "resolved", "scenes", "warnings"}
+    of_run = {"expected_seconds", "expected_seconds_of_search"}
+    of_case = {"assumptions", "case", "drive", "resolved", "scenes", "warnings"}
+    assert set(content) == of_case | of_run
     assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
     assert content["resolved"]["oil"]["shear"]["limit"] == pytest.approx(100e6)
     effect = content["scenes"][0]["effects"][0]

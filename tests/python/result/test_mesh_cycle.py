@@ -242,11 +242,10 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     assert moved[0] < 0.005 < 0.02 < moved[1]
 
 
-def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, monkeypatch):
-    """The solver is replaced by one whose films lift the teeth by 1 to 3 micrometres."""
-    case = pyworm.load(CASES / "zi_drive.toml")
-    places = [place for place in case.places() if place.phase in (0.1, 0.34, 0.82)]
-    ran, said = [], []
+@pytest.fixture
+def lifting(monkeypatch):
+    """The solver is replaced by one whose films lift the teeth by 1 to 3 micrometres: what it ran is told."""
+    ran = []
 
     def run(case, tasks, directory, **rest):
         ran.append((tasks[0].accuracy, case.drive.load.lifts))
@@ -273,11 +272,23 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, monkeypatch):
 
     monkeypatch.setattr(drive_iteration, "run", run)
     monkeypatch.setattr(dataset, "LOADED_PHASES", 11)
-    tasks = [Task(case, place, 0.02) for place in places]
-    balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    return ran
+
+
+def three_phases(effects):
+    """Tasks of three phases of a drive, and what lifts their teeth there."""
+    case = pyworm.load(CASES / "zi_drive.toml")
+    places = [place for place in case.places() if place.phase in (0.1, 0.34, 0.82)]
     lifts = tuple((place.phase, pytest.approx((1 + 2 * place.phase) * 1e-6)) for place in places)
+    return case, [Task(case, place, 0.02, effects) for place in places], lifts
+
+
+def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, lifting):
+    case, tasks, lifts = three_phases("auto,-squeeze")
+    said = []
+    balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
     # lifts of micrometres move loads by more than one glance settles
-    assert ran == [(drive_iteration.GLANCE, ()), (drive_iteration.GLANCE, lifts), (0.02, lifts)]
+    assert lifting == [(drive_iteration.GLANCE, ()), (drive_iteration.GLANCE, lifts), (0.02, lifts)]
     assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
     share, phase = drive_cycle(balanced).lifted
     at = balanced.mesh_cycle.interp(load_phase=phase)
@@ -285,6 +296,25 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, monkeypatch):
     # its neighbour, a pitch later in the cycle, has the thicker film
     assert phase == 0.1 and -0.1 < share < -0.01
     # and another run of the same case begins with them
-    ran.clear()
+    lifting.clear()
     drive_iteration.run_balanced(case, tasks, tmp_path)
-    assert ran == [(0.02, lifts)]
+    assert lifting == [(0.02, lifts)]
+
+
+def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch):
+    """Films in motion lift by 3 um times the phase more than steady ones in the same window."""
+    asked = []
+
+    def lifts_of(tasks, moving, executor):
+        asked.append((moving, tasks[0].case.drive.load.lifts))
+        return {task.place.phase: (3 * moving * task.place.phase + 0.5) * 1e-6 for task in tasks}
+
+    monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
+    case, tasks, steady_lifts = three_phases("auto")
+    said = []
+    drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    lifts = tuple((phase, pytest.approx((1 + 5 * phase) * 1e-6)) for phase, _ in steady_lifts)
+    # one transient solve, under the loads that follow from steady lifts, leaves a twentieth of its change
+    assert asked == [(False, ()), (True, steady_lifts)]
+    assert lifting[:2] == [(drive_iteration.GLANCE, ()), (0.02, lifts)]
+    assert "lifts of 1.50 to 5.10 µm" in said[1]

@@ -1,0 +1,70 @@
+"""Expected processor time of a run: of all that is solved, and of the search for what a case leaves open.
+
+It goes by what `drive_iteration` usually does.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from pyworm.batch.drive_iteration import GLANCE, GLANCES, STRIDE, every, steady
+from pyworm.batch.films_in_motion import in_motion
+from pyworm.batch.task import Task
+from pyworm.case.case import Case
+from pyworm.solver.cost.expected_time import Expectation, expectations, together
+
+WARM = 2
+"""Usual number of passes until temperatures are found: that of `cases/zi_cooled.toml`."""
+
+MARCHES = 2
+"""Work of the search for lifts in motion, in first transient solves of the life: one, and the steady films
+beside it, which cost about as much."""
+
+
+@dataclass(frozen=True)
+class ExpectedRun:
+    """Expected cost of a run.
+
+    Attributes
+    ----------
+    each : tuple of Expectation
+        Cost of each task by itself.
+    once : float
+        Processor time of all of them solved once, with transient solves that they share [s].
+    search : float
+        Processor time of the search for temperatures and lifts before [s].
+    """
+
+    each: tuple[Expectation, ...]
+    once: float
+    search: float
+
+
+def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
+    """The expected cost of a run of some tasks of a case that were not solved before."""
+    each, once = _solved(tasks)
+    open_, search = case.left_open, 0.0
+    if "cooling" in open_:
+        search += WARM * _solved([steady(task) for task in every(STRIDE, tasks)])[1]
+    if "lifts" in open_.get("operation", ()) and tasks[0].accuracy < GLANCE:
+        search += _lifts(tasks)
+    return ExpectedRun(each, once, search)
+
+
+def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
+    """Expected cost of each of some tasks, and processor time of all together [s]."""
+    lives = [replace(task.place, phase=None) for task in tasks]
+    each = tuple(expectations([(task.scene, task.plan) for task in tasks], lives))
+    return each, together(each, lives)
+
+
+def _lifts(tasks: Sequence[Task]) -> float:
+    """Processor time of the search for lifts, from some of the tasks [s]."""
+    less = {"accuracy": GLANCE, "wider_window": False}
+    some = [replace(task, **less) for task in every(STRIDE, tasks)]
+    all_of_them = len(tasks) / len(some)
+    moving = [task for task in some if in_motion(task)]
+    if not moving:
+        return GLANCES * all_of_them * _solved(some)[1]
+    each, seconds = _solved(moving)
+    life = seconds - sum(of.seconds - of.past for of in each)
+    return all_of_them * _solved([steady(task) for task in some])[1] + MARCHES * life

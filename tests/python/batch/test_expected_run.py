@@ -1,0 +1,33 @@
+"""Expected cost of a run: what is shared counts once, what a case leaves open is searched for before."""
+
+import pyworm
+from pyworm.batch.expected_run import expected_run
+from pyworm.batch.task import Task
+
+PHASES = [0.26, 0.5, 0.74]
+
+
+def of_run(path, accuracy, effects, **places):
+    """Expected cost of contacts of a case."""
+    case = pyworm.load(path)
+    return expected_run(case, [Task(case, at, accuracy, effects) for at in case.places(**places)])
+
+
+def test_phases_of_one_life_share_its_transient_solves():
+    expected = of_run("cases/spur_pair.toml", 0.5, "isothermal,squeeze", phase=[0.58, 0.6, 0.62])
+    lone = sum(of.seconds for of in expected.each)
+    assert max(of.seconds for of in expected.each) < expected.once < lone
+    assert expected.search == 0
+
+
+def test_lifts_are_searched_for_where_they_are_left_open_and_the_accuracy_asks_for_it():
+    how = {"path": "cases/zi_drive.toml", "effects": "isothermal,squeeze", "phase": PHASES}
+    fine, coarse = (of_run(accuracy=accuracy, **how) for accuracy in (0.05, 0.2))
+    assert 0 < fine.search < fine.once
+    assert coarse.search == 0 < coarse.once < fine.once
+
+
+def test_temperatures_are_searched_for_too():
+    cooled = of_run("cases/zi_cooled.toml", 0.05, "isothermal", phase=PHASES)
+    given = of_run("cases/zi_drive.toml", 0.05, "isothermal", phase=PHASES)
+    assert cooled.search > given.search + cooled.once
