@@ -1,4 +1,4 @@
-"""Tables of docs/evidence/accuracy.md, written in their places."""
+"""Tables of docs/evidence/accuracy.md and other pages, written in their places."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -14,13 +14,13 @@ def markdown(rows: Iterable[Sequence[str]]) -> str:
     return "\n".join(lines)
 
 
-def fill(name: str, text: str) -> None:
-    """Put a table where the page has a comment of its name, in place of what is there."""
+def fill(name: str, text: str, path: Path = PAGE) -> None:
+    """Put a table where a page has a comment of its name, in place of what is there."""
     begin, end = f"<!-- {name} -->", "<!-- end -->"
-    page = PAGE.read_text()
+    page = path.read_text()
     if begin not in page:
-        raise ValueError(f"{PAGE} has no place for {name}")
+        raise ValueError(f"{path} has no place for {name}")
     pattern = re.escape(begin) + ".*?" + re.escape(end)
-    PAGE.write_text(
+    path.write_text(
         re.sub(pattern, lambda _: f"{begin}\n\n{text}\n\n{end}", page, count=1, flags=re.DOTALL)
     )

@@ -1,13 +1,27 @@
-"""Seconds that `pyworm check` expects and those that a solve takes, shipped cases."""
+"""Seconds that `pyworm check` expects and those that a solve takes, shipped cases.
 
+`precision.py expected` runs it for steady films. Films in motion, some of them of whole lives, from the
+repository's root (it takes fifteen minutes; names choose cases):
+
+    python benchmarks/accuracy/expected_cost.py [NAME ...]
+"""
+
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from statistics import median
+from tempfile import TemporaryDirectory
 from time import process_time
+from typing import Any
 
 from accuracy_page import fill, markdown
 
 import pyworm
-from pyworm.solver.cost.expected_time import expectation
+from pyworm.batch.case_run import run
+from pyworm.batch.task import Task
+from pyworm.solver.cost.expected_time import expectation, expectations, together
 
 PLACES = {
     "point_m20_l10": {},
@@ -36,6 +50,55 @@ PLACES = {
 }
 
 ACCURACIES = (0.05, 0.01)
+
+SPEED = Path("docs/evidence/speed.md")
+"""Page of the table of films in motion."""
+
+
+@dataclass(frozen=True)
+class InMotion:
+    """Contacts of a case whose films are solved in motion, together.
+
+    Attributes
+    ----------
+    name : str
+        Name of the case.
+    accuracies : tuple of float
+        Accuracies asked for [-].
+    effects : str
+        Which effects to simulate.
+    places : dict
+        Which contacts; by default all that the case lists.
+    chosen_with : bool
+        Whether the constants of the law were chosen with these.
+    """
+
+    name: str
+    accuracies: tuple[float, ...]
+    effects: str = "auto,squeeze"
+    places: dict[str, Any] = field(default_factory=dict)
+    chosen_with: bool = False
+
+
+IN_MOTION = (
+    InMotion("reversal_line", (0.05,), chosen_with=True),
+    InMotion("impact_ball", (0.05,), chosen_with=True),
+    InMotion("spur_pair", (0.05,), places={"phase": [0.2]}, chosen_with=True),
+    InMotion(
+        "roller_ref",
+        (0.05,),
+        places={"section": ["left"], "phase": [0.5], "station": [0.5]},
+        chosen_with=True,
+    ),
+    InMotion("zi_drive", (0.05,), places={"phase": [0.1]}, chosen_with=True),
+    InMotion("zi_drive", (0.1, 0.05), chosen_with=True),
+    InMotion("reversal_line", (0.1, 0.02)),
+    InMotion("impact_ball", (0.1, 0.02)),
+    InMotion("spur_pair", (0.05,)),
+    InMotion("zi_drive", (0.05, 0.02), places={"phase": [0.5]}),
+    InMotion("zi_drive", (0.05,), places={"phase": [0.74]}),
+    InMotion("worm_drawing", (0.2, 0.05)),
+)
 
 QUICK = 1.0
 """Solves shorter than this [s] are timed three times: the first of a process does what others need not."""
@@ -71,3 +134,55 @@ def _seconds(scene, plan) -> float:
     started = process_time()
     pyworm.solve(scene, plan)
     return process_time() - started
+
+
+def in_motion(names: Sequence[str]) -> None:
+    """A row for each entry of `IN_MOTION`, or those of some cases."""
+    rows = [["case", "asked", "contacts", "expected / s", "measured / s", "ratio", "load", ""]]
+    ratios = []
+    for of in IN_MOTION:
+        for accuracy in of.accuracies if not names or of.name in names else ():
+            case = pyworm.load(Path(f"cases/{of.name}.toml"))
+            places = list(case.places(**of.places))
+            tasks = [Task(case, place, accuracy, of.effects) for place in places]
+            lives = [replace(place, phase=None) for place in places]
+            expected = together(
+                expectations([(task.scene, task.plan) for task in tasks], lives), lives
+            )
+            measured = _seconds_of_all(case, [replace(task) for task in tasks])
+            ratios.append(expected / measured)
+            rows.append(
+                [
+                    of.name,
+                    f"{accuracy:.0%}".replace("%", " %"),
+                    _contacts(of, len(tasks)),
+                    f"{float(f'{expected:.2g}'):g}",
+                    f"{float(f'{measured:.2g}'):g}",
+                    f"{ratios[-1]:.2f}",
+                    f"{os.getloadavg()[0]:.1f}",
+                    "chosen with" if of.chosen_with else "new",
+                ]
+            )
+            print(*rows[-1], flush=True)
+    within = sum(0.5 <= ratio <= 2 for ratio in ratios)
+    print(f"{within} of {len(ratios)} within a factor of 2, median {median(ratios):.2f}")
+    if not names:
+        fill("expected-in-motion", markdown(rows), SPEED)
+
+
+def _contacts(of: InMotion, count: int) -> str:
+    """Which contacts, in words."""
+    given = ", ".join(f"{name} {value[0]}" for name, value in of.places.items())
+    return given or ("one" if count == 1 else f"all {count}")
+
+
+def _seconds_of_all(case: pyworm.Case, tasks: Sequence[Task]) -> float:
+    """Processor time of a run of some contacts, with loads and temperatures as they are [s]."""
+    started = process_time()
+    with TemporaryDirectory() as directory:
+        run(case, tasks, Path(directory))
+    return process_time() - started
+
+
+if __name__ == "__main__":
+    in_motion(sys.argv[1:])

@@ -141,7 +141,7 @@ TRIALS: dict[str, Trial] = {
         lambda: point(
             "rubber, feather load",
             (0.01, 0.01),
-            1e-4,
+            1e-3,
             ((0.002, 0.0),) * 2,
             (RUBBER, COOL_GLASS),
             replace(WATER, viscosity=Barus(1.0, 2e-8)),

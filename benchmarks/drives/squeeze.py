@@ -6,10 +6,12 @@ transient solve of its phase alone, where `separate_pasts.csv` has one. Run from
 takes two minutes):
 
     python benchmarks/drives/squeeze.py [CASE] [--phase PHASE ...] [--accuracy 0.05] [--effects auto]
+        [--solves 2]
 """
 
 from argparse import ArgumentParser
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
@@ -76,20 +78,22 @@ def overlap(scene: pyworm.Scene, accuracy: float) -> None:
     print(f"where the second part of the life takes over, films and friction differ by {worst:.2%}")
 
 
-def work_on_two_grids(scene: pyworm.Scene, accuracy: float) -> None:
-    """Work of friction over the whole life, by the first transient solve and by the second."""
+def work_of_life(scene: pyworm.Scene, accuracy: float, solves: int) -> None:
+    """Work of friction over the whole life by each of several transient solves, and over that of the next."""
     course = course_of(scene.past.life, pyworm.plan(scene, accuracy))
     works = []
-    for refinement in (0, 1):
-        moments = march(course, refinement, course.begin, [course.end]).moments
+    for refinement in range(solves):
+        moments = march(course, refinement, 0.0, [course.end]).moments
         losses = [one.figures["power_loss"] for one in moments]
         works.append(np.trapezoid(losses, [one.seconds for one in moments]))
-    print(
-        f"work of friction over the life: {works[1]:.4g} J, {works[0] / works[1] - 1:+.2%} on the grid before"
-    )
+    told = ", ".join(f"{work:.4g}" for work in works)
+    over_next = ", ".join(f"{one / after - 1:+.2%}" for one, after in pairwise(works))
+    print(f"work of friction over the life by each solve: {told} J, over the next {over_next}")
 
 
-def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: str) -> None:
+def main(
+    path: str, phases: Sequence[float] | None, accuracy: float, effects: str, solves: int
+) -> None:
     """A row for each contact that the case lists, or at some of its phases."""
     case = pyworm.load(path)
     places = case.places(phase=phases)
@@ -118,7 +122,7 @@ def main(path: str, phases: Sequence[float] | None, accuracy: float, effects: st
     ratio = moving[1] / steady[1]
     print(f"processor time {moving[1]:.0f} s, steady {steady[1]:.0f} s: {ratio:.2f} times")
     overlap(scene, accuracy)
-    work_on_two_grids(scene, accuracy)
+    work_of_life(scene, accuracy, solves)
 
 
 if __name__ == "__main__":
@@ -127,5 +131,8 @@ if __name__ == "__main__":
     parser.add_argument("--phase", type=float, nargs="+")
     parser.add_argument("--accuracy", type=float, default=0.05)
     parser.add_argument("--effects", default="auto")
+    parser.add_argument(
+        "--solves", type=int, default=2, help="of the life, for the work of friction"
+    )
     asked = parser.parse_args()
-    main(asked.case, asked.phase, asked.accuracy, asked.effects)
+    main(asked.case, asked.phase, asked.accuracy, asked.effects, asked.solves)

@@ -1,0 +1,326 @@
+"""Load impulses, a start-stop and a reversal of lines against theories that need no solver of films.
+
+Rigid cylinders roll and squeeze oil of constant viscosity: Reynolds' equation by quadrature, with rupture
+where pressure and its slope vanish, and the load that the film carries give its rate of change. The quantity
+of C. J. Hooke (1992, doi 10.1243/PIME_PROC_1992_206_136_02), the least film while entrainment turns round,
+follows.
+
+Elastic lines with piezoviscous oil: Grubin's inlet with squeeze and an edge that moves as the load changes,
+and its film carried on with the surfaces. That is our derivation, by the mechanism of C. J. Hooke and G. E.
+Morales-Espejel (2016, Journal of Tribology 138, 031501: load changes Hertz's width and so the effective
+entrainment, and the inlet's films are transported through the contact) and of A. Felix-Quinonez and
+Morales-Espejel (2010, Proc. IMechE C 224, 2559-2567: an inlet with squeeze and the edge's motion). Their
+abstracts were read, not their tables. Run from the repository's root (a minute):
+
+    python benchmarks/validation/transients.py [docs/pictures/transients.png]
+"""
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from math import atan, pi, sin, sqrt, tan
+from unittest.mock import patch
+
+import matplotlib.pyplot as plt
+import numpy as np
+import scipy
+from line import ALPHA, ETA0, OILS, RADIUS, line
+
+import pyworm
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Barus, Density
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
+from pyworm.scene.contact import Array
+from pyworm.scene.life import Life, Past
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.scales import line_scales
+from pyworm.solver.transient.course import course_of
+from pyworm.solver.transient.march import march
+
+Factor = Callable[[float], float]
+"""Time, in transits of the contact at the beginning, to speed or load over that at the beginning."""
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(300)
+
+M, L = 20.0, 10.0
+"""The elastic line, with an incompressible oil of Barus: its largest pressure is 18 times 1 / alpha."""
+
+RIGID = LineScene(
+    name="rigid line",
+    gap=Parabola(0.02),
+    radius=0.02,
+    velocities=(1.0, 1.0),
+    load=3000.0,
+    bodies=(Body(1.4e12, 0.3), Body(1.4e12, 0.3)),
+    oil=Oil(Barus(0.09, 1e-12), Density.incompressible(850.0)),
+)
+"""A line that its pressure flattens by some thousandth of its film."""
+
+MILLISECOND = 1e-3
+"""The unit of time of the rigid line, in which oil passes three lengths of its film's parabola [s]."""
+
+RIGID_STEPS = 4
+"""Time steps in which oil passes its width by Hertz, a hundredth of the length of its film."""
+
+ENDLESS = 0.03
+"""Half a window beyond which rigid films bear no pressure [m]."""
+
+
+@dataclass(frozen=True)
+class Transient:
+    """A film in motion.
+
+    Attributes
+    ----------
+    times : numpy.ndarray
+        Times, in transits, of the rigid line in milliseconds.
+    solved, theory, steady : numpy.ndarray
+        Its central film by the transient solve, by the theory, and the theory's steady film of each time:
+        of the elastic line over that before anything changes, of the rigid line in metres.
+    """
+
+    times: Array
+    solved: Array
+    theory: Array
+    steady: Array
+
+
+def bump(part: float, begin: float, width: float) -> Factor:
+    """One, and between two times a wave of sin^2 on it that goes up (or down) by a part."""
+    return lambda time: (
+        1 + part * sin(pi * (time - begin) / width) ** 2 if begin < time < begin + width else 1.0
+    )
+
+
+def constant(time: float) -> float:
+    """A speed or a load that stays."""
+    return 1.0
+
+
+def turning(time: float) -> float:
+    """A speed that goes from one direction to the other between 1 and 3 ms."""
+    return float(np.interp(time, (1.0, 3.0), (1.0, -1.0)))
+
+
+def solved(
+    scene: LineScene, unit: float, duration: float, speed: Factor, load: Factor, kinks, refinement
+) -> tuple[Array, Array]:
+    """Times, in a unit [s], and central films [m] of a line by one transient solve."""
+
+    def contact(seconds: float) -> LineScene:
+        velocity = scene.entrainment * speed(seconds / unit)
+        return replace(
+            scene, velocities=(velocity, velocity), load=scene.load * load(seconds / unit)
+        )
+
+    end = duration * unit
+    life = Life(end, contact, kinks=tuple(kink * unit for kink in kinks))
+    present = replace(contact(end), past=Past(life, end))
+    plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
+    found = march(course_of(life, plan), refinement, 0.0, [0.95 * end])
+    if found.lost is not None:
+        raise RuntimeError(found.lost)
+    times = np.array([one.seconds for one in found.moments]) / unit
+    return times, np.array([one.figures["film_central"] for one in found.moments])
+
+
+def inlet_rate(film: float, half_width: float, widening: float, speed: float) -> float:
+    """Rate of change [m/s] of the film at the edge of Hertz's contact, by its inlet.
+
+    With X the distance from the centre over the half-width a, g Hertz's gap, whose change with a is
+    -(a/R) arccosh X, and no flow by pressure at the edge, where it is high,
+
+        h^3 q' / 12 eta = u g - a h_t (X - 1) + (a^2 a_t / R) (X arccosh X - sqrt(X^2 - 1)),
+
+    and the reduced pressure q rises to 1 / alpha at the edge (Grubin): linear in the rate h_t.
+
+    Parameters
+    ----------
+    film, half_width : float
+        Film at the edge and Hertz's half-width [m].
+    widening, speed : float
+        Rate of change of the half-width, and mean speed of the surfaces [m/s].
+    """
+    end = np.arccosh(4.0)
+    angle = end * (1 + NODES) / 2
+    x, root = np.cosh(angle), np.sinh(angle)
+    gap = half_width**2 / (2 * RADIUS) * (x * root - angle)
+    each = 12 * ETA0 * half_width * (end / 2 * WEIGHTS * root) / (film + gap) ** 3
+    moved = half_width**2 * widening / RADIUS * (x * angle - root)
+    return float((each @ (speed * gap + moved) - 1 / ALPHA) / (each @ (half_width * (x - 1))))
+
+
+def inlet_steady(half_width: float, speed: float) -> float:
+    """Grubin's film [m] at a half-width [m] and a speed [m/s]."""
+    return scipy.optimize.brentq(
+        lambda film: inlet_rate(film, half_width, 0.0, speed), 1e-9, 1e-4, xtol=1e-13
+    )
+
+
+def elastic(duration: float, speed: Factor, load: Factor, kinks, refinement=1) -> Transient:
+    """The elastic line in motion for some transits."""
+    scene = line(M, L, OILS["incompressible"])
+    first, fast = line_scales(scene).hertz.half_width, scene.entrainment
+    transit = 2 * first / fast
+    times, films = solved(scene, transit, duration, speed, load, kinks, refinement)
+    fine = np.linspace(0, duration, 4001)
+    widths = np.array([first * sqrt(load(time)) for time in fine])
+    speeds = np.array([fast * speed(time) for time in fine])
+    at_edge = scipy.integrate.solve_ivp(
+        lambda time, film: (
+            transit
+            * inlet_rate(
+                film[0],
+                np.interp(time, fine, widths),
+                np.interp(time, fine, np.gradient(widths, fine)) / transit,
+                fast * speed(time),
+            )
+        ),
+        (0, duration),
+        [inlet_steady(first, fast * speed(0))],
+        method="LSODA",
+        rtol=1e-6,
+        atol=1e-12,
+        max_step=0.02,
+        dense_output=True,
+    ).sol
+    way = scipy.integrate.cumulative_trapezoid(speeds, fine, initial=0) * transit
+    # oil is in the centre when it has gone as far as the edge was away when it came in
+    entries = np.interp(np.interp(times, fine, way), way + widths, fine, left=0)
+    theory = np.array([at_edge(time)[0] for time in entries])
+    steady = np.array(
+        [inlet_steady(first * sqrt(load(time)), fast * speed(time)) for time in times]
+    )
+    settled = np.interp(0.95 * min(kinks), times, films)
+    return Transient(times, films / settled, theory / theory[0], steady / theory[0])
+
+
+def rigid_rate(film: float, load: float, speed: float) -> float:
+    """Rate of change [m/s] of a rigid film [m] that carries a load for each length [N/m] at a speed [m/s].
+
+    With H = h + x^2 / 2R the pressure's slope is 12 eta (u H + h_t x - c) / H^3; c and h_t follow from the
+    load and pressure that is zero at both ends, or at the inlet and, with its slope, where the film ruptures.
+    """
+    speed, size = abs(speed), sqrt(2 * RIGID.radius * film)
+    low = -atan(ENDLESS / size)
+
+    def before(end: float) -> tuple[Array, Array, Array]:
+        angle = low + (end - low) * (1 + NODES) / 2
+        x = size * np.tan(angle)
+        height = film + x**2 / (2 * RIGID.radius)
+        width = WEIGHTS * (end - low) / 2 * size / np.cos(angle) ** 2
+        return x, height, 12 * RIGID.oil.viscosity.eta0 * width / height**3
+
+    def ruptured(end: float) -> tuple[float, float]:
+        x, height, each = before(end)
+        place = size * tan(end)
+        wedge, apart = height - film - place**2 / (2 * RIGID.radius), x - place
+        rate = -speed * (each @ wedge) / (each @ apart)
+        return rate, -(each * x) @ (speed * wedge + rate * apart) - load
+
+    x, height, each = before(-low)
+    matrix = np.array([[each @ x, -each.sum()], [-(each * x) @ x, each @ x]])
+    known = [-speed * (each @ height), load + speed * ((each * x) @ height)]
+    rate, flow = np.linalg.solve(matrix, known)
+    if speed * (film + ENDLESS**2 / (2 * RIGID.radius)) + rate * ENDLESS <= flow:
+        return float(rate)  # pressure up to the end
+    ends = -low * np.linspace(-0.99, 1, 60)
+    excess = [ruptured(end)[1] for end in ends]
+    (first,) = np.flatnonzero(np.diff(np.sign(excess)))
+    exit_place = scipy.optimize.brentq(lambda end: ruptured(end)[1], ends[first], ends[first + 1])
+    return ruptured(exit_place)[0]
+
+
+def rigid_steady(load: float, speed: float) -> float:
+    """The film [m] of the rigid line under a load [N/m] at a speed [m/s] (Martin)."""
+    return scipy.optimize.brentq(lambda film: rigid_rate(film, load, speed), 1e-8, 1e-4, xtol=1e-13)
+
+
+def rigid(duration: float, speed: Factor, load: Factor, kinks) -> Transient:
+    """The rigid line in motion for some milliseconds."""
+    with patch.dict(STEPS_A_TRANSIT, line=RIGID_STEPS):
+        times, films = solved(RIGID, MILLISECOND, duration, speed, load, kinks, 0)
+    theory = scipy.integrate.solve_ivp(
+        lambda time, film: MILLISECOND * rigid_rate(film[0], RIGID.load * load(time), speed(time)),
+        (0, duration),
+        [rigid_steady(RIGID.load * load(0), speed(0))],
+        rtol=1e-5,
+        atol=1e-12,
+        max_step=duration / 60,
+        dense_output=True,
+    ).sol(times)[0]
+    steady = [
+        rigid_steady(RIGID.load * load(time), speed(time)) if abs(speed(time)) > 0.01 else np.nan
+        for time in times
+    ]
+    return Transient(times, films, theory, np.array(steady))
+
+
+def clearance(least: float, acceleration: float) -> float:
+    """C of a least film h = C (eta^2 A)^(2/3) R^(5/3) / w^(4/3) [m] while entrainment turns with A [m/s^2].
+
+    Of the variables of a rigid line no other length can be made.
+    """
+    eta, radius = RIGID.oil.viscosity.eta0, RIGID.radius
+    return least * RIGID.load ** (4 / 3) / ((eta**2 * acceleration) ** (2 / 3) * radius ** (5 / 3))
+
+
+COURSES: dict[str, Callable[[], Transient]] = {
+    "rigid, load impulse": partial(rigid, 3.5, constant, bump(4.0, 1.0, 1.0), (1.0, 2.0)),
+    "rigid, reversal": partial(rigid, 4.0, turning, constant, (1.0, 3.0)),
+    "elastic, small load impulse": partial(elastic, 4.0, constant, bump(0.1, 1.0, 1.0), (1.0, 2.0)),
+    "elastic, load doubled": partial(elastic, 5.0, constant, bump(1.0, 1.0, 2.0), (1.0, 3.0)),
+    "elastic, load doubled fast": partial(elastic, 4.0, constant, bump(1.0, 1.0, 1.0), (1.0, 2.0)),
+    "elastic, stop and start": partial(elastic, 7.0, bump(-0.9, 1.0, 3.0), constant, (1.0, 4.0)),
+}
+"""Name -> what happens: loads times 5, 1.1, 2; speeds to a tenth and back, or turned round."""
+
+
+def compare(name: str, course: Transient) -> None:
+    """Print extremes and deviations of a film in motion from the theory."""
+    difference = course.solved - course.theory
+    print(f"{name}:")
+    for label, at in (("largest", np.argmax), ("least", np.argmin)):
+        here, there = at(course.solved), at(course.theory)
+        print(
+            f"  {label:8} {course.solved[here]:.4g} at {course.times[here]:.2f}, theory"
+            f" {course.theory[there]:.4g} at {course.times[there]:.2f}"
+        )
+    print(
+        f"  rms deviation over the range {np.sqrt(np.mean(difference**2)) / np.ptp(course.theory):.1%},"
+        f" largest over the film {np.max(np.abs(difference / course.theory)):.1%}"
+    )
+
+
+def draw(courses: dict[str, Transient], path: str) -> None:
+    """Save curves of all courses as a picture."""
+    figure, axes = plt.subplots(2, 3, figsize=(12, 6.5), layout="constrained")
+    for ax, (name, course) in zip(axes.flat, courses.items(), strict=True):
+        unit = 1e-6 if name.startswith("rigid") else 1.0
+        ax.plot(course.times, course.steady / unit, color="0.7", label="steady film of each time")
+        ax.plot(course.times, course.theory / unit, "k--", label="theory")
+        ax.plot(course.times, course.solved / unit, "C0", label="transient solve")
+        ax.set_title(name)
+        ax.set_xlabel("time, ms" if unit < 1 else "time, transits")
+        ax.set_ylabel("film, µm" if unit < 1 else "central film over that before")
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
+    figure.savefig(path, dpi=110)
+
+
+def main() -> None:
+    """Compare all courses, and draw them if a picture is named."""
+    courses = {}
+    for name, run in COURSES.items():
+        courses[name] = run()
+        compare(name, courses[name])
+    turned = courses["rigid, reversal"]
+    for label, films in (("solved", turned.solved), ("theory", turned.theory)):
+        print(f"least film while entrainment turns, {label}: C = {clearance(min(films), 1e3):.3f}")
+    if sys.argv[1:]:
+        draw(courses, sys.argv[1])
+
+
+if __name__ == "__main__":
+    main()
