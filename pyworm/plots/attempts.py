@@ -6,8 +6,14 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from pyworm.io.free_memory import available
 from pyworm.io.reason import reason_of
 from pyworm.plots.layout import write
+
+ROOM = 3e8
+"""Memory that a picture may need, with the libraries that it is the first to load [bytes].
+
+Where there is less they end the process by a signal. 0.21e9 were measured (`test_failed_pictures.py`)."""
 
 
 class PicturesError(RuntimeError):
@@ -43,6 +49,8 @@ class Attempts:
     def draw(self, path: Path, figure: Callable[[], Figure | None]) -> None:
         """Draw a picture into a file, if there is anything to draw; an exception becomes the reason."""
         try:
+            if available() < ROOM:
+                raise MemoryError
             made = figure()
             if made is not None:
                 self.drawn.append(write(made, path))

@@ -3,11 +3,9 @@
 Linux grants more memory than there is and kills the process that then uses it.
 """
 
-import os
-import resource
 from math import floor, sqrt
-from pathlib import Path
 
+from pyworm.io.free_memory import available
 from pyworm.kernel.core import NO_MEMORY, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -32,15 +30,6 @@ ROUGH_ARRAYS = 24
 MARGIN = 1.1
 """Safety factor of the estimate, for the prolongation of the grid before and fragmentation."""
 
-_LIMITS = (
-    (Path("/sys/fs/cgroup/memory.max"), Path("/sys/fs/cgroup/memory.current")),
-    (
-        Path("/sys/fs/cgroup/memory/memory.limit_in_bytes"),
-        Path("/sys/fs/cgroup/memory/memory.usage_in_bytes"),
-    ),
-)
-"""Files of the limit and the use of a container's memory, in both versions of Linux's control groups."""
-
 
 class NoMemoryError(KernelError):
     """A grid does not fit into memory; the message names it and the largest that fits."""
@@ -62,12 +51,6 @@ def needed(nodes: int, model: Model) -> float:
     return MARGIN * NUMBER * arrays * nodes
 
 
-def available() -> float:
-    """Memory that this process may still allocate [bytes]; infinite where it is unknown."""
-    known = [_machine(), *(_group(*files) for files in _LIMITS), _process()]
-    return min((of for of in known if of is not None), default=float("inf"))
-
-
 def shortage(grid: Grid | LineGrid, model: Model) -> str | None:
     """Message about a grid that does not fit into memory; None if it does."""
     wanted, free = needed(grid.nodes, model), available()
@@ -85,32 +68,3 @@ def _largest(grid: Grid | LineGrid, fraction: float) -> tuple[int, ...]:
     """Counts of a grid of the same window with a fraction of the nodes."""
     by_side = fraction if len(grid.shape) == 1 else sqrt(fraction)
     return tuple(max(floor(count * by_side), 1) for count in grid.shape)
-
-
-def _machine() -> float | None:
-    """Free memory of the machine [bytes]."""
-    try:
-        lines = Path("/proc/meminfo").read_text().splitlines()
-    except OSError:
-        return None
-    return next((1024.0 * int(line.split()[1]) for line in lines if "MemAvailable" in line), None)
-
-
-def _group(limit: Path, used: Path) -> float | None:
-    """Free memory of a container [bytes]."""
-    try:
-        return float(int(limit.read_text()) - int(used.read_text()))
-    except (OSError, ValueError):  # no such limit
-        return None
-
-
-def _process() -> float | None:
-    """Free address space of this process [bytes]."""
-    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
-    if limit == resource.RLIM_INFINITY:
-        return None
-    try:
-        pages = int(Path("/proc/self/statm").read_text().split()[0])
-    except OSError:
-        return float(limit)
-    return float(limit - pages * os.sysconf("SC_PAGE_SIZE"))

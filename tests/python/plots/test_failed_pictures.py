@@ -17,7 +17,7 @@ from pyworm.batch.workers import WorkerPool
 from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED
 from pyworm.io.variables import describe
-from pyworm.plots.attempts import PicturesError
+from pyworm.plots.attempts import ROOM, PicturesError
 from pyworm.plots.contact.gap import draw_gap
 from pyworm.plots.draw import SCENE_PICTURES, draw
 from pyworm.result.result import open_result
@@ -54,6 +54,25 @@ def with_little_memory(result, directory, executor, key_only):
         resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
 
 pyworm.plots.draw.draw = with_little_memory
+sys.exit(main(sys.argv[1:]))
+"""
+
+MEASURED = """
+import sys
+import pyworm.plots.draw
+from pyworm.cli.main import main
+draw = pyworm.plots.draw.draw
+
+def kilobytes(key):
+    return next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith(key))
+
+def measured(result, directory, executor, key_only):
+    before = kilobytes("VmSize")
+    drawn = draw(result, directory, executor, key_only=key_only)
+    print(1024 * (kilobytes("VmPeak") - before), file=sys.stderr)
+    return drawn
+
+pyworm.plots.draw.draw = measured
 sys.exit(main(sys.argv[1:]))
 """
 
@@ -162,9 +181,9 @@ def _replace_picture(name, picture):
 
 
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="needs Linux's /proc")
-@pytest.mark.parametrize("left", [1_000_000, 8_000_000, 16_000_000])
+@pytest.mark.parametrize("left", [0, 1_000_000, 4_000_000, 16_000_000, 38_500_000, 290_000_000])
 def test_little_memory_while_drawing_costs_no_figure(tmp_path, left):
-    """With some 4 MB left NumPy itself may crash, in a function that finds no room for its result."""
+    """With a few MB left libraries crash; with 39 they did where they were loaded."""
     command = [sys.executable, "-c", SHORT, str(left), *RUN, "--out", str(tmp_path)]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     assert ended.returncode == CONVERGED, ended.stderr
@@ -173,6 +192,14 @@ def test_little_memory_while_drawing_costs_no_figure(tmp_path, left):
     assert ended.stderr.count("\n") == 1
     assert "Minimum film" in ended.stdout
     assert open_result(tmp_path / "result.nc").converged
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="needs Linux's /proc")
+def test_pictures_and_what_draws_them_need_no_more_than_is_asked_for(tmp_path):
+    command = [sys.executable, "-c", MEASURED, *RUN, "--out", str(tmp_path)]
+    told = subprocess.run(command, capture_output=True, text=True, check=True).stderr
+    print(f"{float(told) / 1e6:.0f} MB")
+    assert float(told) < ROOM
 
 
 def test_a_run_killed_while_drawing_leaves_nothing_behind_after_the_next(tmp_path, monkeypatch):
