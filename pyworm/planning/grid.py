@@ -99,6 +99,11 @@ class Grid:
         first_y = round((other.south - self.south) / self.dy)
         return _within(first_x, other.nx, self.nx), _within(first_y, other.ny, self.ny)
 
+    def part(self, nodes: tuple[slice, slice]) -> "Grid":
+        """The grid of some of its nodes."""
+        x, y = self.x[nodes[0]], self.y[nodes[1]]
+        return Grid(float(x[0]), float(y[0]), self.dx, self.dy, x.size, y.size)
+
 
 def _within(first: int, count: int, nodes: int) -> slice:
     """The range of some nodes from a first one on, as far as there are such nodes."""

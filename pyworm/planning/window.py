@@ -124,10 +124,16 @@ def grown(scene: Scene, inner: Box, wider: Box) -> Box:
 
     Beside a thin film the gap may rise beyond both reaches within one step, on one side or on all.
     """
-    here, beyond = np.array(inner), np.array(wider)
-    ends = np.isinf(_lowest(scene, here[None])[0])
-    least = np.where(ends, here, GROWTH * here)
+    beyond, least = np.array(wider), np.array(enlarged(scene, inner, GROWTH))
     west, east, south, north = np.where(np.abs(beyond) > np.abs(least), beyond, least).tolist()
+    return west, east, south, north
+
+
+def enlarged(scene: Scene, window: Box, factor: float) -> Box:
+    """A window some times as far from the contact point on all sides where the teeth continue."""
+    here = np.array(window)
+    ends = np.isinf(_lowest(scene, here[None])[0])
+    west, east, south, north = np.where(ends, here, factor * here).tolist()
     return west, east, south, north
 
 

@@ -108,10 +108,12 @@ def _time_steps(
 ) -> tuple[TimeSteps, ...]:
     """Time steps of several transient solves between two places of a life [transits], by their grids."""
     counts = Counter(
-        on for refinement in refinements for on, _ in places_of(course, refinement, begin, last)
+        (on, course.come_together(course.instant(place)))
+        for refinement in refinements
+        for on, place in places_of(course, refinement, begin, last)
     )
-    coarse = course.grid(course.begin, 0).nodes
+    of = {True: course.grid, False: course.grid_of_contact}
     return tuple(
-        TimeSteps(course.grid(course.begin, on).nodes, coarse, count)
-        for on, count in counts.items()
+        TimeSteps(*(of[together](course.begin, grid).nodes for grid in (on, 0)), count)
+        for (on, together), count in counts.items()
     )

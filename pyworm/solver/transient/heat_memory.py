@@ -55,10 +55,11 @@ class HeatedInstant:
     flux: Array
     velocities: tuple[tuple[float, ...], ...]
 
-    def finer(self) -> "HeatedInstant":
-        """Interpolated to nodes of half the spacing."""
-        flux = kernel.prolong_levels(self.flux)
-        return HeatedInstant(self.seconds, self.grid.finer(), flux, self.velocities)
+    def finer(self, window: tuple[slice, slice] | None = None) -> "HeatedInstant":
+        """Interpolated to nodes of half the spacing, of a point contact within a window."""
+        grid = self.grid if window is None else self.grid.part(window)
+        flux = kernel.prolong_levels(self.flux if window is None else self.flux[window])
+        return HeatedInstant(self.seconds, grid.finer(), flux, self.velocities)
 
 
 def velocities_at_origin(contact: Scene | LineScene) -> tuple[tuple[float, ...], ...]:

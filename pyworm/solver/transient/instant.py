@@ -33,10 +33,11 @@ class Instant:
     state: InitialGuess
     rise: Array | None = None
 
-    def finer(self) -> "Instant":
-        """Interpolated to nodes of half the spacing."""
-        rise = None if self.rise is None else kernel.prolong_levels(self.rise)
-        return Instant(self.seconds, kernel.prolong(self.content), self.state.finer(), rise)
+    def finer(self, window=np.s_[...]) -> "Instant":
+        """Interpolated to nodes of half the spacing within a window."""
+        rise = None if self.rise is None else kernel.prolong_levels(self.rise[window])
+        content = kernel.prolong(self.content[window])
+        return Instant(self.seconds, content, self.state.finer(window), rise)
 
 
 def instant_of(level: Level, seconds: float) -> Instant:

@@ -204,11 +204,10 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
     rigid_films: dict[float, float] = {}
     heat: list[HeatedInstant] = []
     moments, lost, held = [], None, True
-    on = steps[0].refinement
+    on = steps[0]
     for step in steps:
-        if step.refinement > on:
-            before, heat = ([one.finer() for one in of] for of in (before, heat))
-            on = step.refinement
+        before, heat = _led_on(course, on, step, before, heat)
+        on = step
         try:
             if before:
                 level, taken = _onward(course, step, before, heat, held)
@@ -220,13 +219,16 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
             now = instant_of(level, step.seconds)
             heat = [*_heated(level, step.seconds), *heat]
             before = [now, *before[: BEFORE - 1]]
-            if on < refinement:
+            if on.refinement < refinement:
                 continue
-            moments.append(moment(level, step.seconds, refinement, step.seconds in framed))
+            frame = course.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
+            moments.append(moment(level, step.seconds, frame))
             for at in turns.get(step.seconds, ()):
                 then, taken = level, 0
                 if at > step.seconds:
-                    then, taken = _onward(course, Step(at, refinement), before, heat, held)
+                    turn = Step(at, refinement)
+                    past = _led_on(course, step, turn, before, heat)
+                    then, taken = _onward(course, turn, *past, held)
                 taken_of_all += taken
                 rates[at], rigid_films[at] = _rate_of(course, then, at), then.film.rigid_film
         except LostError as error:
@@ -235,6 +237,24 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
     if not moments:
         raise LostError(lost)
     return March(rates, rigid_films, tuple(moments), taken_of_all, lost)
+
+
+def _led_on(
+    course: Course,
+    last: Step,
+    step: Step,
+    before: list[Instant],
+    heat: list[HeatedInstant],
+) -> tuple[list[Instant], list[HeatedInstant]]:
+    """Films and heat up to a last step on the kind of grid of the next."""
+    if step.refinement > last.refinement:
+        before, heat = ([one.finer() for one in of] for of in (before, heat))
+    if course.come_together(last.seconds) and not course.come_together(step.seconds):
+        grids = course.grid, course.grid_of_contact
+        large, small = (of(last.seconds, step.refinement) for of in grids)
+        window = large.window_of(small)
+        before, heat = ([one.finer(window) for one in of] for of in (before, heat))
+    return before, heat
 
 
 def _turns(instants: Sequence[float], wanted: Sequence[float]) -> dict[float, list[float]]:

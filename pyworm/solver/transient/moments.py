@@ -8,9 +8,12 @@ import numpy as np
 
 from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.expected_work import Kind
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.solver.level import Level
+from pyworm.solver.transient.moving_grid import at_places
 
 AXES = "xy"
 
@@ -23,7 +26,7 @@ TINY = 1e-300
 
 @dataclass(frozen=True)
 class Frame:
-    """Fields at one instant on the nodes of the coarsest moving grid.
+    """Fields at one instant on the nodes of the coarsest moving grid of the contact.
 
     Attributes
     ----------
@@ -66,8 +69,8 @@ class Moment:
     frame: Frame | None = None
 
 
-def moment(level: Level, seconds: float, refinement: int, framed: bool) -> Moment:
-    """What is kept of a film, on a grid whose spacing was halved `refinement` times."""
+def moment(level: Level, seconds: float, frame: Grid | LineGrid | None) -> Moment:
+    """What is kept of a film, with its fields at nodes of a grid, if of one."""
     contact = level.scene  # seen from a moving grid, whose contact point rests
     origin = [np.zeros(1) for _ in level.grid.spacing]
     return Moment(
@@ -76,19 +79,14 @@ def moment(level: Level, seconds: float, refinement: int, framed: bool) -> Momen
         level.carried(),
         tuple(float(of.item()) for of in contact.entrainment_at(*origin)),
         level.read().figures,
-        _frame(level, 2**refinement) if framed else None,
+        None if frame is None else _frame(level, frame),
     )
 
 
-def _frame(level: Level, stride: int) -> Frame:
-    grid = level.grid
-    axes = (grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y)
-    nodes = (slice(None, None, stride),) * len(axes)
-    return Frame(
-        tuple(axis[::stride] for axis in axes),
-        level.film.pressure[nodes].astype(np.float32),
-        level.film.thickness()[nodes].astype(np.float32),
-    )
+def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
+    fields = np.maximum(level.film.pressure, 0.0), level.film.thickness()
+    pressure, film = (at_places(level.grid, of, grid).astype(np.float32) for of in fields)
+    return Frame((grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y), pressure, film)
 
 
 def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:

@@ -120,11 +120,11 @@ class Part:
 
 
 def parts_of(course: Course) -> tuple[Part, ...]:
-    """The parts of a life; a written course, which no other contact shares, is one."""
-    whole = course.transits(course.end)
+    """The parts of a life, which share instants; a written course, which no other contact shares, is one."""
+    whole, step = course.transits(course.end), course.step(0)
     count = 1 if course.life.kinks else max(1, ceil((whole - WARM_UP) / PART))
     length = (whole - WARM_UP) / count
-    firsts = [WARM_UP + length * number for number in range(1, count)]
+    firsts = [step * round((WARM_UP + length * number) / step) for number in range(1, count)]
     return tuple(
         Part(max(first - WARM_UP, 0.0), first, last)
         for first, last in pairwise((0.0, *firsts, inf))

@@ -17,10 +17,14 @@ def drive():
     return pyworm.load("cases/zi_drive.toml").drive
 
 
-def marched(drive, life, last=0.14, effects="isothermal,squeeze"):
-    """Instants of the first transient solve of a life up to a phase."""
+def course_through(drive, life, effects="isothermal,squeeze"):
     scene = replace(drive.scene(0.5), past=life.past(0.5))
-    course = course_of(scene.past.life, pyworm.plan(scene, 0.05, effects, ("film",)))
+    return course_of(scene.past.life, pyworm.plan(scene, 0.05, effects, ("film",)))
+
+
+def marched(drive, life, last=0.14, effects="isothermal,squeeze", **changes):
+    """Instants of the first transient solve of a life, its course changed, up to a phase."""
+    course = replace(course_through(drive, life, effects), **changes)
     return march_module.march(course, 0, 0.0, [life.past(last).seconds]).moments
 
 
@@ -65,3 +69,26 @@ def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with
     moments = marched(drive, drive.life)
     assert 0 <= moments[0].phase < 0.02
     assert moments[0].load == pytest.approx(drive.normal_load(moments[0].phase), rel=2e-3)
+
+
+def test_oil_is_pressed_out_of_all_of_the_gap_between_flanks_that_come_together(drive):
+    approach = course_through(drive, drive.life).approach
+    larger = tuple((3 * before // 2, 3 * behind // 2) for before, behind in approach.sides)
+    films = []
+    for window in (approach, replace(approach, sides=larger), None):
+        moments = marched(drive, drive.life, approach=window)
+        films.append([one.figures["film_min"] for one in moments if 0.01 < one.phase < 0.03])
+    as_they_are, in_a_larger_window, in_that_of_a_steady_film = np.array(films)
+    assert as_they_are == pytest.approx(in_a_larger_window, rel=0.02)
+    assert np.all(in_that_of_a_steady_film < 0.9 * as_they_are)
+
+
+@pytest.mark.parametrize("refinement", [0, 2])
+def test_the_grid_of_the_contact_is_part_of_the_one_before(drive, refinement):
+    course = course_through(drive, drive.life)
+    before = course.grid(np.nextafter(course.approach.until, 0.0), refinement)
+    after = course.grid(course.approach.until, refinement)
+    part = before.part(before.window_of(after)).finer()
+    assert (part.nx, part.ny) == (after.nx, after.ny)
+    assert part.nodes < 4 * before.nodes
+    assert (*part.box, *part.spacing) == pytest.approx((*after.box, *after.spacing))
