@@ -54,9 +54,9 @@ TOGETHER = 0.75
 WIDER = 3.0
 """That window, over the one of a steady film at the first touch.
 
-While surfaces come together oil is pressed out of all of their gap. At phase 0.02 of `cases/zi_drive.toml` the
-least film of a first isothermal solve is 0.97 um in the window of a steady film, 1.20 um in this one and 1.205
-um in one of 5 times. Films are thick there and do with twice the spacing."""
+While surfaces come together oil is pressed out of all of their gap. At phase 0.02 of `cases/zi_drive.toml`
+the least film of a first isothermal solve is 0.97 um in the window of a steady film, 1.20 um in this one and
+1.205 um in one of 5 times. Films are thick there and do with twice the spacing."""
 
 CELLS = 8
 """Cells of the coarsest grid to either side of the contact point come in multiples of half of this."""

@@ -40,7 +40,7 @@ def test_each_solve_of_a_life_has_twice_the_time_steps_and_four_times_the_nodes(
     own = motion(*moving(POINT, accuracy)).own
     windows = 2  # as surfaces come together, and of the contact
     assert len(own) == windows * solves_of_life(accuracy)
-    for coarse, fine in zip(own, own[windows:]):
+    for coarse, fine in zip(own[:-windows], own[windows:], strict=True):
         assert fine.count == pytest.approx(2 * coarse.count, rel=0.1)
         assert fine.nodes == pytest.approx(4 * coarse.nodes, rel=0.1)
 
