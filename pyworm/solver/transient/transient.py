@@ -10,7 +10,7 @@ changes tells its error.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import ceil, inf
+from math import ceil, inf, nextafter
 
 import numpy as np
 
@@ -323,19 +323,20 @@ def _life(
     readings: Sequence[Reading],
     turned: bool,
 ) -> PlainDataset | None:
-    """The film up to now; None where the solves found no instant since the scene before.
+    """The film up to now since the scene before, one instant at least; None where the solves found none.
 
     It is that of the solves through the whole part, whose curves go on from one scene to the next.
     """
-    if not (rates.moments and rates.moments[-1] and rates.moments[-1][-1].seconds > rates.since):
+    if not (rates.moments and rates.moments[-1]):
         return None
+    since = min(rates.since, nextafter(rates.moments[-1][-1].seconds, -inf))
     kind = plan.work.kind
     inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
     shared = readings[: len(rates.moments) + 1]
     share, least = _share(kind, turned), _least(shared, kind, turned)
     present = readings[-1].figures
     at = scene.past.seconds
-    return curves(rates.moments, rates.since, kind, share, least, at, present, inlet)
+    return curves(rates.moments, since, kind, share, least, at, present, inlet)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:

@@ -1,5 +1,6 @@
 """Films in motion that several phases share."""
 
+import numpy as np
 import pytest
 
 import pyworm
@@ -8,6 +9,7 @@ from pyworm.batch.case_run import run
 from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
 from pyworm.batch.task import Task
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
+from pyworm.result.life import lives
 from pyworm.solver.transient.march import LostError
 
 HOW = 0.5, "isothermal,squeeze", ("film",)
@@ -19,13 +21,13 @@ def long_time_steps(monkeypatch):
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 6)
 
 
-def two_phases():
+def some_phases(*phases):
     case = pyworm.load("cases/spur_pair.toml")
-    return case, [Task(case, place, *HOW) for place in case.places(phase=[0.35, 0.6])]
+    return case, [Task(case, place, *HOW) for place in case.places(phase=phases or [0.35, 0.6])]
 
 
 def test_phases_share_a_life_and_find_what_each_would_alone(tmp_path):
-    case, tasks = two_phases()
+    case, tasks = some_phases()
     together = run(case, tasks, tmp_path).solutions
     assert not list(tmp_path.rglob("*.npz"))
     for task, solution in zip(tasks, together, strict=True):
@@ -34,8 +36,14 @@ def test_phases_share_a_life_and_find_what_each_would_alone(tmp_path):
         assert solution.figures.film_central == alone.figures.film_central
 
 
+def test_a_phase_within_a_time_step_of_the_one_before_belongs_to_the_life(tmp_path):
+    (life,) = lives(run(*some_phases(0.35, 0.35001, 0.37), tmp_path))
+    assert [one.phase for one in life.solutions] == [0.35, 0.35001, 0.37]
+    assert np.all(np.diff(life.seconds) > 0) and not len(life.gaps)
+
+
 def test_a_damaged_file_of_a_life_counts_as_none(tmp_path):
-    _, tasks = two_phases()
+    _, tasks = some_phases()
     solve_lives(tasks, tmp_path, None, lambda message, share: None)
     assert all(rates_for(task, tmp_path) is not None for task in tasks)
     first, *_ = sorted(tmp_path.glob(f"{tasks[0].key}*"))
