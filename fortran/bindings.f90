@@ -18,8 +18,9 @@ module bindings
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
-    film_transient, film_hold, film_remember, film_shear, film_roughen, film_asperities, film_tabulate, film_set_ruptured, &
-    film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, film_heat_fields, film_profile
+    film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
+    film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
+    film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, interpolate, level_positions
   public :: compiled_with, watch_signals
@@ -229,6 +230,21 @@ contains
       contact%heat%walls%body(wall)%remembered = remembered(:, :, wall)
     end do
   end subroutine film_remember
+
+  !> Sets rates of change of a heated contact's oil: of its temperature at the levels, `warming` [K/s], which stores heat,
+  !> and of its pressure, `pressing` [Pa/s].
+  subroutine film_store(handle, warming, pressing, nx, ny, levels, stat)
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny, levels
+    real(c_double), intent(in) :: warming(nx, ny, levels), pressing(nx, ny)
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+
+    stat = status_not_finite
+    if (.not. (all(abs(warming) <= huge(1.0_wp)) .and. all(abs(pressing) <= huge(1.0_wp)))) return
+    contact => contact_of(handle)
+    call contact%heat%change_with_time(warming, pressing, stat)
+  end subroutine film_store
 
   !> Sets the flow law of a contact's oil, without heat; see `flow_laws` and `film_newton` for the arguments.
   subroutine film_shear(handle, sliding_x, sliding_y, nx, ny, law, reference, reference_growth, &

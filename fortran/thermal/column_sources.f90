@@ -1,5 +1,5 @@
 !> Heat of the columns of a film: shearing, compression and conduction (Sharif et al. 2001, eq. 18 and appendix), from the
-!> shear that `shear_flow` has found. The caller adds convection from other columns.
+!> shear that `shear_flow` has found. The caller adds convection from other columns, and takes what the oil stores.
 module pyworm_column_sources
   use pyworm_film_column, only: film_strip
   use pyworm_kinds, only: wp
@@ -21,15 +21,15 @@ contains
   !> Sets film, conduction, dissipation as source, and its derivatives, of columns at the temperature `known` with fixed
   !> walls.
   !>
-  !> p [Pa]; `mean` temperature across the film above the inlet's [K]; (u1, v1) velocity of body 1 [m/s]; `softening`
-  !> derivative of the fluidity by temperature [1/(Pa s K)]. Output: the heat capacity [J/(m3 K)] of the columns, and
-  !> velocity (u, v) [m/s] and heat of compression [W/m3] at their levels.
-  subroutine set_heat(law, oil, nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, compression)
+  !> p [Pa] and its rate of change at the columns, `pressing` [Pa/s]; `mean` temperature across the film above the inlet's
+  !> [K]; (u1, v1) velocity of body 1 [m/s]; `softening` derivative of the fluidity by temperature [1/(Pa s K)]. Output: the
+  !> heat capacity [J/(m3 K)] of the columns, and velocity (u, v) [m/s] and heat of compression [W/m3] at their levels.
+  subroutine set_heat(law, oil, nodes, shear, p, pressing, mean, u1, v1, softening, columns, capacity, u, v, compression)
     type(oil_heat_law), intent(in) :: law
     type(oil_law), intent(in) :: oil
     type(sheared_oil), intent(in) :: nodes
     type(shear_strip), intent(inout) :: shear
-    real(wp), contiguous, intent(in) :: p(:), mean(:), u1(:), v1(:), softening(:, :)
+    real(wp), contiguous, intent(in) :: p(:), pressing(:), mean(:), u1(:), v1(:), softening(:, :)
     type(film_strip), intent(inout) :: columns
     real(wp), contiguous, intent(out) :: capacity(:), u(:, :), v(:, :), compression(:, :)
     integer :: m, n, k, c
@@ -49,15 +49,16 @@ contains
         columns%growth(c, k) = columns%growth(c, k)*softening(c, k)
         columns%relief(c, k, 1) = columns%relief(c, k, 1)*softening(c, k)
         columns%relief(c, k, 2) = columns%relief(c, k, 2)*softening(c, k)
-        compression(c, k) = shear%step_x(c)*(oil%temperature + columns%known(c, k))*(u(c, k)*shear%px(c) + v(c, k)*shear%py(c))
+        compression(c, k) = shear%step_x(c)*(oil%temperature + columns%known(c, k)) &
+          *(u(c, k)*shear%px(c) + v(c, k)*shear%py(c) + pressing(c))
       end do
     end do
     columns%wall(:m, 1) = columns%known(:m, 1)
     columns%wall(:m, 2) = columns%known(:m, n)
   end subroutine set_heat
 
-  !> Heat `carried` [W/m2] convected away from solved columns, less the inflow and the heat of compression, `inflow`
-  !> [W/m3].
+  !> Heat `carried` [W/m2] convected away from solved columns, less the inflow and the heat of compression, of which that
+  !> stored is taken, `inflow` [W/m3].
   pure subroutine carried_away(columns, inflow, carried)
     type(film_strip), intent(in) :: columns
     real(wp), contiguous, intent(in) :: inflow(:, :)

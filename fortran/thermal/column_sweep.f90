@@ -18,7 +18,7 @@ module pyworm_column_sweep
   implicit none(type, external)
   private
 
-  public :: swept_columns, column_work, new_swept_columns, new_column_work, enter_sweep, sweep_lines, swept_rise
+  public :: swept_columns, column_work, new_swept_columns, new_column_work, change_swept, enter_sweep, sweep_lines, swept_rise
 
   !> Columns treated together, whatever the number of threads.
   integer, parameter :: most_columns = 32
@@ -39,6 +39,8 @@ module pyworm_column_sweep
     type(sweep_frame) :: way
     !> Velocity of body 1's surface and of body 2 relative to it [m/s].
     real(wp), allocatable :: u1(:, :), v1(:, :), us(:, :), vs(:, :)
+    !> Of a film in motion: rates of change of temperature at the levels [K/s] and of pressure [Pa/s].
+    real(wp), allocatable :: warming(:, :, :), pressing(:, :)
     !> Pressure [Pa] and film [m]; of rough surfaces the share of the area that oil covers.
     real(wp), allocatable :: p(:, :), h(:, :), wetted(:, :)
     !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
@@ -94,6 +96,25 @@ contains
     call to_sweep(way, film%shear%nodes%sliding_x, self%us)
     call to_sweep(way, film%shear%nodes%sliding_y, self%vs)
   end subroutine new_swept_columns
+
+  !> Sets rates of change of temperature and pressure; the arguments are those of `change_with_time` of `thermal_step`.
+  subroutine change_swept(self, warming, pressing, stat)
+    type(swept_columns), intent(inout) :: self
+    real(wp), intent(in) :: warming(:, :, :), pressing(:, :)
+    integer, intent(out) :: stat
+    integer :: k, err
+
+    if (allocated(self%warming)) deallocate (self%warming, self%pressing)
+    associate (n => self%way%length, lines => self%way%lines)
+      allocate (self%warming(n, lines, size(warming, 3)), self%pressing(n, lines), stat=err)
+    end associate
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    call to_sweep(self%way, pressing, self%pressing)
+    do k = 1, size(warming, 3)
+      call to_sweep(self%way, warming(:, :, k), self%warming(:, :, k))
+    end do
+  end subroutine change_swept
 
   !> Scratch of each thread.
   subroutine new_column_work(threads, film, stat)
@@ -200,7 +221,7 @@ contains
     real(wp), intent(in) :: least
     type(column_work), intent(inout) :: work
     real(wp), intent(inout) :: change, change_backward, change_along
-    real(wp), dimension(most_columns) :: mean, capacity, friction
+    real(wp), dimension(most_columns) :: mean, capacity, friction, pressing
     integer :: first, last, m, k, i
 
     first = 2 + (cut - 1)*most_columns
@@ -223,9 +244,11 @@ contains
       do k = 1, nodes%levels%count
         columns%known(:m, k) = self%rise(first:last, line, k)
       end do
+      pressing = 0
+      if (allocated(self%pressing)) pressing(:m) = self%pressing(first:last, line)
       call shear_columns(film%oil, nodes, p, columns%known, shear, mean, work%softening)
-      call set_heat(law, film%oil, nodes, shear, p, mean, u1, v1, work%softening, columns, capacity, work%u, work%v, &
-        work%compression)
+      call set_heat(law, film%oil, nodes, shear, p, pressing, mean, u1, v1, work%softening, columns, capacity, work%u, &
+        work%v, work%compression)
       self%stress_x(first:last, line) = shear%tau_x(:m)
       self%stress_y(first:last, line) = shear%tau_y(:m)
       if (self%way%along_x) then
@@ -236,6 +259,9 @@ contains
       friction = 0
       do k = 1, nodes%levels%count
         friction(:m) = friction(:m) + shear%film(:m)*nodes%levels%weight(k)*columns%source(:m, k)
+        if (allocated(self%warming)) then
+          work%inflow(:m, k) = work%inflow(:m, k) - capacity(:m)*self%warming(first:last, line, k)
+        end if
         work%inflow(:m, k) = work%inflow(:m, k) + work%compression(:m, k)
         columns%source(:m, k) = columns%source(:m, k) + work%inflow(:m, k)
       end do

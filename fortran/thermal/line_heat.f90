@@ -35,17 +35,21 @@ module pyworm_line_heat
     integer :: onward = 1
     !> Velocity of body 1's surface at the nodes [m/s].
     real(wp), allocatable :: u1(:)
+    !> Of a film in motion: rates of change of temperature at the levels [K/s] and of pressure [Pa/s].
+    real(wp), allocatable :: warming(:, :), pressing(:)
     !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
     real(wp), allocatable :: stress(:)
-    !> Heat convected by the oil, less that of its compression [W/m2].
+    !> Heat convected or stored by the oil, less that of its compression [W/m2].
     real(wp), allocatable :: carried(:)
-    !> At the levels of the nodes: convection along x per kelvin [W/(m3 K)], heat of shearing and of compression [W/m3].
+    !> At the levels of the nodes: convection along x per kelvin [W/(m3 K)], heat of shearing, and of compression less that
+    !> stored [W/m3].
     real(wp), allocatable :: flow(:, :), dissipation(:, :), compression(:, :)
     !> Columns of the inner nodes, strip by strip, and each thread's shear.
     type(film_strip), allocatable :: columns(:)
     type(shear_strip), allocatable :: shear(:)
   contains
     procedure :: sweep_columns
+    procedure :: change_with_time
     procedure :: cool
     procedure :: unsolved
     procedure :: carried_heat
@@ -108,6 +112,19 @@ contains
     if (stat == status_ok) call move_alloc(heat, contact%heat)
   end subroutine heat_line_contact
 
+  !> Sets rates of change of the oil's temperature and pressure; see `thermal_step`.
+  subroutine change_with_time(self, warming, pressing, stat)
+    class(line_film_heat), intent(inout) :: self
+    real(wp), intent(in) :: warming(:, :, :), pressing(:, :)
+    integer, intent(out) :: stat
+    integer :: err
+
+    if (allocated(self%warming)) deallocate (self%warming, self%pressing)
+    allocate (self%warming, source=warming(:, 1, :), stat=err)
+    if (err == 0) allocate (self%pressing, source=pressing(:, 1), stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+  end subroutine change_with_time
+
   !> Number of columns whose shear stress did not converge in the last sweep.
   pure integer function unsolved(self)
     class(line_film_heat), intent(in) :: self
@@ -122,7 +139,7 @@ contains
     self%stress = 0
   end subroutine cool
 
-  !> Heat convected by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
+  !> Heat convected or stored by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
   subroutine carried_heat(self, carried)
     class(line_film_heat), intent(in) :: self
     real(wp), intent(out) :: carried(:, :)
@@ -163,7 +180,7 @@ contains
     integer, intent(in) :: first, last
     type(film_strip), intent(inout) :: columns
     type(shear_strip), intent(inout) :: shear
-    real(wp), dimension(most_columns) :: p, mean, u1, v1, capacity
+    real(wp), dimension(most_columns) :: p, pressing, mean, u1, v1, capacity
     real(wp), dimension(most_columns, film%shear%nodes%levels%count) :: softening, u, v, compression
     integer :: m, k
 
@@ -175,12 +192,17 @@ contains
     p(:m) = film%fields%p(first:last, 1)
     u1(:m) = self%u1(first:last)
     v1(:m) = 0
-    call set_heat(self%law, film%oil, film%shear%nodes, shear, p, mean, u1, v1, softening, columns, capacity, u, v, &
-      compression)
+    pressing(:m) = 0
+    if (allocated(self%pressing)) pressing(:m) = self%pressing(first:last)
+    call set_heat(self%law, film%oil, film%shear%nodes, shear, p, pressing, mean, u1, v1, softening, columns, capacity, u, &
+      v, compression)
     do k = 1, size(u, 2)
       self%flow(first:last, k) = capacity(:m)*u(:m, k)/film%spacing(1)
       self%dissipation(first:last, k) = columns%source(:m, k)
       self%compression(first:last, k) = compression(:m, k)
+      if (allocated(self%warming)) then
+        self%compression(first:last, k) = compression(:m, k) - capacity(:m)*self%warming(first:last, k)
+      end if
     end do
   end subroutine set_strip
 

@@ -4,8 +4,8 @@
 !> entrained oil, takes its upwind temperature from later columns or from its own line: until it converges, sweeps in its
 !> own directions precede. Without them heat would be convected by one node a sweep there.
 module pyworm_point_heat
-  use pyworm_column_sweep, only: swept_columns, column_work, new_swept_columns, new_column_work, enter_sweep, sweep_lines, &
-    swept_rise
+  use pyworm_column_sweep, only: swept_columns, column_work, new_swept_columns, new_column_work, change_swept, enter_sweep, &
+    sweep_lines, swept_rise
   use pyworm_film_newton, only: film_contact
   use pyworm_heated_surface, only: heated_body
   use pyworm_kinds, only: wp
@@ -34,6 +34,7 @@ module pyworm_point_heat
     type(column_work), allocatable :: threads(:)
   contains
     procedure :: sweep_columns
+    procedure :: change_with_time
     procedure :: cool
     procedure :: unsolved
     procedure :: carried_heat
@@ -87,6 +88,16 @@ contains
     if (stat == status_ok) call move_alloc(heat, contact%heat)
   end subroutine heat_point_contact
 
+  !> Sets rates of change of the oil's temperature and pressure; see `thermal_step`.
+  subroutine change_with_time(self, warming, pressing, stat)
+    class(point_film_heat), intent(inout) :: self
+    real(wp), intent(in) :: warming(:, :, :), pressing(:, :)
+    integer, intent(out) :: stat
+
+    call change_swept(self%main, warming, pressing, stat)
+    if (stat == status_ok) call change_swept(self%aside, warming, pressing, stat)
+  end subroutine change_with_time
+
   !> Number of columns whose shear stress did not converge in the last sweep.
   pure integer function unsolved(self)
     class(point_film_heat), intent(in) :: self
@@ -112,7 +123,7 @@ contains
     columns%change_along = 0
   end subroutine forget
 
-  !> Heat convected by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
+  !> Heat convected or stored by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
   subroutine carried_heat(self, carried)
     class(point_film_heat), intent(in) :: self
     real(wp), intent(out) :: carried(:, :)

@@ -42,6 +42,7 @@ module pyworm_thermal_step
     type(work_tally) :: work
   contains
     procedure(sweep), deferred :: sweep_columns
+    procedure(storage), deferred :: change_with_time
     procedure(reset), deferred :: cool
     procedure(count), deferred :: unsolved
     procedure(convection), deferred :: carried_heat
@@ -65,6 +66,16 @@ module pyworm_thermal_step
       real(wp), intent(out) :: change
     end subroutine sweep
 
+    !> Sets rates of change at the nodes: of the oil's temperature at the levels, `warming` [K/s], which stores heat, and of
+    !> its pressure, `pressing` [Pa/s].
+    subroutine storage(self, warming, pressing, stat)
+      import :: film_heat, wp
+      implicit none(type, external)
+      class(film_heat), intent(inout) :: self
+      real(wp), intent(in) :: warming(:, :, :), pressing(:, :)
+      integer, intent(out) :: stat
+    end subroutine storage
+
     !> Resets the initial stresses of sweeps.
     subroutine reset(self)
       import :: film_heat
@@ -79,7 +90,7 @@ module pyworm_thermal_step
       class(film_heat), intent(in) :: self
     end function count
 
-    !> Heat convected by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
+    !> Heat convected or stored by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
     subroutine convection(self, carried)
       import :: film_heat, wp
       implicit none(type, external)

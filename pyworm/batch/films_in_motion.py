@@ -30,6 +30,10 @@ FEWEST = 2
 """Number of tasks of one life from which they share its transient solve."""
 
 
+RATES = "rate", "rise", "warming", "pressing"
+"""Fields of a rate of change; those that are None are not kept."""
+
+
 @dataclass(frozen=True)
 class LifePart:
     """One transient solve through a part of a life.
@@ -79,8 +83,9 @@ class LifePart:
             else:
                 grid = list(vars(rates[at].grid).values())
                 kept = as_arrays(until(moments, ends[at]))
-                heat = {} if rates[at].rise is None else {"rise": rates[at].rise}
-                _write(file, grid=grid, rate=rates[at].rate, since=since[at], **heat, **kept)
+                fields = {name: getattr(rates[at], name) for name in RATES}
+                known = {name: of for name, of in fields.items() if of is not None}
+                _write(file, grid=grid, since=since[at], **known, **kept)
 
     def _lost(self, directory: Path) -> bool:
         """Whether the solve of twice the spacing has ended already and found no film of any task."""
@@ -125,8 +130,8 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
             data = _content(directory / _file(task.key, refinement))
             if "flaw" in data:
                 return Rates((), flaw=str(data["flaw"]))
-            rate = RateOfChange(_grid(data["grid"].tolist()), data["rate"], data.get("rise"))
-            found.append(rate)
+            rates = {name: data[name] for name in RATES if name in data}
+            found.append(RateOfChange(_grid(data["grid"].tolist()), **rates))
             moments.append(from_arrays(data))
             since = float(data["since"])
         except (OSError, ValueError, LookupError, EOFError, BadZipFile):

@@ -10,6 +10,7 @@ from pyworm.kernel.core import (
     compiled_with,
 )
 from pyworm.kernel.dry_contact import DryContact, dry_contact, elastic_deflection
+from pyworm.kernel.film import HeatStorage
 from pyworm.kernel.interpolation import between_nodes, level_positions, prolong, prolong_levels
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
@@ -21,6 +22,7 @@ __all__ = [
     "NO_MEMORY",
     "NO_SENSE",
     "DryContact",
+    "HeatStorage",
     "KernelError",
     "LineFilm",
     "PointFilm",

@@ -122,6 +122,22 @@ class HeatFields:
     carried: np.ndarray
 
 
+@dataclass(frozen=True)
+class HeatStorage:
+    """Rates of change of a film's oil at the nodes.
+
+    Attributes
+    ----------
+    warming : numpy.ndarray
+        That of its temperature, at the levels along the last axis [K/s].
+    pressing : numpy.ndarray
+        That of its pressure [Pa/s].
+    """
+
+    warming: np.ndarray
+    pressing: np.ndarray
+
+
 SLIP_STEP = 1e-3
 """Stress in which the slip of a wall grows e-fold, over that at slip [-] (`fortran/oil/flow_laws.f90`)."""
 
@@ -265,6 +281,18 @@ class Film:
         field = fortran_array(rise)
         of_nodes = field[:, np.newaxis] if len(self._shape) == 1 else field
         check_status(core.bindings.film_remember(self._handle, of_nodes))
+
+    def store_heat(self, storage: HeatStorage) -> None:
+        """Let a heated film's oil store heat as it warms and is pressed; restart before a step.
+
+        Raises
+        ------
+        KernelError
+            If a value is not finite or memory does not suffice.
+        """
+        warming = fortran_array(storage.warming).reshape((*self._nodes, self.levels), order="F")
+        pressing = self._on_nodes(storage.pressing)
+        check_status(core.bindings.film_store(self._handle, warming, pressing))
 
     def step(self, forcing: float) -> Step:
         """Make one Newton step and, where heat is simulated, one sweep of it at the new pressure.

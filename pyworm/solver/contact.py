@@ -359,11 +359,16 @@ class ContactSolver(ABC):
             level.film.roughen(self._curves, self._scene.boundary_friction)
 
     def _heat(self, level: Level, rise: Array | None) -> None:
-        """Add heat from an initial rise, with what the surfaces remember of films before."""
+        """Add heat from an initial rise, with what surfaces remember and oil stores of films before."""
         self._warm(level, rise)
-        remembered = level.transient_term and level.transient_term.remembered(level.grid)
+        term = level.transient_term
+        if term is None:
+            return
+        remembered, stored = term.remembered(level.grid), term.stored(level.grid)
         if remembered is not None:
             level.film.remember(remembered)
+        if stored is not None:
+            level.film.store_heat(stored)
 
     def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""

@@ -48,13 +48,16 @@ too."""
 
 
 class TransientTerm(Protocol):
-    """d(rho h)/dt of the Reynolds equation, and the heat that surfaces remember."""
+    """d(rho h)/dt of the Reynolds equation, and heat that surfaces remember and oil stores."""
 
     def on(self, grid: Any) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, as of `Film.set_transient_term`."""
 
     def remembered(self, grid: Any) -> Array | None:
         """What both surfaces are warmer by than in steady conduction [K]; None where that is not known."""
+
+    def stored(self, grid: Any) -> kernel.HeatStorage | None:
+        """Rates of change of the oil's temperature and pressure; None where they are not known."""
 
 
 @dataclass(frozen=True)

@@ -22,9 +22,10 @@ program test_column_sources
     1.5e-9_wp)
   type(oil_heat_law), parameter :: law = oil_heat_law(0.148_wp, 1.56e-9_wp, 0.61e-9_wp, 1025*1844.0_wp, 0.5e-9_wp, &
     0.51e-9_wp, 3.4e-4_wp, 3.3e-9_wp, -2.3e-18_wp)
-  !> Film [m], pressure [Pa] and its gradient [Pa/m], velocity of body 1 and of body 2 over it [m/s].
+  !> Film [m], pressure [Pa], its gradient [Pa/m] and its rate of change [Pa/s], velocity of body 1 and of body 2 over it [m/s].
   real(wp), parameter :: h(columns) = [0.6e-6_wp, 1.1e-6_wp, 0.9e-6_wp], p(columns) = [0.0_wp, 2e8_wp, 1e9_wp], &
     px(columns) = [3e10_wp, -1e12_wp, 2e12_wp], py(columns) = [1e11_wp, 4e11_wp, 0.0_wp], &
+    pressing(columns) = [0.0_wp, 3e12_wp, -2e12_wp], &
     u1(columns) = [3.0_wp, 2.0_wp, -1.0_wp], v1(columns) = [0.5_wp, -1.0_wp, 2.0_wp], &
     us(columns) = [-2.0_wp, -5.0_wp, 0.4_wp], vs(columns) = [1.0_wp, 0.0_wp, -3.0_wp]
 
@@ -63,8 +64,8 @@ contains
     made%strip%known = rise
     made%strip%absorption = 0
     call shear_columns(oil, made%nodes, p, rise, made%shear, made%mean, made%softening)
-    call set_heat(law, oil, made%nodes, made%shear, p, made%mean, u1, v1, made%softening, made%strip, made%capacity, made%u, &
-      made%v, made%compression)
+    call set_heat(law, oil, made%nodes, made%shear, p, pressing, made%mean, u1, v1, made%softening, made%strip, &
+      made%capacity, made%u, made%v, made%compression)
   end subroutine heat
 
   !> A Newtonian film 10 K above the inlet: Couette and Poiseuille flow, and the appendix's properties under pressure.
@@ -85,7 +86,7 @@ contains
       call all_close(made%u(c, :), u, 1e-10_wp, "velocity along x")
       call all_close(made%v(c, :), v, 1e-10_wp, "and along y")
       call all_close(made%strip%source(c, :), source, 1e-10_wp, "heat of shearing")
-      call all_close(made%compression(c, :), eps*(inlet + warm)*(u*px(c) + v*py(c)), 1e-10_wp, "heat of compression")
+      call all_close(made%compression(c, :), eps*(inlet + warm)*(u*px(c) + v*py(c) + pressing(c)), 1e-10_wp, "heat of compression")
       call close_to(made%strip%thickness(c), h(c), 1e-20_wp, "the film")
       call all_close(made%strip%wall(c, :), [warm, warm], 1e-12_wp, "walls as they are")
     end do

@@ -48,7 +48,7 @@ COARSENING: dict[Kind, float] = {"point": 2.0, "line": 0.5}
 """Spacing of the first transient solve over that of the plan's first grid; nodes of lines cost next to
 nothing."""
 
-TOGETHER = 0.75
+TOGETHER = 0.5
 """Transits after the first touch in which the window is that of surfaces that come together."""
 
 WIDER = 3.0

@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from pyworm import kernel
 from pyworm.kernel.core import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -34,7 +35,7 @@ from pyworm.solver.transient.heat_memory import (
 )
 from pyworm.solver.transient.instant import Instant, extrapolated, instant_of
 from pyworm.solver.transient.moments import Moment, moment
-from pyworm.solver.transient.moving_grid import at_places, seen_from, slopes
+from pyworm.solver.transient.moving_grid import at_places, each_at_places, seen_from, slopes
 from pyworm.solver.transient.time_steps import Step, steps_of
 
 BEFORE = 3
@@ -46,6 +47,10 @@ iteration leaves in a rate of change."""
 
 WARMING = 1e-2
 """Last change of their temperatures over the largest rise; heat is quasi-steady and keeps no errors."""
+
+STORING = 1e-3
+"""Pressure of the oil, over the largest, down to which the heat that it stores counts. Farther out gaps are
+wide, and what it stores there is not that of a steady temperature's change."""
 
 TRACE = 1.0
 """Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
@@ -82,11 +87,16 @@ class RateOfChange:
     rise : numpy.ndarray or None
         What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
         [K]; None where heat is not simulated.
+    warming, pressing : numpy.ndarray or None
+        Rates of change of the oil's temperature, level along the last axis [K/s], and of its pressure [Pa/s];
+        None likewise.
     """
 
     grid: Grid | LineGrid
     rate: Array
     rise: Array | None = None
+    warming: Array | None = None
+    pressing: Array | None = None
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
@@ -94,10 +104,14 @@ class RateOfChange:
 
     def remembered(self, grid: Grid | LineGrid) -> Array | None:
         """What both surfaces are warmer by at nodes of a grid [K]."""
-        if self.rise is None:
+        return None if self.rise is None else each_at_places(self.grid, self.rise, grid)
+
+    def stored(self, grid: Grid | LineGrid) -> kernel.HeatStorage | None:
+        """Rates of change of the oil's temperature and pressure at nodes of a grid."""
+        if self.warming is None:
             return None
-        of_each = [at_places(self.grid, of, grid) for of in np.moveaxis(self.rise, -1, 0)]
-        return np.stack(of_each, axis=-1)
+        warming = each_at_places(self.grid, self.warming, grid)
+        return kernel.HeatStorage(warming, at_places(self.grid, self.pressing, grid))
 
 
 @dataclass(frozen=True)
@@ -113,6 +127,9 @@ class _Backwards:
 
     def remembered(self, grid: Grid | LineGrid) -> Array | None:
         return self.rise
+
+    def stored(self, grid: Grid | LineGrid) -> None:
+        return None
 
 
 @dataclass(frozen=True)
@@ -224,13 +241,14 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
             frame = course.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
             moments.append(moment(level, step.seconds, frame))
             for at in turns.get(step.seconds, ()):
-                then, taken = level, 0
+                then, known, taken = level, before, 0
                 if at > step.seconds:
                     turn = Step(at, refinement)
                     past = _led_on(course, step, turn, before, heat)
                     then, taken = _onward(course, turn, *past, held)
+                    known = [instant_of(then, at), *past[0]]
                 taken_of_all += taken
-                rates[at], rigid_films[at] = _rate_of(course, then, at), then.film.rigid_film
+                rates[at], rigid_films[at] = _rate_of(course, then, known), then.film.rigid_film
         except LostError as error:
             lost = str(error)
             break
@@ -407,25 +425,45 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
     def there(field: Array) -> Array:
         return at_places(level.grid, field, grid)
 
-    rise = None
-    if state.rise is not None:
-        rise = np.stack([there(one) for one in np.moveaxis(state.rise, -1, 0)], axis=-1)
+    rise = None if state.rise is None else each_at_places(level.grid, state.rise, grid)
     pressure, oil = (np.maximum(there(of), 0.0) for of in (state.pressure, state.oil))
     return InitialGuess(pressure, state.rigid_film, rise, oil)
 
 
-def _rate_of(course: Course, level: Level, seconds: float) -> RateOfChange:
-    """Rate of change of the film of a time; equation 1 of `moving_grid`."""
-    now, grid, mesh = instant_of(level, seconds), level.grid, course.mesh(seconds)
+def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateOfChange:
+    """Rate of change of the film of a time, of which some instants are known, its own first."""
+    now, grid, mesh = instants[0], level.grid, course.mesh(instants[0].seconds)
     if level.transient_term is None:  # a life that begins at that time, with a steady film
         return RateOfChange(grid, np.zeros_like(now.content))
+    velocity = mesh(*grid.mesh())
+
+    def at_place(at_node: Array, field: Array) -> Array:
+        """Equation 1 of `moving_grid`."""
+        parts = zip(velocity, slopes(grid, field), strict=True)
+        return at_node - sum(component * slope for component, slope in parts)
+
     implicit, explicit = level.transient_term.on(grid)
-    at_node = (implicit - mesh.divergence) * now.content + explicit
-    carried = sum(
-        component * slope
-        for component, slope in zip(mesh(*grid.mesh()), slopes(grid, now.content), strict=True)
+    rate = at_place((implicit - mesh.divergence) * now.content + explicit, now.content)
+    warm = [one for one in instants if one.state.rise is not None]
+    if len(warm) < 2:
+        return RateOfChange(grid, rate, now.rise)
+    of = backward_weights([one.seconds for one in warm])
+
+    def changing(name: str) -> Array:
+        parts = zip(of, warm, strict=True)
+        return sum(weight * getattr(one.state, name) for weight, one in parts)
+
+    oil, rise = now.state.oil, now.state.rise
+    storing = oil > STORING * oil.max()
+    levels = (
+        at_place(*fields)
+        for fields in zip(
+            *(np.moveaxis(field, -1, 0) for field in (changing("rise"), rise)), strict=True
+        )
     )
-    return RateOfChange(grid, at_node - carried, now.rise)
+    warming = np.stack([storing * field for field in levels], axis=-1)
+    pressing = storing * at_place(changing("oil"), oil)
+    return RateOfChange(grid, rate, now.rise, warming, pressing)
 
 
 def _heated(level: Level, seconds: float) -> list[HeatedInstant]:

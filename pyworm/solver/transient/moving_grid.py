@@ -125,6 +125,11 @@ def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Ar
     return spline(other.x, other.y)
 
 
+def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:
+    """The same of several fields along the last axis."""
+    return np.stack([at_places(grid, of, other) for of in np.moveaxis(fields, -1, 0)], axis=-1)
+
+
 def slopes(grid: Grid | LineGrid, field: Array) -> tuple[Array, ...]:
     """Slopes of a field along each direction of its grid."""
     if isinstance(grid, LineGrid):

@@ -1,5 +1,8 @@
 """Expected work of transient solves."""
 
+from itertools import pairwise
+
+import numpy as np
 import pytest
 
 import pyworm
@@ -7,6 +10,7 @@ from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
 from pyworm.solver.cost.expected_motion import course_if_any, motion
 from pyworm.solver.cost.expected_time import Expectation, together
 from pyworm.solver.transient.march import march
+from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Part, begin_of_one, part_at
 
 LINE, POINT = ("cases/spur_pair.toml", 0.35), ("cases/zi_drive.toml", 0.5)
@@ -37,12 +41,25 @@ def test_the_time_steps_counted_are_those_that_a_solve_takes(monkeypatch):
 
 @pytest.mark.parametrize("accuracy", [0.5, 0.05, 0.02])
 def test_each_solve_of_a_life_has_twice_the_time_steps_and_four_times_the_nodes(accuracy):
-    own = motion(*moving(POINT, accuracy)).own
-    windows = 2  # as surfaces come together, and of the contact
-    assert len(own) == windows * solves_of_life(accuracy)
-    for coarse, fine in zip(own[:-windows], own[windows:], strict=True):
-        assert fine.count == pytest.approx(2 * coarse.count, rel=0.1)
-        assert fine.nodes == pytest.approx(4 * coarse.nodes, rel=0.1)
+    scene, plan, course = moving(POINT, accuracy)
+    own, solves = motion(scene, plan, course).own, solves_of_life(accuracy)
+    assert len(own) == 2 * solves  # as surfaces come together, and of the contact
+    of_contact = [course.grid_of_contact(course.begin, number).nodes for number in range(solves)]
+    counts = [sum(of.count for of in own if of.nodes == nodes) for nodes in of_contact]
+    for coarse, fine in pairwise(zip(of_contact, counts, strict=True)):
+        assert fine[0] == pytest.approx(4 * coarse[0], rel=0.1)
+        assert fine[1] == pytest.approx(2 * coarse[1], rel=0.1)
+
+
+def test_the_first_half_of_the_way_to_the_first_touch_is_solved_on_the_grid_before():
+    _, _, course = moving(POINT, 0.05)
+    steps = steps_of(course, 1, 0.0, course.life.touched)
+    times, grids = [one.seconds for one in steps], [one.refinement for one in steps]
+    assert grids == sorted(grids) and set(grids) == {0, 1}
+    half = course.place(times[grids.index(1)])
+    assert half == pytest.approx(course.place(course.life.touched) / 2, abs=course.step(0))
+    places = [course.place(at) for at in times]
+    assert np.diff(places) == pytest.approx([course.step(on) for on in grids[:-1]], rel=1e-6)
 
 
 def test_a_further_solve_begins_on_the_grid_before():

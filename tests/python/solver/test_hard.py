@@ -182,10 +182,9 @@ def test_a_film_hottest_in_a_spike_ends_with_all_else_accurate(tmp_path):
         assert getattr(figures, name).reason is None
 
 
-@pytest.mark.parametrize(("number", "seed"), [(5, 101), (45, 7117)])
-def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path, number, seed):
-    """Limits of 2 to 3 % of the pressure at 12 to 15 m/s; no cold film bears the stresses of the second."""
-    one = trial(DRAWS["thermal"](number, seed).tables, "drawn", tmp_path, "all")
+def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path):
+    """A limit of 2 to 3 % of the pressure at 12 to 15 m/s: no cold film bears its stresses."""
+    one = trial(DRAWS["thermal"](45, 7117).tables, "drawn", tmp_path, "all")
     solution = pyworm.solve(one.plan.simplified(one.scene), one.plan)
     assert solution.converged, solution.stop_reason
     assert solution.figures.temperature_max_film.value > one.scene.oil.heat.inlet_temperature + 10

@@ -1,0 +1,92 @@
+"""Heat that the oil of films in motion stores."""
+
+from dataclasses import replace
+from math import exp
+
+import numpy as np
+import pytest
+from plan_scenes import STEEL, line, point
+
+import pyworm
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil, OilHeat
+from pyworm.materials.viscosity_density import Barus, Density
+from pyworm.planning.grid import Grid
+from pyworm.scene.life import Life, Past
+from pyworm.solver.kinds import SOLVERS
+from pyworm.solver.newton import settle
+from pyworm.solver.transient.course import course_of
+from pyworm.solver.transient.march import RateOfChange, march
+
+INLET, EXPANSIVITY = 333.15, 7e-4
+HEAT = OilHeat(INLET, 0.0, 0.14, 2000.0, EXPANSIVITY)
+"""Heat of an oil whose viscosity it leaves as it is."""
+
+OIL = Oil(Barus(0.02, 1e-8), Density.incompressible(850.0), FlowLaw("newtonian"), HEAT)
+SPEEDS = 1.5, 0.5
+
+
+def ball():
+    return point("ball", (0.02, 0.02), 20.0, tuple((u, 0.0) for u in SPEEDS), (STEEL, STEEL), OIL)
+
+
+def roller():
+    return line("roller", 0.02, 5e4, SPEEDS, (STEEL, STEEL), OIL)
+
+
+@pytest.mark.parametrize("contact", [ball, roller])
+def test_oil_that_warms_stores_heat_and_oil_that_is_pressed_is_warmed(contact):
+    """Storing evenly, a film is rho c dT/dt h^2/(8 k) colder in its middle; pressing it makes up for that."""
+    scene = contact()
+    plan = pyworm.plan(scene, 0.05, "all")
+    steady, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    grid, levels = steady.grid, steady.film.levels
+    settle(steady, 1e-6, plan.aim, 1e-5)
+    origin = tuple(int(np.argmin(np.abs(axis))) for axis in axes(grid))
+    capacity = OIL.density.rho0 * HEAT.specific_heat
+    cold = capacity * steady.film.thickness()[origin] ** 2 / (8 * HEAT.conductivity)
+    drop = 0.2 * above_walls(steady.film.rise()[origin])
+    none = np.zeros(grid.shape)
+    rate = np.where(steady.contact(), drop / cold, 0.0)
+    warming = np.repeat(rate[..., np.newaxis], levels, axis=-1)
+    pressing = capacity * rate / (EXPANSIVITY * INLET)
+    middles = []
+    for pressed in (none, pressing):
+        term = RateOfChange(grid, none, warming=warming, pressing=pressed)
+        level = SOLVERS[type(scene)](scene, plan, term).with_rate(steady)
+        settle(level, 1e-6, plan.aim, 1e-5)
+        middles.append(above_walls(level.film.rise()[origin]))
+    assert drop / 0.2 - middles[0] == pytest.approx(drop, rel=0.03)
+    assert middles[1] == pytest.approx(drop / 0.2, abs=0.05 * drop)
+
+
+def above_walls(across):
+    """The middle of a film over the mean of its walls."""
+    return across[len(across) // 2] - (across[0] + across[-1]) / 2
+
+
+def axes(grid):
+    return (grid.x, grid.y) if isinstance(grid, Grid) else (grid.x,)
+
+
+def test_oil_warms_at_the_rate_at_which_its_heat_grows():
+    """Sliding as exp(s t/2), oil of one viscosity is heated as exp(s t), and steadily so warm at each time."""
+    growth, duration = 500.0, 2e-3
+
+    def contact_at(seconds):
+        slide = 0.5 * exp(growth * seconds / 2)
+        velocities = 1 + slide, 1 - slide
+        return line("roller", 0.02, 5e4, velocities, (STEEL, STEEL), OIL)
+
+    life = Life(duration, contact_at)
+    present = replace(contact_at(duration), past=Past(life, duration))
+    plan = pyworm.plan(present, 0.05, "all", ("temperature",))
+    rate = march(course_of(life, plan), 0, 0.0, [duration]).rates[duration]
+    steady, _ = SOLVERS[type(present)](present, plan).begin(plan.grids)
+    settle(steady, 1e-6, plan.aim, 1e-5)
+    (warming,), (rise,) = (
+        field[grid.x == 0.0]
+        for field, grid in ((rate.warming, rate.grid), (steady.film.rise(), steady.grid))
+    )
+    assert above_walls(warming) == pytest.approx(growth * above_walls(rise), rel=0.02)
+    assert not rate.warming[-1].any()  # behind the contact, where the film has ruptured
