@@ -160,6 +160,7 @@ VARIABLES = {
     "frame_y": ("m", "tangent plane, second direction from the contact point"),
     "frame_pressure": ("Pa", "pressure of the film, of oil and asperities together"),
     "frame_film": ("m", "film thickness, of rough surfaces the mean thickness of the gap"),
+    "frame_rubbing": ("W/m2", "pressure that asperities bear times the sliding"),
 }
 """Name -> unit and long name."""
 

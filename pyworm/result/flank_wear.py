@@ -1,8 +1,10 @@
 """Work of asperities at each place of a wheel's or worm's flank: pressure times sliding, over a pass in mesh.
 
 Wear is proportional to it. Between solved phases fields and places are interpolated, as for extremes
-(`pyworm.result.flank_map`). Each node of a contact gives its share to the cells of the flank around it by
-the area it has there, so that the sum over the flank is that over the contact: nothing is worn twice or lost.
+(`pyworm.result.flank_map`); where films are in motion what asperities do is known at many instants between
+them, on coarser grids, whose whole is made that of the solved phases. Each node of a contact gives its share
+to the cells of the flank around it by the area it has there, so that the sum over the flank is that over the
+contact: nothing is worn twice or lost.
 """
 
 from dataclasses import dataclass
@@ -14,6 +16,7 @@ import scipy
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.result.flank_map import LOADED_FRACTION, common_grid, layer_of
+from pyworm.result.life import ContactLife, Fields, lives
 from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
@@ -176,7 +179,8 @@ def asperity_pass(
     x, y = common_grid(solved)
     layers = [_with_areas(_placed(one, x, y, side), x, y) for one in solved]
     work, volume = np.zeros(grid.shape), 0.0
-    stations = _whole_mesh([one.phase for one in solved], layers, _tooth_load(result))
+    phases, layers = _in_motion(result, [one.phase for one in solved], layers, x, y)
+    stations = _whole_mesh(phases, layers, _tooth_load(result))
     for (phase, before), (next_phase, after) in pairwise(stations):
         moved = np.hypot(*(np.median(after[of] - before[of]) for of in ("face", "radius")))
         steps = max(int(np.ceil(2 * moved / CELL)), 4)
@@ -189,6 +193,75 @@ def asperity_pass(
             )
             volume += float((rubbing * now["area"]).sum())
     return Pass(work, volume)
+
+
+def flank_work(result: Result, grid: FlankGrid, side: Side = "wheel") -> Array | None:
+    """Work of asperities over a pass of films in motion [Pa m], (radius, face); None of any other result."""
+    life = _worm_life(result)
+    if life is None or len([one for one in result.solutions if one.converged]) < FEWEST_PHASES:
+        return None
+    rate = float(np.median(np.diff(life.phases) / np.diff(life.seconds)))
+    return asperity_pass(result, grid, rate, side).work
+
+
+def _worm_life(result: Result) -> ContactLife | None:
+    """The life of a tooth pair whose asperities' work is known at its instants."""
+    found = lives(result)
+    framed = len(found) == 1 and found[0].phases is not None and found[0].frames
+    return found[0] if framed and found[0].frames[0].rubbing is not None else None
+
+
+def _in_motion(
+    result: Result, phases: list[float], layers: list[dict[str, Array]], x: Array, y: Array
+) -> tuple[list[float], list[dict[str, Array]]]:
+    """Phases and layers with those of the instants between, where films are in motion.
+
+    Places are between those of the solved phases; pressure and rubbing are the instant's, the latter in the
+    ratio that it has in the whole at the solved phases on their finer grids.
+    """
+    life = _worm_life(result)
+    if life is None:
+        return phases, layers
+    at = np.interp([one.seconds for one in life.frames], life.seconds, life.phases)
+    between = [
+        (phase, *_on_grid(frame, x, y))
+        for phase, frame in sorted(zip(at, life.frames, strict=True), key=lambda pair: pair[0])
+    ]
+    known = [phase for phase, _, _ in between]
+    whole = [float(rubbing.sum()) for _, _, rubbing in between]
+    solved = [float(layer["asperity_rubbing"].sum()) for layer in layers]
+    ratios = [
+        own / max(np.interp(phase, known, whole), TINY)
+        for phase, own in zip(phases, solved, strict=True)
+    ]
+    stations = dict(zip(phases, layers, strict=True))
+    for phase, pressure, rubbing in between:
+        after = int(np.searchsorted(phases, phase))
+        if not 0 < after < len(phases) or phase in stations:
+            continue
+        part = (phase - phases[after - 1]) / (phases[after] - phases[after - 1])
+        layer = {
+            name: (1 - part) * layers[after - 1][name] + part * layers[after][name]
+            for name in layers[after]
+        }
+        own = {"pressure": pressure, "asperity_rubbing": np.interp(phase, phases, ratios) * rubbing}
+        stations[phase] = {**layer, **own}
+    return sorted(stations), [stations[phase] for phase in sorted(stations)]
+
+
+TINY = 1e-300
+"""Least work of asperities to which another is relative [W/m2]."""
+
+
+def _on_grid(frame: Fields, x: Array, y: Array) -> tuple[Array, Array]:
+    """Pressure and rubbing of an instant on the common grid, (y, x), zero beyond its own."""
+    places = np.stack(np.meshgrid(x, y), axis=-1)
+    return tuple(
+        scipy.interpolate.interpn(
+            (frame.x, frame.y), field, places, bounds_error=False, fill_value=0.0
+        )
+        for field in (frame.pressure, frame.rubbing)
+    )
 
 
 Load = tuple[Array, Array]

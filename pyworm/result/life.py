@@ -23,6 +23,9 @@ Array = np.ndarray
 
 VELOCITIES = "life_entrainment_x", "life_entrainment_y"
 
+FRAMED = "frame_pressure", "frame_film", "frame_rubbing"
+"""Fields over the life, the last between rough surfaces only."""
+
 LARGEST_STEP = 3.0
 """Step from one instant to the next, over both steps beside it, from which a part of the life counts as not
 solved: a curve has a gap there."""
@@ -40,6 +43,8 @@ class Fields:
         Places of the nodes [m]; y is None of a line contact.
     pressure, film : numpy.ndarray
         Pressure [Pa] and film [m] over (x, y).
+    rubbing : numpy.ndarray or None
+        Pressure that asperities bear times the sliding [W/m2]; None between smooth surfaces.
     """
 
     seconds: float
@@ -47,6 +52,7 @@ class Fields:
     y: Array | None
     pressure: Array
     film: Array
+    rubbing: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -107,6 +113,17 @@ class ContactLife:
             for of in (self.figures, self.errors)
         )
 
+    def asperity_work(self) -> float | None:
+        """The part of it that asperities rub; None between smooth surfaces."""
+        if "friction_boundary" not in self.figures:
+            return None
+        loss, boundary, whole = (
+            self.figures[name]
+            for name in ("power_loss", "friction_boundary", "friction_coefficient")
+        )
+        parts = np.divide(boundary, whole, out=np.zeros_like(whole), where=whole > 0)
+        return float(np.trapezoid(loss * parts, self.seconds))
+
     def extreme(self, name: str) -> tuple[float, float, float]:
         """The least film, or the largest value of another figure, its error bar and its time [s]."""
         values = self.figures[name]
@@ -122,7 +139,7 @@ class ContactLife:
             for name in EXTREMES
             if name in self.figures
         }
-        work = self.work()
+        work, rubbed = self.work(), self.asperity_work()
         unit = "J" if self.kind == "point" else "J_m"
         return {
             **self.place.given,
@@ -135,6 +152,7 @@ class ContactLife:
                 if work is None
                 else {f"friction_work_{unit}": work[0], f"friction_work_error_{unit}": work[1]}
             ),
+            **({} if rubbed is None else {f"asperity_work_{unit}": rubbed}),
         }
 
 
@@ -199,13 +217,11 @@ def _frames(of: "PlainDataset | xr.Dataset") -> list[Fields]:
         of["frame_seconds"].values,
         of["frame_x"].values,
         of["frame_y"].values if "frame_y" in of else of["frame_seconds"].values,
-        of["frame_pressure"].values,
-        of["frame_film"].values,
+        *(of[name].values for name in FRAMED if name in of),
         strict=True,
     )
     return [
-        Fields(float(at), x, y if np.ndim(y) else None, pressure, film)
-        for at, x, y, pressure, film in columns
+        Fields(float(at), x, y if np.ndim(y) else None, *fields) for at, x, y, *fields in columns
     ]
 
 

@@ -41,6 +41,7 @@ _FIGURES = {
     "temperature_middle": "temperature_max_film",
     "frame_pressure": "pressure_max",
     "frame_film": "film_min",
+    "frame_rubbing": "pressure_max",
 }
 """Field -> figure whose error bar it has."""
 

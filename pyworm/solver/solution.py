@@ -191,7 +191,8 @@ class Solution(Shown):
     life : xarray.Dataset or None
         Over instant, of a film in motion since the contact solved before it, or since its first touch:
         life_seconds, life_phase, life_load, and by each figure's name life_NAME and life_NAME_error; over
-        frame and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact).
+        frame and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact),
+        of rough surfaces frame_rubbing.
         They are of the transient solve's own grids. None of a steady film.
     effects : tuple of Judgement
         Every effect, judged by the solved figures.

@@ -12,6 +12,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.flank_sides import name_sides
 from pyworm.plots.layout import MEGA, MICRO, MILLI, new_figure, result_heading
 from pyworm.result.flank_map import FAILURE, flank_map
+from pyworm.result.flank_wear import FlankGrid, flank_work
 from pyworm.result.result import Result
 
 _PANELS = (
@@ -20,6 +21,13 @@ _PANELS = (
     ("temperature_body_2", "largest temperature\nof the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
     ("asperity_pressure", "largest pressure\non asperities / MPa", MEGA, 0.0, "inferno"),
     ("asperity_rubbing", "asperities' pressure\ntimes sliding / (MW/m²)", MEGA, 0.0, "inferno"),
+    (
+        "asperity_work",
+        "asperities' pressure times\nsliding way in a pass / (MPa m)",
+        MEGA,
+        0.0,
+        "inferno",
+    ),
     (
         "entry",
         f"least speed of oil into the\ncontact / mean (white: {FAILURE:g})",
@@ -30,6 +38,9 @@ _PANELS = (
 )
 """Field, its words, scale and offset to what is shown, colours."""
 
+SEEN = 0.01
+"""Work of asperities over the largest above which a place is shown."""
+
 MARKS = (0.0, 0.25, 0.5, 0.75, 1.0)
 """Phases marked on the path of contact."""
 
@@ -39,6 +50,12 @@ def draw_flank(result: Result) -> Figure | None:
     field = flank_map(result)
     if field is None:
         return None
+    work = flank_work(result, FlankGrid(field["face"].values, field["radius"].values))
+    if work is not None:
+        field["asperity_work"] = (
+            ("radius", "face"),
+            np.where(work > SEEN * work.max(), work, np.nan),
+        )
     cycle = result.mesh_cycle
     shown = [panel for panel in _PANELS if panel[0] in field]
     rows = (len(shown) + 1) // 2

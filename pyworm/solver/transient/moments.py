@@ -34,11 +34,14 @@ class Frame:
         Places of the nodes along each direction [m].
     pressure, film : numpy.ndarray
         Pressure [Pa] and film [m], in single precision.
+    rubbing : numpy.ndarray or None
+        Pressure that asperities bear times the sliding [W/m2], likewise; None between smooth surfaces.
     """
 
     places: tuple[Array, ...]
     pressure: Array
     film: Array
+    rubbing: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -84,9 +87,12 @@ def moment(level: Level, seconds: float, frame: Grid | LineGrid | None) -> Momen
 
 
 def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
-    fields = np.maximum(level.film.pressure, 0.0), level.film.thickness()
-    pressure, film = (at_places(level.grid, of, grid).astype(np.float32) for of in fields)
-    return Frame((grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y), pressure, film)
+    fields = [np.maximum(level.film.pressure, 0.0), level.film.thickness()]
+    if level.film.rough:
+        sliding = np.hypot.reduce(level.scene.sliding_at(*level.grid.mesh()))
+        fields.append(level.film.asperities().pressure * sliding)
+    there = (at_places(level.grid, of, grid).astype(np.float32) for of in fields)
+    return Frame((grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y), *there)
 
 
 def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:
@@ -106,12 +112,19 @@ def as_arrays(moments: Sequence[Moment]) -> dict[str, Array]:
         "names": np.array(names, dtype=np.str_),
         "figures": np.array([[one.figures[name] for name in names] for one in moments]),
         "framed": np.array([one.frame is not None for one in moments], dtype=bool),
-        "pressure": np.array([one.frame.pressure for one in framed]),
-        "film": np.array([one.frame.film for one in framed]),
+        **{
+            name: np.array([getattr(one.frame, name) for one in framed]) for name in _fields(framed)
+        },
     } | {
         f"places_{axis}": np.array([one.frame.places[number] for one in framed])
         for number, axis in enumerate(AXES[: len(framed[0].frame.places)] if framed else ())
     }
+
+
+def _fields(framed: Sequence[Moment]) -> tuple[str, ...]:
+    """Names of the fields that some moments have."""
+    rough = bool(framed) and framed[0].frame.rubbing is not None
+    return ("pressure", "film", "rubbing") if rough else ("pressure", "film")
 
 
 OF_EACH = ("seconds", "phases", "loads", "entrainments", "figures", "framed")
@@ -121,11 +134,10 @@ OF_EACH = ("seconds", "phases", "loads", "entrainments", "figures", "framed")
 def from_arrays(arrays: Mapping[str, Array]) -> tuple[Moment, ...]:
     """Moments from `as_arrays`."""
     axes = [f"places_{axis}" for axis in AXES if f"places_{axis}" in arrays]
+    fields = [name for name in ("pressure", "film", "rubbing") if name in arrays]
     frames = iter(
-        Frame(places, pressure, film)
-        for *places, pressure, film in zip(
-            *(arrays[axis] for axis in axes), arrays["pressure"], arrays["film"], strict=True
-        )
+        Frame(tuple(of[: len(axes)]), *of[len(axes) :])
+        for of in zip(*(arrays[name] for name in (*axes, *fields)), strict=True)
     )
     names = [str(name) for name in arrays["names"]]
     return tuple(
@@ -242,6 +254,8 @@ def _frames(moments: Sequence[Moment]) -> dict[str, tuple[tuple[str, ...], Array
             )
             for number, axis in enumerate(axes)
         },
-        "frame_pressure": (over, np.array([one.frame.pressure for one in framed])),
-        "frame_film": (over, np.array([one.frame.film for one in framed])),
+        **{
+            f"frame_{name}": (over, np.array([getattr(one.frame, name) for one in framed]))
+            for name in _fields(framed)
+        },
     }

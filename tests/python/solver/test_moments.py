@@ -1,8 +1,9 @@
 """Curves of figures over a life and their error bars."""
 
+import numpy as np
 import pytest
 
-from pyworm.solver.transient.moments import Moment, curves
+from pyworm.solver.transient.moments import Frame, Moment, as_arrays, curves, from_arrays
 
 
 def _moments(values):
@@ -31,3 +32,17 @@ def test_curves_that_go_on_beyond_the_present_are_compared_where_it_is():
 def test_the_larger_of_both_differences_counts():
     solves = [_moments([3.0, 2.0, 2.0]), _moments([2.0, 2.0, 2.0])]
     assert _bars(solves, 2.2) == pytest.approx([0.125, 0.1, 0.1])
+
+
+@pytest.mark.parametrize("rough", [False, True])
+def test_moments_are_kept_with_their_fields(rough):
+    x, y = np.linspace(-1, 1, 3), np.linspace(-2, 2, 5)
+    fields = [np.full((3, 5), value, np.float32) for value in ((1, 2, 3) if rough else (1, 2))]
+    framed = Moment(0.5, 0.1, 20.0, (1.0, 0.2), {"film_min": 1e-6}, Frame((x, y), *fields))
+    plain = Moment(0.6, 0.2, 21.0, (1.0, 0.3), {"film_min": 2e-6})
+    again = from_arrays(as_arrays([framed, plain]))
+    assert again[1] == plain and again[0].figures == framed.figures
+    frame = again[0].frame
+    assert [of.tolist() for of in frame.places] == [x.tolist(), y.tolist()]
+    kept = [of for of in (frame.pressure, frame.film, frame.rubbing) if of is not None]
+    assert [of.tolist() for of in kept] == [of.tolist() for of in fields]

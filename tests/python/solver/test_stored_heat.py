@@ -70,7 +70,7 @@ def axes(grid):
 
 
 def test_oil_warms_at_the_rate_at_which_its_heat_grows():
-    """Sliding as exp(s t/2), oil of one viscosity is heated as exp(s t), and steadily so warm at each time."""
+    """Sliding as exp(s t/2) heats oil of one viscosity as exp(s t), which is how it warms."""
     growth, duration = 500.0, 2e-3
 
     def contact_at(seconds):
