@@ -10,7 +10,12 @@ and its film carried on with the surfaces. That is our derivation, by the mechan
 Morales-Espejel (2016, Journal of Tribology 138, 031501: load changes Hertz's width and so the effective
 entrainment, and the inlet's films are transported through the contact) and of A. Felix-Quinonez and
 Morales-Espejel (2010, Proc. IMechE C 224, 2559-2567: an inlet with squeeze and the edge's motion). Their
-abstracts were read, not their tables. Run from the repository's root (a minute):
+abstracts were read, not their tables.
+
+Under a load that swings film thickness has waves along the contact. By Y. H. Wijnant and C. H. Venner (1999,
+Contact dynamics of starved elastohydrodynamic lubrication, in Lubrication at the Frontier, Elsevier;
+abstract) they run at the dimensionless speed one, that of the oil, and are 2 pi / Omega long, Omega the
+frequency times the contact's half-width over that speed. Run from the repository's root (a minute):
 
     python benchmarks/validation/transients.py [docs/pictures/transients.png]
 """
@@ -37,7 +42,7 @@ from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import march
+from pyworm.solver.transient.march import March, march
 
 Factor = Callable[[float], float]
 """Time, in transits of the contact at the beginning, to speed or load over that at the beginning."""
@@ -63,6 +68,12 @@ MILLISECOND = 1e-3
 
 RIGID_STEPS = 4
 """Time steps in which oil passes its width by Hertz, a hundredth of the length of its film."""
+
+PERIODS = (2.0, 1.0, 0.5)
+"""Periods in which the load of the elastic line swings [transits]."""
+
+SWUNG, SETTLING, INNER = 3, 3.0, 0.7
+"""Periods that are evaluated, transits before them, and part of the contact's half-width within which."""
 
 ENDLESS = 0.03
 """Half a window beyond which rigid films bear no pressure [m]."""
@@ -94,6 +105,11 @@ def bump(part: float, begin: float, width: float) -> Factor:
     )
 
 
+def swing(period: float) -> Factor:
+    """One, and a tenth up and down with a period."""
+    return lambda time: 1 + 0.1 * sin(2 * pi * time / period)
+
+
 def constant(time: float) -> float:
     """A speed or a load that stays."""
     return 1.0
@@ -108,6 +124,15 @@ def solved(
     scene: LineScene, unit: float, duration: float, speed: Factor, load: Factor, kinks, refinement
 ) -> tuple[Array, Array]:
     """Times, in a unit [s], and central films [m] of a line by one transient solve."""
+    found = marched(scene, unit, duration, speed, load, kinks, refinement)
+    times = np.array([one.seconds for one in found.moments]) / unit
+    return times, np.array([one.figures["film_central"] for one in found.moments])
+
+
+def marched(
+    scene: LineScene, unit: float, duration: float, speed: Factor, load: Factor, kinks, refinement
+) -> March:
+    """One transient solve of a line whose speed and load change with time, in a unit [s]."""
 
     def contact(seconds: float) -> LineScene:
         velocity = scene.entrainment * speed(seconds / unit)
@@ -122,8 +147,7 @@ def solved(
     found = march(course_of(life, plan), refinement, 0.0, [0.95 * end])
     if found.lost is not None:
         raise RuntimeError(found.lost)
-    times = np.array([one.seconds for one in found.moments]) / unit
-    return times, np.array([one.figures["film_central"] for one in found.moments])
+    return found
 
 
 def inlet_rate(film: float, half_width: float, widening: float, speed: float) -> float:
@@ -278,6 +302,54 @@ COURSES: dict[str, Callable[[], Transient]] = {
 """Name -> what happens: loads times 5, 1.1, 2; speeds to a tenth and back, or turned round."""
 
 
+@dataclass(frozen=True)
+class Waves:
+    """Film thickness along a contact whose load swings.
+
+    Attributes
+    ----------
+    speed : float
+        Speed of its waves over the mean one of the surfaces [-].
+    length, published : float
+        Their length, and 2 pi / Omega [half-widths].
+    least, largest : float
+        Amplitude along the contact, over the film [-].
+    """
+
+    speed: float
+    length: float
+    published: float
+    least: float
+    largest: float
+
+
+def waves(period: float, refinement: int = 1) -> Waves:
+    """Waves of the film of the elastic line under a load that swings with a period [transits]."""
+    scene = line(M, L, OILS["incompressible"])
+    half_width, end = line_scales(scene).hertz.half_width, SWUNG * period + SETTLING
+    transit = 2 * half_width / scene.entrainment
+    found = marched(scene, transit, end, constant, swing(period), (0.0,), refinement)
+    framed = [one for one in found.moments if one.frame is not None]
+    times = np.array([one.seconds for one in framed]) / transit
+    some = times > times[-1] - SWUNG * period
+    x = np.linspace(-INNER, INNER, 57)
+    films = np.array(
+        [
+            np.interp(x * half_width, one.frame.places[0], one.frame.film)
+            for one, taken in zip(framed, some, strict=True)
+            if taken
+        ]
+    )
+    angles = 2 * pi * times[some] / period
+    parts = np.stack([np.cos(angles), np.sin(angles), np.ones_like(angles)], axis=1)
+    (even, odd, mean), *_ = np.linalg.lstsq(parts, films)
+    wave = even - 1j * odd
+    number = abs(np.polyfit(x, np.unwrap(np.angle(wave)), 1)[0])
+    frequency = pi / period  # a transit is two half-widths
+    sizes = np.abs(wave) / mean
+    return Waves(frequency / number, 2 * pi / number, 2 * pi / frequency, sizes.min(), sizes.max())
+
+
 def compare(name: str, course: Transient) -> None:
     """Print extremes and deviations of a film in motion from the theory."""
     difference = course.solved - course.theory
@@ -318,6 +390,12 @@ def main() -> None:
     turned = courses["rigid, reversal"]
     for label, films in (("solved", turned.solved), ("theory", turned.theory)):
         print(f"least film while entrainment turns, {label}: C = {clearance(min(films), 1e3):.3f}")
+    for period in PERIODS:
+        of = waves(period)
+        print(
+            f"load swings in {period:g} transits: waves of {of.length:.4f} half-widths, published"
+            f" {of.published:g}, at {of.speed:.4f} of the oil's speed, amplitude {of.least:.2%} to {of.largest:.2%}"
+        )
     if sys.argv[1:]:
         draw(courses, sys.argv[1])
 

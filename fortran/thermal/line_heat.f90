@@ -201,7 +201,7 @@ contains
       self%dissipation(first:last, k) = columns%source(:m, k)
       self%compression(first:last, k) = compression(:m, k)
       if (allocated(self%warming)) then
-        self%compression(first:last, k) = compression(:m, k) - capacity(:m)*self%warming(first:last, k)
+        self%compression(first:last, k) = self%compression(first:last, k) - capacity(:m)*self%warming(first:last, k)
       end if
     end do
   end subroutine set_strip
