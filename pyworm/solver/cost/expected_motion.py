@@ -11,9 +11,8 @@ from pyworm.scene.point import Scene
 from pyworm.solver.transient.course import Course, course_of
 from pyworm.solver.transient.time_steps import places_of
 from pyworm.solver.transient.transient import (
-    MOST_SOLVES,
     Part,
-    begin_of_one,
+    begin_of_further,
     part_at,
     recent,
 )
@@ -82,14 +81,15 @@ def motion(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -
     if course is None:
         return None
     try:
-        part, begin = part_at(course, past.seconds), begin_of_one(course, past.seconds)
+        part = part_at(course, past.seconds)
     except ValueError:  # no load at present
         return None
     solves, place = solves_of_life(plan.accuracy), course.transits(past.seconds)
+    begin = begin_of_further(course, past.seconds, solves)
     last = min(part.last, course.transits(course.end))
     return Motion(
         _time_steps(course, range(solves), part.begin, place),
-        _time_steps(course, range(solves, min(solves + 1, MOST_SOLVES)), begin, place),
+        () if begin is None else _time_steps(course, range(solves, solves + 1), begin, place),
         _time_steps(course, range(solves), part.begin, last),
         None if lone else part,
     )
