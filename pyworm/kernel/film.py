@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
+from pyworm.kernel.interpolation import at_levels
 from pyworm.kernel.numbers import flow_numbers
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
@@ -285,12 +286,15 @@ class Film:
     def store_heat(self, storage: HeatStorage) -> None:
         """Let a heated film's oil store heat as it warms and is pressed; restart before a step.
 
+        Its levels may be others than the film's.
+
         Raises
         ------
         KernelError
             If a value is not finite or memory does not suffice.
         """
-        warming = fortran_array(storage.warming).reshape((*self._nodes, self.levels), order="F")
+        field = at_levels(storage.warming, self.levels)
+        warming = fortran_array(field).reshape((*self._nodes, self.levels), order="F")
         pressing = self._on_nodes(storage.pressing)
         check_status(core.bindings.film_store(self._handle, warming, pressing))
 

@@ -11,6 +11,15 @@ def level_positions(levels: int) -> np.ndarray:
     return core.bindings.level_positions(levels)
 
 
+def at_levels(field, levels: int) -> np.ndarray:
+    """A field at levels across a film, along its last axis, at another number of them, by a polynomial."""
+    given = np.shape(field)[-1]
+    if given == levels:
+        return np.asarray(field)
+    there, here = (np.vander(level_positions(count), given) for count in (levels, given))
+    return field @ np.linalg.solve(here.T, there.T)
+
+
 def prolong(field) -> np.ndarray:
     """Interpolate a field along one direction or two to half the spacing, by cubics."""
     field = fortran_array(field)

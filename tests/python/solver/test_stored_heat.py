@@ -8,6 +8,7 @@ import pytest
 from plan_scenes import STEEL, line, point
 
 import pyworm
+from pyworm.kernel.interpolation import at_levels, level_positions
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil, OilHeat
 from pyworm.materials.viscosity_density import Barus, Density
@@ -48,7 +49,7 @@ def test_oil_that_warms_stores_heat_and_oil_that_is_pressed_is_warmed(contact):
     drop = 0.2 * above_walls(steady.film.rise()[origin])
     none = np.zeros(grid.shape)
     rate = np.where(steady.contact(), drop / cold, 0.0)
-    warming = np.repeat(rate[..., np.newaxis], levels, axis=-1)
+    warming = np.repeat(rate[..., np.newaxis], levels + 2, axis=-1)  # of a transient solve
     pressing = capacity * rate / (EXPANSIVITY * INLET)
     middles = []
     for pressed in (none, pressing):
@@ -90,3 +91,10 @@ def test_oil_warms_at_the_rate_at_which_its_heat_grows():
     )
     assert above_walls(warming) == pytest.approx(growth * above_walls(rise), rel=0.02)
     assert not rate.warming[-1].any()  # behind the contact, where the film has ruptured
+
+
+def test_fields_across_a_film_at_other_levels_are_those_of_one_polynomial():
+    few, many = level_positions(5), level_positions(9)
+    field = np.stack([few**3 - few, 1 - few**4])
+    assert at_levels(field, 9) == pytest.approx(np.stack([many**3 - many, 1 - many**4]), abs=1e-12)
+    assert at_levels(at_levels(field, 9), 5) == pytest.approx(field, abs=1e-12)
