@@ -14,8 +14,9 @@ abstracts were read, not their tables.
 
 Under a load that swings film thickness has waves along the contact. By Y. H. Wijnant and C. H. Venner (1999,
 Contact dynamics of starved elastohydrodynamic lubrication, in Lubrication at the Frontier, Elsevier;
-abstract) they run at the dimensionless speed one, that of the oil, and are 2 pi / Omega long, Omega the
-frequency times the contact's half-width over that speed. Run from the repository's root (a minute):
+abstract, of starved circular contacts) they run at the dimensionless speed one, that of the oil, and so are
+2 pi / Omega long, Omega the frequency times the contact's half-width over that speed.
+Run from the repository's root (a minute):
 
     python benchmarks/validation/transients.py [docs/pictures/transients.png]
 """
@@ -344,7 +345,9 @@ def waves(period: float, refinement: int = 1) -> Waves:
     parts = np.stack([np.cos(angles), np.sin(angles), np.ones_like(angles)], axis=1)
     (even, odd, mean), *_ = np.linalg.lstsq(parts, films)
     wave = even - 1j * odd
-    number = abs(np.polyfit(x, np.unwrap(np.angle(wave)), 1)[0])
+    number = -np.polyfit(x, np.unwrap(np.angle(wave)), 1)[
+        0
+    ]  # positive of waves that go with the oil
     frequency = pi / period  # a transit is two half-widths
     sizes = np.abs(wave) / mean
     return Waves(frequency / number, 2 * pi / number, 2 * pi / frequency, sizes.min(), sizes.max())
@@ -394,7 +397,8 @@ def main() -> None:
         of = waves(period)
         print(
             f"load swings in {period:g} transits: waves of {of.length:.4f} half-widths, published"
-            f" {of.published:g}, at {of.speed:.4f} of the oil's speed, amplitude {of.least:.2%} to {of.largest:.2%}"
+            f" {of.published:g}, at {of.speed:.4f} of the oil's speed,"
+            f" amplitude {of.least:.2%} to {of.largest:.2%}"
         )
     if sys.argv[1:]:
         draw(courses, sys.argv[1])

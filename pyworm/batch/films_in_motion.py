@@ -83,8 +83,8 @@ class LifePart:
             else:
                 grid = list(vars(rates[at].grid).values())
                 kept = as_arrays(until(moments, ends[at]))
-                fields = {name: getattr(rates[at], name) for name in RATES}
-                known = {name: of for name, of in fields.items() if of is not None}
+                of_all = {name: getattr(rates[at], name) for name in RATES}
+                known = {name: of for name, of in of_all.items() if of is not None}
                 _write(file, grid=grid, since=since[at], **known, **kept)
 
     def _lost(self, directory: Path) -> bool:

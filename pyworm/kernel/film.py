@@ -116,7 +116,7 @@ class HeatFields:
     flux : numpy.ndarray
         Heat flux into each body [W/m2], body along the last axis.
     carried : numpy.ndarray
-        Heat convected by the oil, less that of its compression [W/m2].
+        Heat convected or stored by the oil, less that of its compression [W/m2].
     """
 
     flux: np.ndarray

@@ -144,10 +144,12 @@ def _loaded(layer: dict[str, Array], name: str) -> Array:
     return layer[name][pressure > LOADED_FRACTION * pressure.max()]
 
 
-def _solved(result: Result) -> list:
-    solved = [
-        one for one in result.solutions if one.converged and "asperity_pressure" in one.fields
-    ]
+def _rough_phases(result: Result) -> list[Solution]:
+    return [one for one in result.solutions if one.converged and "asperity_pressure" in one.fields]
+
+
+def _solved(result: Result) -> list[Solution]:
+    solved = _rough_phases(result)
     if len(solved) < FEWEST_PHASES:
         raise ValueError(
             f"{len(solved)} phases converged with simulated roughness; wear needs {FEWEST_PHASES} or more"
@@ -196,19 +198,24 @@ def asperity_pass(
 
 
 def flank_work(result: Result, grid: FlankGrid, side: Side = "wheel") -> Array | None:
-    """Work of asperities over a pass of films in motion [Pa m], (radius, face); None of any other result."""
+    """Pressure of asperities times sliding over a pass of films in motion [Pa m], (radius, face).
+
+    None of any other result.
+    """
     life = _worm_life(result)
-    if life is None or len([one for one in result.solutions if one.converged]) < FEWEST_PHASES:
+    if life is None or len(_rough_phases(result)) < FEWEST_PHASES:
         return None
     rate = float(np.median(np.diff(life.phases) / np.diff(life.seconds)))
     return asperity_pass(result, grid, rate, side).work
 
 
 def _worm_life(result: Result) -> ContactLife | None:
-    """The life of a tooth pair whose asperities' work is known at its instants."""
+    """The life of a tooth pair whose asperities' rubbing is known at its instants."""
     found = lives(result)
-    framed = len(found) == 1 and found[0].phases is not None and found[0].frames
-    return found[0] if framed and found[0].frames[0].rubbing is not None else None
+    if len(found) != 1 or found[0].phases is None or len(found[0].seconds) < 2:
+        return None
+    frames = found[0].frames
+    return found[0] if frames and all(one.rubbing is not None for one in frames) else None
 
 
 def _in_motion(
@@ -227,13 +234,11 @@ def _in_motion(
         (phase, *_on_grid(frame, x, y))
         for phase, frame in sorted(zip(at, life.frames, strict=True), key=lambda pair: pair[0])
     ]
-    known = [phase for phase, _, _ in between]
-    whole = [float(rubbing.sum()) for _, _, rubbing in between]
+    known, whole = (
+        np.array(of) for of in zip(*((one[0], one[2].sum()) for one in between), strict=True)
+    )
     solved = [float(layer["asperity_rubbing"].sum()) for layer in layers]
-    ratios = [
-        own / max(np.interp(phase, known, whole), TINY)
-        for phase, own in zip(phases, solved, strict=True)
-    ]
+    coarse = np.interp(phases, known, whole)
     stations = dict(zip(phases, layers, strict=True))
     for phase, pressure, rubbing in between:
         after = int(np.searchsorted(phases, phase))
@@ -244,13 +249,11 @@ def _in_motion(
             name: (1 - part) * layers[after - 1][name] + part * layers[after][name]
             for name in layers[after]
         }
-        own = {"pressure": pressure, "asperity_rubbing": np.interp(phase, phases, ratios) * rubbing}
-        stations[phase] = {**layer, **own}
+        fine, rough = (float(np.interp(phase, phases, of)) for of in (solved, coarse))
+        if rough > 0:  # else nothing is known but the solved phases
+            own = {"pressure": pressure, "asperity_rubbing": fine / rough * rubbing}
+            stations[phase] = {**layer, **own}
     return sorted(stations), [stations[phase] for phase in sorted(stations)]
-
-
-TINY = 1e-300
-"""Least work of asperities to which another is relative [W/m2]."""
 
 
 def _on_grid(frame: Fields, x: Array, y: Array) -> tuple[Array, Array]:

@@ -113,17 +113,6 @@ class ContactLife:
             for of in (self.figures, self.errors)
         )
 
-    def asperity_work(self) -> float | None:
-        """The part of it that asperities rub; None between smooth surfaces."""
-        if "friction_boundary" not in self.figures:
-            return None
-        loss, boundary, whole = (
-            self.figures[name]
-            for name in ("power_loss", "friction_boundary", "friction_coefficient")
-        )
-        parts = np.divide(boundary, whole, out=np.zeros_like(whole), where=whole > 0)
-        return float(np.trapezoid(loss * parts, self.seconds))
-
     def extreme(self, name: str) -> tuple[float, float, float]:
         """The least film, or the largest value of another figure, its error bar and its time [s]."""
         values = self.figures[name]
@@ -139,7 +128,7 @@ class ContactLife:
             for name in EXTREMES
             if name in self.figures
         }
-        work, rubbed = self.work(), self.asperity_work()
+        work = self.work()
         unit = "J" if self.kind == "point" else "J_m"
         return {
             **self.place.given,
@@ -152,7 +141,6 @@ class ContactLife:
                 if work is None
                 else {f"friction_work_{unit}": work[0], f"friction_work_error_{unit}": work[1]}
             ),
-            **({} if rubbed is None else {f"asperity_work_{unit}": rubbed}),
         }
 
 

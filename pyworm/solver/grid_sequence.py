@@ -249,7 +249,7 @@ class GridSequence:
 
     def check_memory(self, grid: Grid | LineGrid) -> None:
         """Raise NoMemoryError for a grid that memory will not hold."""
-        short = shortage(grid, self._plan.model)
+        short = shortage(grid, self._plan.model, stores=self._rates is not None)
         if short is not None:
             raise NoMemoryError(short)
 

@@ -39,21 +39,24 @@ class NoMemoryError(KernelError):
         self.status = NO_MEMORY
 
 
-def needed(nodes: int, model: Model) -> float:
-    """Memory of a film on so many nodes [bytes]."""
+def needed(nodes: int, model: Model, stores: bool = False) -> float:
+    """Memory of a film on so many nodes [bytes], whose oil `stores` heat if it is in motion."""
     arrays = FILM_ARRAYS
     if model.levels:
         arrays += SHEAR_ARRAYS + SHEAR_ARRAYS_A_LEVEL * model.levels
     if model.heated:
         arrays += HEAT_ARRAYS + HEAT_ARRAYS_A_LEVEL * model.levels
+        arrays += (
+            2 * (1 + model.levels) * stores
+        )  # rates of pressure and temperature, in the order of two sweeps
     if model.rough:
         arrays += ROUGH_ARRAYS
     return MARGIN * NUMBER * arrays * nodes
 
 
-def shortage(grid: Grid | LineGrid, model: Model) -> str | None:
+def shortage(grid: Grid | LineGrid, model: Model, stores: bool = False) -> str | None:
     """Message about a grid that does not fit into memory; None if it does."""
-    wanted, free = needed(grid.nodes, model), available()
+    wanted, free = needed(grid.nodes, model, stores), available()
     if wanted <= free:
         return None
     largest = " x ".join(str(count) for count in _largest(grid, free / wanted))

@@ -57,7 +57,8 @@ def solve(
         if sequence.wants_finer_rates:
             report(f"{scene.name}: its past, on a finer grid", 0.0)
             rates = finer(scene, plan, rates)
-            continue
+            if not rates.finest:
+                continue
         # the first grid tells what the closed forms missed, before finer ones cost their time
         updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)
         if updated.on <= plan.on:

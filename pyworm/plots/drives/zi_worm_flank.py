@@ -23,7 +23,7 @@ _PANELS = (
     ("asperity_rubbing", "asperities' pressure\ntimes sliding / (MW/m²)", MEGA, 0.0, "inferno"),
     (
         "asperity_work",
-        "asperities' pressure times\nsliding way in a pass / (MPa m)",
+        "asperities' pressure times\nsliding distance in a pass / (MPa m)",
         MEGA,
         0.0,
         "inferno",
@@ -39,7 +39,7 @@ _PANELS = (
 """Field, its words, scale and offset to what is shown, colours."""
 
 SEEN = 0.01
-"""Work of asperities over the largest above which a place is shown."""
+"""That product over the largest above which a place is shown."""
 
 MARKS = (0.0, 0.25, 0.5, 0.75, 1.0)
 """Phases marked on the path of contact."""

@@ -18,7 +18,8 @@ from pyworm.solver.transient.transient import (
 )
 
 FURTHER = 0.1
-"""Chance that a contact has one more transient solve than its accuracy asks for: two of 31 had."""
+"""Chance that a contact has one more transient solve than its accuracy asks for: two of 31 had. A second one
+more is not expected."""
 
 
 @dataclass(frozen=True)

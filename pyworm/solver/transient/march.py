@@ -46,11 +46,12 @@ TOLERANCE = 0.06
 iteration leaves in a rate of change."""
 
 WARMING = 1e-2
-"""Last change of their temperatures over the largest rise; heat is quasi-steady and keeps no errors."""
+"""Last change of their temperatures over the largest rise. The heat of the instants is steady and keeps no
+errors; in a rate of change they are divided by a time step, but the oil follows within microseconds."""
 
 STORING = 1e-3
-"""Pressure of the oil, over the largest, down to which the heat that it stores counts. Farther out gaps are
-wide, and what it stores there is not that of a steady temperature's change."""
+"""Pressure of the oil, over the largest, from which on the heat that it stores counts, in full from twice
+that. Farther out gaps are so wide that temperatures do not follow within a time step."""
 
 TRACE = 1.0
 """Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
@@ -454,7 +455,7 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
         return sum(weight * getattr(one.state, name) for weight, one in parts)
 
     oil, rise = now.state.oil, now.state.rise
-    storing = oil > STORING * oil.max()
+    storing = np.clip(oil / (STORING * oil.max()) - 1, 0.0, 1.0)
     levels = (
         at_place(*fields)
         for fields in zip(

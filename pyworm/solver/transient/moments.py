@@ -87,12 +87,15 @@ def moment(level: Level, seconds: float, frame: Grid | LineGrid | None) -> Momen
 
 
 def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
-    fields = [np.maximum(level.film.pressure, 0.0), level.film.thickness()]
+    fields = [level.film.pressure, level.film.thickness()]
     if level.film.rough:
-        sliding = np.hypot.reduce(level.scene.sliding_at(*level.grid.mesh()))
+        sliding = np.linalg.norm(level.scene.sliding_at(*level.grid.mesh()), axis=0)
         fields.append(level.film.asperities().pressure * sliding)
-    there = (at_places(level.grid, of, grid).astype(np.float32) for of in fields)
-    return Frame((grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y), *there)
+    pressure, film, *rubbing = (at_places(level.grid, of, grid) for of in fields)
+    # between nodes cubics may dip below zero
+    kept = np.maximum(pressure, 0.0), film, *(np.maximum(of, 0.0) for of in rubbing)
+    places = (grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y)
+    return Frame(places, *(of.astype(np.float32) for of in kept))
 
 
 def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:

@@ -49,10 +49,9 @@ def places_of(
     coarse = _begun_coarse(course, refinement, begin)
     if coarse == 0:
         return _on_one_grid(course, refinement, begin, last)
-    step = course.step(refinement - 1)
-    count = round(coarse / step)
+    count = round(coarse / course.step(refinement - 1))
     before = _on_one_grid(course, refinement - 1, begin, begin + coarse)
-    return before[:count] + _on_one_grid(course, refinement, begin + step * count, last)
+    return before[:count] + _on_one_grid(course, refinement, begin, last, 2 * count)
 
 
 def _begun_coarse(course: Course, refinement: int, begin: float) -> float:
@@ -63,13 +62,13 @@ def _begun_coarse(course: Course, refinement: int, begin: float) -> float:
 
 
 def _on_one_grid(
-    course: Course, refinement: int, begin: float, last: float
+    course: Course, refinement: int, begin: float, last: float, first: int = 0
 ) -> list[tuple[int, float]]:
-    """The same from a place on, on one grid."""
+    """The same from the first step on, on one grid; solves share instants to the last bit."""
     step = course.step(refinement)
     whole = course.transits(course.end)
     count = int((last - begin) / step) + 1
-    places = [begin + step * number for number in range(count + 1)]
+    places = [begin + step * number for number in range(first, count + 1)]
     kept = [place for place in places if place < whole - step / 2]
     kept += [whole] * (places[-1] >= whole - step / 2)
     return [(refinement, place) for place in kept]

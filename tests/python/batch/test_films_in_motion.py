@@ -6,11 +6,12 @@ import pytest
 import pyworm
 from pyworm.batch import films_in_motion
 from pyworm.batch.case_run import run
-from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
+from pyworm.batch.films_in_motion import RATES, drop_rates, rates_for, solve_lives
 from pyworm.batch.task import Task
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.result.life import lives
 from pyworm.solver.transient.march import LostError
+from pyworm.solver.transient.transient import rates_at_present
 
 HOW = 0.5, "isothermal,squeeze", ("film",)
 
@@ -34,6 +35,23 @@ def test_phases_share_a_life_and_find_what_each_would_alone(tmp_path):
         alone = pyworm.solve(task.scene, task.plan)
         assert solution.figures.film_min == alone.figures.film_min
         assert solution.figures.film_central == alone.figures.film_central
+
+
+def test_what_is_left_for_a_task_has_the_heat_of_surfaces_and_oil(tmp_path):
+    case = pyworm.load("cases/spur_pair.toml")
+    how = 0.5, "all,-roughness", ("film",)
+    tasks = [Task(case, place, *how) for place in case.places(phase=[0.35, 0.6])]
+    solve_lives(tasks, tmp_path, None, lambda message, share: None)
+    (rate,) = rates_for(tasks[0], tmp_path).found
+    assert rate.rise.shape == (*rate.rate.shape, 2) and rate.warming.shape[0] == len(rate.rate)
+    assert rate.pressing.any() and rate.warming.any()
+    (own,) = rates_at_present(tasks[0].scene, tasks[0].plan).found
+    for name in RATES:
+        assert np.array_equal(getattr(rate, name), getattr(own, name))
+    finer = rate.grid.finer()
+    stored = rate.stored(finer)
+    assert stored.warming.shape == (*finer.shape, rate.warming.shape[-1])
+    assert stored.pressing[::2] == pytest.approx(rate.pressing, abs=1e-9 * rate.pressing.max())
 
 
 def test_a_phase_within_a_time_step_of_the_one_before_belongs_to_the_life(tmp_path):

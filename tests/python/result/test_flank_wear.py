@@ -92,11 +92,10 @@ def test_without_a_curve_of_the_load_the_pass_ends_with_the_solved_phases():
     assert [phase for phase, _ in _whole_mesh([0.2, 0.8], [layer(0), layer(1)], None)] == [0.2, 0.8]
 
 
-def test_between_solved_phases_asperities_work_as_at_the_instants_of_films_in_motion(monkeypatch):
-    """On coarse grids they bear half of what they do on finer ones, and three times as much in between."""
+def pass_in_motion(monkeypatch, sizes, own):
+    """Phases and rubbing between two solved phases, of instants with a size each and the phases' own."""
     x, y = np.linspace(-1e-3, 1e-3, 4), np.linspace(-1e-3, 1e-3, 3)
     even = np.ones((4, 3))
-    sizes = {0.1: 1.0, 0.2: 1.0, 0.5: 3.0, 0.8: 1.0, 0.9: 1.0}
     frames = [
         Fields(phase / 10, 2 * x, 2 * y, 1e8 * even, even, size * even)
         for phase, size in sizes.items()
@@ -105,10 +104,28 @@ def test_between_solved_phases_asperities_work_as_at_the_instants_of_films_in_mo
         seconds=np.array([0.0, 0.1]), phases=np.array([0.0, 1.0]), frames=tuple(frames)
     )
     monkeypatch.setattr(flank_wear, "_worm_life", lambda result: life)
-    layers = [layer(0.2e-3), layer(0.8e-3)]
+    layers = [layer(0.2e-3, rubbing=own[0]), layer(0.8e-3, rubbing=own[1])]
     phases, found = flank_wear._in_motion(None, [0.2, 0.8], layers, x, y)
+    assert found[0] is layers[0] and found[-1] is layers[1]
+    return phases, found
+
+
+def test_between_solved_phases_asperities_rub_as_at_the_instants_of_films_in_motion(monkeypatch):
+    """On coarse grids they bear half of what they do on finer ones, and three times as much in between."""
+    sizes = {0.1: 1.0, 0.2: 1.0, 0.5: 3.0, 0.8: 1.0, 0.9: 1.0}
+    phases, found = pass_in_motion(monkeypatch, sizes, (2.0, 2.0))
     assert phases == pytest.approx([0.2, 0.5, 0.8])
-    assert found[0] is layers[0] and found[2] is layers[1]
     assert found[1]["asperity_rubbing"] == pytest.approx(np.full((3, 4), 6.0))
     assert found[1]["face"] == pytest.approx(np.full((3, 4), 0.5e-3))
     assert found[1]["pressure"] == pytest.approx(np.full((3, 4), 1e8))
+
+
+def test_a_phase_with_hardly_any_contact_does_not_rule_those_beside_it(monkeypatch):
+    sizes = {0.2: 1e-6, 0.5: 1.0, 0.8: 1.0}
+    _, found = pass_in_motion(monkeypatch, sizes, (1e-3, 1.0))
+    assert found[1]["asperity_rubbing"] == pytest.approx(np.ones((3, 4)), rel=2e-3)
+
+
+def test_instants_between_phases_without_contact_say_nothing(monkeypatch):
+    phases, _ = pass_in_motion(monkeypatch, dict.fromkeys((0.2, 0.5, 0.8), 0.0), (1.0, 1.0))
+    assert phases == [0.2, 0.8]

@@ -52,10 +52,6 @@ def test_stretches_make_one_life():
     assert not len(life.gaps)
     summary = life.summary()
     assert summary["instants"] == 101 and summary["friction_work_J"] == pytest.approx(8.0)
-    assert "asperity_work_J" not in summary
-    figures = life.figures | {"friction_boundary": 0.25 * life.figures["friction_coefficient"]}
-    rough = replace(life, figures=figures)
-    assert rough.summary()["asperity_work_J"] == pytest.approx(2.0)
 
 
 def test_a_phase_that_was_not_solved_leaves_a_gap():

@@ -9,6 +9,7 @@ import pyworm
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
 from pyworm.solver.cost.expected_motion import course_if_any, motion
 from pyworm.solver.cost.expected_time import Expectation, together
+from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.march import march
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Part, begin_of_one, part_at
@@ -58,6 +59,8 @@ def test_the_first_half_of_the_way_to_the_first_touch_is_solved_on_the_grid_befo
     assert grids == sorted(grids) and set(grids) == {0, 1}
     half = course.place(times[grids.index(1)])
     assert half == pytest.approx(course.place(course.life.touched) / 2, abs=course.step(0))
+    alone = {one.seconds for one in steps_of(course, 0, 0.0, course.life.touched)}
+    assert alone <= set(times)  # both solves share instants, so that their figures can be compared
     places = [course.place(at) for at in times]
     assert np.diff(places) == pytest.approx([course.step(on) for on in grids[:-1]], rel=1e-6)
 
@@ -68,9 +71,28 @@ def test_a_further_solve_begins_on_the_grid_before():
     assert before.nodes == motion(scene, plan, course).own[-1].nodes < last.nodes
     passed = course.transits(scene.past.seconds) - begin_of_one(course, scene.past.seconds)
     assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
-    *_, fourth = motion(*moving(POINT, 0.02)).further
-    assert fourth.nodes == pytest.approx(16 * last.nodes / 4, rel=0.1)
-    assert motion(*moving(POINT, 0.02, "auto,squeeze")).further == ()  # too much work with heat
+
+
+@pytest.mark.parametrize(("most", "made"), [(1e12, True), (1.0, False)])
+def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, made):
+    monkeypatch.setattr(transient_module, "MOST_WORK", most)
+    scene, plan, course = moving(POINT, 0.02)
+    assert solves_of_life(plan.accuracy) == 3
+    further = motion(scene, plan, course).further
+    assert bool(further) == made
+    if made:
+        fourth = course.grid_of_contact(course.begin, 3)
+        assert further[-1].nodes == pytest.approx(fourth.nodes, rel=0.1)
+    assert transient_module.begin_of_further(course, scene.past.seconds, 4) is None
+
+
+def test_where_no_further_solve_is_to_be_had_the_film_goes_on_with_the_last(monkeypatch):
+    monkeypatch.setattr(transient_module, "ANYHOW", 0)
+    monkeypatch.setattr(transient_module, "MOST_WORK", 0.0)
+    scene, plan, _ = moving(LINE, 0.5)
+    rates = transient_module.rates_at_present(scene, plan)
+    further = transient_module.finer(scene, plan, rates)
+    assert further.finest and further.found == rates.found
 
 
 def test_a_steady_film_has_none():

@@ -62,6 +62,13 @@ def test_the_estimate_is_what_a_film_takes(levels, heated):
     assert int(ended.stdout) == pytest.approx(memory.needed(321**2, Model(levels, heated)), rel=0.3)
 
 
+def test_oil_that_stores_heat_takes_two_arrays_a_level_more():
+    model = Model(7, True)
+    more = memory.needed(100, model, stores=True) - memory.needed(100, model)
+    assert more == pytest.approx(memory.MARGIN * memory.NUMBER * 2 * (7 + 1) * 100)
+    assert memory.needed(100, Model(7, False), stores=True) == memory.needed(100, Model(7, False))
+
+
 def test_a_finer_grid_beyond_memory_ends_the_grid_sequence(monkeypatch):
     scene = pyworm.load(CASE).scene()
     plan = replace(pyworm.plan(scene, 1e-4, "isothermal"), wider_grids=())
