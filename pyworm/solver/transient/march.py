@@ -49,10 +49,6 @@ WARMING = 1e-2
 """Last change of their temperatures over the largest rise. The heat of the instants is steady and keeps no
 errors; in a rate of change they are divided by a time step, but the oil follows within microseconds."""
 
-STORING = 1e-3
-"""Pressure of the oil, over the largest, from which on the heat that it stores counts, in full from twice
-that. Farther out gaps are so wide that temperatures do not follow within a time step."""
-
 TRACE = 1.0
 """Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
 
@@ -455,7 +451,7 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
         return sum(weight * getattr(one.state, name) for weight, one in parts)
 
     oil, rise = now.state.oil, now.state.rise
-    storing = np.clip(oil / (STORING * oil.max()) - 1, 0.0, 1.0)
+    storing = _prompt(level, instants[0].seconds - instants[1].seconds)
     levels = (
         at_place(*fields)
         for fields in zip(
@@ -465,6 +461,18 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
     warming = np.stack([storing * field for field in levels], axis=-1)
     pressing = storing * at_place(changing("oil"), oil)
     return RateOfChange(grid, rate, now.rise, warming, pressing)
+
+
+def _prompt(level: Level, step: float) -> Array:
+    """How promptly the oil at the nodes follows its heat, 1 where it does in far less than a time step [s].
+
+    Between walls it is late by rho c h^2 / (10 k), the second term of a slow change. Where that is not short
+    against the step, far from the contact, what Newton's iteration left in two temperatures counts for more
+    than their difference: a roller's film, whose load hardly changes, lost half its thickness by it.
+    """
+    heat, film = level.scene.oil.heat, level.film.thickness()
+    late = level.scene.oil.density.rho0 * heat.specific_heat * film**2 / (10 * heat.conductivity)
+    return 1 / (1 + (late / step) ** 2)
 
 
 def _heated(level: Level, seconds: float) -> list[HeatedInstant]:

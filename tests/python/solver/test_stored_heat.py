@@ -14,10 +14,11 @@ from pyworm.materials.oil import Oil, OilHeat
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.grid import Grid
 from pyworm.scene.life import Life, Past
+from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import settle
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import RateOfChange, march
+from pyworm.solver.transient.march import RateOfChange, _prompt, march
 
 INLET, EXPANSIVITY = 333.15, 7e-4
 HEAT = OilHeat(INLET, 0.0, 0.14, 2000.0, EXPANSIVITY)
@@ -90,7 +91,30 @@ def test_oil_warms_at_the_rate_at_which_its_heat_grows():
         for field, grid in ((rate.warming, rate.grid), (steady.film.rise(), steady.grid))
     )
     assert above_walls(warming) == pytest.approx(growth * above_walls(rise), rel=0.02)
-    assert not rate.warming[-1].any()  # behind the contact, where the film has ruptured
+
+
+def test_wide_gaps_store_nothing():
+    """There temperatures do not follow within a time step, and differ by what is left of their iteration."""
+    scene = roller()
+    plan = pyworm.plan(scene, 0.05, "all")
+    level, _ = SOLVERS[LineScene](scene, plan).begin(plan.grids)
+    film = level.film.thickness()
+    late = OIL.density.rho0 * HEAT.specific_heat * film**2 / (10 * HEAT.conductivity)
+    step = float(np.sqrt(late.min() * late.max()))
+    prompt = _prompt(level, step)
+    assert prompt[film.argmin()] > 0.95 and prompt[film.argmax()] < 0.05
+    assert np.all(prompt * late < step) and np.all(np.diff(prompt[np.argsort(film)]) <= 1e-12)
+
+
+def test_a_film_that_hardly_changes_is_the_steady_one_with_the_heat_that_oil_stores():
+    scene = pyworm.load("cases/roller_ref.toml").scene(section="left", phase=0.5, station=0.5)
+    films = [
+        pyworm.solve(scene, pyworm.plan(scene, 0.05, f"all,{motion}squeeze", ("film",))).figures
+        for motion in ("", "-")
+    ]
+    for name in ("film_min", "film_central"):
+        moving, steady = (getattr(of, name).value for of in films)
+        assert moving == pytest.approx(steady, rel=2e-3)
 
 
 def test_fields_across_a_film_at_other_levels_are_those_of_one_polynomial():
