@@ -9,7 +9,7 @@ COARSE, COARSE_FROM = 1.0, 2
 halvings from which on they are: what the first solve is off would leave 0.5 % in a film a transit later, what
 the second is off leaves 0.13 % where two solves leave 12."""
 
-APART = 0.5
+COARSE_WAY = 0.5
 """Share of the way to the first touch of surfaces that come together whose films are solved so as well, from
 the second solve on. Films are thick there, and windows wide: that halves the time of the second solve of
 `cases/zi_drive.toml` up to phase 0.18, and changes its least film by 0.1 % at 0.02 and 0.05 % at 0.06."""
@@ -57,7 +57,7 @@ def places_of(
 def _begun_coarse(course: Course, refinement: int, begin: float) -> float:
     """Transits after the beginning whose films are solved on the grid before."""
     if begin == 0 and course.approach is not None and refinement > 0:
-        return APART * course.place(course.life.touched)
+        return COARSE_WAY * course.place(course.life.touched)
     return COARSE if begin > 0 and refinement >= COARSE_FROM else 0.0
 
 
