@@ -303,7 +303,6 @@ def steady(plan: Plan, reason: str) -> Plan:
     return replace(
         plan,
         effects=tuple(replace(of, **off) if of.name == SQUEEZE.name else of for of in plan.effects),
-        work=replace(plan.work, past=()),
         excluded={**plan.excluded, SQUEEZE.name: reason},
     )
 

@@ -206,6 +206,23 @@ def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
     assert transient.figures.film_min.error == np.inf
 
 
+@pytest.mark.parametrize("kind", [lambda scene: scene, as_line])
+def test_where_no_transient_solution_is_found_a_steady_one_stands_for_it(kind, monkeypatch):
+    """Where the accuracy decides upon the effects; the neglected squeeze and its influence are reported."""
+    accelerated = lived(lambda back: kind(ball(1 - 200 * back)))
+    auto = pyworm.plan(accelerated, 0.05, quantities=("film",))
+    assert "squeeze" in auto.on
+    monkeypatch.setattr(march_module, "LOST", 0.0)
+    substitute = pyworm.solve(accelerated, auto)
+    squeeze = next(effect for effect in substitute.effects if effect.name == "squeeze")
+    assert not squeeze.on and "not found: the transient solve found no" in squeeze.reason
+    assert squeeze.influence["film"] > 0.05
+    assert substitute.left_out.influence["squeeze"] == squeeze.influence["film"]
+    simulated = ",".join(effect.name for effect in substitute.effects if effect.on)
+    steady = solved(replace(accelerated, past=None), simulated)
+    assert films(substitute) == pytest.approx(films(steady), rel=1e-3)
+
+
 def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
     """Rigid flanks z(x, y, t) that move with u, v, w: dz/dt = w - u dz/dx - v dz/dy."""
     drive = pyworm.load("cases/zi_drive.toml").drive
