@@ -49,7 +49,7 @@ class Worn:
 
 
 Rates = Callable[[Array], Array]
-"""Worn depth [m] -> rate of wear [m/h]; solves the contacts of the flank so worn."""
+"""Worn depth [m] -> rate of wear [m/h]; solves the contacts of the flank so worn, UnsolvedError without."""
 
 
 def first_step(rate: Array, tolerance: float) -> float:
@@ -89,8 +89,9 @@ def march(
     Raises
     ------
     UnsolvedError
-        What `rates` raises for the shortest step; longer ones are tried shorter.
+        What `rates` raises for the shortest step, or rates that are not finite; longer ones are tried shorter.
     """
+    _finite(start.rate)
     worn = start
     shortest = LEAST * (until - start.hours)
     while worn.hours < until * (1 - 1e-12):
@@ -98,7 +99,7 @@ def march(
         if float((worn.depth + worn.rate * step).max()) > deepest:
             break
         try:
-            rate = rates(worn.depth + worn.rate * step)
+            rate = _finite(rates(worn.depth + worn.rate * step))
         except UnsolvedError:
             if step <= 2 * shortest:
                 raise
@@ -114,3 +115,17 @@ def march(
         worn = Worn(worn.hours + step, depth, rate, min(wanted, GROWTH * step))
         keep(worn, error)
     return worn
+
+
+def _finite(rate: Array) -> Array:
+    """A rate of wear that is known everywhere.
+
+    Raises
+    ------
+    UnsolvedError
+        It is not; any comparison with its error would be false, and accept the step.
+    """
+    if not np.isfinite(rate).all():
+        lost = rate.size - int(np.isfinite(rate).sum())
+        raise UnsolvedError(f"the rate of wear is not known in {lost} of {rate.size} cells")
+    return rate

@@ -353,6 +353,9 @@ class WearRun:
             if str(held["key"]) != self.key:
                 self.say(f"{path}: of another case or plan, not used")
                 return None
+            if not all(np.isfinite(held[name]).all() for name in ("depths", "rate", "worm_rate")):
+                self.say(f"{path}: has a flank that is not known everywhere, not used")
+                return None
             self.grid = FlankGrid(held["face"], held["radius"])
             self.thread = FlankGrid(held["axial"], held["from_worm_axis"])
             self.worm_depth = held["worm_depth"]

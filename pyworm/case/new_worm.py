@@ -22,7 +22,7 @@ ASKED = {
 
 OPTIONAL = {
     "profile": ("form of the flanks, one of " + ", ".join(PROFILES), "ZI"),
-    "pressure_angle": ("normal pressure angle", "20 deg"),
+    "pressure_angle": ("pressure angle in the profile's own section", "20 deg"),
     "face_width": ("face width of the wheel", "30 mm"),
     "hand": ("hand of the threads", "right"),
     "hob_oversize": ("reference diameter of the hob beyond the worm's", "1.6 mm"),
@@ -38,7 +38,7 @@ _COMMENTS = {
     "teeth": "z2",
     "module": "axial, m",
     "diameter_factor": "q, reference diameter of the worm over the module",
-    "pressure_angle": "normal, at the reference cylinder of the worm; of ZA axial, of ZK and ZC the disc's",
+    "pressure_angle": "normal, at the worm's reference cylinder; of ZA axial, of ZN the blade's, of ZK and ZC the disc's",
     "face_width": "of the wheel",
 }
 

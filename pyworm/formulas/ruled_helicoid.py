@@ -6,7 +6,7 @@ Theory, 2004, chapter 19). Lengths in m, angles in rad.
 """
 
 from dataclasses import dataclass
-from math import cos, inf, pi, sin, sqrt, tan
+from math import atan2, cos, inf, pi, sin, sqrt, tan
 
 import numpy as np
 
@@ -64,7 +64,7 @@ def straight_normal(
     Parameters
     ----------
     lead, lead_angle, pressure_angle : float
-        Lead [m], lead angle on the reference cylinder and normal pressure angle.
+        Lead [m], lead angle on the reference cylinder and angle of the blade in that plane.
     apex : float
         Radius at which the line meets the middle of the thread or of its space [m].
     """
@@ -74,6 +74,16 @@ def straight_normal(
         slope=sin(pressure_angle) * cos(lead_angle) / across,
         screw=lead / (2 * pi),
     )
+
+
+def blade_angle(of: RuledHelicoid, lead_angle: float) -> float:
+    """Angle of the straight blade of a ZN flank, which `straight_normal` turns into its slope s.
+
+    From s = sin(a) cos(g) / sqrt(cos(a)^2 + (sin(a) sin(g))^2) follows
+    tan(a) = s / sqrt(cos(g)^2 - (s sin(g))^2).
+    """
+    across = cos(lead_angle) ** 2 - (of.slope * sin(lead_angle)) ** 2
+    return atan2(of.slope, sqrt(across))
 
 
 def involute(lead: float, lead_angle: float, pressure_angle: float) -> RuledHelicoid:

@@ -6,7 +6,12 @@ from typing import Literal
 
 from pyworm.formulas.axial_arc import axial_arc
 from pyworm.formulas.disc_helicoid import Disc, DiscHelicoid
-from pyworm.formulas.ruled_helicoid import straight_axial, straight_normal
+from pyworm.formulas.ruled_helicoid import (
+    RuledHelicoid,
+    blade_angle,
+    straight_axial,
+    straight_normal,
+)
 from pyworm.formulas.screw_generator import ScrewGenerator
 
 Profile = Literal["ZA", "ZN", "ZI", "ZK", "ZC", "ZC2"]
@@ -20,6 +25,19 @@ PROFILES: dict[Profile, str] = {
     "ZC2": "a concave arc in the axial plane",
 }
 """Profiles of cylindrical worms, and what they are."""
+
+PRESSURE_ANGLE_PLACES: dict[Profile, str] = {
+    "ZA": "axial section",
+    "ZN": "blade, normal to the thread",
+    "ZI": "normal section",
+    "ZK": "grinding disc",
+    "ZC": "grinding disc",
+    "ZC2": "normal section",
+}
+"""Profile -> where its pressure angle is defined, on the reference cylinder.
+
+A blade or a disc lies in a plane normal to the thread in the middle of the space; the normal section of the flank,
+half a space beside it, has a slightly different angle."""
 
 CONCAVE_PROFILES = ("ZC", "ZC2")
 """Profiles of concave worms, which need a positive profile shift."""
@@ -43,7 +61,7 @@ class Thread:
     module, lead, lead_angle : float
         Axial module of the worm [m], advance in one turn [m] and lead angle on the reference cylinder [rad].
     pressure_angle : float
-        In the normal section on the reference cylinder; of discs that of their profile [rad].
+        In the normal section on the reference cylinder; of blades (ZN) and discs that of their profile [rad].
     reference_radius, root_radius, tip_radius : float
         Radii of its cylinders [m].
     space : float
@@ -110,3 +128,26 @@ def hob_generator(profile: Profile, hob: Thread, worm: Thread) -> ScrewGenerator
 def normal_pressure_angle(profile: Profile, pressure_angle: float, lead_angle: float) -> float:
     """Normal pressure angle of what a drawing gives, which of ZA is the angle in the axial plane."""
     return atan(tan(pressure_angle) * cos(lead_angle)) if profile == "ZA" else pressure_angle
+
+
+def own_pressure_angle(
+    profile: Profile, generator: ScrewGenerator | None, lead_angle: float, normal: float
+) -> float:
+    """Pressure angle in the definition of the profile (`PRESSURE_ANGLE_PLACES`) [rad].
+
+    Parameters
+    ----------
+    profile : str
+        Form of the flank.
+    generator : ScrewGenerator or None
+        What sweeps it; None of ZI.
+    lead_angle, normal : float
+        Lead angle and pressure angle in the normal section, both on the reference cylinder [rad].
+    """
+    if profile == "ZA":
+        return atan(tan(normal) / cos(lead_angle))
+    if profile == "ZN" and isinstance(generator, RuledHelicoid):
+        return blade_angle(generator, lead_angle)
+    if isinstance(generator, DiscHelicoid):
+        return generator.disc.pressure_angle
+    return normal

@@ -16,6 +16,7 @@ import numpy as np
 import scipy
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
+from pyworm.formulas.whole_numbers import whole
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 from pyworm.result.mesh_cycle import flank_place
@@ -78,8 +79,8 @@ def flank_map(result: Result) -> "xr.Dataset | None":
         for part in np.linspace(0, 1, STEPS + 1):
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}
             inside = now["pressure"] > loaded
-            row = np.rint((now["radius"][inside] - radius[0]) / CELL).astype(int)
-            column = np.rint((now["face"][inside] - face[0]) / CELL).astype(int)
+            row = whole(np.rint((now["radius"][inside] - radius[0]) / CELL))
+            column = whole(np.rint((now["face"][inside] - face[0]) / CELL))
             for name in names:
                 keep = np.minimum if name in _LEAST else np.maximum
                 keep.at(extremes[name], (row, column), now[name][inside])

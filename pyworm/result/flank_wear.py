@@ -15,6 +15,7 @@ import numpy as np
 import scipy
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
+from pyworm.formulas.whole_numbers import whole
 from pyworm.result.flank_map import LOADED_FRACTION, common_grid, layer_of
 from pyworm.result.life import ContactLife, Fields, lives
 from pyworm.result.mesh_cycle import flank_place
@@ -80,7 +81,7 @@ class FlankGrid:
 def _between(place: Array, axis: Array) -> tuple[Array, Array]:
     """Cell before each place, and the fraction of the way to the next."""
     at = (place - axis[0]) / (axis[1] - axis[0])
-    cell = np.floor(at).astype(int)
+    cell = whole(np.floor(at))
     return cell, at - cell
 
 
@@ -185,7 +186,7 @@ def asperity_pass(
     stations = _whole_mesh(phases, layers, _tooth_load(result))
     for (phase, before), (next_phase, after) in pairwise(stations):
         moved = np.hypot(*(np.median(after[of] - before[of]) for of in ("face", "radius")))
-        steps = max(int(np.ceil(2 * moved / CELL)), 4)
+        steps = max(int(whole(np.ceil(2 * moved / CELL))), 4)
         seconds = (next_phase - phase) / abs(phases_per_second) / steps
         for part in (np.arange(steps) + 0.5) / steps:  # the middle of each step
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}

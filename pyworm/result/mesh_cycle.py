@@ -244,12 +244,16 @@ def flank_place(
     -------
     tuple
         Along the wheel's face from its middle, and distance from its axis, or what the fields hold [m]; of
-        the shape of x and y.
+        the shape of x and y. Flanks go straight on beyond the tooth: a contact that moves to its edge
+        is followed over points that were beyond it.
     """
     fields = solution.fields
     at = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
     places = [
-        fields[name].interp(at, assume_sorted=True).values.reshape(np.shape(x)) for name in names
+        fields[name]
+        .interp(at, assume_sorted=True, kwargs={"fill_value": None})
+        .values.reshape(np.shape(x))
+        for name in names
     ]
     return tuple(float(place) if np.ndim(x) == 0 else place for place in places)
 

@@ -7,6 +7,8 @@ surfaces fitted about the lowest node does.
 
 import numpy as np
 
+from pyworm.formulas.whole_numbers import whole
+
 Array = np.ndarray
 
 SEARCHES = ((8, 2.0), (128, 0.125))
@@ -58,7 +60,7 @@ def surface_at(field: Array, i: Array, j: Array) -> Array:
 
 def _four(places: Array, count: int) -> tuple[Array, Array]:
     """Four nodes about each place along x or y, and the weights of their values."""
-    cell = np.clip(np.floor(places).astype(int), 0, count - 2)
+    cell = np.clip(whole(np.floor(places)), 0, count - 2)
     weights = _keys(np.abs(places[:, None] - cell[:, None] - np.arange(-1, 3)))
     for end, order in ((0, 1), (count - 2, -1)):
         # the node beyond a side, extrapolated from three

@@ -1,6 +1,7 @@
 """Rooms of the package: which there are, what each may import, where the compiled extension is imported."""
 
 import ast
+import re
 from collections.abc import Iterator
 from graphlib import TopologicalSorter
 from pathlib import Path
@@ -142,6 +143,17 @@ def test_no_function_is_longer_than_a_page():
         if isinstance(node, ast.FunctionDef) and node.end_lineno - node.lineno >= LONGEST
     ]
     assert not long
+
+
+def test_one_file_casts_computed_numbers_to_indices():
+    """A number that is not finite would become an index like any other; `whole` refuses it."""
+    cast = re.compile(r"\.astype\(int\)")
+    casting = [
+        file.relative_to(PACKAGE).as_posix()
+        for file in PACKAGE.rglob("*.py")
+        if cast.search(file.read_text(encoding="utf-8"))
+    ]
+    assert casting == ["formulas/whole_numbers.py"]
 
 
 def test_one_file_imports_the_extension():

@@ -9,6 +9,7 @@ from pyworm.drives.zi_worm.contact_pattern import THICKNESS
 from pyworm.drives.zi_worm.design import AS_DESIGNED
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.worm_deflection import deflection_limit
+from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
@@ -50,9 +51,13 @@ def _lead_angle(lead: float, radius: float) -> float:
 def _worm(drive: "ZiWormDrive") -> Described:
     worm, radius, flank = drive.worm, drive.reference_radius, drive.worm_flank
     lead_angle = _lead_angle(worm.lead, radius)
+    normal = flank.pressure_angle(radius)
+    own = own_pressure_angle(worm.profile, worm.generator, lead_angle, normal)
     about: Described = {
         "normal_module_m": drive.module * cos(lead_angle),
-        "pressure_angle_deg": degrees(flank.pressure_angle(radius)),
+        "pressure_angle_deg": degrees(own),
+        "pressure_angle_of": PRESSURE_ANGLE_PLACES[worm.profile],
+        "normal_pressure_angle_deg": degrees(normal),
         "lead_m": worm.lead,
         "lead_angle_deg": degrees(lead_angle),
         "worm_reference_diameter_m": 2 * radius,
@@ -98,7 +103,7 @@ def _hob(drive: "ZiWormDrive") -> Described:
     about: Described = {
         "hob_oversize_m": 2 * (hob.centre_distance - drive.centre_distance),
         "hob_tip_diameter_m": 2 * hob.tip_radius,
-        "hob_pressure_angle_deg": degrees(flank.pressure_angle(drive.reference_radii[1])),
+        "hob_normal_pressure_angle_deg": degrees(flank.pressure_angle(drive.reference_radii[1])),
         "hob_lead_m": hob.lead,
         "hob_centre_distance_m": hob.centre_distance,
         "hob_swivel_deg": degrees(hob.swivel),

@@ -25,7 +25,7 @@ MOST_THREADS = 12
 """Most threads of a worm; more wind so steeply that they make a pair of crossed gears."""
 
 PRESSURE_ANGLES = radians(10), radians(30)
-"""Normal pressure angles that worms have."""
+"""Pressure angles that worms have, each in the definition of its profile."""
 
 MOST_SHIFT = 1.5
 """Largest profile shift in either direction; usual ones are within 0.5."""
@@ -83,7 +83,7 @@ def check_given(given: Mapping[str, float | None]) -> None:
     if angle is not None and not low <= angle <= high:
         raise ValueError(
             f"pressure_angle is {degrees(angle):.4g} deg; worms have {degrees(low):g} to "
-            f'{degrees(high):g} deg in the normal section, as a rule "20 deg"'
+            f'{degrees(high):g} deg, as a rule "20 deg"'
         )
     factor = given["diameter_factor"]
     if not 4 <= factor <= 40:

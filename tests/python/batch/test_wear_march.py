@@ -122,6 +122,22 @@ def test_killing_a_march_loses_one_step_at_most(tmp_path):
     assert found.depth.max() == pytest.approx(5e-6 * np.log1p(found.hours / 5), rel=0.03)
 
 
+def test_a_rate_that_is_not_known_is_no_step():
+    """Comparisons with NaN are false, so that its error would pass as small enough."""
+    kept = []
+
+    def rates(depth):
+        return np.where(depth > 5e-6, np.nan, 1e-7)
+
+    start = Worn(0.0, np.array([0.0, 1e-6, 0.0]), np.full(3, 1e-7), 40.0)
+    with pytest.raises(UnsolvedError, match="not known in 1 of 3 cells"):
+        march(start, 100.0, rates, 1e-6, lambda worn, error: kept.append(worn))
+    assert 4e-6 < kept[-1].depth.max() <= 5e-6
+    assert np.isfinite(kept[-1].depth).all()
+    with pytest.raises(UnsolvedError, match="not known in 2 of 3 cells"):
+        march(Worn(0.0, np.zeros(3), np.array([1.0, np.nan, np.inf]), 1.0), 1.0, rates, 1e-6)
+
+
 def test_a_step_whose_contacts_cannot_be_solved_is_tried_shorter():
     """A flank that is solved up to a depth: the march comes near it by its shortest step, then tells why."""
     kept = []

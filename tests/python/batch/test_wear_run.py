@@ -232,6 +232,16 @@ def test_a_run_goes_on_where_it_was_stopped(case, contacts, tmp_path):
     assert again[-1].worm_depth_max_m == pytest.approx(whole[-1].worm_depth_max_m, rel=1e-9)
 
 
+def test_a_flank_that_is_not_known_everywhere_is_not_gone_on_with(case, contacts, tmp_path):
+    whole = wear(case, tmp_path)
+    with np.load(tmp_path / STATE) as held:
+        state = dict(held)
+    state["depths"][-1, 0, 0] = np.nan
+    np.savez_compressed(tmp_path / STATE, **state)
+    again = wear(case, tmp_path)
+    assert again == whole
+
+
 def test_another_plan_begins_anew(case, contacts, tmp_path):
     wear(case, tmp_path, 20.0)
     more = wear(case, tmp_path, 20.0, coefficient=14e-18)

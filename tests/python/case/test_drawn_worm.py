@@ -174,6 +174,17 @@ def test_check_gives_the_drawing_in_si_units_as_json(tmp_path, capsys):
     assert any("hob.axial_shift" in one for one in said["assumptions"])
 
 
+def test_check_prints_the_pressure_angle_as_given_and_the_normal_one(tmp_path, capsys):
+    """Of ZN worms the blade's angle is given, in the middle of the space; the flank has a little less."""
+    path = tmp_path / "drawn.toml"
+    path.write_text(TEXT.replace('"ZI"', '"ZN"'))
+    assert main(["check", str(path), "--phase", "0.5", "--json"]) == 0
+    drive = json.loads(capsys.readouterr().out)["drive"]
+    assert drive["pressure_angle_deg"] == pytest.approx(20, abs=1e-9)
+    assert drive["pressure_angle_of"] == "blade, normal to the thread"
+    assert 0.1 < 20 - drive["normal_pressure_angle_deg"] < 0.5
+
+
 def test_the_standards_take_the_reference_diameter_of_the_drawing():
     rated = """
 [worm_rating]

@@ -15,6 +15,7 @@ from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.hob_setting import drawn_gears
 from pyworm.formulas.ruled_helicoid import RuledHelicoid
+from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
 
 PROFILES = ("ZA", "ZN", "ZI", "ZK", "ZC", "ZC2")
 SHIFT = {"ZC": 0.5, "ZC2": 0.5}
@@ -73,6 +74,23 @@ def test_the_general_meshing_of_an_involute_drive_is_its_closed_form():
     rims = (of.tooth_outline(of.cycle.contact(0.4)) for of in (general, closed))
     assert np.abs(np.subtract(*(rim.x for rim in rims))).max() < 1e-7
     assert general.base_pitches == pytest.approx(closed.base_pitches, rel=1e-12)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("given", [20.0, 25.0])
+def test_each_profile_has_the_pressure_angle_of_its_drawing_in_its_own_section(profile, given):
+    of = replace(drawing(profile), pressure_angle=radians(given), threads=4)
+    worm, radius = of.worm, of.reference_diameter / 2
+    line = swept(worm).generator if profile == "ZI" else worm.generator
+    normal = line.pressure_angle(radius)
+    own = own_pressure_angle(profile, worm.generator, of.lead_angle, normal)
+    assert degrees(own) == pytest.approx(given, abs=1e-9)
+    if profile == "ZA":  # the slope of the axial section
+        rise = np.diff(line.axial_profile(radius + np.array([-1e-6, 1e-6])))[0] / 2e-6
+        assert atan(rise) == pytest.approx(own, rel=1e-9)
+    apart = abs(degrees(normal) - given)
+    assert apart < 1e-9 if profile in ("ZI", "ZC2") else 0.05 < apart < 2
+    assert profile in PRESSURE_ANGLE_PLACES
 
 
 @pytest.mark.parametrize("profile", ["ZA", "ZN", "ZI", "ZK"])

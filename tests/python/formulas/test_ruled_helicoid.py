@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyworm.drives.zi_worm.helicoid import Helicoid
-from pyworm.formulas.ruled_helicoid import involute, straight_axial, straight_normal
+from pyworm.formulas.ruled_helicoid import blade_angle, involute, straight_axial, straight_normal
 from pyworm.formulas.screw_generator import apart
 
 ANGLE, MODULE, THREADS, FACTOR = radians(20), 4e-3, 3, 9.0
@@ -101,3 +101,21 @@ def test_the_forms_agree_as_the_lead_angle_falls(name):
     fall = np.log(off(20.0) / off(80.0)) / np.log(4)
     assert 1.7 < fall < 3.5
     assert off(80.0) < 1e-6 < off(8.0)
+
+
+def test_a_blade_angle_is_that_of_the_line_in_the_plane_normal_to_the_thread():
+    """The line from the apex to a point of it, by its parts along the radius and across the thread."""
+    for angle, lead_angle in ((ANGLE, LEAD_ANGLE), (radians(14.5), radians(35))):
+        apex = 0.8 * REFERENCE
+        flank = straight_normal(LEAD, lead_angle, angle, apex)
+        line = np.array([0.0, 1.0, flank.slope])
+        nearest = np.array([flank.offset, 0.0, 0.0])
+        # the blade lies in the plane through a radius; the line meets that radius at the apex
+        meets = nearest + line * np.sqrt(apex**2 - flank.offset**2)
+        radial = meets * [1, 1, 0] / apex
+        around = np.cross([0.0, 0.0, 1.0], radial)
+        across = -sin(lead_angle) * around + cos(lead_angle) * np.array([0.0, 0.0, 1.0])
+        along = cos(lead_angle) * around + sin(lead_angle) * np.array([0.0, 0.0, 1.0])
+        assert abs(line @ along) < 1e-12
+        assert abs(line @ across) / (line @ radial) == pytest.approx(tan(angle), rel=1e-12)
+        assert blade_angle(flank, lead_angle) == pytest.approx(angle, rel=1e-12)

@@ -28,7 +28,8 @@ from pyworm.drives.zi_worm import dataset
 from pyworm.plots.drives.zi_worm import CYCLE_PICTURES
 from pyworm.report.console.mesh_cycle import cycle_table
 from pyworm.result.flank_map import entry, flank_map
-from pyworm.result.mesh_cycle import drive_cycle
+from pyworm.result.flank_wear import asperity_pass, flank_grid
+from pyworm.result.mesh_cycle import drive_cycle, flank_place
 from pyworm.result.result import case_in
 from pyworm.solver.solution import Estimate
 
@@ -159,6 +160,54 @@ def test_the_flank_keeps_extremes_of_all_phases():
     for column in rows.T:
         inside = np.flatnonzero(column)
         assert inside.size == inside[-1] - inside[0] + 1
+
+
+def ending_in_the_contact(result, phase):
+    """The result with teeth that end within the contacts from a phase on; pressures and films stay."""
+    return replace(
+        result,
+        solutions=tuple(
+            replace(one, fields=one.fields.isel(tooth_x=slice(0, 3), tooth_y=slice(1, 3)))
+            if one.phase >= phase
+            else one
+            for one in result.solutions
+        ),
+    )
+
+
+def test_places_on_a_flank_go_straight_on_beyond_the_tooth():
+    whole = cycle_solution(0.7)
+    x, y = np.meshgrid(np.linspace(-0.02, 0.02, 5), [-0.005, 0.01])
+    short = whole.fields.isel(tooth_x=slice(0, 3), tooth_y=slice(1, 3))
+    for one in (whole, replace(whole, fields=short)):
+        face, radius = flank_place(one, x, y)
+        assert face == pytest.approx(x + 0.02 * 0.2, abs=1e-15)
+        assert radius == pytest.approx(0.27 + y - 0.015 * 0.2, abs=1e-15)
+
+
+def test_the_flank_is_mapped_where_contacts_move_over_the_edge_of_a_tooth():
+    """Places on the common grid of all phases lie beyond the tooth of some of them."""
+    whole = cycle_result(PHASES[::3])
+    field, short = flank_map(whole), flank_map(ending_in_the_contact(whole, 0.5))
+    assert np.isfinite(short["pressure"]).sum() > 1000
+    for name in field:
+        assert short[name].values == pytest.approx(field[name].values, rel=1e-9, nan_ok=True)
+
+
+def test_wear_is_found_where_contacts_move_over_the_edge_of_a_tooth():
+    whole = cycle_result(PHASES[::3])
+    rough = replace(
+        whole,
+        solutions=tuple(
+            replace(one, fields=one.fields.assign(asperity_pressure=one.fields["pressure"] / 2))
+            for one in whole.solutions
+        ),
+    )
+    grid = flank_grid(rough)
+    made, short = (asperity_pass(of, grid, 0.1) for of in (rough, ending_in_the_contact(rough, 0.5)))
+    assert made.volume > 0 and np.isfinite(made.work).all()
+    assert short.volume == pytest.approx(made.volume, rel=1e-9)
+    assert short.work == pytest.approx(made.work, rel=1e-9, abs=1e-9 * made.work.max())
 
 
 def test_entry_is_the_speed_at_which_oil_comes_in():

@@ -1,0 +1,18 @@
+"""Computed numbers as indices."""
+
+import numpy as np
+
+
+def whole(values: np.ndarray) -> np.ndarray:
+    """Integers of computed numbers, without their fractions.
+
+    Raises
+    ------
+    ValueError
+        A number is not finite; cast to an integer it would be an index like any other.
+    """
+    values = np.asarray(values)
+    if not np.isfinite(values).all():
+        lost = values.size - int(np.isfinite(values).sum())
+        raise ValueError(f"{lost} of {values.size} places are not finite numbers")
+    return values.astype(int)
