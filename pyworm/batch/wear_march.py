@@ -89,7 +89,7 @@ def march(
     Raises
     ------
     UnsolvedError
-        What `rates` raises for the shortest step, or rates that are not finite; longer ones are tried shorter.
+        What `rates` raises for the shortest step, or rates that are not finite; longer steps are shortened.
     """
     _finite(start.rate)
     worn = start

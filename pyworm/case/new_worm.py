@@ -38,7 +38,8 @@ _COMMENTS = {
     "teeth": "z2",
     "module": "axial, m",
     "diameter_factor": "q, reference diameter of the worm over the module",
-    "pressure_angle": "normal, at the worm's reference cylinder; of ZA axial, of ZN the blade's, of ZK and ZC the disc's",
+    "pressure_angle": "normal, at the worm's reference cylinder; of ZA axial, of ZN the blade's, of ZK and "
+    "ZC the disc's",
     "face_width": "of the wheel",
 }
 

@@ -36,8 +36,8 @@ PRESSURE_ANGLE_PLACES: dict[Profile, str] = {
 }
 """Profile -> where its pressure angle is defined, on the reference cylinder.
 
-A blade or a disc lies in a plane normal to the thread in the middle of the space; the normal section of the flank,
-half a space beside it, has a slightly different angle."""
+A blade or a disc lies in a plane normal to the thread in the middle of the space; the normal section of the
+flank, half a space beside it, has a slightly different angle."""
 
 CONCAVE_PROFILES = ("ZC", "ZC2")
 """Profiles of concave worms, which need a positive profile shift."""

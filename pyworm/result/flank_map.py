@@ -84,15 +84,31 @@ def flank_map(result: Result) -> "xr.Dataset | None":
             for name in names:
                 keep = np.minimum if name in _LEAST else np.maximum
                 keep.at(extremes[name], (row, column), now[name][inside])
+    on_tooth = _on_tooth(result, face, radius)
     return describe(
         xr.Dataset(
             {
-                name: (("radius", "face"), np.where(np.isfinite(values), values, np.nan))
+                name: (("radius", "face"), np.where(on_tooth & np.isfinite(values), values, np.nan))
                 for name, values in extremes.items()
             },
             coords={"radius": radius, "face": face},
         )
     )
+
+
+def _on_tooth(result: Result, face: Array, radius: Array) -> Array:
+    """Whether cells lie on the tooth, (radius, face), by the crossings of rays with its outline.
+
+    Between phases a contact at the edge of a tooth is interpolated with places beyond it.
+    """
+    rim = [result.mesh_cycle[name].values for name in ("rim_face", "rim_radius")]
+    (x, y), (next_x, next_y) = rim, [np.roll(axis, -1) for axis in rim]
+    face, radius = (axis[..., None] for axis in np.meshgrid(face, radius))
+    spans = (y > radius) != (next_y > radius)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        crossing = x + (radius - y) / (next_y - y) * (next_x - x)
+    within = np.sum(spans & (face < crossing), axis=-1) % 2 == 1
+    return scipy.ndimage.binary_dilation(within)  # cells that the outline passes through
 
 
 def _neighbours(

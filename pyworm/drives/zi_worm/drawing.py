@@ -40,8 +40,8 @@ class Drawing:
     diameter_factor : float
         q, reference diameter of the worm over the module [-].
     pressure_angle : float
-        alpha_n, normal, at the worm's reference cylinder [rad]; of ZA the axial one, of ZN the blade's, of ZK and
-        ZC the disc's.
+        alpha_n, normal, at the worm's reference cylinder [rad]; of ZA the axial one, of ZN the blade's, of
+        ZK and ZC the disc's.
     worm_tip_diameter, worm_root_diameter : float
         d_a1, d_f1 [m].
     worm_thickness : float
