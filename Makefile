@@ -6,7 +6,6 @@ INSTALLED := $(VENV)/.installed
 DEBUG := build/debug
 DOCS := $(VENV)/.docs-installed
 PREFIX ?= $(CURDIR)/build/installed
-MESON ?= meson
 WHEEL_PYTHONS ?= $(shell $(PYTHON) tools/pythons.py)
 BARE ?= $(CURDIR)/build/bare
 CLUSTER := $(VENV)/.cluster-installed
@@ -46,8 +45,9 @@ $(INSTALLED): pyproject.toml tools/setup.sh
 
 # Needs meson, ninja, gfortran, FFTW and OpenBLAS alone; its own build, since the package's has the interpreter in it.
 fortran-library:
-	$(MESON) setup build/library -Dpython=false --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
-	$(MESON) install -C build/library
+	tools/setup.sh $(PYTHON) $(VENV) library
+	meson setup build/library -Dpython=false --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
+	meson install -C build/library
 
 wheel: $(INSTALLED)
 	set -e; for python in $(WHEEL_PYTHONS); do tools/wheel.sh $$python dist; done

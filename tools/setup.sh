@@ -1,13 +1,36 @@
 #!/bin/sh
 # Install what building and running pyworm needs: system packages (only those missing), then a virtual
-# environment with all the rest. Called by the Makefile; usage: tools/setup.sh PYTHON VENV
+# environment with all the rest. Called by the Makefile; usage: tools/setup.sh PYTHON VENV [library]
+# With "library" what the kernel for Fortran and C programs needs alone: compilers, libraries, meson and ninja.
 set -eu
 python=$1
 venv=$2
+wanted=${3:-package}
 
 fail() {
     echo "pyworm: $*" >&2
     exit 1
+}
+
+# Requirements of the build in pyproject.toml: all, or meson alone.
+build_requirements() {
+    "$python" -c '
+import re, sys, tomllib
+with open("pyproject.toml", "rb") as file:
+    required = tomllib.load(file)["build-system"]["requires"]
+print(*(one for one in required if re.match(sys.argv[1], one)), "ninja", sep="\n")
+' "$1"
+}
+
+# Whether there are a meson as new as meson.build asks for, and ninja.
+can_build() {
+    command -v meson >/dev/null && command -v ninja >/dev/null || return 1
+    meson --version | "$python" -c '
+import re, sys
+numbers = lambda text: tuple(map(int, re.findall(r"\d+", text)))[:2]
+asked = re.search(r"meson_version: .>=([\d.]+)", open("meson.build").read())[1]
+raise SystemExit(numbers(sys.stdin.read()) < numbers(asked))
+'
 }
 
 # Debian names of what is missing. Asked of the tools themselves, not of the package manager: a compiler
@@ -21,7 +44,9 @@ missing() {
     else
         echo pkg-config libfftw3-dev libopenblas-dev
     fi
+    [ "$wanted" = library ] && can_build && return
     "$python" -c 'import ensurepip, venv' 2>/dev/null || echo python3-venv
+    [ "$wanted" = library ] && return
     "$python" -c '
 import pathlib, sysconfig
 raise SystemExit(not pathlib.Path(sysconfig.get_path("include"), "Python.h").is_file())
@@ -58,15 +83,19 @@ if [ -n "$packages" ]; then
     [ -z "$packages" ] || fail "for $(command -v "$python"), $by_hand"
 fi
 
+if [ "$wanted" = library ] && can_build; then
+    exit 0
+fi
 [ -x "$venv/bin/python" ] || "$python" -m venv "$venv"
 PATH=$(cd "$venv/bin" && pwd):$PATH
 pip() { "$venv/bin/python" -m pip --quiet --disable-pip-version-check "$@"; }
 
+if [ "$wanted" = library ]; then
+    build_requirements 'meson[^-]' >"$venv/build-requirements.txt"
+    pip install --requirement "$venv/build-requirements.txt"
+    exit 0
+fi
 # An editable install rebuilds itself on import, for which what it was built with must stay: no isolation.
-"$venv/bin/python" -c '
-import tomllib
-with open("pyproject.toml", "rb") as file:
-    print(*tomllib.load(file)["build-system"]["requires"], "ninja", sep="\n")
-' >"$venv/build-requirements.txt"
+build_requirements '' >"$venv/build-requirements.txt"
 pip install --requirement "$venv/build-requirements.txt"
 pip install --no-build-isolation --editable ".[dev]"

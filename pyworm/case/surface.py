@@ -13,6 +13,7 @@ from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.generated import gaussian, self_affine
 from pyworm.surfaces.parameters import Texture, texture
+from pyworm.surfaces.plausible import require_plausible
 from pyworm.surfaces.preparing import Outliers, SeparatedWaves, separate_waves
 from pyworm.surfaces.reading import read_heights
 
@@ -139,7 +140,9 @@ class SurfaceTable(Table):
 def _of_file(table: SurfaceTable, path: Path, state: tuple[int, int] | None) -> SeparatedWaves:
     """Waves of a file's content, of which time and size change with it."""
     heights, spacing = read_heights(path, table.spacing, table.height_unit)
-    return _separated(table, heights, spacing, periodic=False)
+    found = _separated(table, heights, spacing, periodic=False)
+    require_plausible(found.all_waves)
+    return found
 
 
 @lru_cache(maxsize=8)

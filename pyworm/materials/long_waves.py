@@ -42,7 +42,7 @@ class LongWaves:
     def length(self) -> float:
         """Mean length of the waves [m]: of one sine wave as high and as steep."""
         slopes = np.gradient(self.surface.height, *self.surface.spacing)
-        steepness = hypot(*(float(slope.std()) for slope in slopes))
+        steepness = hypot(*(float(slope[self.surface.known].std()) for slope in slopes))
         return 2 * pi * self.rms / steepness if steepness > 0 else 0.0
 
     @property

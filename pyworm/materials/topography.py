@@ -23,12 +23,16 @@ class Topography:
         Whether the heights repeat themselves beyond the rectangle.
     x_direction : float
         Angle of the x axis from the surface's own motion through the contact [rad].
+    measured : numpy.ndarray or None
+        True where a height was measured, false where one was filled in between those around it, which no
+        figure counts; None where all were measured or generated.
     """
 
     height: Array
     spacing: tuple[float, float]
     periodic: bool = False
     x_direction: float = 0.0
+    measured: Array | None = None
 
     @property
     def extent(self) -> tuple[float, float]:
@@ -37,8 +41,18 @@ class Topography:
 
     @property
     def rms(self) -> float:
-        """Root mean square height Rq [m]."""
-        return float(self.height.std())
+        """Root mean square height Rq of the measured points [m]."""
+        return float(self.measured_heights.std())
+
+    @property
+    def known(self) -> Array:
+        """Where heights were measured, as an array of truths."""
+        return np.ones(self.height.shape, bool) if self.measured is None else self.measured
+
+    @property
+    def measured_heights(self) -> Array:
+        """Heights of the measured points [m], in a row."""
+        return self.height.ravel() if self.measured is None else self.height[self.measured]
 
     def turned(self, x_direction: float) -> "Topography":
         """The same heights with their x axis at an angle from the surface's own motion [rad]."""
@@ -47,13 +61,21 @@ class Topography:
     @property
     def mirrored(self) -> "Topography":
         """The mirror image of the heights and of the motion, in the plane of the motion."""
-        return replace(self, height=self.height[:, ::-1], x_direction=-self.x_direction)
+        return replace(
+            self,
+            height=self.height[:, ::-1],
+            x_direction=-self.x_direction,
+            measured=None if self.measured is None else self.measured[:, ::-1],
+        )
 
     @cached_property
     def digest(self) -> str:
         """Digest of the heights and where they are."""
         place = repr((self.height.shape, self.spacing, self.periodic, self.x_direction))
-        return sha256(place.encode() + np.ascontiguousarray(self.height).tobytes()).hexdigest()
+        digest = sha256(place.encode() + np.ascontiguousarray(self.height).tobytes())
+        if self.measured is not None:
+            digest.update(np.packbits(self.measured).tobytes())
+        return digest.hexdigest()
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Topography) and self.digest == other.digest

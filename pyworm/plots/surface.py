@@ -30,7 +30,7 @@ def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
     low, high = np.quantile(surface.height, (EXTREME, 1 - EXTREME)) * MICRO
     x_side, y_side = (side * MICRO for side in surface.extent)
     mapped = map_axes.imshow(
-        surface.height[::stride, ::stride].T * MICRO,
+        np.where(surface.known, surface.height, np.nan)[::stride, ::stride].T * MICRO,
         origin="lower",
         extent=(0, x_side, 0, y_side),
         cmap="viridis",
@@ -48,8 +48,8 @@ def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
 
 
 def _draw_abbott(axes: Axes, surface: Topography, texture: Texture) -> None:
-    part, height = abbott(surface.height)
-    count, edges = np.histogram(surface.height, bins=60)
+    part, height = abbott(surface.measured_heights)
+    count, edges = np.histogram(surface.measured_heights, bins=60)
     axes.stairs(
         count / count.max() * 40,
         edges * MICRO,

@@ -72,8 +72,8 @@ class Texture:
 
 
 def texture(surface: Topography) -> Texture:
-    """Figures of a surface."""
-    height = surface.height - surface.height.mean()
+    """Figures of a surface, of its measured points alone."""
+    height = surface.measured_heights - surface.measured_heights.mean()
     rq = float(height.std())
     slope_x, slope_y = slopes(surface)
     angles = np.arange(DIRECTIONS) * pi / DIRECTIONS - pi / 2
@@ -98,11 +98,12 @@ def texture(surface: Topography) -> Texture:
 
 
 def slopes(surface: Topography) -> tuple[float, float]:
-    """Root mean square slopes along x and y [-], by differences of neighbours."""
+    """Root mean square slopes along x and y [-], by differences of neighbours of which both were measured."""
+    height = np.where(surface.known, surface.height, np.nan)
     found = []
     for axis, step in enumerate(surface.spacing):
-        end = {"append": surface.height.take([0], axis=axis)} if surface.periodic else {}
-        found.append(float(np.sqrt((np.diff(surface.height, axis=axis, **end) ** 2).mean()) / step))
+        end = {"append": height.take([0], axis=axis)} if surface.periodic else {}
+        found.append(float(np.sqrt(np.nanmean(np.diff(height, axis=axis, **end) ** 2)) / step))
     return found[0], found[1]
 
 
@@ -163,17 +164,19 @@ def correlation_lengths(
 
 
 def _autocorrelation(surface: Topography) -> Array:
-    """Autocorrelation with its middle in the middle: of pairs within the area where it is not periodic."""
-    height = surface.height - surface.height.mean()
+    """Autocorrelation with its middle in the middle: of pairs of measured points.
+
+    Of what is not periodic the pairs are those within the area.
+    """
+    known = surface.known
+    height = np.where(known, surface.height - surface.measured_heights.mean(), 0.0)
     shape = height.shape
-    if surface.periodic:
-        spectrum = np.abs(np.fft.rfft2(height)) ** 2
-        raw = np.fft.irfft2(spectrum, s=shape)
-    else:
+    padded = shape
+    if not surface.periodic:
         padded = tuple(scipy.fft.next_fast_len(2 * n, real=True) for n in shape)
-        pairs = [np.abs(np.fft.rfft2(one, s=padded)) ** 2 for one in (height, np.ones(shape))]
-        raw, count = (np.fft.irfft2(one, s=padded) for one in pairs)
-        raw = raw / np.maximum(count, 1.0)
+    pairs = [np.abs(np.fft.rfft2(one, s=padded)) ** 2 for one in (height, known.astype(float))]
+    raw, count = (np.fft.irfft2(one, s=padded) for one in pairs)
+    raw = raw / np.maximum(count, 1.0)
     middle = np.fft.fftshift(raw / raw[0, 0])
     if surface.periodic:
         return middle

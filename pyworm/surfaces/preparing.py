@@ -1,6 +1,6 @@
 """From heights as measured to a topography: points filled, form removed, waves separated."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -15,8 +15,19 @@ MOST_MISSING = 0.1
 """Largest fraction of points that are missing, and filled from those around them."""
 
 FARTHEST = 15.0
-"""Distance of a height from the median, over the normal deviation of the middle half, from which on it is an
-outlier: deep valleys of a plateau surface come to about 10, spikes of instruments to tens."""
+"""Distance of a height from the median, over the normal deviation of the middle half, from which on it may be
+an outlier: deep valleys of a plateau surface come to about 10, spikes of instruments to tens."""
+
+AROUND, ALONE, MOSTLY = 3, 0.5, 0.5
+"""An outlier differs from the median of the points so many steps around it by more than this part of its
+distance from all; in a group of such points this part of them does."""
+
+CHANGED, TOUCHED = 1.05, 1e-4
+"""Outliers matter if they raise Rq by this factor, or are this part of all points: below, contact is that of
+single summits (`topography_pair.LEAST_TOUCHED`)."""
+
+LEAST_WEIGHT = 1e-3
+"""Part of a filter's weights that lies on measured points, below which its mean is one of filled points."""
 
 NORMAL_OVER_MIDDLE = 1.4826
 """Standard deviation over the median distance from the median, of heights spread normally."""
@@ -38,12 +49,17 @@ class SeparatedWaves:
     long_waves : Topography
         Waves longer than that, without form, which belong to the contact's gap.
     filled : float
-        Fraction of points that were filled.
+        Fraction of points that were missing or left out, and filled.
     """
 
     roughness: Topography
     long_waves: Topography
     filled: float
+
+    @property
+    def all_waves(self) -> Topography:
+        """Roughness and longer waves together."""
+        return replace(self.roughness, height=self.roughness.height + self.long_waves.height)
 
 
 def separate_waves(
@@ -57,7 +73,8 @@ def separate_waves(
 ) -> SeparatedWaves:
     """Fill, level and filter heights.
 
-    Form is a polynomial of second order. Filters are Gaussian (ISO 16610-61).
+    Form is a polynomial of second order. Filters are Gaussian (ISO 16610-61). Form, filters and figures
+    count measured points alone.
 
     Parameters
     ----------
@@ -79,45 +96,55 @@ def separate_waves(
     ValueError
         Too many points are missing, there are outliers, or an index that the area does not hold.
     """
-    level, filled = _complete(heights, periodic, outliers)
-    if not level.std() > 0:
+    level, missing = _levelled(heights, periodic, outliers)
+    if not np.nanstd(level) > 0:
         raise ValueError("is flat: all heights are equal after levelling")
     extent = [n * step for n, step in zip(level.shape, spacing, strict=True)]
     for name, index in (("nesting_index", nesting_index), ("shortest_wave", shortest_wave)):
         _require_index(name, index, spacing, extent)
-    if shortest_wave is not None:
-        level = _long(level, spacing, shortest_wave, periodic)
-    long_waves = np.zeros_like(level)
-    if nesting_index is not None:
-        long_waves = _long(level, spacing, nesting_index, periodic)
-    rough, longer = (
-        Topography(heights - heights.mean(), spacing, periodic)
-        for heights in (level - long_waves, long_waves)
-    )
-    return SeparatedWaves(rough, longer, filled)
-
-
-def _complete(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array, float]:
-    """Heights without form and with what is missing filled, and the fraction that was."""
-    heights = np.where(np.isfinite(heights), heights, np.nan)
-    _require_most(heights)
-    level = heights if periodic else heights - _form(heights)
-    level = level - np.nanmean(level)
-    far = _outliers(level)
-    if far.any() and outliers == "refuse":
-        worst, usual = (np.nanmax(np.abs(level[part])) * 1e6 for part in (far, ~far))
-        raise ValueError(
-            f"has {far.sum()} outliers, up to {worst:.3g} um from the mean of a surface whose other heights "
-            f'are within {usual:.3g} um; give outliers = "fill", or "keep" if they are real'
-        )
-    if far.any() and outliers == "fill":
-        level[far] = np.nan
-        _require_most(level)
-    missing = np.isnan(level)
     if missing.any():
         level = _filled(level, missing)
-        level = level if periodic else level - _form(level)
-    return level, float(missing.mean())
+    if shortest_wave is not None:
+        level = _long(level, missing, spacing, shortest_wave, periodic)
+    long_waves = np.zeros_like(level)
+    if nesting_index is not None:
+        long_waves = _long(level, missing, spacing, nesting_index, periodic)
+    measured = ~missing if missing.any() else None
+    rough, longer = (
+        Topography(heights - heights[~missing].mean(), spacing, periodic, measured=measured)
+        for heights in (level - long_waves, long_waves)
+    )
+    return SeparatedWaves(rough, longer, float(missing.mean()))
+
+
+def _levelled(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array, Array]:
+    """Heights without form, NaN where they are missing or left out, and where that is."""
+    heights = np.where(np.isfinite(heights), heights, np.nan)
+    _require_most(heights)
+    level = _without_form(heights, periodic)
+    if outliers == "keep":
+        return level, np.isnan(level)
+    far = outlying(level)
+    cleaned = np.where(far, np.nan, level)
+    if far.any() and outliers == "refuse":
+        if not _matter(level, cleaned, far):
+            return level, np.isnan(level)
+        worst = np.nanmax(np.abs(level[far])) * 1e6
+        kept, without = (np.nanstd(one) * 1e6 for one in (level, cleaned))
+        raise ValueError(
+            f"has {far.sum()} outliers, up to {worst:.3g} um from the mean, which stand out of all around "
+            f"them: Rq is {kept:.3g} um with them and {without:.3g} um without; give outliers = "
+            '"fill" to leave them out, or "keep" if they are real'
+        )
+    if far.any():
+        _require_most(cleaned)
+        level = _without_form(cleaned, periodic)
+    return level, np.isnan(level)
+
+
+def _without_form(heights: Array, periodic: bool) -> Array:
+    level = heights if periodic else heights - _form(heights)
+    return level - np.nanmean(level)
 
 
 def _require_most(heights: Array) -> None:
@@ -148,8 +175,20 @@ def _require_index(
         )
 
 
-def _long(level: Array, spacing: tuple[float, float], index: float, periodic: bool) -> Array:
-    return smoothed(level, [index / step for step in spacing], (0, 1), periodic=periodic)
+def _long(
+    level: Array, missing: Array, spacing: tuple[float, float], index: float, periodic: bool
+) -> Array:
+    """Waves longer than an index: weighted means of measured points, of filled ones only amid a gap."""
+
+    def filtered(heights: Array) -> Array:
+        return smoothed(heights, [index / step for step in spacing], (0, 1), periodic=periodic)
+
+    if not missing.any():
+        return filtered(level)
+    weight = filtered(1.0 - missing)
+    enough = weight > LEAST_WEIGHT
+    mean = filtered(np.where(missing, 0.0, level)) / np.where(enough, weight, 1.0)
+    return np.where(enough, mean, filtered(level))
 
 
 def _form(heights: Array) -> Array:
@@ -162,10 +201,34 @@ def _form(heights: Array) -> Array:
     return np.tensordot(np.linalg.solve(matrix, right), terms, 1)
 
 
-def _outliers(level: Array) -> Array:
-    """Where heights are far from all others."""
+def outlying(level: Array) -> Array:
+    """Where levelled heights are outliers: far from all, and from those around them too.
+
+    A real feature as deep or high, a groove, a step or a particle, has neighbours of its own height; a spike
+    of an instrument stands alone, or in a small group of which most points do.
+    """
     distance = np.abs(level - np.nanmedian(level))
-    return distance > FARTHEST * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
+    far = distance > FARTHEST * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
+    if not far.any():
+        return far
+    padded = np.pad(level, AROUND, constant_values=np.nan)
+    rows, columns = np.nonzero(far)
+    around = [
+        padded[rows + i, columns + j] for i in range(2 * AROUND + 1) for j in range(2 * AROUND + 1)
+    ]
+    alone = np.zeros_like(far)
+    alone[far] = np.abs(level[far] - np.nanmedian(around, axis=0)) > ALONE * distance[far]
+    group, count = scipy.ndimage.label(far, np.ones((3, 3)))
+    share = scipy.ndimage.mean(alone, group, np.arange(count + 1))
+    share[0] = 0.0  # what is not far
+    return share[group] >= MOSTLY
+
+
+def _matter(level: Array, cleaned: Array, far: Array) -> bool:
+    """Whether outliers change the figures, or the contact, of which they are the highest points."""
+    changed = np.nanstd(level) > CHANGED * np.nanstd(cleaned)
+    highest = np.nanmax(np.abs(level[far])) > np.nanmax(np.abs(cleaned))
+    return bool(changed or (highest and far.mean() > TOUCHED))
 
 
 def _filled(level: Array, missing: Array) -> Array:

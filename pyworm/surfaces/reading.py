@@ -1,12 +1,15 @@
-"""Files of measured surfaces: arrays of numbers, and instruments' formats through SurfaceTopography."""
+"""Files of measured surfaces: arrays, texts with or without a header, lists of points, instruments."""
 
 from math import prod
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from pyworm.io.number_with_unit import unit_of
+from pyworm.surfaces.instrument_file import is_compressed, read_instrument
+from pyworm.surfaces.plausible import likely_unit, plausible_side, require_plausible_sides
+from pyworm.surfaces.point_list import on_grid
+from pyworm.surfaces.text_file import TextHeights, read_text
+from pyworm.surfaces.text_header import metres_of
 
 Array = np.ndarray
 
@@ -19,11 +22,14 @@ LEAST_POINTS = 16
 MOST_BYTES_A_POINT = 40
 """Length of a number in a text, beyond which no file of `MOST_POINTS` has to go."""
 
-NO_INSTRUMENT = ("hgt",)
-"""Formats of maps of land, for which any file of the right length may be taken."""
+TEXTS, MOSTLY_TEXTS = (".csv", ".txt", ".tsv", ".xyz"), (".asc", ".dat")
+"""Endings of texts of numbers, and those that instruments use for other files too."""
 
-ARRAYS = (".npy", ".csv", ".txt")
-"""Endings of files of bare numbers, whose unit and spacing the file does not tell."""
+LIBRARY_TEXTS = (b"Wyko ASCII", b"# File Format")
+"""How texts of programs begin whose headers SurfaceTopography knows: Wyko, SPIP."""
+
+SNIFFED = 4096
+"""Bytes from the beginning in which a file that is no text has a zero."""
 
 
 def read_heights(
@@ -34,9 +40,10 @@ def read_heights(
     Parameters
     ----------
     path : Path
-        `.npy`, `.csv` or `.txt` with rows along y and columns along x, or a format of an instrument.
+        `.npy` or a text with rows along y and columns along x, or with three columns x, y and z of points
+        on a regular grid; or a format of an instrument.
     spacing : float, optional
-        Distance of points [m], where the file does not give it.
+        Distance of points [m], of a list of points that along x, where the file does not give it.
     height_unit : str, optional
         Unit of the heights, such as "um", where the file does not give it.
 
@@ -49,30 +56,54 @@ def read_heights(
         raise ValueError("no such file")
     if path.stat().st_size == 0:
         raise ValueError("is empty")
-    metre = None if height_unit is None else _metres(height_unit)
-    if path.suffix.lower() not in ARRAYS:
-        return _read_instrument(path, spacing, metre)
-    if metre is None:
+    metres = None if height_unit is None else _metres(height_unit)
+    if path.suffix.lower() == ".npy":
+        numbers = _read_npy(path)
+        _require_given(numbers, metres, spacing)
+        heights, steps = numbers.T * metres, (spacing, spacing)
+    elif _is_text(path):
+        heights, steps = _of_text(_text(path), metres, spacing)
+    else:
+        heights, steps = read_instrument(path, metres, spacing, MOST_POINTS)
+    _require_area(heights)
+    require_plausible_sides(heights.shape, steps, spacing is not None)
+    return np.ascontiguousarray(heights), steps
+
+
+def _metres(unit: str) -> float:
+    """Metres of a unit of length that was given."""
+    metres = metres_of(unit)
+    if metres is None:
+        raise ValueError(f'height_unit = "{unit}" is no unit of length, such as "um"')
+    return metres
+
+
+def _is_text(path: Path) -> bool:
+    """Whether a file is a text of numbers, and none whose header the library has to read."""
+    if path.suffix.lower() not in TEXTS + MOSTLY_TEXTS:
+        return False
+    with path.open("rb") as file:
+        begin = file.read(SNIFFED)
+    if is_compressed(begin):
+        return False
+    if b"\0" in begin and path.suffix.lower() in MOSTLY_TEXTS:
+        return False
+    return not begin.lstrip().startswith(LIBRARY_TEXTS)
+
+
+def _require_given(heights: Array, metres: float | None, spacing: float | None) -> None:
+    """Refuse numbers of which neither file nor case give unit and distance."""
+    if metres is None:
+        finite = heights[np.isfinite(heights)]
+        unit = likely_unit(float(finite.std()) if finite.size else 0.0)
+        distance = ' and spacing = "0.5 um"' if spacing is None else ""
         raise ValueError(
-            'has numbers without a unit; give height_unit = "um" beside it, or its own'
+            f'has numbers without a unit; give height_unit = "{unit}"{distance} beside it, or its own'
         )
     if spacing is None:
         raise ValueError(
             'does not give the distance of its points; give spacing = "0.5 um" beside it, or its own'
         )
-    numbers = _read_npy(path) if path.suffix.lower() == ".npy" else _read_text(path)
-    return _checked(numbers.T * metre), (spacing, spacing)
-
-
-def _metres(unit: str) -> float:
-    """Metres of a unit of length."""
-    try:
-        meant = unit_of(unit)
-    except ValueError:
-        meant = None
-    if meant is None or meant.base != "m":
-        raise ValueError(f'height_unit = "{unit}" is no unit of length, such as "um"')
-    return meant.factor
 
 
 def _require_readable(shape: tuple[int, ...]) -> None:
@@ -81,7 +112,7 @@ def _require_readable(shape: tuple[int, ...]) -> None:
         raise ValueError(f"has {size} points, {MOST_POINTS} are read at most; give a part of it")
 
 
-def _checked(heights: Array) -> Array:
+def _require_area(heights: Array) -> None:
     if heights.ndim != 2:
         raise ValueError(f"must be an area, two dimensions of heights, not {heights.ndim}")
     if min(heights.shape) < LEAST_POINTS:
@@ -89,7 +120,6 @@ def _checked(heights: Array) -> Array:
         raise ValueError(
             f"has {size} points, at least {LEAST_POINTS} along each side are needed, such as 256 x 256"
         )
-    return np.ascontiguousarray(heights)
 
 
 def _read_npy(path: Path) -> Array:
@@ -103,69 +133,51 @@ def _read_npy(path: Path) -> Array:
     return np.array(mapped, dtype=float)
 
 
-def _read_text(path: Path) -> Array:
+def _text(path: Path) -> TextHeights:
     if path.stat().st_size > MOST_POINTS * MOST_BYTES_A_POINT:
         raise ValueError(
             f"has {path.stat().st_size / 1e9:.1f} GB of text, {MOST_POINTS} numbers are read at most"
         )
-    try:
-        with path.open() as file:
-            first = file.readline()
-        separator = next((one for one in (";", ",", "\t") if one in first), None)
-        numbers = np.genfromtxt(path, delimiter=separator, dtype=float, ndmin=2)
-    except (ValueError, UnicodeDecodeError) as error:
-        reason = str(error).splitlines()[0]
-        raise ValueError(f"cannot be read as rows of numbers ({reason})") from None
-    _require_readable(numbers.shape)
-    return numbers
+    text = read_text(path)
+    _require_readable(text.numbers.shape)
+    return text
 
 
-def _library() -> Any:
-    try:
-        import SurfaceTopography
-    except ImportError:
-        raise ValueError(
-            "is a format of an instrument, which the package SurfaceTopography reads: "
-            'pip install "pyworm[surfaces]"'
-        ) from None
-    return SurfaceTopography
-
-
-def _read_instrument(
-    path: Path, spacing: float | None, metre: float | None
+def _of_text(
+    text: TextHeights, metres: float | None, spacing: float | None
 ) -> tuple[Array, tuple[float, float]]:
-    library = _library()
-    try:
-        with library.open_topography(str(path)) as reader:
-            if reader.format() in NO_INSTRUMENT:
-                raise ValueError("is no file of an instrument that SurfaceTopography knows")
-            channel = reader.default_channel
-            shape, sides, unit = channel.nb_grid_pts, channel.physical_sizes, channel.unit
-            if len(shape) != 2:
-                raise ValueError("is a profile along a line; heights of an area are needed")
-            _require_readable(shape)
-            own = None if unit is None else _metres(str(unit))
-            if own is None and metre is None:
-                raise ValueError('does not give its unit; give height_unit = "um" beside it')
-            if own is not None and metre is not None:
-                raise ValueError(f"gives its own unit, {unit}; leave out height_unit")
-            if sides is None and spacing is None:
-                raise ValueError(
-                    'does not give the distance of its points; give spacing = "0.5 um" beside it'
-                )
-            if sides is not None and spacing is not None:
-                raise ValueError("gives the distance of its points; leave out spacing")
-            known = {} if sides is not None else {"physical_sizes": shape}
-            heights = np.ma.filled(channel.topography(**known).heights().astype(float), np.nan)
-    except ValueError:
-        raise
-    except Exception as error:  # whatever a damaged file makes the library stumble over
-        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise ValueError(f"cannot be read by SurfaceTopography ({reason})") from None
-    scale = own if own is not None else metre
-    steps = (
-        (spacing, spacing)
-        if sides is None
-        else tuple(float(side) * own / n for side, n in zip(sides, shape, strict=True))
-    )
-    return _checked(heights * scale), steps
+    """Heights [m] and spacing [m] of a text, by its header or by what is given in its place."""
+    header, numbers = text.header, text.numbers
+    numbers = numbers[:, : 1 + np.flatnonzero(np.isfinite(numbers).any(axis=0)).max(initial=0)]
+    rows, columns = numbers.shape
+    if min(rows, columns) == 1 or columns == 2:
+        raise ValueError("is a profile along a line; heights of an area are needed")
+    if header.height_metres is not None and metres is not None:
+        raise ValueError("gives its own unit in its header; leave out height_unit")
+    metres = header.height_metres if metres is None else metres
+    if columns == 3 and header.sides is None:
+        return _of_points(numbers, header.metres, metres, spacing)
+    own = header.steps
+    if header.sides is not None:
+        own = header.sides[0] / columns, header.sides[1] / rows
+    if own is not None and spacing is not None:
+        if plausible_side((columns, rows), own):
+            raise ValueError("gives the distance of its points in its header; leave out spacing")
+        own = None
+    _require_given(numbers, metres, spacing if own is None else own[0])
+    return numbers.T * metres, (spacing, spacing) if own is None else own
+
+
+def _of_points(
+    points: Array,
+    own: tuple[float, float] | None,
+    metres: float | None,
+    spacing: float | None,
+) -> tuple[Array, tuple[float, float]]:
+    """Heights [m] and spacing [m] of a list of points, `own` being the metres of its x and of its y."""
+    if own is not None and spacing is not None:
+        raise ValueError("gives the units of x and y in its header; leave out spacing")
+    _require_given(points[:, 2], metres, spacing if own is None else own[0])
+    heights, (dx, dy) = on_grid(points, MOST_POINTS)
+    scales = (spacing / dx,) * 2 if own is None else own
+    return heights * metres, (dx * scales[0], dy * scales[1])

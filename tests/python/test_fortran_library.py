@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -112,18 +113,43 @@ def test_modules_have_the_prefix():
         assert name == "pyworm_" + source.stem.removeprefix("pyworm_")
 
 
+def test_without_compilers_it_says_what_to_install(tmp_path):
+    """A machine with make and Python alone, and nothing that could install the rest."""
+    for name in ("Makefile", "pyproject.toml", "meson.build", "tools/setup.sh"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    for name in ("sh", "make", "id"):
+        (tools / name).symlink_to(shutil.which(name))
+    (tools / "python3").symlink_to(sys._base_executable)
+    made = subprocess.run(
+        [tools / "make", "fortran-library"],
+        capture_output=True,
+        text=True,
+        env={"PATH": str(tools)},
+        cwd=tmp_path,
+    )
+    assert made.returncode == 2
+    assert "not found" not in made.stderr
+    libraries = "pkg-config libfftw3-dev libopenblas-dev"
+    assert f"pyworm: install gfortran gcc libc6-dev {libraries}" in made.stderr
+    assert "then run make again" in made.stderr
+
+
 @pytest.mark.long
 def test_the_library_is_built_from_a_bare_clone(tmp_path):
     """make fortran-library, and a program that asks pkg-config alone."""
     run("git", "clone", "--quiet", ROOT, tmp_path / "clone")
-    meson = shutil.which("meson")
-    run(
-        "make",
-        "fortran-library",
-        f"PREFIX={tmp_path}/installed",
-        f"MESON={meson}",
+    bare = {**ONE, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}  # what no virtual environment has added
+    made = subprocess.run(
+        ["make", "fortran-library", f"PREFIX={tmp_path}/installed"],
+        capture_output=True,
+        text=True,
+        env=bare,
         cwd=tmp_path / "clone",
     )
+    assert made.returncode == 0, made.stderr
     installed = tmp_path / "installed"
     found = {
         path.relative_to(installed).as_posix() for path in installed.rglob("*") if path.is_file()

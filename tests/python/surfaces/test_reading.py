@@ -98,7 +98,7 @@ def _write_sur(path):
     [
         (b"", {}, "is empty"),
         (b"nonsense", {"spacing": 1e-6, "height_unit": "um"}, "cannot be read as an npy file"),
-        (HEIGHTS, {}, 'has numbers without a unit; give height_unit = "um"'),
+        (HEIGHTS * 1e6, {}, 'has numbers without a unit; give height_unit = "um"'),
         (HEIGHTS, {"height_unit": "um"}, 'give spacing = "0.5 um"'),
         (
             HEIGHTS,
