@@ -78,7 +78,10 @@ def test_the_case_of_a_result_has_its_surface_but_no_file(tmp_path, flank):
             'roughness = "0.1 m": must be a root mean square height',
         ),
         ('file = "none.npy"', 'bodies.body_1.surface.file = "none.npy": no such file'),
-        ('file = "flank.npy"', 'has numbers without a unit; give height_unit = "um" beside it'),
+        (
+            'file = "flank.npy"',
+            'give height_unit = "um" and spacing = "0.5 um" beside it',
+        ),
         (f'{ARRAY}\nnesting_index = "2.5 mm"', "nesting_index of 2500 um is longer than the area"),
         (f'{ARRAY}\noutliers = "drop"', 'outliers = "drop": must be "refuse", "fill" or "keep"'),
         (f"{ARRAY}\nfilter = 3", "bodies.body_1.surface.filter: no such key"),
