@@ -9,6 +9,7 @@ from typing import Any
 
 from pyworm.batch.task import Task, key_of
 from pyworm.io.atomic import remove_abandoned, whole_file
+from pyworm.io.bounded_number import read_json
 from pyworm.result.result import Result, open_result
 from pyworm.result.rounded_fields import is_rounded, rounded
 from pyworm.solver.solution import Solution
@@ -115,7 +116,7 @@ class Store:
             return self._stored(task).solutions[0].summary()
         file = self.file(task)
         try:
-            content = json.loads(file.read_text())
+            content = read_json(file.read_text())
             summary = dict(content["summary"])
             sound = key_of(content["task"]) == task.key
         except (ValueError, LookupError, TypeError, RecursionError):

@@ -22,6 +22,7 @@ from pyworm.formulas.wear_law import (
     truncated_roughness,
 )
 from pyworm.io.atomic import whole_file
+from pyworm.io.bounded_number import read_json
 from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
@@ -360,10 +361,10 @@ class WearRun:
             self.thread = FlankGrid(held["axial"], held["from_worm_axis"])
             self.worm_depth = held["worm_depth"]
             self.depths = list(held["depths"])
-            self.steps = [WearFigures(**step) for step in json.loads(str(held["steps"]))]
+            self.steps = [WearFigures(**step) for step in read_json(str(held["steps"]))]
             last = self.steps[-1]
             self.volume = last.volume_m3
-            self.loads = json.loads(str(held["loads"]))
+            self.loads = read_json(str(held["loads"]))
             if self.loads.get("lifts") is not None:
                 self.loads["lifts"] = tuple(map(tuple, self.loads["lifts"]))
             self.turn, turn = map(float, held["turns"])

@@ -21,6 +21,7 @@ from pyworm.drives.drive import Drive
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
 from pyworm.io.shown import Shown, percent
+from pyworm.io.stage import stage
 from pyworm.io.toml import read_toml
 from pyworm.scene.index import PLACE_NAMES, Place, crossed
 from pyworm.scene.line import LineScene
@@ -308,7 +309,8 @@ def load(path: str | Path) -> Case:
     path = Path(path)
     data = read_toml(path)
     try:
-        return case_of(data, path.stem, path.parent)
+        with stage(f"checking the contacts of {path}"):
+            return case_of(data, path.stem, path.parent)
     except CaseError as error:
         raise CaseError(f"{path}: {error}") from error
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, PrivateAttr, model_validator
 
-from pyworm.case.table import Table, Text
+from pyworm.case.table import Seed, Table, Text
 from pyworm.io import units
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
@@ -18,7 +18,6 @@ from pyworm.surfaces.preparing import Outliers, SeparatedWaves, separate_waves
 from pyworm.surfaces.reading import read_heights
 
 Aspect = Annotated[float, Field(strict=True, ge=1 / 9, le=9)]
-Seed = Annotated[int, Field(strict=True, ge=0)]
 
 
 class GaussianTable(Table):

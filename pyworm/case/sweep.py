@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from pyworm.case.table import Count, Table, Text
+from pyworm.case.table import Count, Seed, Table, Text
 from pyworm.io.number_with_unit import parse_in
 
 Value = Any
@@ -124,7 +124,7 @@ class SweepTable(Table):
     title: Text
     case: Text
     effects: Text | None = None
-    seed: Annotated[int, Field(strict=True, ge=0)] | None = None
+    seed: Seed | None = None
     fixed: dict[str, Value] = Field(default_factory=dict)
     vary: Annotated[list[Annotated[dict[str, Values], Field(min_length=1)]], Field(min_length=1)]
 

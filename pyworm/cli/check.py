@@ -7,6 +7,7 @@ from pyworm.case.case import load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case
 from pyworm.cli.shared import CONVERGED, planned_tasks, warn_of_unusual
 from pyworm.io.json import print_json
+from pyworm.io.stage import stage
 
 
 def add_check(commands: argparse._SubParsersAction) -> None:
@@ -31,9 +32,10 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.scene.summary import scene_summary
     from pyworm.solver import left_out
 
-    of_run = expected_run(case, tasks)
-    expected = of_run.each
-    without = [left_out.expected(task.scene, task.plan) for task in tasks]
+    with stage("estimating times and the influence of neglected effects"):
+        of_run = expected_run(case, tasks)
+        expected = of_run.each
+        without = [left_out.expected(task.scene, task.plan) for task in tasks]
     if options.json:
         scenes = [
             scene_summary(task.scene)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
+from pyworm.io.stage import stage
 from pyworm.io.terminal import put
 
 
@@ -31,7 +32,8 @@ def _explore(options: argparse.Namespace) -> int:
     check_writable(path.parent)
     result = opened_result(options.result)
     with readable(options.result):
-        page = explore(result)
+        with stage("making the page"):
+            page = explore(result)
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")

@@ -8,6 +8,7 @@ from pyworm.cli.arguments import add_json, add_places
 from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.stage import stage
 from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:
@@ -51,9 +52,11 @@ def _film(options: argparse.Namespace) -> int:
         warn_of_unusual(case)
         places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
         name, warnings = case.name, list(case.warnings)
-        scenes = [case.scene(**place.given) for place in places]
+        with stage(f"making {len(places)} contacts"):
+            scenes = [case.scene(**place.given) for place in places]
     try:
-        rows = [_summary(scene) for scene in scenes]
+        with stage(f"evaluating films of {len(scenes)} contacts"):
+            rows = [_summary(scene) for scene in scenes]
     except ValueError as error:
         raise CaseError(str(error)) from error
     if options.json:

@@ -28,6 +28,7 @@ from pyworm.cli.surface import add_surface
 from pyworm.cli.sweep import add_sweep
 from pyworm.cli.wear import add_wear
 from pyworm.io.input_error import CaseError
+from pyworm.io.stage import long_stages_said
 from pyworm.io.terminal import flush, prepare, put, say
 
 
@@ -58,7 +59,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     finally:
         flush()  # of --help
     try:
-        code = options.command(options)
+        with long_stages_said():
+            code = options.command(options)
         flush()
         return code
     except CaseError as error:

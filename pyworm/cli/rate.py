@@ -10,6 +10,7 @@ from pyworm.cli.arguments import add_anyway, add_json
 from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.stage import stage
 from pyworm.io.terminal import say
 from pyworm.result.result_case import case_for
 
@@ -53,8 +54,9 @@ def _rate(options: argparse.Namespace) -> int:
         case, differ = case_for(options.case, result, options.anyway)
         asked = asked_of(case)
     with nullcontext() if result is None else readable(options.result):
-        made = ratings(asked, result)
-        lacking = left_out(asked, result)
+        with stage(f"rating {asked.name}"):
+            made = ratings(asked, result)
+            lacking = left_out(asked, result)
     if not made:
         raise CaseError(
             f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from pyworm.cli.arguments import add_compared_case
 from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
+from pyworm.io.stage import stage
 from pyworm.io.terminal import put
 from pyworm.result.result_case import case_for
 
@@ -48,7 +49,8 @@ def _report(options: argparse.Namespace) -> int:
     check_writable(path.parent)
     if several:
         _refuse_of_one(options)
-    page = _variants(options.results) if several else _one(options)
+    with stage("making the page"):
+        page = _variants(options.results) if several else _one(options)
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")
@@ -57,7 +59,7 @@ def _report(options: argparse.Namespace) -> int:
         from pyworm.report.pdf import print_pdf
 
         pdf = path.with_suffix(".pdf")
-        with whole_file(pdf) as partial:
+        with stage("printing the page"), whole_file(pdf) as partial:
             print_pdf(path, partial)
         put(f"{pdf}")
     return 0

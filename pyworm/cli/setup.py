@@ -11,6 +11,7 @@ from pyworm.drives.hob_setup import Row
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.quantity import SHARE, Kind, parse
+from pyworm.io.stage import stage
 from pyworm.io.terminal import put, say
 
 PLACE = Kind("a place along the face", "m", "2 mm", sign="any", possible=("1e-24 m", "5 m"))
@@ -60,12 +61,14 @@ def _setup(options: argparse.Namespace) -> int:
     case = load(options.case)
     if options.shim is not None:
         return _shim(case, options, wanted.get("shim"))
-    made = None if case.drive is None else case.drive.hob_setup(wanted)
+    with stage("cutting wheels with other set-ups of the hob"):
+        made = None if case.drive is None else case.drive.hob_setup(wanted)
     if made is None:
         raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
     warn_of_unusual(case)
     rows = {"now": made.now} | ({} if made.found is None else {"found": made.found})
-    life = _life(case)
+    with stage("cutting wheels with the reground hob"):
+        life = _life(case)
     if options.json:
         content = {"case": case.name, "wanted": wanted, "reached": made.reached, **rows}
         print_json(content | {"hob_life": life})
@@ -85,7 +88,8 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
         raise CaseError(
             "--shim moves the wheel that is cut; leave out --place and --size, which set the hob"
         )
-    shim = None if case.drive is None else case.drive.wheel_shim(wanted)
+    with stage("shifting the wheel"):
+        shim = None if case.drive is None else case.drive.wheel_shim(wanted)
     if shim is None:
         raise CaseError(f"{options.case}: has no wheel that a shim could move; give a worm drive")
     if options.json:

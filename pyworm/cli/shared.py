@@ -11,6 +11,7 @@ from pyworm.io.atomic import whole
 from pyworm.io.input_error import CaseError
 from pyworm.io.quantity import SHARE, parse
 from pyworm.io.reason import reason_of
+from pyworm.io.stage import stage
 from pyworm.io.terminal import say
 from pyworm.scene.index import PLACE_NAMES
 
@@ -103,8 +104,9 @@ def planned_tasks(case: Case, options: argparse.Namespace) -> list:
     places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
     tasks = [Task(case, place, accuracy, effects, quantities) for place in places]
     try:
-        for task in tasks:
-            _ = task.plan
+        with stage(f"planning {len(tasks)} contacts"):
+            for task in tasks:
+                _ = task.plan
     except ValueError as error:
         raise CaseError(str(error)) from error
     return tasks

@@ -60,7 +60,12 @@ def number(name: str, value: Any, kind: Kind, *, sizes: bool = True) -> float:
             f"{name} = {value!r:.{LONGEST}}: must be {kind.noun} as a number in {_si(kind)}, or a text "
             f'such as "{kind.example}"'
         )
-    given = float(value)
+    try:
+        given = float(value)
+    except OverflowError:  # of a whole number or a fraction that has no float
+        raise ValueError(
+            f"{name} = {value!r:.{LONGEST}}: must be {kind.noun} of a possible size"
+        ) from None
     if sizes and isfinite(given) and given > 0:
         try:
             parse(_text(given, kind), kind)

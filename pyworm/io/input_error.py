@@ -55,7 +55,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     # A misspelt key also leaves another one missing: the misspelling is the one to report.
     problem = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
-    name = shortened(_dotted(keys))
+    name = shortened(dotted(keys))
     if problem["type"] == "extra_forbidden":
         return f"{name}: no such key; {_right_key(keys[-1], _choices(model, problem['loc'][:-1]))}"
     if problem["type"] == "missing":
@@ -90,7 +90,8 @@ def _as_written(loc: tuple, data: dict[str, Any], absent: bool) -> tuple[list, A
     return ([*keys, loc[-1]], None) if absent else (keys, value)
 
 
-def _dotted(keys: list) -> str:
+def dotted(keys: list) -> str:
+    """Keys of tables and places in lists as one name: "operation.lifts[0]"."""
     name = ""
     for key in keys:
         name += f"[{key}]" if isinstance(key, int) else f".{key}" if name else key

@@ -7,7 +7,8 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from pyworm.io.input_error import CaseError
+from pyworm.io.bounded_number import fault_of
+from pyworm.io.input_error import CaseError, dotted, shortened, toml
 
 LARGEST = 2**20
 """Bytes of the largest file that is read: what people write has a hundredth of it."""
@@ -20,7 +21,32 @@ _KEYS_END = re.compile(r"[=,{}\[\]\n]")
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """The content of a TOML file, with or without a byte-order mark; CaseError if it cannot be read."""
+    """The content of a TOML file, with or without a byte-order mark, its numbers within `bounded_number`.
+
+    Raises
+    ------
+    CaseError
+        The file cannot be read, is no TOML, or holds a number that is not finite or too large.
+    """
+    content = _parsed(path)
+    try:
+        _require_bounded(content, [])
+    except ValueError as error:
+        raise CaseError(f"{path}: {error}") from None
+    return content
+
+
+def _require_bounded(value: Any, keys: list[str | int]) -> None:
+    """Refuse a value of a file, or one in it, that is a number out of bounds; ValueError names its key."""
+    if isinstance(value, dict | list):
+        entries = value.items() if isinstance(value, dict) else enumerate(value)
+        for key, entry in entries:
+            _require_bounded(entry, [*keys, key])
+    elif (fault := fault_of(value)) is not None:
+        raise ValueError(f"{shortened(dotted(keys))} = {shortened(toml(value))}: {fault}")
+
+
+def _parsed(path: Path) -> dict[str, Any]:
     text = _text(path)
     if max(part.count(".") for part in _KEYS_END.split(text)) > DEEPEST:
         raise CaseError(f"{path}: not a TOML file: too many tables within each other")

@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from pyworm.io.atomic import whole_file
+from pyworm.io.bounded_number import read_json
 from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, same_data
@@ -175,7 +176,7 @@ def _load(path: Path) -> "dict[str, xr.Dataset]":
 
 def _read(groups: "dict[str, xr.Dataset]") -> Result:
     attributes = groups["/"].attrs
-    provenance = typed(dict, json.loads(attributes["provenance"]), "provenance")
+    provenance = typed(dict, read_json(attributes["provenance"]), "provenance")
     for name, kind in PROVENANCE.items():
         typed(kind, provenance.get(name, kind()), f"provenance.{name}")
     mesh_cycle = groups.get("/mesh_cycle")
@@ -187,7 +188,7 @@ def _read(groups: "dict[str, xr.Dataset]") -> Result:
     scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
         case_name=typed(str, attributes["case_name"], "case_name"),
-        case=typed(dict, json.loads(attributes["case"]), "case"),
+        case=typed(dict, read_json(attributes["case"]), "case"),
         solutions=tuple(_read_solution(groups, scene) for scene in scenes),
         mesh_cycle=mesh_cycle,
         provenance=provenance,
@@ -199,7 +200,7 @@ def case_in(path: Path) -> dict | None:
     try:
         with xr.open_dataset(path, engine="netcdf4") as root:
             known = root.attrs.get("format") == FORMAT
-            return typed(dict, json.loads(root.attrs["case"]), "case") if known else None
+            return typed(dict, read_json(root.attrs["case"]), "case") if known else None
     except Exception:  # whatever a damaged file makes the library stumble over
         return None
 
@@ -273,7 +274,7 @@ def _to_json(value: Any) -> str:
 def _read_solution(groups: "dict[str, xr.Dataset]", scene: str) -> Solution:
     datasets = {part: groups[f"{scene}/{part}"] for part in DATASETS if f"{scene}/{part}" in groups}
     try:
-        solution = typed(Solution, json.loads(groups[scene].attrs["solution"]) | datasets)
+        solution = typed(Solution, read_json(groups[scene].attrs["solution"]) | datasets)
         check(solution)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{scene[1:]}: {error}") from None

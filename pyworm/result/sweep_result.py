@@ -20,6 +20,7 @@ import numpy as np
 from pyworm.case.sweep import Value
 from pyworm.formulas.lubrication import BY_SEVERITY
 from pyworm.io.atomic import whole_file
+from pyworm.io.bounded_number import read_json
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.on_demand import xarray as xr
 from pyworm.result.result import LARGEST, plain_attributes
@@ -135,9 +136,9 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
         result = SweepResult(
             typed(str, attributes["name"], "name"),
             typed(str, attributes["title"], "title"),
-            typed(list[list[str]], json.loads(attributes["axes"]), "axes"),
+            typed(list[list[str]], read_json(attributes["axes"]), "axes"),
             table,
-            typed(dict, json.loads(attributes["provenance"]), "provenance"),
+            typed(dict, read_json(attributes["provenance"]), "provenance"),
         )
         _check(result)
     except (ValueError, LookupError, TypeError, RecursionError) as error:

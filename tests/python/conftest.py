@@ -20,6 +20,12 @@ def interrupts():
     signal.signal(signal.SIGINT, before)
 
 
+@pytest.fixture(autouse=True)
+def unhurried(monkeypatch):
+    """A busy machine adds no lines about long stages to what commands say."""
+    monkeypatch.setattr("pyworm.io.stage.PATIENCE", 1000.0)
+
+
 @pytest.fixture
 def undrawn(monkeypatch):
     """Pictures of report pages are not drawn, for tests of what is written beside them."""

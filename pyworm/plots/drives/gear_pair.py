@@ -1,6 +1,5 @@
 """The line of action of a pair of gears, over the roll angle of the pinion."""
 
-import json
 from collections.abc import Sequence
 
 import numpy as np
@@ -8,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.bounded_number import read_json
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.error_bars import draw_estimates
@@ -161,7 +161,7 @@ def _legend(axes: Axes, columns: int) -> None:
 
 def _finished(figure: Figure, panels: Sequence[Axes], cycle: "xr.Dataset") -> Figure:
     """Marks of the line of action on every panel, named above the first one."""
-    marks = json.loads(cycle.attrs["marks"])
+    marks = read_json(cycle.attrs["marks"])
     places = {name: _at(cycle, phase) for name, phase in marks.items()}
     for panel in panels:
         panel.grid(True, color="0.92")

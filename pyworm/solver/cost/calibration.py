@@ -16,6 +16,8 @@ from time import process_time
 import numpy as np
 
 from pyworm.io.atomic import whole_file
+from pyworm.io.bounded_number import read_json
+from pyworm.io.stage import stage
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
@@ -153,9 +155,10 @@ def calibration() -> Calibration:
     """The calibration of this machine and kernel build: from the user's cache, else measured."""
     path = _cache() / f"pace-{_key()}.json"
     try:
-        return _read(json.loads(path.read_text()))
+        return _read(read_json(path.read_text()))
     except (OSError, ValueError, KeyError, TypeError):
-        measured = calibrate()
+        with stage(f"measuring the speed of this machine, to be kept in {path}"):
+            measured = calibrate()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with whole_file(path) as partial:

@@ -64,6 +64,7 @@ def test_a_byte_order_mark_is_no_part_of_a_case(tmp_path):
         (f"a{'.a' * 100_000} = 1\n{CASE}", "too many tables within each other"),
         (changed(f"load = {'9' * 5000}"), "a number of too many digits"),
         (changed(f"load = {'9' * 4000}"), "contact.load = 9999"),
+        (changed(f"load = {'9' * 400}"), "whole numbers lie between -9223372036854775807 and"),
         (changed(f'load = "{"9" * 5000} N"'), "must be a force with its unit"),
         (changed('load = "1 kN/m**(9**9**9)"'), '"1 kN/m**(9**9**9)": must be a force with its un'),
         (changed(f'load = "1{" " * 100_000}x"'), "must be a force with its unit"),
