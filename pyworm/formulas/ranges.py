@@ -7,12 +7,15 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+ROUNDING = 1e-12
+"""What a bound that was given in another unit may have lost by its conversion, over the bound."""
+
 Values = float | np.ndarray
 """A number or an array of numbers."""
 
 
 def within(name: str, value: Values | Sequence[float], low: float, high: float, unit: str) -> None:
-    """Refuse a value outside a closed range.
+    """Refuse a value outside a closed range, by more than the rounding of its conversion of units.
 
     Parameters
     ----------
@@ -31,7 +34,8 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
         A value below, above or not a number.
     """
     values = np.asarray(value, dtype=float)
-    outside = ~((values >= low) & (values <= high))
+    above = values >= low - ROUNDING * abs(low)
+    outside = ~(above & (values <= high + ROUNDING * abs(high)))
     if outside.any():
         wrong = values[outside].flat[0]
         in_unit = f" {unit}" if unit else ""
