@@ -148,7 +148,7 @@ def draw(meshes: dict[str, Mesh]) -> Figure:
         fontsize="medium",
     )
     panels = rows[0].subplots(2, -(-len(meshes) // 2), sharex=True, sharey=True).ravel()
-    for axes, (name, mesh) in zip(panels, meshes.items(), strict=False):
+    for axes, (name, mesh) in zip(panels[: len(meshes)], meshes.items(), strict=True):
         _draw_pattern(axes, mesh)
         axes.set_title(name, color=PROFILES[name])
     below = rows[1].subplots(2, 2, sharex=True).ravel()

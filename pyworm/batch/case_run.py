@@ -28,7 +28,17 @@ CycleOf = Callable[[Drive], Any]
 
 
 class NothingSolvedError(RuntimeError):
-    """No scene of a run has a solution; the message is the reason of the last one."""
+    """No scene of a run has a solution; the message gives the reasons, each once.
+
+    Attributes
+    ----------
+    reasons : dict of str to str
+        Name of each scene and its reason.
+    """
+
+    def __init__(self, reasons: dict[str, str]):
+        super().__init__("; ".join(dict.fromkeys(reasons.values())))
+        self.reasons = reasons
 
 
 def run(
@@ -108,11 +118,11 @@ def _result(
         Nothing is.
     """
     solved = [task for task in tasks if task.key in kept]
+    failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
     if not solved:
-        raise NothingSolvedError(reasons[tasks[-1].key])
+        raise NothingSolvedError(failed)
     solutions = tuple(kept[task.key][0].changed(name=task.scene.name) for task in solved)
     plans = {task.key: kept[task.key][1] for task in solved}
-    failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
     hot = overheated(solution.summary() for solution in solutions)
     return Result(
         case.name,
@@ -157,5 +167,7 @@ def _solved_before(path: Path, store: Store, say: Callable[[str], None]) -> _Kep
 def _of_each(result: Result) -> _Kept:
     """Solutions of a result with their plans, by key."""
     said = result.provenance
-    plans = zip(result.solutions, said.get("plans", ()), strict=False)
-    return dict(zip(said.get("keys", ()), plans, strict=False))
+    plans, keys = said.get("plans", ()), said.get("keys", ())
+    if not len(plans) == len(keys) == len(result.solutions):
+        return {}  # of another program, or made in Python
+    return dict(zip(keys, zip(result.solutions, plans, strict=True), strict=True))

@@ -74,7 +74,7 @@ class LifePart:
             rates, flaw, moments = {}, str(lost), ()
         # each task keeps the stretch of the life since the one before it, and together they keep all of it
         first = course.instant(part.first) if part.first > 0 else -inf
-        since = dict(zip(times, (first, *times), strict=False))
+        since = dict(zip(times, (first, *times[:-1]), strict=True))
         ends = {at: at for at in times} | {times[-1]: last}
         for key, at in wanted.items():
             file = directory / _file(key, self.refinement)

@@ -62,9 +62,6 @@ def _run(options: argparse.Namespace) -> int:
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
     from pyworm.batch.drive_iteration import run_balanced
     from pyworm.io.console import progress_bar
-    from pyworm.ratings.heating import heating_of
-    from pyworm.ratings.standard_loss import standard_loss
-    from pyworm.result.mesh_cycle import drive_cycle
 
     with batch_executor(options) as executor:
         try:
@@ -72,6 +69,9 @@ def _run(options: argparse.Namespace) -> int:
                 how = executor, progress, say, options.fields == "full"
                 result, tasks = run_balanced(case, tasks, directory, *how)
         except NothingSolvedError as error:
+            if options.json:
+                told = {"case": case.name, "scenes": [], "failed": error.reasons}
+                print_json(told | {"warnings": list(case.warnings), "stop_reason": str(error)})
             return end_with(f"{case.name}: {error}", FAILED)
         for warning in result.provenance["warnings"][len(case.warnings) :]:
             say(f"warning: {warning}")
@@ -84,30 +84,42 @@ def _run(options: argparse.Namespace) -> int:
         pictures = _pictures(result, directory, options.pictures, drawers)
         table = _table_of_lives(result, directory)
     if options.json:
-        cycle, standard = drive_cycle(result), standard_loss(case)
-        heating = heating_of(tasks[0].case, cycle, standard)
-        print_json(
-            {
-                "case": case.name,
-                "scenes": [solution.summary() for solution in result.solutions],
-                "failed": result.provenance["failed"],
-                "warnings": result.provenance["warnings"],
-                **({} if cycle is None else {"cycle": cycle.summary()}),
-                **({} if case.drive is None else {"standard_loss": standard.summary()}),
-                **({} if heating is None else {"heating_loss": heating.summary()}),
-                **_mesh_loss_summary(case, result),
-                **_lives_summary(result),
-                "results": str(directory / RESULT_NAME),
-                **({} if table is None else {"life_table": str(table)}),
-                "pictures": [str(directory / name) for name in pictures],
-            }
-        )
+        files = {
+            "results": str(directory / RESULT_NAME),
+            **({} if table is None else {"life_table": str(table)}),
+            "pictures": [str(directory / name) for name in pictures],
+        }
+        print_json(_summary(case, tasks, result) | files)
     else:
         more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
         put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
         if table is not None:
             put(f"Life      {table}: figures with error bars at every instant")
-    return CONVERGED if result.converged and not result.provenance["failed"] else NOT_CONVERGED
+    if result.stop_reason is None:
+        return CONVERGED
+    return end_with(f"{case.name}: {result.stop_reason}", NOT_CONVERGED)
+
+
+def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
+    """What a run found, under `--json`; `stop_reason` where a contact has no converged solution."""
+    from pyworm.ratings.heating import heating_of
+    from pyworm.ratings.standard_loss import standard_loss
+    from pyworm.result.mesh_cycle import drive_cycle
+
+    cycle, standard = drive_cycle(result), standard_loss(case)
+    heating = heating_of(tasks[0].case, cycle, standard)
+    return {
+        "case": case.name,
+        "scenes": [solution.summary() for solution in result.solutions],
+        "failed": result.provenance["failed"],
+        "warnings": result.provenance["warnings"],
+        **({} if result.stop_reason is None else {"stop_reason": result.stop_reason}),
+        **({} if cycle is None else {"cycle": cycle.summary()}),
+        **({} if case.drive is None else {"standard_loss": standard.summary()}),
+        **({} if heating is None else {"heating_loss": heating.summary()}),
+        **_mesh_loss_summary(case, result),
+        **_lives_summary(result),
+    }
 
 
 def _pictures(
@@ -126,7 +138,7 @@ def _mesh_loss_summary(case: Case, result: "Result") -> dict[str, Any]:
     """Loss between teeth or rollers under `--json`; empty where none is known."""
     from pyworm.ratings.mesh_loss import mesh_loss
 
-    loss = mesh_loss(case.drive, result.solutions)
+    loss = mesh_loss(case.drive, result)
     return {} if loss is None else {"mesh_loss": loss.summary()}
 
 
@@ -209,7 +221,7 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
             heating = heating_of(tasks[0].case, cycle, standard)
             console.print(loss_table(cycle, standard, heating))
     if case.drive is not None and (cycle is None or cycle.loss is None):
-        loss = mesh_loss(case.drive, result.solutions)
+        loss = mesh_loss(case.drive, result)
         console.print(NO_LOSS if loss is None else loss_sentence(loss))
     for summary in summaries:
         if not summary["converged"]:

@@ -12,6 +12,7 @@ from pyworm.cli.shared import (
     TABLE_NAME,
     batch_executor,
     drawn_pictures,
+    end_with,
 )
 from pyworm.io.atomic import check_writable, whole
 from pyworm.io.json import print_json
@@ -73,7 +74,7 @@ def _sweep(options: argparse.Namespace) -> int:
         result = run_sweep(sweep, *how)
 
     from pyworm.plots.sweep import draw_sweep
-    from pyworm.report.console.sweep import rows, show
+    from pyworm.report.console.sweep import rows, show, unconverged
 
     with whole(directory) as aside:
         result.save(aside / SWEEP_NAME)
@@ -94,4 +95,6 @@ def _sweep(options: argparse.Namespace) -> int:
     else:
         for name in pictures:
             put(f"Picture   {directory / name}")
-    return CONVERGED if result.converged.all() else NOT_CONVERGED
+    if result.converged.all():
+        return CONVERGED
+    return end_with(f"{result.name}: {'; '.join(unconverged(result))}", NOT_CONVERGED)

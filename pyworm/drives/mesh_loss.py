@@ -60,6 +60,8 @@ class MeshLoss:
         Derivation, in words.
     model : float or None
         Relative uncertainty of the friction by the model of roughness [-]; None where none was simulated.
+    missing : str
+        Contacts of the cycle without a converged solution, in words; empty where every one has one.
     """
 
     power: float
@@ -68,6 +70,7 @@ class MeshLoss:
     error: float
     words: str
     model: float | None = None
+    missing: str = ""
 
     @property
     def efficiency(self) -> float:
@@ -81,6 +84,7 @@ class MeshLoss:
             "power_loss_W": self.loss,
             "friction": self.friction,
             "efficiency": self.efficiency,
+            **({"missing": self.missing} if self.missing else {}),
             "relative_error": self.error,
             "relative_model_error": self.model,
             "words": self.words,

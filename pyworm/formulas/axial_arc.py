@@ -69,7 +69,7 @@ class AxialArc(ScrewGenerator):
         bend = -(self.arc_radius**2) / height**3
         return (u, 0.0 * below, height), (1.0, 0.0, below / height), (0.0, 0.0, bend)
 
-    def at_radius(self, radius: Array) -> Array:
+    def at_radius(self, radius: Array | float) -> Array:
         """The radius itself [m]."""
         return np.asarray(radius, float)
 

@@ -77,7 +77,7 @@ class DiscHelicoid(ScrewGenerator):
         Radius of the worm's reference cylinder [m].
     screw : float
         Advance per radian, lead / 2 pi [m].
-    start_radius, end_radius : float
+    inner_radius, end_radius : float
         Radii between which the profile is found [m].
 
     Raises
@@ -89,16 +89,21 @@ class DiscHelicoid(ScrewGenerator):
     disc: Disc
     reference: float
     screw: float
-    start_radius: float
+    inner_radius: float
     end_radius: float
 
     def __post_init__(self) -> None:
         self._coefficients  # noqa: B018  a disc that undercuts is refused here
 
     @property
+    def start_radius(self) -> float:
+        """Radius at which the profile begins [m]."""
+        return self.inner_radius
+
+    @property
     def bounds(self) -> tuple[float, float]:
         """Radii between which the profile is found [m]."""
-        return self.start_radius, self.end_radius
+        return self.inner_radius, self.end_radius
 
     def ground(self, along: Array) -> tuple[Components, Components]:
         """Point of the envelope [m] and its unit normal, at a way along the disc's profile [m]."""
@@ -141,16 +146,16 @@ class DiscHelicoid(ScrewGenerator):
                 return _as_powers(node, height, ROUNDING * self._half)
         raise ValueError(
             f"a disc of {2e3 * self.disc.radius:.4g} mm leaves no flank from "
-            f"{2e3 * self.start_radius:.4g} to {2e3 * self.end_radius:.4g} mm of the worm's diameter"
+            f"{2e3 * self.inner_radius:.4g} to {2e3 * self.end_radius:.4g} mm of the worm's diameter"
         )
 
     @property
     def _middle(self) -> float:
-        return (self.start_radius + self.end_radius) / 2
+        return (self.inner_radius + self.end_radius) / 2
 
     @property
     def _half(self) -> float:
-        return (self.end_radius - self.start_radius) / 2
+        return (self.end_radius - self.inner_radius) / 2
 
     def curve(self, u: Array) -> tuple[Components, Components, Components]:
         """The axial profile over the radius, and its derivatives."""
@@ -166,7 +171,7 @@ class DiscHelicoid(ScrewGenerator):
             (0.0, 0.0, 2 * bend / self._half**2),
         )
 
-    def at_radius(self, radius: Array) -> Array:
+    def at_radius(self, radius: Array | float) -> Array:
         """The radius itself [m]."""
         return np.asarray(radius)
 

@@ -8,6 +8,7 @@ Conventions: 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; the speed is the mean (u1 +
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -91,10 +92,10 @@ class LineGroups:
         G = alpha E' [-].
     """
 
-    radius: float
-    speed: float
-    load: float
-    material: float
+    radius: Any
+    speed: Any
+    load: Any
+    material: Any
 
     @property
     def moes_m(self) -> float:
@@ -148,12 +149,12 @@ def point_groups(
 
 
 def line_groups(
-    radius: float,
-    load_per_length: float,
-    reduced_modulus: float,
-    speed: float,
-    viscosity: float,
-    alpha: float,
+    radius: Any,
+    load_per_length: Any,
+    reduced_modulus: Any,
+    speed: Any,
+    viscosity: Any,
+    alpha: Any,
 ) -> LineGroups:
     """Groups of a line contact; parameters as in `point_groups`, the load in [N/m]."""
     return LineGroups(
@@ -373,24 +374,24 @@ def line_asymptotes(moes_m: float, moes_l: float) -> Asymptotes:
     )
 
 
-def _soft_min(a, b, power):
+def _soft_min(a: Any, b: Any, power: float) -> Any:
     """(a^-n + b^-n)^(-1/n), written so that a zero gives zero instead of an overflow."""
     small, large = np.minimum(a, b), np.maximum(a, b)
     return small * (1 + _over(small, large) ** power) ** (-1 / power)
 
 
-def _join(a, b, power):
+def _join(a: Any, b: Any, power: Any) -> Any:
     """(a^n + b^n)^(1/n)."""
     small, large = np.minimum(a, b), np.maximum(a, b)
     return large * (1 + _over(small, large) ** power) ** (1 / power)
 
 
-def _decay(numerator, denominator):
+def _decay(numerator: Any, denominator: Any) -> Any:
     """exp(-numerator/denominator), zero where the denominator is."""
     with np.errstate(divide="ignore"):
         return np.exp(-np.divide(numerator, denominator))
 
 
-def _over(small, large):
+def _over(small: Any, large: Any) -> Any:
     """small / large, zero where both are."""
     return np.divide(small, np.where(np.equal(large, 0), 1.0, large))

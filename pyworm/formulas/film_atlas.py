@@ -9,6 +9,7 @@ Inside, lengths are over the smaller radius, and 2U along the entrainment is 1.
 """
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cache, cached_property
 from importlib.resources import files
@@ -121,7 +122,7 @@ class AtlasGroups:
         Upstream for `sense` 1, downstream for -1; by iteration, enough for what is fitted to it.
         """
         cos, sin = self._course
-        half = 0.0
+        half: Values = 0.0
         for _ in range(TURNS):
             x = aspect * (cos + sense * half * sin)
             length = 1 / np.sqrt(x**2 + (sin - sense * half * cos) ** 2)
@@ -217,9 +218,9 @@ def limits(groups: AtlasGroups, constants: dict) -> Limits:
     y = 2 * (1 - cos2) / delta / (1 + 2 / (3 * delta)) ** 2
     wedge = x / (x + y)
     exit_ = _exit(wedge, delta)
-    speed = 0.5 * np.log(x + y) + re - log(2)  # ln eta S
-    rigid = 2 * (log(4 * pi) + speed + r / 2 + np.log(exit_) - load) - re
-    thick = (log(1.29904) + alpha + speed + np.log1p(PEAK * (exit_ - 1))) * 2 / 3 - re
+    viscous = 0.5 * np.log(x + y) + re - log(2)  # ln eta S
+    rigid = 2 * (log(4 * pi) + viscous + r / 2 + np.log(exit_) - load) - re
+    thick = (log(1.29904) + alpha + viscous + np.log1p(PEAK * (exit_ - 1))) * 2 / 3 - re
     return Limits(rigid, elastic[0], thick, elastic[1], wedge)
 
 
@@ -228,7 +229,7 @@ PEAK = 0.765
 1.224 of a cylinder, exact; of other paraboloids `benchmarks/atlas/rigid.py` finds 0.7 to 0.85."""
 
 
-def _exit(wedge, delta):
+def _exit(wedge: Values, delta: Values) -> Values:
     """Factor of the load of rigid bodies by Reynolds' exit condition; exact for a cylinder, 0.5 % else.
 
     1.2238 = 4.89497/4 (Martin) of a cylinder; the rest is fitted to `benchmarks/atlas/rigid.py`.
@@ -236,19 +237,19 @@ def _exit(wedge, delta):
     return 1 + 0.22374 * (wedge / (1 + 0.83 * delta) + (1 - wedge) / (1 + 0.83 / delta))
 
 
-def _shape(log_ratio, slope: float, given: dict):
+def _shape(log_ratio: Values, slope: float, given: dict) -> Values:
     """ln of a limit's factor for D = radius along over radius across; D^-slope towards a line contact."""
     bend = np.log1p(given["bend"] * np.exp(given["rate"] * log_ratio))
     return given["factor"] - slope * log_ratio - given["fall"] * bend
 
 
-def _turned(side, power: float):
+def _turned(side: Values, power: float) -> Values:
     """A part between 0 and 1, steeper in the middle by a power."""
     one, other = side**power, (1 - side) ** power
     return one / (one + other)
 
 
-def joined(groups: AtlasGroups, found: Limits, constants: dict):
+def joined(groups: AtlasGroups, found: Limits, constants: dict) -> Values:
     """ln of the central film of the limits joined, without the network."""
     how = constants["joined"]
     thin, thick = _thin_and_thick(groups, found, how)
@@ -256,7 +257,7 @@ def joined(groups: AtlasGroups, found: Limits, constants: dict):
     return film - how["compression"] * np.log1p(groups.compression)
 
 
-def _thin_and_thick(groups: AtlasGroups, found: Limits, how: dict):
+def _thin_and_thick(groups: AtlasGroups, found: Limits, how: dict) -> tuple[Values, Values]:
     """ln of the central film of an oil that does not thicken under pressure, and of one that does."""
     n = how["isoviscous"]
     rigid, elastic = found.rigid_piezoviscous, found.elastic_piezoviscous
@@ -265,7 +266,7 @@ def _thin_and_thick(groups: AtlasGroups, found: Limits, how: dict):
     return thin, elastic + stiff * (rigid - elastic)
 
 
-def _rising(value):
+def _rising(value: Values) -> Values:
     """1/(1 + e^-x), 0 to 1."""
     return (1 + np.tanh(value / 2)) / 2
 
@@ -298,12 +299,12 @@ def hertz_pressure(ratio: Values) -> Values:
     return np.exp(np.polyval(_ellipses()[2], np.log(ratio)))
 
 
-def pressure(groups: AtlasGroups):
+def pressure(groups: AtlasGroups) -> Values:
     """alpha times the Hertz pressure, by alpha at zero pressure [-]."""
     return groups.moes_l * hertz_pressure(groups.ratio) * np.exp(groups.load / 3)
 
 
-def thickness(groups: AtlasGroups, film):
+def thickness(groups: AtlasGroups, film: Values) -> Values:
     """ln of the film over the Hertz approach, from ln of the film in Moes' unit."""
     return film - groups.approach
 
@@ -312,7 +313,7 @@ THICKNESS, PRESSURE = 13, 14
 """Places of the film over the approach and of alpha p_H in what the network reads, as logarithms."""
 
 
-def features(groups: AtlasGroups, found: Limits, film) -> np.ndarray:
+def features(groups: AtlasGroups, found: Limits, film: Values) -> np.ndarray:
     """What the network reads, (contacts, features); of a circular contact nothing turns with the angle."""
     oval = 1 - np.exp(-groups.slender)
     side, normal = groups.inlet
@@ -346,7 +347,7 @@ RIGID = 10.0
 """Film over the Hertz approach at which half of the network's part of the central film remains."""
 
 
-def fade(groups: AtlasGroups, film):
+def fade(groups: AtlasGroups, film: Values) -> Values:
     """Share of the network in the central film: 1 of elastic bodies, 0 of rigid ones."""
     return _rising(2 * (log(RIGID) - thickness(groups, film)))
 
@@ -395,7 +396,7 @@ def films(groups: AtlasGroups) -> AtlasFilms:
     for first in range(0, count, PART):
         part = slice(first, first + PART)
         out[:, part], inside[part] = _films(AtlasGroups(*(of[part] for of in flat)), constants)
-    return AtlasFilms(*(row.reshape(shape) for row in out), inside.reshape(shape))
+    return AtlasFilms(*(row.reshape(shape) for row in out), inside=inside.reshape(shape))
 
 
 def _films(groups: AtlasGroups, constants: dict) -> tuple[np.ndarray, np.ndarray]:
@@ -456,7 +457,7 @@ def regimes(groups: AtlasGroups) -> np.ndarray:
     )
 
 
-def reciprocal_alpha(viscosity, alpha: float) -> float:
+def reciprocal_alpha(viscosity: Callable[[np.ndarray], np.ndarray], alpha: float) -> float:
     """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-].
 
     1/(alpha int_0^inf eta0/eta dp): what Weibull, Blok and Bair take for the pressure-viscosity coefficient

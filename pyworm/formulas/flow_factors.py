@@ -8,6 +8,7 @@ fits fall too fast.
 """
 
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.formulas.rough_contact import open_gap
 
@@ -46,7 +47,7 @@ CLOSED = 0.5
 """Gap over roughness below which the fits, that would diverge or be negative, go on as constants."""
 
 
-def pressure_flow_factor(gap, aspect: float) -> Array:
+def pressure_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
     """Pressure flow factor [-], at least zero.
 
     Parameters
@@ -68,7 +69,7 @@ def pressure_flow_factor(gap, aspect: float) -> Array:
     return np.maximum(_blend(gap, _between(fits, aspect), asymptote), 0.0)
 
 
-def shear_flow_factor(gap, aspect: float) -> Array:
+def shear_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
     """Shear flow factor [-] of a rough surface against a smooth one; arguments likewise.
 
     Below the fits the oil is in valleys, which move with their surface: the factor stays the same part of

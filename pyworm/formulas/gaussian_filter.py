@@ -1,5 +1,6 @@
 """Gaussian filter of profiles and areas (ISO 16610-21, -61), by which half of a wave of its index passes."""
 
+from collections.abc import Sequence
 from math import log, pi, sqrt
 
 import numpy as np
@@ -14,7 +15,9 @@ REACH = 1.2
 """Half width of the weights over the nesting index: beyond, they are below 1e-8 of the largest."""
 
 
-def smoothed(heights: Array, steps: float, axes: tuple[int, ...], *, periodic: bool) -> Array:
+def smoothed(
+    heights: Array, steps: Sequence[float], axes: tuple[int, ...], *, periodic: bool
+) -> Array:
     """Long waves of heights.
 
     Near the ends of what is not periodic the weights are those within it (ISO 16610-28).
@@ -23,7 +26,7 @@ def smoothed(heights: Array, steps: float, axes: tuple[int, ...], *, periodic: b
     ----------
     heights : numpy.ndarray
         Heights.
-    steps : float
+    steps : sequence of float
         Nesting index over the distance of points along each axis, for each axis.
     axes : tuple of int
         Axes along which to filter.
@@ -36,7 +39,7 @@ def smoothed(heights: Array, steps: float, axes: tuple[int, ...], *, periodic: b
         weights = np.exp(-pi * places**2)
         weights /= weights.sum()
         mode = "wrap" if periodic else "constant"
-        within = 1.0
+        within = np.ones(1)
         if not periodic:
             line = scipy.ndimage.convolve1d(np.ones(heights.shape[axis]), weights, mode=mode)
             within = np.expand_dims(line, [one for one in range(heights.ndim) if one != axis])

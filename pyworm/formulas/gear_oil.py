@@ -89,7 +89,7 @@ class TableAdvice:
 
 
 # centre distance up to [in], AGMA numbers for a cold (15 to 50 degF) and a warm (50 to 125 degF) place
-_AGMA_PARALLEL = (
+_AGMA_PARALLEL: tuple[tuple[float, tuple[str, str], tuple[str, str]], ...] = (
     (8, ("2", "3"), ("3", "4")),
     (20, ("2", "3"), ("4", "5")),
     (inf, ("3", "4"), ("4", "5")),
@@ -117,7 +117,7 @@ def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAd
     warm = _is_warm(ambient_temperature)
     inches = centre_distance / INCH
     row = next(row for row in _AGMA_PARALLEL if inches <= row[0])
-    low, high = row[1 + warm]
+    low, high = row[2 if warm else 1]
     grades = tuple(g for g in AGMA_GRADES.values() if AGMA_GRADES[low] <= g <= AGMA_GRADES[high])
     size = f"to {row[0]} in" if row[0] < inf else "above 20 in"
     return TableAdvice(

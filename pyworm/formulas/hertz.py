@@ -5,8 +5,10 @@ No curve fits: the ellipticity is solved from the exact ratio of elliptic integr
 
 from dataclasses import dataclass
 from math import exp, inf, log, pi, sqrt
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,7 @@ class HertzContact:
         """Semi-axis along y over semi-axis along x [-]."""
         return self.semi_axis_y / self.semi_axis_x
 
-    def pressure(self, x, y):
+    def pressure(self, x: Any, y: Any) -> Any:
         """Pressure [Pa] at (x, y) [m], numbers or arrays; zero outside the ellipse."""
         inside = 1 - (x / self.semi_axis_x) ** 2 - (y / self.semi_axis_y) ** 2
         return self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
@@ -56,7 +58,7 @@ class HertzLine:
     half_width: float
     pressure_max: float
 
-    def pressure(self, x):
+    def pressure(self, x: Any) -> Any:
         """Pressure [Pa] at a distance x [m] from the centre line, a number or an array."""
         inside = 1 - (x / self.half_width) ** 2
         return self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
@@ -121,7 +123,7 @@ def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) ->
     return HertzLine(half_width, 2 * load_per_length / (pi * half_width))
 
 
-def ellipticity(radius_ratio):
+def ellipticity(radius_ratio: npt.ArrayLike) -> Any:
     """Semi-axis along over semi-axis across, of the radius along over the radius across.
 
     Parameters

@@ -177,7 +177,7 @@ def micropitting_films(
         *flanks.effusivities,
         flanks.half_width,
     )
-    hot, bulk = bulk_temperature + flash, np.asarray(bulk_temperature)
+    hot, bulk = np.asarray(bulk_temperature + flash), np.asarray(bulk_temperature)
     groups = line_groups(
         flanks.radius,
         flanks.unit_load,

@@ -19,6 +19,10 @@ MINIMUM_FRACTION = 0.75
 """What the source takes for minimum over central film."""
 
 
+Values = float | np.ndarray
+"""A number or an array."""
+
+
 @dataclass(frozen=True)
 class PrintedFilms:
     """The source's four films with SI numbers put in; only the first and last are lengths [m].
@@ -29,14 +33,19 @@ class PrintedFilms:
         In the order of the source.
     """
 
-    rigid_isoviscous: float | np.ndarray
-    rigid_piezoviscous: float | np.ndarray
-    elastic_isoviscous: float | np.ndarray
-    elastic_piezoviscous: float | np.ndarray
+    rigid_isoviscous: Values
+    rigid_piezoviscous: Values
+    elastic_isoviscous: Values
+    elastic_piezoviscous: Values
 
 
 def printed_films(
-    radius, load_per_length, reduced_modulus, speed, viscosity, alpha
+    radius: Values,
+    load_per_length: Values,
+    reduced_modulus: float,
+    speed: Values,
+    viscosity: float,
+    alpha: float,
 ) -> PrintedFilms:
     """The four films as printed.
 
@@ -64,13 +73,27 @@ def printed_films(
     )
 
 
-def printed_minimum(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
+def printed_minimum(
+    radius: Values,
+    load_per_length: Values,
+    reduced_modulus: float,
+    speed: Values,
+    viscosity: float,
+    alpha: float,
+) -> Values:
     """The source's minimum film [m], 0.75 times its elastic-piezoviscous; arguments as `printed_films`."""
     films = printed_films(radius, load_per_length, reduced_modulus, speed, viscosity, alpha)
     return MINIMUM_FRACTION * films.elastic_piezoviscous
 
 
-def printed_parameters(radius, load_per_length, reduced_modulus, speed, viscosity, alpha):
+def printed_parameters(
+    radius: Values,
+    load_per_length: Values,
+    reduced_modulus: float,
+    speed: Values,
+    viscosity: float,
+    alpha: float,
+) -> tuple[Values, Values]:
     """The source's g_v and g_e, squares of Johnson's; arguments as `printed_films`."""
     r, w, eu = radius, load_per_length, viscosity * speed
     return alpha**2 * w**3 / (eu * r**2), w**2 / (eu * reduced_modulus * r)

@@ -10,6 +10,7 @@ Engineering 55 (1933) 569).
 from math import pi, sqrt
 
 import numpy as np
+import numpy.typing as npt
 import scipy
 
 Array = np.ndarray
@@ -32,7 +33,7 @@ HIGHEST = 35.0
 """Gap over the roughness that no height reaches: the normal distribution beyond it is less than 1e-260."""
 
 
-def overlap_moment(order: float, gap) -> Array:
+def overlap_moment(order: float, gap: npt.ArrayLike) -> Array:
     """Moment F_n(H) = int_H^inf (t - H)^n exp(-t^2/2) dt / sqrt(2 pi) of the heights above a gap.
 
     Parameters
@@ -50,7 +51,7 @@ def overlap_moment(order: float, gap) -> Array:
     return np.where(gap < HIGHEST, moment, 0.0)
 
 
-def open_gap(gap) -> Array:
+def open_gap(gap: npt.ArrayLike) -> Array:
     """Mean thickness of the gap over the roughness [-], where surfaces of normal heights overlap nowhere.
 
     Parameters
@@ -63,7 +64,9 @@ def open_gap(gap) -> Array:
     return np.maximum(thickness, 0.0)
 
 
-def greenwood_tripp(gap, density: float, sharpness: float, modulus: float) -> tuple[Array, Array]:
+def greenwood_tripp(
+    gap: npt.ArrayLike, density: float, sharpness: float, modulus: float
+) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of two rough surfaces with spherical asperities.
 
     Parameters
@@ -81,7 +84,7 @@ def greenwood_tripp(gap, density: float, sharpness: float, modulus: float) -> tu
     return pressure, (pi * density) ** 2 * overlap_moment(2.0, gap)
 
 
-def self_affine(gap, slope: float, modulus: float) -> tuple[Array, Array]:
+def self_affine(gap: npt.ArrayLike, slope: float, modulus: float) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of elastic surfaces that are rough on all scales.
 
     Parameters

@@ -46,7 +46,7 @@ class RuledHelicoid(ScrewGenerator):
         """The line and its derivatives."""
         return (self.offset, u, self.slope * u), (0.0, 1.0, self.slope), (0.0, 0.0, 0.0)
 
-    def at_radius(self, radius: Array) -> Array:
+    def at_radius(self, radius: Array | float) -> Array:
         """Way across the axis along the line at a distance from the axis [m]."""
         return np.sqrt(np.asarray(radius) ** 2 - self.offset**2)
 

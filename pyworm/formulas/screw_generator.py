@@ -25,22 +25,26 @@ class ScrewGenerator(ABC):
     ----------
     screw : float
         Advance per radian p, lead / 2 pi [m].
-    start_radius : float
-        Radius at which the flank begins [m].
-    bounds : tuple of float
-        Parameters u of the curve between which the flank exists [m].
     """
 
     screw: float
-    start_radius: float
-    bounds: tuple[float, float]
+
+    @property
+    @abstractmethod
+    def start_radius(self) -> float:
+        """Radius at which the flank begins [m]."""
+
+    @property
+    @abstractmethod
+    def bounds(self) -> tuple[float, float]:
+        """Parameters u of the curve between which the flank exists [m]."""
 
     @abstractmethod
     def curve(self, u: Array) -> tuple[Components, Components, Components]:
         """The curve [m] and its first [-] and second [1/m] derivatives by its parameter [m]."""
 
     @abstractmethod
-    def at_radius(self, radius: Array) -> Array:
+    def at_radius(self, radius: Array | float) -> Array:
         """Parameter of the curve at a distance from the axis [m]."""
 
     def axial_profile(self, radius: Array) -> Array:

@@ -241,7 +241,7 @@ def rate_scuffing(
             friction, load_per_length, speed_1, speed_2, effusivity_1, effusivity_2, half_width
         )
     )
-    contact = contact_temperature(bulk_temperature, flash)
+    contact = np.asarray(contact_temperature(bulk_temperature, flash))
     limit = float(scuffing_temperature(viscosity_40, anti_scuff))
     worst = int(np.argmax(contact))
     probability = float(scuffing_probability(contact[worst], limit))

@@ -96,13 +96,26 @@ def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:
     if profile == "ZA":
         return straight_axial(*thread)
     if profile == "ZN":
-        return straight_normal(*thread, of.reference_radius - of.space / 2 / tan(of.pressure_angle))
+        return _straight_blade(of)
     low, high = of.root_radius - BELOW_ROOT * of.module, of.tip_radius + ABOVE_TIP * of.module
-    if profile == "ZC2":
+    if profile == "ZC2" and of.arc_radius is not None:
         return axial_arc(*thread, of.reference_radius, of.arc_radius, (low, high))
     arc = inf if of.arc_radius is None else of.arc_radius
+    if of.disc_diameter is None:
+        raise ValueError(f"profile {profile}: the diameter of the grinding disc is missing")
     disc = Disc(of.disc_diameter / 2, of.space, of.pressure_angle, arc)
     return DiscHelicoid(disc, of.reference_radius, of.lead / (2 * pi), low, high)
+
+
+def _straight_blade(of: Thread) -> ScrewGenerator:
+    """The straight line of a ZN blade."""
+    apex = of.reference_radius - of.space / 2 / tan(of.pressure_angle)
+    return straight_normal(of.lead, of.lead_angle, of.pressure_angle, apex)
+
+
+def _blade_angle(of: Thread) -> float:
+    """Normal pressure angle of a ZN flank on the reference cylinder."""
+    return _straight_blade(of).pressure_angle(of.reference_radius)
 
 
 def hob_generator(profile: Profile, hob: Thread, worm: Thread) -> ScrewGenerator | None:
@@ -118,9 +131,9 @@ def hob_generator(profile: Profile, hob: Thread, worm: Thread) -> ScrewGenerator
     """
     if profile != "ZN":
         return generator_of(profile, hob)
-    wanted = generator_of(profile, worm).pressure_angle(worm.reference_radius)
+    wanted = _blade_angle(worm)
     for _ in range(BLADE_STEPS):
-        off = wanted - generator_of(profile, hob).pressure_angle(hob.reference_radius)
+        off = wanted - _blade_angle(hob)
         hob = replace(hob, pressure_angle=hob.pressure_angle + off)
     return generator_of(profile, hob)
 

@@ -29,7 +29,7 @@ from pyworm.formulas.worm_wear import (
     wear_depth,
     wear_intensity,
 )
-from pyworm.formulas.worm_wheel_material import WheelMaterial
+from pyworm.formulas.worm_wheel_material import Family, WheelMaterial
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class WormConditions:
     bearings: Bearings = "adjusted"
 
     @property
-    def family(self) -> str:
+    def family(self) -> Family:
         """Group of the wheel's material; tin bronze without one."""
         return "tin bronze" if self.material is None else self.material.family
 

@@ -52,8 +52,8 @@ def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
         TimeRemainingColumn(),
     )
     # Scenes may take minutes: the remaining time is estimated from the last ten.
-    how = {"console": console, "transient": True, "speed_estimate_period": 600}
-    with Progress(*columns, **how) as bar:
+    period = 600.0
+    with Progress(*columns, console=console, transient=True, speed_estimate_period=period) as bar:
         task = bar.add_task("", total=1.0)
 
         def show(message: str, share: float) -> None:

@@ -91,7 +91,7 @@ def unusual(of: Any, above: str = "") -> Iterator[str]:
         name = f"{above}{part.name}"
         if part.name in kinds and isinstance(value, Real) and isfinite(value):
             kind = kind_of(kinds[part.name])
-            sentence = doubt(_text(value, kind), kind)
+            sentence = doubt(_text(float(value), kind), kind)
             if sentence is not None:
                 yield f"{name} = {value:g} {kind.unit}".rstrip() + f": {sentence}"
         elif isinstance(value, tuple):

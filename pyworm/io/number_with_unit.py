@@ -33,7 +33,7 @@ def measure(text: str, unit: str | None = None) -> tuple[float, Unit] | None:
     if parts is None:
         return None
     number, own = parts
-    own = MEANT.get(unit, {}).get(plain(own), own)
+    own = MEANT.get(unit or "", {}).get(plain(own), own)
     try:
         meant = unit_of(own)
     except ValueError:
@@ -82,9 +82,10 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
     ValueError
         Not a number and a unit, or of another dimension.
     """
-    if not isinstance(text, str) or measure(text) is None:
+    parts = number_and_unit(text) if isinstance(text, str) else None
+    if parts is None or measure(text) is None:
         raise ValueError(f'must be a number with its unit, such as "540 MPa"{number_hint(text)}')
-    number, own = number_and_unit(text)
+    number, own = parts
     if unit is None or unit == own:
         return float(number), own
     if unit_of(own).powers != unit_of(unit).powers:

@@ -6,7 +6,7 @@ SciPy does so by itself: `import scipy` is quick, and `scipy.optimize` is loaded
 import sys
 from importlib import import_module
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 
 class _OnDemand(ModuleType):
@@ -18,7 +18,7 @@ class _OnDemand(ModuleType):
 
 def leave_out(name: str) -> None:
     """Let a module count as missing in this process, one that a library would load without any use for it."""
-    sys.modules.setdefault(name, None)
+    cast("dict[str, ModuleType | None]", sys.modules).setdefault(name, None)
 
 
 def take_in(name: str) -> None:
@@ -27,7 +27,10 @@ def take_in(name: str) -> None:
         del sys.modules[name]
 
 
-xarray = _OnDemand("xarray")
+if TYPE_CHECKING:
+    import xarray as xarray
+else:
+    xarray = _OnDemand("xarray")
 
 
 def later(module: str, name: str, doc: str) -> property:

@@ -102,7 +102,9 @@ class PlainDataset:
 
 def merged(first: "PlainDataset | xr.Dataset", second: PlainDataset) -> "PlainDataset | xr.Dataset":
     """The variables of both, with the attributes of the first, held as that is."""
-    return first.merge(second if type(first) is PlainDataset else second.to_xarray())
+    if isinstance(first, PlainDataset):
+        return first.merge(second)
+    return first.merge(second.to_xarray())
 
 
 def described(
@@ -137,8 +139,9 @@ class _OnDemandDataset:
 
     def __get__(self, instance: Any, owner: type) -> "xr.Dataset | None":
         value = self.held(instance)
-        if type(value) is PlainDataset:
-            value = vars(instance)[self._place] = value.to_xarray()
+        if isinstance(value, PlainDataset):
+            opened = vars(instance)[self._place] = value.to_xarray()
+            return opened
         return value
 
     def held(self, instance: Any) -> "PlainDataset | xr.Dataset | None":

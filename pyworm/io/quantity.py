@@ -40,6 +40,9 @@ _SLIPS = {
 }
 """SI unit -> what is meant where it, or one of its multiples, is a slip."""
 
+Sign = Literal["positive", "not negative", "any"]
+"""Which values of a kind are taken."""
+
 Range = tuple[str, str]
 """Two quantities, smallest and largest size, as shown to the user."""
 
@@ -68,7 +71,7 @@ class Kind:
     noun: str
     unit: str
     example: str
-    sign: Literal["positive", "not negative", "any"] = "positive"
+    sign: Sign = "positive"
     possible: Range | None = None
     usual: Range | None = None
 
@@ -76,7 +79,7 @@ class Kind:
 SHARE = Kind("a share", "", "1 %", possible=("1e-12 %", "1000 %"))
 
 
-def parse(text: str, kind: Kind) -> float:
+def parse(text: object, kind: Kind) -> float:
     """Read a quantity such as "14 kN".
 
     Parameters
@@ -167,12 +170,16 @@ def _bound(text: str, kind: Kind) -> float:
     return value
 
 
-def _meant(text: str, kind: Kind) -> str:
+def _meant(text: object, kind: Kind) -> str:
     """The units with which a number would be a usual value, as a question."""
-    number, _ = number_and_unit(text)
+    parts = number_and_unit(text) if isinstance(text, str) else None
+    usual = kind.usual or kind.possible
+    if parts is None or usual is None:
+        return ""
+    number, _ = parts
     meant = []
     for unit in _SLIPS.get(kind.unit, ()):
         value = _in_kind(f"{number} {unit}", kind)
-        if value and _lies(value, kind, kind.usual or kind.possible):
+        if value and _lies(value, kind, usual):
             meant.append(f'"{number} {unit}"')
     return f"; did you mean {' or '.join(meant)}?" if meant else ""

@@ -4,11 +4,11 @@ Inside, every number is a plain float in SI: angles in radians, speeds of rotati
 in kelvin.
 """
 
-from typing import Annotated
+from typing import Annotated, Any, TypedDict
 
 from pydantic import PlainValidator, ValidationInfo
 
-from pyworm.io.quantity import SHARE, Kind, Range, parse
+from pyworm.io.quantity import SHARE, Kind, Range, Sign, parse
 
 SI = "SI"
 """Context of validation in which values are plain numbers in SI, as a checked case leaves them."""
@@ -18,18 +18,18 @@ def quantity(
     noun: str,
     unit: str,
     example: str,
-    sign: str = "positive",
+    sign: Sign = "positive",
     possible: Range | None = None,
     usual: Range | None = None,
-):
+) -> Any:
     """Make the pydantic type of a dimensional key; arguments as of `Kind`."""
     return _quantity(Kind(noun, unit, example, sign, possible, usual))
 
 
-def _quantity(kind: Kind):
+def _quantity(kind: Kind) -> Any:
     def read(value: object, info: ValidationInfo) -> float:
         if info.context != SI:
-            return parse(value, kind)
+            return parse(value, kind)  # which refuses what is no text
         if not isinstance(value, float | int):
             raise ValueError(f"must be {kind.noun} as a number in SI")
         return value
@@ -37,9 +37,16 @@ def _quantity(kind: Kind):
     return Annotated[float, PlainValidator(read), kind]
 
 
+class _Sizes(TypedDict, total=False):
+    """Ranges shared by kinds of one size."""
+
+    possible: Range
+    usual: Range
+
+
 # Of machines and their parts, from watches to mills.
-_BUILT = {"possible": ("10 um", "20 m"), "usual": ("0.1 mm", "5 m")}
-_SET = {"possible": ("1e-24 m", "20 m"), "usual": ("", "1 m")}
+_BUILT: _Sizes = {"possible": ("10 um", "20 m"), "usual": ("0.1 mm", "5 m")}
+_SET: _Sizes = {"possible": ("1e-24 m", "20 m"), "usual": ("", "1 m")}
 Length = quantity("a length", "m", "305 mm", **_BUILT)
 LengthOrZero = quantity("a length", "m", "20 mm", sign="not negative", **_BUILT)
 Offset = quantity("a length", "m", "-0.5 mm", "any", **_SET)
@@ -72,12 +79,12 @@ Wave = quantity(
 )
 """Length of a wave of roughness, distance of points, nesting index of a filter."""
 
-_TURN = {"possible": ("1e-24 deg", "360 deg")}
+_TURN: _Sizes = {"possible": ("1e-24 deg", "360 deg")}
 Angle = quantity("an angle", "rad", "27.5 deg", **_TURN)
 AngleOrZero = quantity("an angle", "rad", "12 deg", sign="not negative", **_TURN)
 Tilt = quantity("an angle", "rad", "-0.4 deg", "any", **_TURN)
 
-_TWIST = {
+_TWIST: _Sizes = {
     "possible": ("1e-9 N m", "1e9 N m"),
     "usual": ("1 N mm", "100 kN m"),
 }
@@ -98,7 +105,7 @@ ForcePerLength = quantity(
     possible=("1e-3 N/m", "1e6 kN/m"),
     usual=("10 N/m", "5000 kN/m"),
 )
-_DRIVEN = {"possible": ("1e-12 W", "1e12 W"), "usual": ("0.01 W", "100 MW")}
+_DRIVEN: _Sizes = {"possible": ("1e-12 W", "1e12 W"), "usual": ("0.01 W", "100 MW")}
 Power = quantity("a power", "W", "250 kW", **_DRIVEN)
 PowerOrZero = quantity("a power", "W", "400 W", "not negative", **_DRIVEN)
 
@@ -154,15 +161,15 @@ PressureCoordinate = quantity(
 )
 """A pressure of a measurement, zero for ambient."""
 
-_SHEAR = {"possible": ("1 Pa", "1000 GPa"), "usual": ("0.01 MPa", "2 GPa")}
+_SHEAR: _Sizes = {"possible": ("1 Pa", "1000 GPa"), "usual": ("0.01 MPa", "2 GPa")}
 Stress = quantity("a stress", "Pa", "3 MPa", **_SHEAR)
 StressOrZero = quantity("a stress", "Pa", "100 MPa", sign="not negative", **_SHEAR)
-_ALPHA = {"possible": ("1e-6 1/GPa", "1000 1/GPa"), "usual": ("0.1 1/GPa", "60 1/GPa")}
+_ALPHA: _Sizes = {"possible": ("1e-6 1/GPa", "1000 1/GPa"), "usual": ("0.1 1/GPa", "60 1/GPa")}
 PressureViscosity = quantity("a pressure-viscosity coefficient", "1/Pa", "9.5 1/GPa", **_ALPHA)
 PressureViscosityOrZero = quantity(
     "a pressure-viscosity coefficient", "1/Pa", "9.5 1/GPa", "not negative", **_ALPHA
 )
-_COMPRESSED = {"possible": ("1e-15 1/GPa", "1e6 1/GPa")}
+_COMPRESSED: _Sizes = {"possible": ("1e-15 1/GPa", "1e6 1/GPa")}
 PressureCoefficient = quantity("a pressure coefficient", "1/Pa", "9.5 1/GPa", **_COMPRESSED)
 PressureCoefficientOrZero = quantity(
     "a pressure coefficient", "1/Pa", "9.5 1/GPa", "not negative", **_COMPRESSED
@@ -244,7 +251,7 @@ ScuffingTemperature = quantity(
     possible=("0 degC", "1500 degC"),
     usual=("80 degC", "700 degC"),
 )
-_APART = {"possible": ("1e-12 K", "1000 K"), "usual": ("0.01 K", "150 K")}
+_APART: _Sizes = {"possible": ("1e-12 K", "1000 K"), "usual": ("0.01 K", "150 K")}
 TemperatureDifference = quantity(
     "a temperature difference", "delta_degC", "15 K", "not negative", **_APART
 )
@@ -256,7 +263,7 @@ ThermalConductance = quantity(
     possible=("1e-6 W/K", "1e9 W/K"),
     usual=("0.1 W/K", "1e4 W/K"),
 )
-_BETA = {"possible": ("1e-12 1/K", "10 1/K")}
+_BETA: _Sizes = {"possible": ("1e-12 1/K", "10 1/K")}
 TemperatureCoefficient = quantity("a temperature coefficient", "1/K", "0.05 1/K", **_BETA)
 TemperatureCoefficientOrZero = quantity(
     "a temperature coefficient", "1/K", "7.1e-4 1/K", "not negative", **_BETA

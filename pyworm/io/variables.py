@@ -194,6 +194,6 @@ def describe(dataset: "xr.Dataset") -> "xr.Dataset":
     """
     described = dataset.copy()
     for name in described.variables:
-        unit, long_name = VARIABLES[name]
+        unit, long_name = VARIABLES[str(name)]
         described[name].attrs.update(units=unit, long_name=long_name)
     return described

@@ -1,23 +1,27 @@
 """The compiled extension, imported here only: status numbers to exceptions, arrays to Fortran order."""
 
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel.levels import loaded, taken
 
 LEVEL, _file = taken()
 if _file is None:
-    from pyworm import _core
+    from pyworm import _core as _compiled
 else:
-    _core = loaded(_file)
+    _compiled = loaded(_file)
+_core: ModuleType = _compiled
 
-bindings = _core.bindings
+bindings: Any = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""
 
 bindings.watch_signals()
 
-EXTENSION = Path(_core.__file__)
+EXTENSION = Path(str(_core.__file__))
 """File of the compiled extension; `LEVEL` is the level of x86-64 of a wheel that it is for."""
 
 _MESSAGES = {
@@ -57,7 +61,7 @@ def check_status(status: int) -> None:
         raise KernelError(status)
 
 
-def fortran_array(values) -> np.ndarray:
+def fortran_array(values: npt.ArrayLike) -> np.ndarray:
     """Values in double precision and Fortran order, copied if necessary."""
     return np.asfortranarray(values, dtype=np.float64)
 

@@ -70,7 +70,7 @@ def draw_precision(study: Study, heading: str) -> Figure:
         wspace=0.86,
         hspace=0.28,
     )
-    for panel, name in zip(panels, shown, strict=False):
+    for panel, name in zip(panels[: len(shown)], shown, strict=True):
         _draw_panel(panel, study, name)
     for panel in list(panels)[len(shown) :]:
         panel.set_visible(False)

@@ -214,7 +214,7 @@ def _draw_maps(
     panels = picture.subplots(rows, 2, squeeze=False)
     columns_, lines = along.distinct, across.distinct
     place = np.searchsorted(lines, across.values), np.searchsorted(columns_, along.values)
-    for panel, figure in zip(panels.flat, figures, strict=False):
+    for panel, figure in zip(panels.flat[: len(figures)], figures, strict=True):
         cells = np.full((lines.size, columns_.size), np.nan)
         cells[place] = figure.values
         mesh = panel.pcolormesh(

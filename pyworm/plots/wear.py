@@ -33,7 +33,7 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
     _draw_pattern(panels[0, 2], steps)
     chosen = sorted({min(1, len(steps) - 1), len(steps) // 2, len(steps) - 1})
     deepest = max(float(run.depths[-1].max()) * MICRO, 1e-3)
-    for axes, at in zip(panels[1], chosen, strict=False):
+    for axes, at in zip(panels[1][: len(chosen)], chosen, strict=True):
         drawn = axes.pcolormesh(
             run.grid.face * MILLI, run.grid.radius * MILLI, run.depths[at] * MICRO,
             cmap="inferno", vmin=0, vmax=deepest, rasterized=True,

@@ -232,9 +232,10 @@ class _Study:
         """
         model = self._complete
         multiples = SOLVERS[type(model.scene)](model.scene, model.plan).convergence.window
+        common = min(len(complete.points), len(window.points))  # either ends where time does
         pairs = [
             (here, wider)
-            for here, wider in zip(complete.points, window.points, strict=False)
+            for here, wider in zip(complete.points[:common], window.points[:common], strict=True)
             if here.settled and wider.settled
         ]
         if not pairs:

@@ -13,7 +13,7 @@ from pyworm.formulas.wear_distress import rate_wear
 from pyworm.materials.base_stock import Base
 from pyworm.ratings.flank_damage import LEAST_SHARE, Spot, simulated_spots
 from pyworm.ratings.gear_damage import GearDamage, mean_scuffing_temperature
-from pyworm.ratings.mesh_loss import mesh_loss
+from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -75,11 +75,17 @@ def _teeth(
     printed = {
         key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
     }
-    simulated = {} if result is None else _simulated(drive, duty, result.solutions)
+    simulated = {} if result is None else _simulated(drive, duty, result)
     columns = {"closed form": closed, SIMULATION: simulated, "printed": printed}
     columns = {name: values for name, values in columns.items() if values}
     figures = tuple(
-        RatedFigure(key, label, tuple(of.get(key) for of in columns.values()), scale, unit)
+        RatedFigure(
+            key,
+            with_missing(key, label, result) if key in simulated else label,
+            tuple(of.get(key) for of in columns.values()),
+            scale,
+            unit,
+        )
         for key, label, _, scale, unit in _TEETH
         if any(of.get(key) is not None for of in columns.values())
     )
@@ -198,10 +204,9 @@ def _wear(duty: GearPairDuty, film: float, spots: tuple[Spot, ...] = ()) -> dict
     return found
 
 
-def _simulated(
-    drive: Drive, duty: GearPairDuty, solutions: tuple[Solution, ...]
-) -> dict[str, float | str | None]:
+def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, float | str | None]:
     """The same figures of the solved contacts."""
+    solutions = result.solutions
     thin = min(solutions, key=lambda solution: solution.figures.film_min.value)
     film = thin.figures.film_min.value
     values: dict[str, float | str | None] = {
@@ -210,7 +215,7 @@ def _simulated(
         **_wear(duty, film, simulated_spots(solutions)),
         "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
     }
-    lost = mesh_loss(drive, solutions)
+    lost = mesh_loss(drive, result)
     if lost is not None:
         values |= {
             "friction": lost.friction,

@@ -1,19 +1,27 @@
 """Loss between the teeth and efficiency of a drive, from the simulated friction."""
 
-from collections.abc import Sequence
+from dataclasses import replace
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.result.contact_loss import contact_losses
-from pyworm.solver.solution import Solution
+from pyworm.result.result import Result
 
 
-def mesh_loss(drive: Drive | None, solutions: Sequence[Solution]) -> MeshLoss | None:
+def with_missing(key: str, label: str, result: Result | None) -> str:
+    """Label of a rated figure: of an efficiency with the contacts that the simulated one lacks."""
+    if result is None or not result.missing or not key.startswith("efficiency"):
+        return label
+    return f"{label} (simulation: {result.missing})"
+
+
+def mesh_loss(drive: Drive | None, result: Result) -> MeshLoss | None:
     """Loss between the teeth of a drive by its converged contacts.
 
     None where there is no drive, friction was not simulated, or the contacts are not enough.
     """
-    good = [of for of in solutions if of.converged]
+    good = result.sound.solutions
     if drive is None or not good or any(of.figures.friction_coefficient is None for of in good):
         return None
-    return drive.mesh_loss(contact_losses(good))
+    loss = drive.mesh_loss(contact_losses(good))
+    return loss and replace(loss, missing=result.missing)

@@ -11,7 +11,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormRating
-from pyworm.ratings.mesh_loss import mesh_loss
+from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.ratings.worm_loads import MEAN_TO_RMS, RatedLoad, hardest, rated_loads, standard_oil
 from pyworm.ratings.worm_safeties import safeties, total_wear
@@ -75,6 +75,7 @@ def rate_worm_table(
     for key, label, value, scale, unit in _rows(duty, loads):
         if value is not None or key in simulated:
             others = (simulated.get(key),) if simulated else ()
+            label = with_missing(key, label, result) if key in simulated else label
             figures.append(RatedFigure(key, label, (value, *others), scale, unit))
     return Rating(
         key="worm",
@@ -208,7 +209,7 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
         "specific_film": ratio,
         "regime": regime(ratio),
     }
-    lost = mesh_loss(drive, solutions)
+    lost = mesh_loss(drive, result)
     if lost is not None:
         values |= {
             "friction": lost.friction,

@@ -72,6 +72,8 @@ class DriveCycle:
         the load sharing is without lift.
     left_out : LeftOut
         Effects left out of these figures, at the worst of the phases.
+    missing : str
+        Contacts without a converged solution, in words; empty where every one has one.
     """
 
     phases: tuple[float, ...]
@@ -86,6 +88,7 @@ class DriveCycle:
     lifted: tuple[float, float] | None = None
     lambda_central: Extreme | None = None
     left_out: LeftOut = field(default_factory=LeftOut)
+    missing: str = ""
 
     def summary(self) -> dict:
         """The figures as one object, units in the keys."""
@@ -119,6 +122,7 @@ class DriveCycle:
                     "wheel_torque_N_m": loss.wheel_torque,
                     "worm_torque_N_m": loss.worm_torque,
                     "efficiency": loss.efficiency,
+                    **({"missing": self.missing} if self.missing else {}),
                     "reverse_efficiency": loss.reverse_efficiency,
                     "efficiency_error": loss.efficiency_error,
                     **(
@@ -183,6 +187,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
         lifted=_lifted(cycle, good) if "dry_tooth_load" in cycle else None,
         lambda_central=_lambda(_extreme(good, "film_central", min), good[0].composite_roughness),
         left_out=of_all(good),
+        missing=result.missing,
     )
 
 

@@ -16,6 +16,7 @@ Attributes that are not numbers or plain text (case, provenance, solution) are J
 import json
 import os
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, is_dataclass, replace
@@ -38,6 +39,9 @@ FORMAT_VERSION = 5
 
 PROVENANCE = {"plans": list, "keys": list, "failed": dict}
 """Types of the entries of the provenance that readers use."""
+
+MOST_NAMED = 4
+"""Contacts without a converged solution that are named in a line; of others the number alone."""
 
 LARGEST = 2**31
 """Size beyond which arrays are not read [bytes], some twenty times the largest scene of the solver."""
@@ -100,8 +104,39 @@ class Result(Shown):
 
     @property
     def sound(self) -> "Result":
-        """The result with the converged solutions only, used for extremes, means and curves."""
-        return replace(self, solutions=tuple(one for one in self.solutions if one.converged))
+        """The result with the converged solutions only, used for extremes, means and curves.
+
+        The others are among those that could not be solved, so that they are missing of it as well.
+        """
+        return replace(
+            self,
+            solutions=tuple(one for one in self.solutions if one.converged),
+            provenance=self.provenance | {"failed": self.without_solution},
+        )
+
+    @property
+    def without_solution(self) -> dict[str, str]:
+        """Names of the contacts without a converged solution, and the reason of each."""
+        unsound = {one.name: one.stop_reason for one in self.unsound}
+        return unsound | self.provenance.get("failed", {})
+
+    @property
+    def missing(self) -> str:
+        """Contacts without a converged solution in words: what means and losses lack; else empty."""
+        names = list(self.without_solution)
+        if not names:
+            return ""
+        count = len(self.solutions) - len(self.unsound) + len(names)
+        listed = ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
+        return f"{len(names)} of {count} contacts missing: {listed}"
+
+    @property
+    def stop_reason(self) -> str | None:
+        """Reasons of the contacts without a converged solution, most frequent first; None without any."""
+        if not self.without_solution:
+            return None
+        causes = Counter(self.without_solution.values()).most_common()
+        return f"{self.missing} ({'; '.join(cause for cause, _ in causes)})"
 
     @property
     def unsound(self) -> tuple[Solution, ...]:

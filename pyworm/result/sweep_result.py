@@ -235,14 +235,21 @@ def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:
 
 
 def _flat(row: Mapping[str, Any]) -> dict[str, Any]:
-    """A summary's scalars; components of vectors have the letter of their direction after the name."""
-    return {
-        f"{name}_{axis}" if axis else name: part
-        for name, value in plain_attributes(row).items()
-        for axis, part in (
-            zip("xy", value, strict=False) if isinstance(value, list) else [("", value)]
-        )
-    }
+    """A summary's scalars.
+
+    Components of vectors have the letter of their direction after the name; lists of names, such as the
+    effects that are simulated, are one text with commas.
+    """
+    flat: dict[str, Any] = {}
+    for name, value in plain_attributes(row).items():
+        if not isinstance(value, list):
+            flat[name] = value
+        elif all(isinstance(part, str) for part in value):
+            flat[name] = ",".join(value)
+        else:
+            directions = "xy"[: len(value)]
+            flat |= {f"{name}_{axis}": part for axis, part in zip(directions, value, strict=True)}
+    return flat
 
 
 def _column(values: list[Any]) -> np.ndarray:

@@ -153,7 +153,8 @@ def _at(level: Level, field: Array, places: tuple[Array, ...]) -> Array:
 def _reach(level: Level, sign: float) -> float:
     """Distance from the contact point to the window's last inner node before or behind it [m]."""
     reaches = []
-    for axis, part in zip("xy", _direction(level), strict=False):
+    direction = _direction(level)
+    for axis, part in zip("xy"[: direction.size], direction, strict=True):
         nodes = getattr(level.grid, axis)
         if part:
             end = nodes[-2] if sign * part > 0 else nodes[1]

@@ -148,7 +148,8 @@ def heat_balance(level: Level) -> float:
 
 def _along(name: str, components: Sequence[Any]) -> dict[str, Any]:
     """Components of a vector by the names of their variables."""
-    return {f"{name}_{axis}": of for axis, of in zip("xy", components, strict=False)}
+    axes = "xy"[: len(components)]
+    return {f"{name}_{axis}": of for axis, of in zip(axes, components, strict=True)}
 
 
 def _axes(level: Level) -> dict[str, Array]:

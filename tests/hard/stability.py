@@ -299,7 +299,7 @@ def limits(tell: Tell, names: tuple[str, ...] = HARD) -> Iterator[str]:
             f"{name:20} at 5 and 2 % off the films at 1 % by "
             + ", ".join(f"{of[0]:.1e} {of[1]:.1e}" for of in off)
         )
-        for one, distance in zip(solved, off, strict=False):
+        for one, distance in zip(solved[:-1], off, strict=True):
             if not one.converged or not (distance <= bars(one) + bars(solved[-1])).all():
                 yield f"{name}: an error bar does not hold the film of finer grids"
 

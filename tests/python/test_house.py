@@ -156,6 +156,21 @@ def test_one_file_casts_computed_numbers_to_indices():
     assert casting == ["formulas/whole_numbers.py"]
 
 
+def test_zip_drops_nothing():
+    """A shorter argument would end `zip(strict=False)` unseen; one that may be longer is cut by a slice."""
+    dropping = [
+        f"{file.relative_to(PACKAGE)}:{node.lineno}"
+        for file in sorted(PACKAGE.rglob("*.py"))
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "zip"
+        if not any(
+            word.arg == "strict" and getattr(word.value, "value", None) is True
+            for word in node.keywords
+        )
+    ]
+    assert not dropping
+
+
 def test_one_file_imports_the_extension():
     importers = [
         file.relative_to(PACKAGE).as_posix()

@@ -342,7 +342,7 @@ def make_profile(place, walls, surfaces, middle):
     )
     glide = share + 0.1 * np.sin(2 * pi * share)
     variables = {"profile_temperature": ("level", temperature)}
-    for axis, at, first, second in zip("xy", place, *walls, strict=False):
+    for axis, at, first, second in zip("xy"[: len(place)], place, *walls, strict=True):
         variables[f"profile_velocity_{axis}"] = ("level", first + (second - first) * glide)
         variables[f"profile_{axis}"] = float(at)
     return describe(xr.Dataset(variables, coords={"level_position": ("level", LEVELS)}))

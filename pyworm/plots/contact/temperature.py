@@ -63,7 +63,7 @@ def draw_temperature(
         [fields[f"{of}_{axis}"].transpose("y", "x").values for axis in "xy"]
         for of in ("entrainment", "sliding")
     )
-    for panel, sign in zip(axes, (1, -1), strict=False):
+    for panel, sign in zip(axes[:2], (1, -1), strict=True):
         motion = (u + sign / 2 * du for u, du in zip(mean, sliding, strict=True))
         draw_arrows(panel, fields, *motion)
     _mark_hottest(axes[2], solution)

@@ -64,7 +64,7 @@ def draw_flank(result: Result) -> Figure | None:
     figure = new_figure(13, 2.4 * rows + 0.5, result_heading(result, what))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
     places = field["face"] * MILLI, field["radius"] * MILLI
-    for panel, (name, label, scale, offset, colours) in zip(axes, shown, strict=False):
+    for panel, (name, label, scale, offset, colours) in zip(axes[: len(shown)], shown, strict=True):
         values = (field[name] - offset) * scale
         thick = name in THICK
         mesh = panel.pcolormesh(

@@ -95,6 +95,7 @@ def loss_table(
             "Efficiency": f"{standard.efficiency * 100:.3g} %",
         }
     bar, rough = f"± {loss.efficiency_error * 100:.2g}", ""
+    missing = f"; {cycle.missing}" if cycle.missing else ""
     friction = f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
     if loss.model_error is not None:
         rough = f" ± {_two(loss.model_error)} (model)"
@@ -108,8 +109,8 @@ def loss_table(
         ("Mean friction", friction),
         ("Torque of the wheel", f"{loss.wheel_torque:.5g} N m"),
         ("Torque of the worm", f"{loss.worm_torque:.4g} N m"),
-        ("Efficiency", f"{loss.efficiency * 100:.2f} % {bar}"),
-        ("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}"),
+        ("Efficiency", f"{loss.efficiency * 100:.2f} % {bar}{missing}"),
+        ("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}{missing}"),
     ):
         table.add_row(label, value, *([beside.get(label, "")] if beside else []))
     if heating is not None:
@@ -121,8 +122,9 @@ def loss_sentence(loss: MeshLoss) -> str:
     """Efficiency and loss of a drive without a table of its cycle's loss."""
     bar = loss.loss / loss.power * loss.error * 100
     rough = "" if loss.model is None else f" ± {loss.loss * loss.model:.2g} W (model)"
+    missing = f" ({loss.missing})" if loss.missing else ""
     return (
-        f"Efficiency {loss.efficiency * 100:.2f} % ± {bar:.1g}, loss {loss.loss:.4g} W{rough} of "
+        f"Efficiency {loss.efficiency * 100:.2f} % ± {bar:.1g}{missing}, loss {loss.loss:.4g} W{rough} of "
         f"{loss.power:.4g} W, mean friction {loss.friction:.3g}: {loss.words}."
     )
 

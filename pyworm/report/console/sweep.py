@@ -36,10 +36,18 @@ def show(result: SweepResult, directory: Path) -> None:
         console.print(f"{sentence}\n")
     if data.sizes["scene"] <= MOST_ROWS:
         console.print(rows_table(result))
-    reasons = Counter(data["stop_reason"].values[~result.converged].tolist())
-    for reason, count in reasons.most_common():
-        console.print(f"{count} of {data.sizes['scene']} scenes did not converge: {reason}")
+    for sentence in unconverged(result):
+        console.print(sentence)
     console.print(f"Results   {directory}/sweep.nc, sweep.csv", soft_wrap=True)
+
+
+def unconverged(result: SweepResult) -> list[str]:
+    """Numbers and reasons of the scenes that did not converge, a sentence for each reason."""
+    reasons = Counter(result.table["stop_reason"].values[~result.converged].tolist())
+    return [
+        f"{count} of {result.table.sizes['scene']} scenes did not converge: {reason}"
+        for reason, count in reasons.most_common()
+    ]
 
 
 def rows(result: SweepResult) -> list[dict[str, Any]]:

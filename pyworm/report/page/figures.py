@@ -61,7 +61,7 @@ def glance_section(
     if not result.solutions:
         table = Table(("", "Value", "Where"), _decisive(made))
         return Section("At a glance", (Words("No contact converged."), table))
-    loss = mesh_loss(case.drive, result.solutions)
+    loss = mesh_loss(case.drive, result)
     note = ERROR_BARS if loss is None else f"{ERROR_BARS} Loss: {loss.words}."
     rows = (*glance_rows(case, result, standard), *_decisive(made))
     return Section("At a glance", (Table(("", "Value", "Where"), rows, note=note),))
@@ -106,7 +106,7 @@ def glance_rows(
         hot = max(solutions, key=lambda of: of.figures.temperature_max_film.value)
         value = temperature(hot.figures.temperature_max_film, hot.inlet_temperature)
         rows.append(("Largest temperature of the film", value, place_of(hot)))
-    loss = mesh_loss(case.drive, solutions)
+    loss = mesh_loss(case.drive, result)
     if loss is not None:
         rows += _loss_rows(loss, of_all(solutions), standard)
     return tuple(rows)
@@ -171,7 +171,8 @@ def _loss_rows(
         (
             headed("Efficiency of the teeth, forward"),
             f"{loss.efficiency * 100:.4g} % {bars(loss.error, loss.model, 100 * lost)}",
-            f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning",
+            f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning"
+            + (f"; {loss.missing}" if loss.missing else ""),
         ),
     ]
     if not left_out.as_if_smooth or isinstance(standard, NoStandard):

@@ -195,9 +195,8 @@ def curves(
     variables = {"life_load": (("instant",), np.array([one.load for one in moments]))}
     if moments[0].phase is not None:
         variables["life_phase"] = (("instant",), np.array([one.phase for one in moments]))
-    for axis, of in zip(
-        AXES, zip(*(one.entrainment for one in moments), strict=True), strict=False
-    ):
+    entrainment = tuple(zip(*(one.entrainment for one in moments), strict=True))
+    for axis, of in zip(AXES[: len(entrainment)], entrainment, strict=True):
         variables[f"life_entrainment_{axis}"] = ("instant",), np.array(of)
     for name in moments[0].figures:
         values = np.array([one.figures[name] for one in moments])

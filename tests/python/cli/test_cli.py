@@ -166,9 +166,43 @@ def test_a_scene_that_the_kernel_gives_up_does_not_cost_the_others(
     drive = str(CASES / "zi_sharif_2001.toml")
     arguments = ["run", drive, "--phase", "0.4", "0.6", "--json", "--out", str(tmp_path / "out")]
     assert main(arguments) == NOT_CONVERGED
-    told = json.loads(capsys.readouterr().out)
+    printed = capsys.readouterr()
+    told = json.loads(printed.out)
     assert [scene["phase"] for scene in told["scenes"]] == [0.4]
-    assert list(told["failed"].values()) == ["a field holds a value that is not finite"]
+    reason = "a field holds a value that is not finite"
+    assert list(told["failed"].values()) == [reason]
+    assert told["stop_reason"] == f"1 of 2 contacts missing: phase 0.60 ({reason})"
+    assert told["stop_reason"] in printed.err
+
+
+@pytest.mark.parametrize("form", [["--json"], []], ids=["json", "tables"])
+def test_a_run_without_any_solution_reports_why(tmp_path, capsys, monkeypatch, form):
+    def never(scene, plan, *how):
+        raise KernelError(2)
+
+    monkeypatch.setattr("pyworm.batch.task.solve", never)
+    arguments = ["run", DRIVE, "--phase", "0.4", "0.6", *form, "--out", str(tmp_path / "out")]
+    assert main(arguments) == FAILED
+    printed = capsys.readouterr()
+    reason = "a field holds a value that is not finite"
+    assert reason in printed.err
+    if form:
+        told = json.loads(printed.out)
+        assert told["stop_reason"] == reason and told["scenes"] == []
+        assert list(told["failed"].values()) == [reason] * 2
+
+
+@pytest.mark.parametrize("form", [["--json"], []], ids=["json", "tables"])
+def test_a_run_whose_every_contact_did_not_converge_reports_why(
+    tmp_path, capsys, solve_at_once, form
+):
+    solve_at_once(converged=False, stop_reason="grids as fine as allowed")
+    arguments = ["run", CASE, *form, "--out", str(tmp_path / "out")]
+    assert main([*arguments, "--pictures", "none"]) == NOT_CONVERGED
+    printed = capsys.readouterr()
+    reason = "1 of 1 contacts missing: point_m20_l10 (grids as fine as allowed)"
+    assert reason in printed.err
+    assert not form or json.loads(printed.out)["stop_reason"] == reason
 
 
 def test_pictures_of_an_earlier_run_do_not_stay(tmp_path, capsys, solve_at_once):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from swept_cycle import PHASES, cycle_result
-from synthetic_solution import make_hot_worm, make_mesh_cycle
+from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
 
 import pyworm
 from pyworm.batch import drive_iteration
@@ -281,6 +281,19 @@ def test_a_sweep_s_table_shows_the_worst_of_its_scenes():
     assert "Friction\nas if\nsmooth" in [column.header for column in shown.columns]
     odd = replace(swept, table=table.assign(lubrication=("scene", ["of no kind"] * 3)))
     assert odd.left_out.lubrication == "unknown"
+
+
+def test_a_sweep_s_table_has_every_effect_in_one_column():
+    """Names are no components of a vector; a line's places have one, a point's two."""
+    point, line = rough_worm().summary(), make_line_solution().summary()
+    values = [{"contact.load": "1 N"}]
+    effects = ["film-heating", "compressibility", "squeeze"]
+    for row, directions in ((point, "xy"), (line, "x")):
+        table = sweep_table(values, [row | {"effects": effects}], ["a"])
+        assert table["effects"].values.tolist() == [",".join(effects)]
+        assert [name for name in table if str(name).startswith("effects")] == ["effects"]
+        places = [name for name in table if str(name).startswith("film_min_at_m")]
+        assert places == [f"film_min_at_m_{axis}" for axis in directions]
 
 
 # ------------------------------------------------------------------------------------ the standard's loss

@@ -24,9 +24,12 @@ from synthetic_solution import make_result
 import pyworm
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
+from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.drives.zi_worm import dataset
 from pyworm.plots.drives.zi_worm import CYCLE_PICTURES
-from pyworm.report.console.mesh_cycle import cycle_table
+from pyworm.ratings.mesh_loss import with_missing
+from pyworm.ratings.standard_loss import NoStandard
+from pyworm.report.console.mesh_cycle import cycle_table, loss_sentence, loss_table
 from pyworm.result.flank_map import entry, flank_map
 from pyworm.result.flank_wear import asperity_pass, flank_grid
 from pyworm.result.mesh_cycle import drive_cycle, flank_place
@@ -135,6 +138,33 @@ def test_what_did_not_converge_is_left_out_and_named():
     assert cycle.pressure_max.value < 9e9
     assert drive_cycle(cycle_result(PHASES[:2])) is None
     assert drive_cycle(make_result()) is None
+
+
+def test_an_efficiency_names_the_contacts_that_it_lacks_in_its_line():
+    """Whether a contact did not converge or has no solution at all, in tables and JSON objects."""
+    whole = cycle_result(PHASES)
+    bad = replace(whole.solutions[0], converged=False, stop_reason="no more nodes")
+    torn = replace(
+        whole,
+        solutions=(bad, *whole.solutions[1:]),
+        provenance={"failed": {"phase 0.99": "no contact"}},
+    )
+    missing = f"2 of {len(PHASES) + 1} contacts missing: {bad.name}, phase 0.99"
+    assert torn.missing == torn.sound.missing == missing
+    assert torn.stop_reason == f"{missing} (no more nodes; no contact)"
+    for result in (whole, torn):
+        cycle = drive_cycle(result)
+        lacking = result is torn
+        assert (cycle.summary().get("missing") == missing) == lacking
+        table = loss_table(cycle, NoStandard("none"), None)
+        rows = dict(zip(*(column.cells for column in table.columns), strict=True))
+        for label in ("Efficiency", "  power the other way"):
+            assert rows[label].endswith(f"; {missing}") == lacking
+        loss = MeshLoss(1e3, 50.0, 0.05, 0.01, "of a formula", missing=result.missing)
+        assert (f"Efficiency 95.00 % ± 0.05 ({missing}), loss" in loss_sentence(loss)) == lacking
+        assert (loss.summary().get("missing") == missing) == lacking
+        label = with_missing("efficiency", "Efficiency", result)
+        assert label == (f"Efficiency (simulation: {missing})" if lacking else "Efficiency")
 
 
 def test_the_flank_keeps_extremes_of_all_phases():
