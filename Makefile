@@ -30,6 +30,7 @@ help:
 	@echo "make test-long  run the Python tests that take long, which make test leaves out"
 	@echo "make test-cluster  as root: batches on a one-node Slurm, by Snakemake and dask-jobqueue; installs these"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
+	@echo "make hard SCENE=drive  random gear drives, run as a user does (drive:0-9 some; commands: through all commands)"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
 	@echo "make fortran-docs  build the documentation of the kernel by FORD, build/fortran-docs/index.html"

@@ -4,6 +4,9 @@
     python tests/hard named             # a part: named, a kind of random scenes, stability or fuzz
     python tests/hard isothermal:0-99   # some random scenes, by number
     python tests/hard thermal:37        # one scene, with its case file
+    python tests/hard drive             # gear drives, run to 5 and to 10 % as a user does; drive:0-9 some
+    python tests/hard commands          # gear drives walked through every command; commands:0-9 some
+    python tests/hard --only check,rate commands   # through some of the commands
     python tests/hard --seed 7          # the random scenes of another seed; parts as above
     python tests/hard --trapped         # the named scenes in a debug build, on their first grids
 
@@ -18,12 +21,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from case_text import case_text
 from cost_map import PANELS, draw_map
 from draws import DRAWS, SEED
+from drive_report import drives_run, drives_walked
+from drive_trial import COMMANDS
 from fuzz import many
 from fuzz_results import many as many_files
 from named import GAPS, HOT, ISOTHERMAL
-from promise import COUNTS, complaints
+from promise import COUNTS, DRIVES, complaints
 from stability import CHECKS
 from traps import set_traps
 from trial import HEADING, BriefTrial, Trial, Verdict, trial, verdict
@@ -83,24 +89,10 @@ def report(part: str, verdicts: Sequence[Verdict]) -> None:
 
 def show(one: Trial, tables: dict[str, Any], store: Store) -> None:
     """One scene: its case file, its plan's grids and what it came to."""
-    print("\n".join(_toml(tables)) + "\n")
+    print(case_text(tables))
     print("grids", *(" x ".join(map(str, grid.shape)) for grid in one.plan.grids), sep="  ")
     print(HEADING)
     judged(iter([one]), store)
-
-
-def _toml(tables: dict[str, Any], above: str = "") -> Iterator[str]:
-    """A case file's lines."""
-    from pyworm.io.input_error import toml
-
-    plain = {key: value for key, value in tables.items() if not isinstance(value, dict)}
-    if above and plain:
-        yield f"\n[{above}]"
-    for key, value in plain.items():
-        yield f"{key} = {toml(value)}"
-    for key, value in tables.items():
-        if isinstance(value, dict):
-            yield from _toml(value, f"{above}.{key}" if above else key)
 
 
 def arguments() -> argparse.Namespace:
@@ -112,7 +104,11 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=SEED)
     parser.add_argument("--out", type=Path, default=Path("results/hard"))
     parser.add_argument("--trapped", action="store_true")
+    parser.add_argument("--only", default=",".join(COMMANDS))
     options = parser.parse_args()
+    options.only = options.only.split(",")
+    if strange := [name for name in options.only if name not in COMMANDS]:
+        parser.error(f"--only {strange[0]}: commands are {', '.join(COMMANDS)}")
     if not 0 <= options.seed:
         parser.error(f"--seed {options.seed}: a whole number, 0 or more")
     options.kept = options.out / f"seed-{options.seed}"
@@ -121,6 +117,12 @@ def arguments() -> argparse.Namespace:
         others = options.seed == SEED
         options.what = ["named"] * others + [*COUNTS] + ["stability", "fuzz"] * others
     return options
+
+
+def _numbers(text: str, count: int) -> range:
+    """Numbers that "3-7" or "3" means; without any all of a count."""
+    first, _, last = text.partition("-")
+    return range(int(first), int(last or first) + 1) if text else range(count)
 
 
 def main() -> int:
@@ -142,6 +144,13 @@ def main() -> int:
                 found += many(print, Path(directory))
                 found += many_files(print, Path(directory))
             continue
+        if part in ("drive", "commands"):
+            wanted = _numbers(numbers, DRIVES)
+            if part == "drive":
+                found += drives_run(wanted, seed, kept)
+            else:
+                found += drives_walked(wanted, seed, kept, options.only)
+            continue
         if part == "stability":
             found += [f"stability: {flaw}" for check in CHECKS for flaw in check(print)]
             continue
@@ -155,8 +164,7 @@ def main() -> int:
             show(trial(tables, what, kept, EFFECTS[part]), tables, store)
             continue
         else:
-            first, _, last = numbers.partition("-")
-            wanted = range(int(first), int(last) + 1) if numbers else range(COUNTS[part])
+            wanted = _numbers(numbers, COUNTS[part])
             print(HEADING)
             verdicts = judged(random_trials(part, wanted, kept, seed), store)
             drawn[part] = verdicts

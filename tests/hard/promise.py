@@ -12,6 +12,15 @@ COUNTS = {"isothermal": 500, "thermal": 150, "rough": 150, "past": 20, "starved"
 PROMISED = {"isothermal": 0.99, "thermal": 0.97, "rough": 0.97, "past": 0.7, "starved": 0.97}
 """Fraction of them that converges, of any seed."""
 
+DRIVES = 100
+"""Gear drives of a seed."""
+
+PHASES, CYCLES, TIMES = 0.99, 0.97, 0.95
+"""Promised fractions of gear drives: phases that converge, cycles with all of theirs, and runs whose expected
+time is within a factor `TIME_FACTOR`."""
+
+TIME_FACTOR = 2.0
+
 LISTED = Path(__file__).parents[2] / "docs" / "evidence" / "hard-cases.md"
 """Where each scene of the default seed that does not converge stands with its reason."""
 
