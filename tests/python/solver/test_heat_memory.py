@@ -160,3 +160,38 @@ def test_points_remember_as_lines_do_in_any_direction():
 def test_a_steady_flux_leaves_nothing_to_remember():
     still = history(GRID, lambda at: tuple((of,) for of in SPEEDS), lambda seconds: 1.0)
     assert np.abs(remembered_rise(still, line(), GRID, GRID, 0.0, 0.0)).max() < 1e-9
+
+
+def conduction(speed):
+    """Steady rise by the flux of each cell of the grid over the flux, a matrix [K m2/W]."""
+    passed = np.arange(GRID.x.size + 1) * GRID.dx / speed
+    of_age = 2 * np.diff(np.sqrt(passed)) / (sqrt(pi) * EFFUSIVITY)
+    return scipy.linalg.toeplitz(of_age, np.zeros(GRID.x.size))
+
+
+def test_how_a_thin_film_divides_its_heat_between_the_surfaces_is_stable():
+    """Walls of one temperature decide about the division, which is disturbed once."""
+    first, second = (conduction(speed) for speed in SPEEDS)
+    whole = 2 * FLUX * shape(GRID.x)
+
+    def divided(difference):
+        """Fluxes that make both walls equally warm, the second of them warmer by a difference else."""
+        part = np.linalg.solve(first + second, second @ whole + difference)
+        return np.stack([part, whole - part], axis=-1)
+
+    rest = divided(np.zeros(GRID.x.size))
+    speeds = tuple((of,) for of in SPEEDS)
+    disturbed = rest + 0.1 * np.outer(whole * np.sin(5 * GRID.x / HALF), [1, -1])
+    instants = [
+        HeatedInstant(0.0, GRID, disturbed, speeds),
+        HeatedInstant(-STEP, GRID, rest, speeds),
+    ]
+    deviations = []
+    for step in range(1, 150):
+        rise = remembered_rise(instants, line(), GRID, GRID, step * STEP, 0.0)
+        flux = divided(rise[:, 1] - rise[:, 0])
+        instants.insert(0, HeatedInstant(step * STEP, GRID, flux, speeds))
+        deviations.append(np.abs(flux - rest).max())
+    print(deviations[::10])
+    assert max(deviations) < np.abs(disturbed - rest).max()
+    assert deviations[-1] < 0.02 * deviations[0]
