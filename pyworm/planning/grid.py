@@ -151,12 +151,14 @@ def _span(low: float, high: float, step: float) -> tuple[int, int]:
     """First node and number of cells of a grid around an interval.
 
     First and last node are even, so that the grid of twice the spacing has them too, and the cells are a
-    multiple of CELLS_MULTIPLE.
+    multiple of CELLS_MULTIPLE. What that adds goes to both sides alike, an odd pair of cells to the side
+    nearer to the contact point: a contact that is turned round has its grid turned round.
     """
     first, last = 2 * floor(low / step / 2 + 1e-9), 2 * ceil(high / step / 2 - 1e-9)
     cells = CELLS_MULTIPLE * ceil((last - first) / CELLS_MULTIPLE)
-    first -= 2 * ((cells - (last - first)) // 4)
-    return first, cells
+    pairs = (cells - (last - first)) // 2
+    nearer = pairs % 2 * (-first < last)
+    return first - 2 * (pairs // 2 + nearer), cells
 
 
 def _holds(grid: Grid, box: Box) -> bool:
