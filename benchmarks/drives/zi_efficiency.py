@@ -10,7 +10,7 @@ import sys
 from math import pi
 
 from pyworm.formulas.worm_gear import WormGear
-from pyworm.formulas.worm_rating import WormConditions, rate_worm
+from pyworm.formulas.worm_rating import WormConditions, WormRating
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import open_result
 
@@ -44,7 +44,7 @@ def main() -> None:
             reduced_modulus=170.81e9,
             roughness=roughness,
         )
-        rated = rate_worm(GEAR, conditions)
+        rated = WormRating(GEAR, conditions)
         print(
             f"standard, Ra {roughness * 1e6:.1f} um: {rated.tooth_loss:.0f} W, friction "
             f"{rated.friction:.4f}, {rated.forward_efficiency:.2%}, other way "

@@ -65,7 +65,9 @@ def main() -> None:
         for oil, speed in ROWS:
             case = case_of(oil, speed, Path(name))
             found, share = simulated(case, accuracy, Path(name) / f"{oil}{speed}")
-            (load,) = rated_loads(case.tables.worm_rating, case.drive.duty(), case.directory)
+            (load,) = rated_loads(
+                case.tables.rating_as_run(), case.tables.duty(case.drive), case.directory
+            )
             rate = load.rated.wear.depth / load.hours
             scale = scale or rate / found
             print(

@@ -7,6 +7,7 @@ from pydantic import model_validator
 from pyworm.case.case_file import CaseTable
 from pyworm.case.lubrication import BathTable, LubricationTable
 from pyworm.drives.drive import Drive
+from pyworm.drives.duty import Duty
 from pyworm.drives.lubrication import Bath, Jets
 
 LOADS = ("load", "worm_torque", "wheel_torque", "power")
@@ -47,6 +48,10 @@ class DriveCase(CaseTable):
         ValueError
             The parts do not make a drive; the sentence begins with a key of `[drive]`.
         """
+
+    def duty(self, drive: Drive) -> Duty | None:
+        """Input of the drive's rating by standards; as `Drive.duty`."""
+        return drive.duty()
 
     @property
     def load_key(self) -> str:

@@ -1,8 +1,8 @@
 """Tables of ratings, with or without a drive: bearings, worm gear, gear pair, oil."""
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
@@ -12,9 +12,9 @@ from pyworm.formulas.bearing_life import Direction, Elements
 from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
 from pyworm.formulas.worm_curves import Lubrication, OilKind
 from pyworm.formulas.worm_losses import Bearings
-from pyworm.formulas.worm_wheel_material import WheelMaterialName
 from pyworm.io import units
 from pyworm.materials.base_stock import Base
+from pyworm.materials.solids import named_material
 
 _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
 
@@ -22,8 +22,9 @@ _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
 class BearingTable(Table):
     """`[bearings.NAME]`: a rolling bearing for ISO 281.
 
-    Its oil is given by the viscosity at the bearing or by name and temperature; dirt by the factor e_C, or by
-    lubrication and cleanliness, of which the standard makes e_C.
+    Dynamic rating, load and speed give the basic life; the modified one needs the rest. The oil is given by
+    the viscosity at the bearing or by name and temperature; dirt by the factor e_C, or by lubrication and
+    cleanliness, of which the standard makes e_C.
     """
 
     name: Text | None = None
@@ -34,7 +35,7 @@ class BearingTable(Table):
     fatigue_load_limit: units.Force | None = None
     load: units.Force
     speed: units.Speed
-    mean_diameter: units.Length
+    mean_diameter: units.Length | None = None
     viscosity: units.KinematicViscosity | None = None
     oil: Text | None = None
     temperature: units.Temperature | None = None
@@ -47,13 +48,13 @@ class BearingTable(Table):
 
     @model_validator(mode="after")
     def _one_way_each(self):
-        if (self.fatigue_load_limit is None) == (self.static_rating is None):
+        if None not in (self.fatigue_load_limit, self.static_rating):
             raise ValueError("give either fatigue_load_limit or static_rating, one of the two")
-        if (self.viscosity is None) == (self.oil is None):
+        if None not in (self.viscosity, self.oil):
             raise ValueError("give either viscosity or oil with temperature, one of the two")
         if (self.oil is None) != (self.temperature is None):
             raise ValueError("give oil and temperature together")
-        if (self.contamination is None) == (self.lubrication is None):
+        if None not in (self.contamination, self.lubrication):
             raise ValueError("give either contamination or lubrication with cleanliness")
         if (self.lubrication is None) != (self.cleanliness is None):
             raise ValueError("give lubrication and cleanliness together")
@@ -114,32 +115,50 @@ class DamageLimits(Table):
         return self
 
 
-class WormRatingTable(DamageLimits):
+USUAL_AMBIENT = 293.15
+"""Temperature of the surroundings where none is given [K]."""
+
+
+class WormRatingTable(Table):
     """`[worm_rating]`: data that the worm gear standards need beside the drive.
 
-    What is not given is not rated. The oil is a named one, or a file of one's own, whose viscosity at the
-    wheel's bulk temperature counts. Without `sump_temperature` that of the standard is taken, of a usual
-    housing with or without `fan`. A `spectrum` of loads takes the place of the drive's own torque, speed
-    and of `life`.
+    What is not given is not rated. A drive gives oil, its temperature and way to the teeth, the wheel's
+    material, roughness and cooling; what is written here too must be the same. Beside a `[worm_gear]` the oil
+    is a named one, or a file of one's own, and without `sump_temperature` that of the standard is taken, of a
+    usual housing with or without `fan`. A `spectrum` of loads takes the place of the drive's own torque and
+    speed, and of `life`.
     """
 
-    oil: Text
-    lubrication: Lubrication = "bath"
+    oil: Text | None = None
+    lubrication: Lubrication | None = None
     sump_temperature: units.Temperature | None = None
-    ambient_temperature: units.Temperature = 293.15
+    ambient_temperature: units.Temperature | None = None
     fan: bool = False
     temperature_limit: units.Temperature | None = None
     material_factor: PositiveNumber | None = None
-    wheel_material: WheelMaterialName | None = None
+    wheel_material: Annotated[str, AfterValidator(named_material)] | None = None
     life: units.Duration | None = None
     spectrum: tuple[LoadStepTable, ...] = ()
     application_factor: PositiveNumber = 1.0
     starts_per_hour: _Starts = 0.0
     structure_factor: PositiveNumber | None = None
     pressure_factor: PositiveNumber | None = None
-    immersion_factor: PositiveNumber = 1.0
+    immersion_factor: PositiveNumber | None = None
     rim_over_module: _Rim = 2.0
-    bearings: Bearings = "adjusted"
+    bearings: Bearings | None = None
+
+    def completed(self, **others: Any) -> "WormRatingTable":
+        """The table with other statements, and then usual values, for keys that it does not give."""
+        usual = {
+            "lubrication": "bath",
+            "ambient_temperature": USUAL_AMBIENT,
+            "immersion_factor": 1.0,
+            "bearings": "adjusted",
+        }
+        stated = usual | {key: value for key, value in others.items() if value is not None}
+        return self.model_copy(
+            update={key: value for key, value in stated.items() if getattr(self, key) is None}
+        )
 
     @model_validator(mode="after")
     def _one_life(self):
@@ -188,7 +207,7 @@ class WormGearTable(Table):
 
 def _oils_named(worm: WormRatingTable | None, bearings: dict[str, BearingTable]) -> dict[str, str]:
     """Oils of a drive's sump that its ratings name, by their keys; a bearing in grease has its own."""
-    named = {} if worm is None else {"worm_rating.oil": worm.oil}
+    named = {} if worm is None or worm.oil is None else {"worm_rating.oil": worm.oil}
     return named | {
         f"bearings.{name}.oil": table.oil
         for name, table in bearings.items()
@@ -222,6 +241,12 @@ class RatingCase(FileTable):
         for key in ("worm_rating", "oil_choice"):
             if getattr(self, key) is not None and self.worm_gear is None:
                 raise ValueError(f"[{key}] needs a [worm_gear] or a [drive]")
+        return self
+
+    @model_validator(mode="after")
+    def _an_oil_to_rate(self):
+        if self.worm_rating is not None and self.worm_rating.oil is None:
+            raise ValueError('worm_rating.oil is missing, such as "PAG VG 220"')
         return self
 
     @model_validator(mode="after")

@@ -3,26 +3,38 @@
 from dataclasses import replace
 from itertools import pairwise
 from math import inf, pi
+from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.cooling import CoolingTable
 from pyworm.case.drive_case import LOADS
+from pyworm.case.one_wheel import (
+    check_one_cooling,
+    check_rated_material,
+    check_rated_temperature,
+)
 from pyworm.case.ratings import RatedCase, WormRatingTable
-from pyworm.case.table import Count, Phase, PositiveNumber, Table, Text
+from pyworm.case.table import Count, Phase, Table, Text
+from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.drives.besides_teeth import BesidesTeeth
+from pyworm.drives.duty import WormDuty
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.zi_worm import tooth
 from pyworm.drives.zi_worm.design import Assembly, Design, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.duty import geometry_of
+from pyworm.drives.zi_worm.duty import geometry_of, operating_point
 from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
 from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
 from pyworm.drives.zi_worm.worm_shaft import WormShaft
-from pyworm.formulas.worm_losses import Bearings, other_losses
+from pyworm.formulas.unknown import Unknown, attempt
+from pyworm.formulas.worm_curves import Lubrication
+from pyworm.formulas.worm_losses import other_losses
+from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
 from pyworm.io import units
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
@@ -190,25 +202,6 @@ class OperationTable(Table):
         return self
 
 
-class CoolingTable(Table):
-    """`[cooling]`: data of the thermal balance that finds the temperatures of oil and bodies.
-
-    `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
-    them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
-    Left out, `other_loss` is that of the worm standard, for `bearings` of the worm. `worm_excess` is the
-    excess of the worm's bulk temperature over the wheel's. `tooth_loss` is the loss between the teeth for
-    which all this is struck; left out, it is found.
-    """
-
-    ambient_temperature: units.Temperature
-    conductance: units.ThermalConductance
-    other_loss: units.PowerOrZero | None = None
-    bearings: Bearings = "adjusted"
-    immersion: PositiveNumber = 1.0
-    worm_excess: units.TemperatureDifference = 0.0
-    tooth_loss: units.Power | None = None
-
-
 class WormDriveCase(RatedCase):
     """What case files about a worm drive share, be it given by its design table or its drawing.
 
@@ -237,16 +230,32 @@ class WormDriveCase(RatedCase):
                 raise ValueError(f"bodies.{name}.bulk_temperature means nothing with [cooling]")
         return self
 
+    @property
+    def _rated_lubrication(self) -> Lubrication | None:
+        """How the standard calls the way of the oil to the teeth; None where it is not given."""
+        if self.lubrication is None:
+            return None
+        return "bath" if self.lubrication.method == "bath" else "injection"
+
     @model_validator(mode="after")
     def _rated_as_lubricated(self):
         if self.lubrication is None or self.worm_rating is None:
             return self
-        rated = "bath" if self.lubrication.method == "bath" else "injection"
-        if self.worm_rating.lubrication != rated:
+        rated = self._rated_lubrication
+        if self.worm_rating.lubrication not in (rated, None):
             raise ValueError(
                 f'worm_rating.lubrication = "{self.worm_rating.lubrication}" contradicts '
                 f'lubrication.method = "{self.lubrication.method}"; give "{rated}"'
             )
+        return self
+
+    @model_validator(mode="after")
+    def _rated_as_simulated(self):
+        if self.worm_rating is not None:
+            check_rated_material(self.worm_rating, self.bodies.wheel)
+            check_rated_temperature(self.worm_rating, self.oil, cooled=self.cooling is not None)
+            if self.cooling is not None:
+                check_one_cooling(self.worm_rating, self.cooling)
         return self
 
     @model_validator(mode="after")
@@ -314,6 +323,32 @@ class WormDriveCase(RatedCase):
             "bodies": {"worm": worm, "wheel": wheel_body},
         }
 
+    def rating_as_run(self) -> WormRatingTable:
+        """`[worm_rating]` completed by what the other tables state, also where the file has none."""
+        cooling, table = self.cooling, self.worm_rating or WormRatingTable()
+        cooled = {} if cooling is None else dict(cooling)
+        return table.completed(
+            oil=None if self.oil.base is None else self.oil.name,
+            wheel_material=self.bodies.wheel.material,
+            lubrication=self._rated_lubrication,
+            ambient_temperature=cooled.get("ambient_temperature"),
+            immersion_factor=cooled.get("immersion"),
+            bearings=cooled.get("bearings"),
+        )
+
+    def duty(self, drive: ZiWormDrive) -> WormDuty:
+        """The worm gear with the temperatures and the cooling of the drive."""
+        duty, cooling = (
+            replace(drive.duty(), wheel_material=self.bodies.wheel.material),
+            self.cooling,
+        )
+        if cooling is not None:
+            duty = replace(duty, conductance=cooling.conductance, other_loss=cooling.other_loss)
+        balanced = duty.simulated_wheel_temperature != duty.oil_temperature
+        if cooling is None and not balanced and self.bodies.wheel.bulk_temperature is None:
+            return duty
+        return replace(duty, wheel_temperature=duty.simulated_wheel_temperature)
+
     def cooling_of(self, drive: ZiWormDrive) -> Cooling:
         """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
         table, load = self.cooling, drive.load
@@ -353,7 +388,41 @@ class WormDriveCase(RatedCase):
             shaft=None if self.drive.shaft is None else self.drive.shaft.shaft(),
             lubrication=self.brought_by,
         )
-        return drive if self.cooling is None else self._warm(drive)
+        return self._balanced(drive) if self.cooling is None else self._warm(drive)
+
+    def _balanced(self, drive: ZiWormDrive) -> ZiWormDrive:
+        """The drive with bulk temperatures by the standard's balance of its loss, where none is given.
+
+        Oil and material are those of the drive itself, so that a rating changes no contact. Where the
+        standard has no loss, or teeth carry a load that is given, bodies stay as warm as the oil.
+        """
+        stated = [body.bulk_temperature for _, body in self.bodies]
+        if drive.oil.heat is None or stated != [None, None]:
+            return drive
+        found = attempt(lambda: self._wheel_by_standard(drive))
+        if isinstance(found, Unknown):
+            return replace(drive, warmth=f"Worm and wheel are as warm as the oil: {found.why}.")
+        excess = found - drive.oil.heat.inlet_temperature
+        return replace(
+            drive,
+            bodies=tuple(replace(body, bulk_temperature=found) for body in drive.bodies),
+            warmth=(
+                f"Worm and wheel are {excess:.3g} K warmer than the oil, by the heat balance of the "
+                "worm-gear standard with its loss between the teeth (from a public transcription)."
+            ),
+        )
+
+    def _wheel_by_standard(self, drive: ZiWormDrive) -> float:
+        """Bulk temperature of the wheel by the standard [K]; ValueError where it has none."""
+        load = drive.load
+        if not isinstance(load, Transmission):
+            raise ValueError("the load of one tooth is given, which is no balance of a drive")
+        torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
+        point = operating_point(drive, torque)
+        bare = self.model_copy(update={"worm_rating": None}).rating_as_run()
+        oil = standard_oil(bare, Path())
+        under = conditions(bare, point, oil, torque, drive.speed, NOT_GIVEN)
+        return WormRating(point.gear, under).bulk_temperature
 
     def _warm(self, drive: ZiWormDrive) -> ZiWormDrive:
         """The drive with oil and bodies as warm as its losses make them."""

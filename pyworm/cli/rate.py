@@ -58,8 +58,11 @@ def _rate(options: argparse.Namespace) -> int:
             made = ratings(asked, result)
             lacking = left_out(asked, result)
     if not made:
+        why = next(iter(not_rated(asked, made) if asked.rating_is_asked else ()), None)
         raise CaseError(
-            f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
+            f"{options.case}: {why}"
+            if why
+            else f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
     for warning in (*([] if differ is None else [differ]), *asked.warnings):
         say(f"warning: {warning}")

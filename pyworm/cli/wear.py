@@ -9,6 +9,7 @@ from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_case, add_processes
 from pyworm.cli.shared import CONVERGED, FAILED, batch_executor, end_with, planned_tasks
 from pyworm.drives.duty import WormDuty
+from pyworm.formulas.unknown import known
 from pyworm.formulas.wear_law import (
     WEAR_COEFFICIENT,
     WEAR_SPREAD,
@@ -157,12 +158,16 @@ def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, flo
         return {"coefficient": options.coefficient}, f"known to a factor of {WEAR_SPREAD:g}"
     from pyworm.ratings.worm_loads import rated_loads
 
-    table = getattr(case.tables, "worm_rating", None)
-    loads = () if table is None else rated_loads(table, case.drive.duty(), case.directory)
-    if len(loads) != 1 or loads[0].rated.wear is None:
+    if getattr(case.tables, "worm_rating", None) is None:
         raise CaseError("--calibrate: needs [worm_rating] with wheel_material and life")
+    loads = rated_loads(case.tables.rating_as_run(), case.tables.duty(case.drive), case.directory)
+    if len(loads) != 1:
+        raise CaseError("--calibrate: needs [worm_rating] with one life, and it gives a spectrum")
     (load,) = loads
-    rate = load.rated.wear.depth / load.hours
+    try:
+        rate = load.rated.wear.depth / known(load.hours)
+    except ValueError as error:
+        raise CaseError(f"--calibrate: the standard has no wear of this gear: {error}") from error
     return {"calibrated_to": rate}, (
         f"by which the run-in flank wears {rate * 1e9:.3g} nm/h in the mean, as by the standard"
     )

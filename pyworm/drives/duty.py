@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 
+from pyworm.formulas.unknown import Unknown, known
 from pyworm.formulas.wear_distress import composite_roughness
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.materials.oil import Oil
@@ -26,29 +27,49 @@ class WormDuty:
         Torque of the wheel [N m].
     reduced_modulus : float
         Reduced modulus E' [Pa].
-    roughness : tuple of float
-        Root mean square heights of worm and wheel, Rq [m].
+    roughness : tuple of float or None
+        Root mean square heights of worm and wheel, Rq [m]; None where one is not known.
     driver : str
         Driving member, "worm" or "wheel".
     words : tuple of str
         Derivation, in sentences.
     deflection : float or None
         Deflection of the worm's shaft at the mesh [m]; None where its bearings are not known.
+    oil_temperature, wheel_temperature : float or None
+        Temperature of the oil in the sump, and bulk temperature of the wheel, as they are given or follow
+        from the drive's thermal balance [K]; None where a rating has to find them.
+    wheel_material : str or None
+        Material of the wheel in the drive's contacts; None where it has no name.
+    simulated_wheel_temperature : float or None
+        Bulk temperature of the wheel in the drive's contacts [K].
+    conductance, other_loss : float or None
+        Heat that the housing gives off for each kelvin of its oil [W/K], and losses besides the teeth [W],
+        where they are given.
     """
 
     gear: WormGear
     worm_speed: float
     torque: float
     reduced_modulus: float
-    roughness: tuple[float, float]
+    roughness: tuple[float | None, float | None]
     driver: Literal["worm", "wheel"] = "worm"
     words: tuple[str, ...] = ()
     deflection: float | None = None
+    oil_temperature: float | None = None
+    wheel_temperature: float | None = None
+    wheel_material: str | None = None
+    simulated_wheel_temperature: float | None = None
+    conductance: float | None = None
+    other_loss: float | None = None
 
     @property
     def composite_roughness(self) -> float:
-        """Composite root mean square roughness of both flanks [m]."""
-        return composite_roughness(*self.roughness)
+        """Composite root mean square roughness of both flanks [m]; ValueError where one is not known."""
+        worm, wheel = (
+            known(Unknown(f"bodies.{name}.roughness is missing") if of is None else of)
+            for name, of in zip(("worm", "wheel"), self.roughness, strict=True)
+        )
+        return composite_roughness(worm, wheel)
 
 
 @dataclass(frozen=True)

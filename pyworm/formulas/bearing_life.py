@@ -9,6 +9,7 @@ from math import inf, log, pi
 from typing import Literal
 
 from pyworm.formulas.ranges import one_of, positive, within
+from pyworm.formulas.unknown import Unknown, known
 
 Elements = Literal["ball", "roller"]
 Direction = Literal["radial", "thrust"]
@@ -293,67 +294,23 @@ def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
     return REVOLUTIONS * (dynamic_rating / load) ** _LIFE_EXPONENT[elements]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class BearingRating:
-    """Life of one bearing.
+    """Life of one bearing by ISO 281, each figure by itself.
+
+    Each is computed when it is asked for: ValueError with the reason where it lies outside the standard, or
+    what it needs is `Unknown`.
 
     Attributes
     ----------
-    reference_viscosity : float
-        nu1 [m2/s].
-    kappa : float
-        Viscosity ratio [-].
-    contamination : float
-        e_C [-].
-    load_ratio : float
-        e_C C_u/P [-].
-    modification, reliability_factor : float
-        a_ISO and a1 [-].
-    basic_life, modified_life : float
-        L10 and L_nm = a1 a_ISO L10 [revolutions].
-    basic_hours, modified_hours : float
-        The same [h].
-    source : str
-        The standard.
-    """
-
-    reference_viscosity: float
-    kappa: float
-    contamination: float
-    load_ratio: float
-    modification: float
-    reliability_factor: float
-    basic_life: float
-    modified_life: float
-    basic_hours: float
-    modified_hours: float
-    source: str = SOURCE
-
-
-def rate_bearing(
-    *,
-    elements: Elements,
-    dynamic_rating: float,
-    fatigue_load_limit: float,
-    load: float,
-    speed: float,
-    mean_diameter: float,
-    viscosity: float,
-    contamination: float,
-    direction: Direction = "radial",
-    additives: bool = False,
-    reliability: float = 0.9,
-) -> BearingRating:
-    """Rate a bearing by ISO 281.
-
-    Parameters
-    ----------
     elements, direction : str
         "ball" or "roller", "radial" or "thrust".
-    dynamic_rating, fatigue_load_limit, load : float
-        C, C_u and the equivalent load P [N].
+    dynamic_rating, load : float
+        C and the equivalent load P [N].
     speed : float
         [rad/s].
+    fatigue_load_limit : float
+        C_u [N].
     mean_diameter : float
         [m].
     viscosity : float
@@ -362,31 +319,69 @@ def rate_bearing(
         e_C [-], see `contamination_factor` and `contamination_range`.
     additives, reliability
         See `life_modification` and `reliability_factor`.
-
-    Raises
-    ------
-    ValueError
-        What lies outside the standard, in one sentence.
     """
-    within("e_C", contamination, 0, 1, "")
-    positive("fatigue load limit", fatigue_load_limit, "N")
-    l10 = basic_life(dynamic_rating, load, elements)
-    kappa = viscosity_ratio(viscosity, speed, mean_diameter)
-    load_ratio = contamination * fatigue_load_limit / load
-    modification = life_modification(
-        kappa, load_ratio, elements, direction, additives, contamination
-    )
-    a1 = reliability_factor(reliability)
-    hours = l10 * 2 * pi / speed / 3600
-    return BearingRating(
-        reference_viscosity=reference_viscosity(speed, mean_diameter),
-        kappa=kappa,
-        contamination=contamination,
-        load_ratio=load_ratio,
-        modification=modification,
-        reliability_factor=a1,
-        basic_life=l10,
-        modified_life=a1 * modification * l10,
-        basic_hours=hours,
-        modified_hours=a1 * modification * hours,
-    )
+
+    elements: Elements
+    dynamic_rating: float
+    load: float
+    speed: float
+    fatigue_load_limit: float | Unknown
+    mean_diameter: float | Unknown
+    viscosity: float | Unknown
+    contamination: float | Unknown
+    direction: Direction = "radial"
+    additives: bool = False
+    reliability: float = 0.9
+    source = SOURCE
+
+    @property
+    def reference_viscosity(self) -> float:
+        """nu1 [m2/s]."""
+        return reference_viscosity(self.speed, known(self.mean_diameter))
+
+    @property
+    def kappa(self) -> float:
+        """Viscosity ratio [-]."""
+        return viscosity_ratio(known(self.viscosity), self.speed, known(self.mean_diameter))
+
+    @property
+    def load_ratio(self) -> float:
+        """e_C C_u/P [-]."""
+        dirt, limit = known(self.contamination), known(self.fatigue_load_limit)
+        within("e_C", dirt, 0, 1, "")
+        positive("fatigue load limit", limit, "N")
+        return dirt * limit / self.load
+
+    @property
+    def modification(self) -> float:
+        """a_ISO [-]."""
+        how = self.elements, self.direction, self.additives, known(self.contamination)
+        return life_modification(self.kappa, self.load_ratio, *how)
+
+    @property
+    def reliability_factor(self) -> float:
+        """a1 [-]."""
+        return reliability_factor(self.reliability)
+
+    @property
+    def basic_life(self) -> float:
+        """L10 [revolutions]."""
+        return basic_life(self.dynamic_rating, self.load, self.elements)
+
+    @property
+    def modified_life(self) -> float:
+        """L_nm = a1 a_ISO L10 [revolutions]."""
+        return self.reliability_factor * self.modification * self.basic_life
+
+    @property
+    def basic_hours(self) -> float:
+        """L10 [h]."""
+        return self._hours(self.basic_life)
+
+    @property
+    def modified_hours(self) -> float:
+        """L_nm [h]."""
+        return self._hours(self.modified_life)
+
+    def _hours(self, revolutions: float) -> float:
+        return revolutions * 2 * pi / self.speed / 3600

@@ -14,6 +14,15 @@ Values = float | np.ndarray
 """A number or an array of numbers."""
 
 
+def apart(value: float, bound: float, digits: int = 6) -> str:
+    """The value in so many digits, or in as many more as tell it from a bound that it is not."""
+    for count in range(digits, 18):
+        text = f"{value:.{count}g}"
+        if value == bound or float(text) != float(f"{bound:.{count}g}"):
+            return text
+    return repr(value)
+
+
 def within(name: str, value: Values | Sequence[float], low: float, high: float, unit: str) -> None:
     """Refuse a value outside a closed range, by more than the rounding of its conversion of units.
 
@@ -39,8 +48,9 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
     if outside.any():
         wrong = values[outside].flat[0]
         in_unit = f" {unit}" if unit else ""
+        text = apart(wrong, low if wrong < low else high)
         raise ValueError(
-            f"{name} = {wrong:g}{in_unit}: must lie between {low:g} and {high:g}{in_unit}"
+            f"{name} = {text}{in_unit}: must lie between {low:g} and {high:g}{in_unit}"
         )
 
 

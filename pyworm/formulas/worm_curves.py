@@ -20,6 +20,9 @@ OIL_KINDS: tuple[OilKind, ...] = ("mineral", "PAO", "PAG")
 LUBRICATIONS: tuple[Lubrication, ...] = ("injection", "bath")
 """Ways that oil comes to the teeth."""
 
+SLIDING_RANGE = 0.05, 25.0
+"""Sliding speeds at which the base friction is known [m/s]."""
+
 # a, b, c, d, largest of mu_0T = a + b/(vg + c)^d, of bronzes
 _FRICTION = {
     ("injection", "mineral"): (0.028, 0.026, 0.17, 0.76, 0.1),
@@ -85,7 +88,7 @@ def base_friction(
     one_of("oil", oil, OIL_KINDS)
     one_of("lubrication", lubrication, LUBRICATIONS)
     one_of("family of the wheel's material", family, FAMILIES)
-    within("sliding speed", sliding_speed, 0.05, 25, "m/s")
+    within("sliding speed", sliding_speed, *SLIDING_RANGE, "m/s")
     iron = family == "cast iron"
     a, b, c, d, largest = _FRICTION_OF_IRON[oil] if iron else _FRICTION[lubrication, oil]
     return min(a + b / (sliding_speed + c) ** d, largest)

@@ -1,10 +1,13 @@
-"""Rating of a worm gear by the worm-gear standard under one load: all its figures in one call."""
+"""Rating of a worm gear by the worm-gear standard under one load, each figure by itself."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import pi
+from typing import Literal
 
 from pyworm.formulas.ranges import one_of
-from pyworm.formulas.worm_curves import OIL_KINDS, Lubrication, OilKind
+from pyworm.formulas.unknown import Unknown, known
+from pyworm.formulas.worm_curves import OIL_KINDS, SLIDING_RANGE, Lubrication, OilKind
 from pyworm.formulas.worm_deflection import shaft_deflection
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_losses import Bearings, OtherLosses, other_losses
@@ -13,6 +16,7 @@ from pyworm.formulas.worm_standard import (
     PRESSURE_VISCOSITY,
     SOURCE,
     TeethLoss,
+    backward_efficiency,
     bulk_temperature,
     injected_bulk_temperature,
     mean_pressure,
@@ -31,10 +35,14 @@ from pyworm.formulas.worm_wear import (
 )
 from pyworm.formulas.worm_wheel_material import Family, WheelMaterial
 
+Driver = Literal["worm", "wheel"]
+
+NOT_GIVEN = Unknown("it is not given")
+
 
 @dataclass(frozen=True)
 class WormConditions:
-    """Conditions that a worm gear is rated for; ratings whose data are missing are left out.
+    """Conditions that a worm gear is rated for; a figure whose data are `Unknown` has none.
 
     Attributes
     ----------
@@ -52,58 +60,69 @@ class WormConditions:
         Ra of the worm's flanks [m].
     lubrication : str
         "injection" or "bath".
-    material : WheelMaterial, optional
-        Of the wheel; friction without it is that of tin bronze.
+    material : WheelMaterial
+        Of the wheel; where it is not known, friction is that of tin bronze.
     material_factor : float, optional
-        Y_W [-]; that of the material if not given, 1 without a material.
-    life : float, optional
+        Y_W [-]; that of the material if not given.
+    life : float
         Wanted life [h].
     structure_factor, pressure_factor : float, optional
         W_S and W_H of the wear [-]; the standard's if not given.
     starts_per_hour : float
         [1/h].
-    sump_temperature : float, optional
+    sump_temperature : float
         Temperature of the oil in the sump, or injected [K].
-    supplied_viscosity : float, optional
-        Kinematic viscosity at that temperature [m2/s]; for injected oil.
+    wheel_temperature : float, optional
+        Bulk temperature of the wheel [K] where it is given; else the standard's.
+    supplied_viscosity : float
+        Kinematic viscosity at the sump's temperature [m2/s]; for injected oil.
     immersion_factor : float
         c_k of `bulk_temperature` [-].
     rim : float
         Thickness of the wheel's rim over the module [-].
     bearings : str
         How the worm is held (`pyworm.formulas.worm_losses.BEARINGS`).
+    other_loss : float, optional
+        Losses besides the teeth [W] where they are given; else the standard's.
+    driver : str
+        "worm" or "wheel".
     """
 
-    oil: OilKind
-    viscosity: float
+    oil: OilKind | Unknown
+    viscosity: float | Unknown
     worm_speed: float
     torque: float
     reduced_modulus: float
-    roughness: float
+    roughness: float | Unknown
     lubrication: Lubrication = "injection"
-    material: WheelMaterial | None = None
+    material: WheelMaterial | Unknown = NOT_GIVEN
     material_factor: float | None = None
-    life: float | None = None
+    life: float | Unknown = NOT_GIVEN
     structure_factor: float | None = None
     pressure_factor: float | None = None
     starts_per_hour: float = 0.0
-    sump_temperature: float | None = None
-    supplied_viscosity: float | None = None
+    sump_temperature: float | Unknown = NOT_GIVEN
+    wheel_temperature: float | None = None
+    supplied_viscosity: float | Unknown = NOT_GIVEN
     immersion_factor: float = 1.0
     rim: float = FULL_RIM
     bearings: Bearings = "adjusted"
+    other_loss: float | None = None
+    driver: Driver = "worm"
 
     @property
     def family(self) -> Family:
         """Group of the wheel's material; tin bronze without one."""
-        return "tin bronze" if self.material is None else self.material.family
+        return "tin bronze" if isinstance(self.material, Unknown) else known(self.material.family)
 
     @property
     def rubbing(self) -> float:
         """Y_W [-]."""
         if self.material_factor is not None:
             return self.material_factor
-        return 1.0 if self.material is None else self.material.friction_factor
+        if isinstance(self.material, Unknown):
+            return 1.0
+        return known(self.material.friction_factor)
 
 
 @dataclass(frozen=True)
@@ -134,188 +153,246 @@ class WormWear:
 class WormRating:
     """Figures of a worm gear by the standards under one load; the safeties need their limits besides.
 
+    Each is computed when it is asked for: ValueError with the reason, and with the key of a case that would
+    give what is missing, where it lies outside the methods or its data are not known.
+
     Attributes
     ----------
-    film_parameter, pressure_parameter, sliding_parameter : float
-        h*, p_m*, s* [-].
-    sliding_speed : float
-        vg [m/s].
-    film : float
-        h_min,m [m].
-    mean_pressure : float
-        sigma_Hm [Pa].
-    friction : float
-        mu_zm [-].
-    forward_efficiency, backward_efficiency : float
-        Of the teeth [-]; backward zero or less where the wheel cannot drive.
-    self_locking_margin : float
-        mu/tan gamma [-], running.
-    static_friction, static_locking_margin : float
-        mu and mu/tan gamma at rest [-].
-    output : float
-        Power at the wheel [W].
-    tooth_loss : float
-        Power lost between the teeth, worm driving [W].
-    other : OtherLosses
-        Losses besides.
-    bulk_temperature : float or None
-        Of the wheel [K]; None without a sump temperature.
-    pitting_safety : float or None
-        S_H [-]; None without a material and a life.
-    wear : WormWear or None
-        None likewise.
-    root_shear : float
-        tau_F of teeth that are not worn [Pa].
-    shaft_deflection : float
-        Of the worm's shaft between bearings at the usual places [m].
-    source : str
-        The standards.
+    gear : WormGear
+        Geometry.
+    under : WormConditions
+        What it is rated for.
     """
 
-    film_parameter: float
-    pressure_parameter: float
-    sliding_parameter: float
-    sliding_speed: float
-    film: float
-    mean_pressure: float
-    friction: float
-    forward_efficiency: float
-    backward_efficiency: float
-    self_locking_margin: float
-    static_friction: float
-    static_locking_margin: float
-    output: float
-    tooth_loss: float
-    other: OtherLosses
-    bulk_temperature: float | None
-    pitting_safety: float | None
-    wear: WormWear | None
-    root_shear: float
-    shaft_deflection: float
-    source: str = SOURCE
+    gear: WormGear
+    under: WormConditions
+    source = SOURCE
+
+    @cached_property
+    def oil(self) -> OilKind:
+        """Kind of the oil."""
+        oil = known(self.under.oil)
+        one_of("oil", oil, OIL_KINDS)
+        return oil
+
+    @cached_property
+    def sliding_speed(self) -> float:
+        """Sliding speed v_g at the worm's reference cylinder [m/s]."""
+        return self.gear.sliding_speed(self.under.worm_speed)
+
+    @cached_property
+    def film(self) -> float:
+        """Mean minimum film thickness h_min,m [m]."""
+        return minimum_film(
+            self.gear.film_parameter,
+            PRESSURE_VISCOSITY[self.oil],
+            known(self.under.viscosity),
+            self.under.worm_speed,
+            self.gear.centre_distance,
+            self.under.reduced_modulus,
+            self.under.torque,
+        )
+
+    @cached_property
+    def mean_pressure(self) -> float:
+        """Mean contact stress sigma_Hm [Pa]."""
+        gear, under = self.gear, self.under
+        return mean_pressure(
+            gear.pressure_parameter, under.torque, under.reduced_modulus, gear.centre_distance
+        )
+
+    def _lost_at(self, sliding_speed: float | None = None) -> TeethLoss:
+        under = self.under
+        return teeth_loss(
+            self.gear,
+            self.oil,
+            under.worm_speed,
+            under.torque,
+            known(under.roughness),
+            under.rubbing,
+            under.lubrication,
+            under.family,
+            sliding_speed,
+        )
+
+    @cached_property
+    def lost(self) -> TeethLoss:
+        """Friction, efficiency and loss of the teeth."""
+        return self._lost_at()
+
+    @property
+    def friction(self) -> float:
+        """Mean coefficient of tooth friction mu_zm [-]."""
+        return self.lost.friction
+
+    @property
+    def forward_efficiency(self) -> float:
+        """Efficiency of the teeth, worm driving [-]."""
+        return self.lost.forward_efficiency
+
+    @property
+    def backward_efficiency(self) -> float:
+        """Efficiency of the teeth, wheel driving [-]; zero or less where the wheel cannot drive."""
+        return self.lost.backward_efficiency
+
+    @property
+    def self_locking_margin(self) -> float:
+        """mu/tan gamma [-], running."""
+        return self_locking_margin(self.gear.tan_lead, self.friction)
+
+    @property
+    def within_friction(self) -> bool:
+        """True if the teeth slide at a speed of which the friction is known."""
+        slowest, fastest = SLIDING_RANGE
+        return slowest <= self.sliding_speed <= fastest
+
+    @cached_property
+    def nearest_loss(self) -> TeethLoss:
+        """Loss of the teeth, beyond the speeds of known friction with that of the nearest one.
+
+        An upper bound above these speeds, where friction falls, and close to one below them, where it is
+        bounded and the power lost vanishes with the speed.
+        """
+        slowest, fastest = SLIDING_RANGE
+        return self._lost_at(min(max(self.sliding_speed, slowest), fastest))
+
+    @cached_property
+    def static_friction(self) -> float:
+        """Coefficient of tooth friction at rest [-]; no less than that of creeping teeth."""
+        under = self.under
+        at_rest = static_friction(
+            self.gear.centre_distance, known(under.roughness), under.rubbing, under.family
+        )
+        return max(self.nearest_loss.friction, at_rest)
+
+    @property
+    def static_locking_margin(self) -> float:
+        """mu/tan gamma [-], at rest."""
+        return self_locking_margin(self.gear.tan_lead, self.static_friction)
+
+    @cached_property
+    def static_backward_efficiency(self) -> float:
+        """Efficiency of the teeth with the wheel about to drive from rest [-]; as `backward_efficiency`."""
+        return backward_efficiency(self.gear.tan_lead, self.static_friction)
+
+    @property
+    def output(self) -> float:
+        """Power at the wheel [W]."""
+        return self.under.torque * self.under.worm_speed / self.gear.ratio
+
+    @property
+    def tooth_loss(self) -> float:
+        """Power lost between the teeth as the drive runs [W]."""
+        return self.lost.driven_by(self.under.driver)
+
+    @cached_property
+    def standard_losses(self) -> OtherLosses:
+        """Losses besides the teeth by the standard."""
+        under = self.under
+        return other_losses(self.gear, under.worm_speed, under.torque, under.bearings)
+
+    @property
+    def other_power(self) -> float:
+        """Losses besides the teeth, as given or by the standard [W]."""
+        given = self.under.other_loss
+        return self.standard_losses.power if given is None else given
 
     @property
     def loss(self) -> float:
-        """Whole loss of the gearbox, worm driving [W]."""
-        return self.tooth_loss + self.other.power
+        """Whole loss of the gearbox as the drive runs [W]."""
+        return self.tooth_loss + self.other_power
 
     @property
     def gearbox_efficiency(self) -> float:
-        """Power at the wheel over power at the worm, with all losses [-]."""
-        return self.output / (self.output + self.loss)
+        """Power at the wheel over power at the worm, which drives, with all losses [-]."""
+        return self.output / (self.output + self.lost.power + self.other_power)
 
     @property
     def gearbox_efficiency_back(self) -> float:
-        """Power at the worm over power at the wheel, which drives, all losses in [-]; it cannot at zero."""
-        return self.backward_efficiency - self.other.power / self.output
+        """Power at the worm over power at the wheel, which drives, with all losses [-].
 
+        Zero or less where the wheel cannot keep the gearbox running.
+        """
+        return self.backward_efficiency - self.other_power / self.output
 
-def rate_worm(gear: WormGear, under: WormConditions) -> WormRating:
-    """Rate a worm gear under given conditions.
+    @property
+    def static_gearbox_efficiency_back(self) -> float:
+        """Share of the wheel's torque that comes to the worm at rest [-]; at zero or less the gearbox locks.
 
-    Raises
-    ------
-    ValueError
-        What lies outside the methods, in one sentence.
-    """
-    one_of("oil", under.oil, OIL_KINDS)
-    film = minimum_film(
-        gear.film_parameter,
-        PRESSURE_VISCOSITY[under.oil],
-        under.viscosity,
-        under.worm_speed,
-        gear.centre_distance,
-        under.reduced_modulus,
-        under.torque,
-    )
-    pressure = mean_pressure(
-        gear.pressure_parameter, under.torque, under.reduced_modulus, gear.centre_distance
-    )
-    lost = _teeth_loss(gear, under)
-    # of a small gear that creeps the running one is larger: teeth at rest rub no less
-    at_rest = max(
-        lost.friction,
-        static_friction(gear.centre_distance, under.roughness, under.rubbing, under.family),
-    )
-    return WormRating(
-        film_parameter=gear.film_parameter,
-        pressure_parameter=gear.pressure_parameter,
-        sliding_parameter=gear.sliding_parameter,
-        sliding_speed=gear.sliding_speed(under.worm_speed),
-        film=film,
-        mean_pressure=pressure,
-        friction=lost.friction,
-        forward_efficiency=lost.forward_efficiency,
-        backward_efficiency=lost.backward_efficiency,
-        self_locking_margin=self_locking_margin(gear.tan_lead, lost.friction),
-        static_friction=at_rest,
-        static_locking_margin=self_locking_margin(gear.tan_lead, at_rest),
-        output=under.torque * under.worm_speed / gear.ratio,
-        tooth_loss=lost.power,
-        other=other_losses(gear, under.worm_speed, under.torque, under.bearings),
-        bulk_temperature=_bulk_temperature(gear, under, lost.power),
-        pitting_safety=_pitting_safety(gear, under, pressure),
-        wear=_wear(gear, under, film, pressure),
-        root_shear=root_shear(gear, under.torque, rim=under.rim),
-        shaft_deflection=shaft_deflection(gear, under.torque, lost.friction),
-    )
+        Teeth rub as at rest. Of the other losses those remain whose torque does not vanish with the speed:
+        bearings under load and seals, as they run, which is no more than they resist at rest. Oil does not
+        resist at rest.
+        """
+        losses = self.standard_losses
+        lasting = losses.bearings + losses.seals
+        return self.static_backward_efficiency - lasting / self.output
 
+    @cached_property
+    def bulk_temperature(self) -> float:
+        """Bulk temperature of the wheel [K]."""
+        gear, under = self.gear, self.under
+        if under.wheel_temperature is not None:
+            return under.wheel_temperature
+        sump = known(under.sump_temperature)
+        loss = self.nearest_loss.driven_by(under.driver)
+        if under.lubrication == "injection":
+            thick = known(under.supplied_viscosity)
+            return injected_bulk_temperature(sump, loss, under.worm_speed, gear, thick)
+        area = gear.face_width * gear.mean_wheel_diameter
+        return bulk_temperature(sump, loss, under.worm_speed, area, under.immersion_factor)
 
-def _teeth_loss(gear: WormGear, under: WormConditions) -> TeethLoss:
-    return teeth_loss(
-        gear,
-        under.oil,
-        under.worm_speed,
-        under.torque,
-        under.roughness,
-        under.rubbing,
-        under.lubrication,
-        under.family,
-    )
+    @cached_property
+    def pitting_safety(self) -> float:
+        """S_H [-]."""
+        gear, under = self.gear, self.under
+        return pitting_safety(
+            self.mean_pressure,
+            known(known(under.material).pitting_strength),
+            known(under.life),
+            self.sliding_speed,
+            gear.centre_distance,
+            self.oil,
+            gear.ratio,
+        )
 
+    @cached_property
+    def wear(self) -> WormWear:
+        """Wear of the wheel's flanks."""
+        gear, under = self.gear, self.under
+        material, life = known(under.material), known(under.life)
+        of_material = known(material.wear_factors)[self.oil]
+        structure, weight = under.structure_factor, under.pressure_factor
+        if structure is None:
+            structure = structure_factor(self.oil, known(under.viscosity), under.family)
+        if weight is None:
+            weight = pressure_factor(self.mean_pressure, under.family)
+        base = wear_intensity(
+            self.oil, self.film, structure, weight, under.lubrication, under.family
+        )
+        intensity = base * start_factor(under.starts_per_hour) * of_material
+        depth = wear_depth(
+            intensity,
+            gear.sliding_parameter,
+            self.mean_pressure,
+            gear.centre_distance,
+            under.reduced_modulus,
+            under.worm_speed / gear.ratio / (2 * pi) * life * 3600,
+        )
+        parameter = self.film * 1e6 * structure * weight
+        return WormWear(structure, weight, parameter, base, intensity, depth)
 
-def _pitting_safety(gear: WormGear, under: WormConditions, pressure: float) -> float | None:
-    if under.material is None or under.life is None:
-        return None
-    return pitting_safety(
-        pressure,
-        under.material.pitting_strength,
-        under.life,
-        gear.sliding_speed(under.worm_speed),
-        gear.centre_distance,
-        under.oil,
-        gear.ratio,
-    )
+    @cached_property
+    def root_shear(self) -> float:
+        """tau_F of teeth that are not worn [Pa]."""
+        return root_shear(self.gear, self.under.torque, rim=self.under.rim)
 
+    @cached_property
+    def shaft_deflection(self) -> float:
+        """Deflection of the worm's shaft between bearings at the usual places [m].
 
-def _wear(gear: WormGear, under: WormConditions, film: float, pressure: float) -> WormWear | None:
-    if under.life is None or under.material is None:
-        return None
-    structure, weight = under.structure_factor, under.pressure_factor
-    if structure is None:
-        structure = structure_factor(under.oil, under.viscosity, under.family)
-    if weight is None:
-        weight = pressure_factor(pressure, under.family)
-    base = wear_intensity(under.oil, film, structure, weight, under.lubrication, under.family)
-    of_material = under.material.wear_factors[under.oil]
-    intensity = base * start_factor(under.starts_per_hour) * of_material
-    cycles = under.worm_speed / gear.ratio / (2 * pi) * under.life * 3600
-    depth = wear_depth(
-        intensity,
-        gear.sliding_parameter,
-        pressure,
-        gear.centre_distance,
-        under.reduced_modulus,
-        cycles,
-    )
-    return WormWear(structure, weight, film * 1e6 * structure * weight, base, intensity, depth)
-
-
-def _bulk_temperature(gear: WormGear, under: WormConditions, loss: float) -> float | None:
-    sump, thick = under.sump_temperature, under.supplied_viscosity
-    if sump is None:
-        return None
-    if under.lubrication == "injection" and thick is not None:
-        return injected_bulk_temperature(sump, loss, under.worm_speed, gear, thick)
-    area = gear.face_width * gear.mean_wheel_diameter
-    return bulk_temperature(sump, loss, under.worm_speed, area, under.immersion_factor)
+        Friction adds to the force along the wheel's circumference where the worm drives, and takes from it
+        where the wheel does.
+        """
+        friction = self.nearest_loss.friction
+        against = friction if self.under.driver == "worm" else -friction
+        return shaft_deflection(self.gear, self.under.torque, against)

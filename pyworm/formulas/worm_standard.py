@@ -353,22 +353,34 @@ def temperature_safety(sump_temperature: float, limit: float) -> float:
 
 @dataclass(frozen=True)
 class TeethLoss:
-    """Friction, efficiency and loss of worm gear teeth with the worm driving.
+    """Friction, efficiency and loss of worm gear teeth.
 
     Attributes
     ----------
     friction : float
         mu_zm [-].
     forward_efficiency, backward_efficiency : float
-        Of the teeth [-]; backward zero or less where the wheel cannot drive.
-    power : float
-        Lost between the teeth, worm driving [W].
+        Of the teeth, worm and wheel driving [-]; backward zero or less where the wheel cannot drive.
+    output : float
+        Power at the wheel [W].
     """
 
     friction: float
     forward_efficiency: float
     backward_efficiency: float
-    power: float
+    output: float
+
+    @property
+    def power(self) -> float:
+        """Lost between the teeth, worm driving [W]."""
+        return self.output * (1 / self.forward_efficiency - 1)
+
+    def driven_by(self, driver: str) -> float:
+        """Lost between the teeth with worm or wheel driving [W].
+
+        Where the wheel cannot drive its power is lost, and what the worm has to add.
+        """
+        return self.power if driver == "worm" else self.output * (1 - self.backward_efficiency)
 
 
 def teeth_loss(
@@ -380,11 +392,15 @@ def teeth_loss(
     material_factor: float = 1.0,
     lubrication: Lubrication = "injection",
     family: Family = "tin bronze",
+    sliding_speed: float | None = None,
 ) -> TeethLoss:
-    """Loss between the teeth by `tooth_friction`; arguments as of `WormConditions`."""
+    """Loss between the teeth by `tooth_friction`; arguments as of `WormConditions`.
+
+    Friction is that at `sliding_speed` [m/s] in place of the gear's own, if that is given.
+    """
     friction = tooth_friction(
         oil,
-        gear.sliding_speed(worm_speed),
+        gear.sliding_speed(worm_speed) if sliding_speed is None else sliding_speed,
         gear.centre_distance,
         gear.film_parameter,
         roughness,
@@ -392,8 +408,9 @@ def teeth_loss(
         lubrication,
         family,
     )
-    forward = forward_efficiency(gear.tan_lead, friction)
-    output = torque * worm_speed / gear.ratio
     return TeethLoss(
-        friction, forward, backward_efficiency(gear.tan_lead, friction), output * (1 / forward - 1)
+        friction,
+        forward_efficiency(gear.tan_lead, friction),
+        backward_efficiency(gear.tan_lead, friction),
+        torque * worm_speed / gear.ratio,
     )

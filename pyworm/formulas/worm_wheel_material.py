@@ -8,11 +8,9 @@ bronzes the factors of wear were found a second time, in notes that go back to t
 from dataclasses import dataclass
 from typing import Literal
 
-Family = Literal["tin bronze", "aluminium bronze", "cast iron"]
+from pyworm.formulas.unknown import Unknown
 
-WheelMaterialName = Literal[
-    "CuSn12", "CuSn12Ni2", "CuSn12Ni2-GC", "CuAl10Fe5Ni5", "EN-GJS-400-15", "EN-GJL-250"
-]
+Family = Literal["tin bronze", "aluminium bronze", "cast iron"]
 
 FAMILIES: tuple[Family, ...] = ("tin bronze", "aluminium bronze", "cast iron")
 """Groups of materials with a friction at rest and a curve of base wear of their own."""
@@ -20,12 +18,12 @@ FAMILIES: tuple[Family, ...] = ("tin bronze", "aluminium bronze", "cast iron")
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A material of worm wheels.
+    """A material of worm wheels; what the standard does not have of it is `Unknown`.
 
     Attributes
     ----------
     name : str
-        Designation of EN 1982, EN 1561 or EN 1563.
+        Designation of EN 1982, EN 1561 or EN 1563, as in the list of materials.
     family : str
         Group of materials.
     friction_factor : float
@@ -39,35 +37,51 @@ class WheelMaterial:
     """
 
     name: str
-    family: Family
-    friction_factor: float
-    wear_factors: dict[str, float]
-    pitting_strength: float
-    root_strength: float
+    family: Family | Unknown
+    friction_factor: float | Unknown
+    wear_factors: dict[str, float] | Unknown
+    pitting_strength: float | Unknown
+    root_strength: float | Unknown
 
 
 def _wear(mineral: float, pao: float, pag: float) -> dict[str, float]:
     return {"mineral": mineral, "PAO": pao, "PAG": pag}
 
 
-WHEEL_MATERIALS: dict[WheelMaterialName, WheelMaterial] = {
-    "CuSn12": WheelMaterial(
-        "CuSn12-C-GZ", "tin bronze", 1.0, _wear(1.6, 1.6, 2.25), 425e6, 92e6
-    ),
-    "CuSn12Ni2": WheelMaterial(
-        "CuSn12Ni2-C-GZ", "tin bronze", 0.95, _wear(1, 1, 1.75), 520e6, 100e6
-    ),
-    "CuSn12Ni2-GC": WheelMaterial(
-        "CuSn12Ni2-C-GC", "tin bronze", 0.95, _wear(4.1, 4.1, 4.1), 520e6, 100e6
-    ),
-    "CuAl10Fe5Ni5": WheelMaterial(
-        "CuAl10Fe5Ni5-C-GZ", "aluminium bronze", 1.1, _wear(1, 1, 1), 660e6, 128e6
-    ),
-    "EN-GJS-400-15": WheelMaterial(
-        "EN-GJS-400-15", "cast iron", 1.0, _wear(1, 1, 1), 490e6, 115e6
-    ),
-    "EN-GJL-250": WheelMaterial(
-        "EN-GJL-250", "cast iron", 1.05, _wear(1, 1, 1), 350e6, 70e6
-    ),
-}  # fmt: skip
-"""Wheel materials by the name that a case gives; GZ is cast in a centrifuge, GC continuously."""
+def _without_strengths(name: str, family: Family, friction_factor: float) -> WheelMaterial:
+    """A casting whose group the standard has, and not its wear and strengths."""
+    why = f"{name} has no {{}} in the worm-gear standard, whose castings of this alloy are centrifugal"
+    of = (
+        Unknown(why.format(what))
+        for what in ("factor of wear", "pitting strength", "root strength")
+    )
+    return WheelMaterial(name, family, friction_factor, *of)
+
+
+def not_covered(name: str) -> WheelMaterial:
+    """A material of which the worm-gear standard has nothing."""
+    why = (
+        f"{name} is none of the worm-gear standard's wheel materials ({', '.join(WHEEL_MATERIALS)})"
+    )
+    return WheelMaterial(name, *(5 * (Unknown(why),)))
+
+
+WHEEL_MATERIALS: dict[str, WheelMaterial] = {
+    of.name: of
+    for of in (
+        WheelMaterial("CuSn12-C-GZ", "tin bronze", 1.0, _wear(1.6, 1.6, 2.25), 425e6, 92e6),
+        WheelMaterial("CuSn12Ni2-C-GZ", "tin bronze", 0.95, _wear(1, 1, 1.75), 520e6, 100e6),
+        WheelMaterial("CuSn12Ni2-C-GC", "tin bronze", 0.95, _wear(4.1, 4.1, 4.1), 520e6, 100e6),
+        WheelMaterial("CuAl10Fe5Ni5-C-GZ", "aluminium bronze", 1.1, _wear(1, 1, 1), 660e6, 128e6),
+        WheelMaterial("EN-GJS-400-15", "cast iron", 1.0, _wear(1, 1, 1), 490e6, 115e6),
+        WheelMaterial("EN-GJL-250", "cast iron", 1.05, _wear(1, 1, 1), 350e6, 70e6),
+        _without_strengths("CuSn12-C-GC", "tin bronze", 1.0),
+        _without_strengths("CuAl10Fe5Ni5-C-GC", "aluminium bronze", 1.1),
+    )
+}
+"""Wheel materials of the standard by their names in the list of materials (`materials/solids.toml`)."""
+
+
+def wheel_material(name: str) -> WheelMaterial:
+    """A material of the list of materials as the worm-gear standard has it, or has it not."""
+    return WHEEL_MATERIALS.get(name) or not_covered(name)

@@ -67,6 +67,11 @@ def named_material(text: str) -> str:
     raise ValueError(f"must be one of {', '.join(materials())}{meant}")
 
 
+def alloy(name: str) -> str:
+    """The alloy of a material of the table, without how it is cast."""
+    return name.removesuffix("-GZ").removesuffix("-GC")
+
+
 def is_named(text: object) -> bool:
     """Whether a text is the name of a material of the table."""
     try:

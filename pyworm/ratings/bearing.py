@@ -9,14 +9,16 @@ from pyworm.formulas.bearing_life import (
     BearingRating,
     contamination_factor,
     fatigue_load_limit,
-    rate_bearing,
     viscosity_ratio,
 )
+from pyworm.formulas.ranges import apart
+from pyworm.formulas.unknown import Unknown, attempt, known, or_none
 from pyworm.materials.oil_file import oil_called
-from pyworm.ratings.rating import RatedFigure, Rating, Value
+from pyworm.ratings.rating import RatedFigure, Rating, without_value
 
 # Key, label, attribute of `BearingRating`, scale to the unit shown, unit
 _FIGURES = (
+    ("viscosity_m2_s", "Viscosity at the bearing", "viscosity", 1e6, "mm²/s"),
     ("reference_viscosity_m2_s", "Viscosity wanted, nu1", "reference_viscosity", 1e6, "mm²/s"),
     ("kappa", "Viscosity ratio kappa", "kappa", 1.0, ""),
     ("contamination", "Contamination e_C", "contamination", 1.0, ""),
@@ -33,38 +35,61 @@ _PRINTED_IN |= {"basic_life": 2 * pi, "modified_life": 2 * pi}
 """What printed figures in SI (s, rad) are divided by."""
 
 
-def bearing_viscosity(table: BearingTable, directory: Path) -> float:
+def bearing_viscosity(table: BearingTable, directory: Path) -> float | Unknown:
     """Kinematic viscosity of the oil at the bearing [m2/s]."""
     if table.viscosity is not None:
         return table.viscosity
-    return float(oil_called(table.oil, directory).kinematic_viscosity(table.temperature))
+    if table.oil is None:
+        return Unknown("viscosity is missing, or oil with temperature")
+    oil = oil_called(table.oil, directory)
+    return attempt(lambda: float(oil.kinematic_viscosity(table.temperature)))
 
 
 def bearing_life(table: BearingTable, directory: Path) -> BearingRating:
-    """The bearing by ISO 281; ValueError for what lies outside the standard."""
+    """The bearing by ISO 281; CaseError where it names an oil that there is not."""
     viscosity = bearing_viscosity(table, directory)
-    contamination = table.contamination
-    if contamination is None:
-        kappa = viscosity_ratio(viscosity, table.speed, table.mean_diameter)
-        contamination = contamination_factor(
-            table.lubrication, table.cleanliness, kappa, table.mean_diameter
-        )
-    limit = table.fatigue_load_limit
-    if limit is None:
-        limit = fatigue_load_limit(table.static_rating, table.elements, table.mean_diameter)
-    return rate_bearing(
+    diameter = table.mean_diameter
+    size = Unknown("mean_diameter is missing") if diameter is None else diameter
+    return BearingRating(
         elements=table.elements,
         dynamic_rating=table.dynamic_rating,
-        fatigue_load_limit=limit,
         load=table.load,
         speed=table.speed,
-        mean_diameter=table.mean_diameter,
+        fatigue_load_limit=_fatigue_load_limit(table, size),
+        mean_diameter=size,
         viscosity=viscosity,
-        contamination=contamination,
+        contamination=_contamination(table, viscosity, size),
         direction=table.direction,
         additives=table.additives,
         reliability=table.reliability,
     )
+
+
+def _fatigue_load_limit(table: BearingTable, size: float | Unknown) -> float | Unknown:
+    """C_u [N], as given or as it follows from C_0."""
+    limit, static = table.fatigue_load_limit, table.static_rating
+    if limit is not None:
+        return limit
+    if static is None:
+        return Unknown("fatigue_load_limit is missing, or static_rating")
+    return attempt(lambda: fatigue_load_limit(static, table.elements, known(size)))
+
+
+def _contamination(
+    table: BearingTable, viscosity: float | Unknown, size: float | Unknown
+) -> float | Unknown:
+    """e_C [-], as given or as it follows from lubrication and cleanliness."""
+    if table.contamination is not None:
+        return table.contamination
+    if table.lubrication is None or table.cleanliness is None:
+        return Unknown("contamination is missing, or lubrication with cleanliness")
+    how = table.lubrication, table.cleanliness
+
+    def by_cleanliness() -> float:
+        kappa = viscosity_ratio(known(viscosity), table.speed, known(size))
+        return contamination_factor(*how, kappa, known(size))
+
+    return attempt(by_cleanliness)
 
 
 def rate_bearing_table(name: str, table: BearingTable, directory: Path) -> Rating:
@@ -80,39 +105,46 @@ def rate_bearing_table(name: str, table: BearingTable, directory: Path) -> Ratin
         Where the file lies.
     """
     rated = bearing_life(table, directory)
-    viscosity = bearing_viscosity(table, directory)
     columns = ("computed", "printed") if table.published else ("computed",)
-
-    def values(attribute: str, computed: Value) -> tuple[Value, ...]:
-        if not table.published:
-            return (computed,)
-        printed = table.published.get(attribute)
-        divisor = _PRINTED_IN.get(attribute, 1.0)
-        return computed, None if printed is None else printed.value / divisor
-
-    figures = [
-        RatedFigure(
-            "viscosity_m2_s", "Viscosity at the bearing", values("viscosity", viscosity), 1e6,
-            "mm²/s",
-        )
-    ]  # fmt: skip
-    figures += [
-        RatedFigure(key, label, values(attribute, getattr(rated, attribute)), scale, unit)
-        for key, label, attribute, scale, unit in _FIGURES
-    ]
+    figures = tuple(_figure(rated, table, *row) for row in _FIGURES)
+    kappa = attempt(lambda: rated.kappa)
     return Rating(
         key=f"bearing {name}",
         title=f"Bearing {table.name or name}",
         source=rated.source,
         columns=columns,
-        figures=tuple(figures),
-        words=(_words(rated.kappa),),
+        figures=figures,
+        words=() if isinstance(kappa, Unknown) else (_words(kappa),),
+        not_rated=tuple(
+            f"bearings.{name}, {labels}: {why}." for why, labels in without_value(figures).items()
+        ),
     )
+
+
+def _figure(
+    rated: BearingRating,
+    table: BearingTable,
+    key: str,
+    label: str,
+    attribute: str,
+    scale: float,
+    unit: str,
+) -> RatedFigure:
+    """A figure beside the printed one, or why there is none."""
+    found = attempt(lambda: known(getattr(rated, attribute)))
+    printed = table.published.get(attribute)
+    beside = None if printed is None else printed.value / _PRINTED_IN.get(attribute, 1.0)
+    values = (or_none(found), beside) if table.published else (or_none(found),)
+    why = found.why if isinstance(found, Unknown) else ""
+    return RatedFigure(key, label, values, scale, unit, why=why)
 
 
 def _words(kappa: float) -> str:
     if kappa < 1:
-        return f"kappa = {kappa:.3g} is below 1: the film does not keep rolling elements and raceways apart."
+        return (
+            f"kappa = {apart(kappa, 1, 3)} is below 1: the film does not keep rolling elements and raceways "
+            "apart."
+        )
     if kappa < 4:
-        return f"kappa = {kappa:.3g}: the oil is thick enough; life grows further up to kappa = 4."
-    return f"kappa = {kappa:.3g} is above 4: thicker oil gains no more life."
+        return f"kappa = {apart(kappa, 4, 3)}: the oil is thick enough; life grows further up to kappa = 4."
+    return f"kappa = {apart(kappa, 4, 3)} is above 4: thicker oil gains no more life."

@@ -52,6 +52,8 @@ def flank_table(
     left_out: LeftOut,
     closed: ClosedForms | None = None,
     words: tuple[str, ...] = (),
+    title: str = "Scuffing and micropitting at each solved contact",
+    source: str = f"Blok 1937, ISO/TS 6336-20; {MICROPITTING_SOURCE}",
 ) -> Rating:
     """Contact temperatures and specific films of all solved contacts against what the oil bears.
 
@@ -68,7 +70,9 @@ def flank_table(
     closed : ClosedForms, optional
         Those of a gear pair.
     words : tuple of str, optional
-        What else must be told.
+        What else must be said.
+    title, source : str, optional
+        Of the table, and of its formulas.
     """
     rows = _rows(limits, oil_temperature, roughness, closed)
     figures = []
@@ -79,8 +83,8 @@ def flank_table(
             figures.append(RatedFigure(key, label, values, scale, unit, error_bars))
     return Rating(
         key="flanks",
-        title="Scuffing and micropitting at each solved contact",
-        source=f"Blok 1937, ISO/TS 6336-20; {MICROPITTING_SOURCE}",
+        title=title,
+        source=source,
         columns=tuple(spot.name for spot in spots),
         figures=tuple(figures),
         words=(

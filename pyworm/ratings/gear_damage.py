@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from pyworm.case.ratings import GearRatingTable
+from pyworm.case.worm_conditions import MEAN_TO_RMS
 from pyworm.drives.duty import GearPairDuty
 from pyworm.formulas.micropitting import Flanks, MicropittingFilms, micropitting_films
 from pyworm.formulas.scuffing import scuffing_temperature
@@ -22,7 +23,6 @@ from pyworm.ratings.flank_damage import (
 )
 from pyworm.ratings.flank_table import ClosedForms, flank_table
 from pyworm.ratings.rating import Rating, Safety
-from pyworm.ratings.worm_loads import MEAN_TO_RMS
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 

@@ -1,15 +1,23 @@
 """Ratings that a case file asks for."""
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 
 from pyworm.case.case import Case, case_of, checked
 from pyworm.case.kinds import rated
-from pyworm.case.ratings import RATING_TABLES, RatedCase, RatingCase
+from pyworm.case.ratings import (
+    RATING_TABLES,
+    BearingTable,
+    RatedCase,
+    RatingCase,
+    WormRatingTable,
+)
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
+from pyworm.formulas.unknown import Unknown, attempt, or_none
 from pyworm.io.input_error import CaseError
 from pyworm.io.toml import read_toml
 from pyworm.planning.prediction import predicted
@@ -19,7 +27,6 @@ from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.worm import rate_worm_table, standard_rating, worm_duty_of_table
 from pyworm.ratings.worm_damage import worm_flanks
-from pyworm.ratings.worm_loads import standard_oil
 from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -68,9 +75,22 @@ class Asked:
     def duty(self) -> Duty | None:
         """Its gears as the standards see them; ValueError where these do not know such gears."""
         if self.drive is not None:
-            return self.drive.duty()
+            return self.tables.duty(self.drive)
         table = self.tables.worm_gear
         return None if table is None else worm_duty_of_table(table)
+
+    @property
+    def rating_is_asked(self) -> bool:
+        """True if the case asks for a rating."""
+        return self.worm_rating is not None or bool(self.tables.bearings)
+
+    @property
+    def worm_rating(self) -> WormRatingTable | None:
+        """`[worm_rating]`, completed by what the drive states; None where the case has none."""
+        table = getattr(self.tables, "worm_rating", None)
+        if table is None:
+            return None
+        return table.completed() if self.drive is None else self.tables.rating_as_run()
 
 
 def _sound(result: Result | None) -> Result | None:
@@ -98,13 +118,18 @@ def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
         prediction = predicted(scene)
         films = prediction.film_central, prediction.film_min
         at_worst = judged((), 0.0, films, scene.composite_roughness)
-        return replace(at_worst, contacts=len(asked.places))
-    table = getattr(asked.tables, "worm_rating", None)
+        return replace(at_worst, contacts=len(asked.places), by_formula=True)
+    table = asked.worm_rating
     if table is None:
         return LeftOut()
-    duty = asked.duty
-    film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
-    return judged((), 0.0, (film, film), duty.composite_roughness)
+
+    def lubricated() -> LeftOut:
+        duty = asked.duty
+        film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
+        found = judged((), 0.0, (film, film), duty.composite_roughness)
+        return replace(found, by_formula=True)
+
+    return or_none(attempt(lubricated)) or LeftOut()
 
 
 def load_asked(path: str | Path) -> Asked:
@@ -137,7 +162,7 @@ def asked_of(case: Case) -> Asked:
 
 
 def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
-    """Every rating that a case asks for; none if it asks for none.
+    """Every rating that a case asks for and that is possible; the others are in `not_rated`.
 
     Parameters
     ----------
@@ -149,31 +174,57 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     Raises
     ------
     CaseError
-        What lies outside the methods, in one sentence.
+        A file or a name in the case that there is not.
     """
-    tables, drive = asked.tables, asked.drive
-    result = _sound(result)
-    made: list[Rating] = []
+    return tuple(
+        of
+        for _, made in _attempts(asked, _sound(result))
+        if not isinstance(made, Unknown)
+        for of in made
+    )
+
+
+def _attempts(
+    asked: Asked, result: Result | None
+) -> Iterator[tuple[str, tuple[Rating, ...] | Unknown]]:
+    """Name of each rating that a case asks for, and the rating or why there is none."""
+    tables, drive, table = asked.tables, asked.drive, asked.worm_rating
+    if table is not None:
+        yield (
+            "Worm gear",
+            _attempt(lambda: (rate_worm_table(table, asked.duty, asked.directory, drive, result),)),
+        )
+        if drive is not None and result is not None:
+            yield "Contacts", _attempt(lambda: (worm_flanks(asked.duty, drive.oil, result),))
+    if asked.rated_as is GearPairDuty:
+        yield "Gears", _attempt(partial(_gear_pair, asked, result))
+    if drive is not None:
+        yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(asked, result)),))
+    for name, bearing in tables.bearings.items():
+        yield (
+            f"Bearing {bearing.name or name}",
+            _attempt(partial(_bearing, name, bearing, asked.directory)),
+        )
+
+
+def _attempt(rate: Callable[[], tuple[Rating, ...]]) -> tuple[Rating, ...] | Unknown:
+    """Ratings, or why a method has none; what is wrong in the case itself is raised."""
     try:
-        worm_rating = getattr(tables, "worm_rating", None)
-        if worm_rating is not None:
-            made.append(rate_worm_table(worm_rating, asked.duty, asked.directory, drive, result))
-            if drive is not None and result is not None:
-                base = standard_oil(worm_rating, asked.directory).stock.name
-                made.append(worm_flanks(worm_rating, asked.duty, drive.oil, base, result))
-        if asked.rated_as is GearPairDuty:
-            table, base = tables.gear_rating, tables.gear_rating.base or tables.oil.base
-            made += rate_gear_pair(drive, asked.duty, table, base, tables.published, result)
-        if drive is not None:
-            scene, solution = _thinnest(asked, result)
-            made.append(rate_films(scene, solution))
-        made += [
-            rate_bearing_table(name, table, asked.directory)
-            for name, table in tables.bearings.items()
-        ]
+        return rate()
+    except CaseError:
+        raise
     except ValueError as error:
-        raise CaseError(f"{asked.name}: {error}") from error
-    return tuple(made)
+        return Unknown(str(error))
+
+
+def _gear_pair(asked: Asked, result: Result | None) -> tuple[Rating, ...]:
+    tables = asked.tables
+    table, base = tables.gear_rating, tables.gear_rating.base or tables.oil.base
+    return tuple(rate_gear_pair(asked.drive, asked.duty, table, base, tables.published, result))
+
+
+def _bearing(name: str, table: BearingTable, directory: Path) -> tuple[Rating, ...]:
+    return (rate_bearing_table(name, table, directory),)
 
 
 def unconverged(result: Result | None) -> tuple[str, ...]:
@@ -197,6 +248,8 @@ def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
         Its ratings.
     """
     left = [sentence for rating in made for sentence in rating.not_rated]
+    failed = [(name, of) for name, of in _attempts(asked, None) if isinstance(of, Unknown)]
+    left += [f"{name}: {of.why.rstrip('.')}." for name, of in failed]
     if asked.rated_as is WormDuty and asked.tables.worm_rating is None:
         left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
     if asked.rated_as is GearPairDuty:

@@ -1,12 +1,20 @@
 """A rating: figures of one object by closed forms, in columns beside other values of them."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
+from pyworm.formulas.ranges import apart
 from pyworm.io.format import bars, short
 from pyworm.solver.left_out import LeftOut
 
 Value = float | int | str | None
+
+NOT_RATED = "not rated"
+"""Cell of a figure that has no value, and a reason."""
+
+DIGITS = 4
+"""Of values shown, and more where they would else look like the bound that they miss."""
 
 SIMULATION = "simulation"
 """Column of simulated figures."""
@@ -30,6 +38,8 @@ class RatedFigure:
         Unit shown.
     bars : tuple
         Numerical and model error bars of each column, in the unit of the key; None where a column has none.
+    why : str
+        Why it has no value, a clause; empty where it has.
     """
 
     key: str
@@ -38,12 +48,13 @@ class RatedFigure:
     scale: float = 1.0
     unit: str = ""
     bars: tuple[tuple[float, float | None] | None, ...] = ()
+    why: str = ""
 
     def shown(self, column: int) -> str:
         """The value of a column as text."""
         value = self.values[column] if column < len(self.values) else None
         if value is None:
-            return ""
+            return NOT_RATED if column == 0 and self.why else ""
         if isinstance(value, str):
             return value
         known = self.bars[column] if column < len(self.bars) else None
@@ -59,6 +70,15 @@ class RatedFigure:
         if known is not None:
             found |= {f"{self.key}_error": known[0], f"{self.key}_model_error": known[1]}
         return found
+
+
+def without_value(figures: Iterable[RatedFigure]) -> dict[str, str]:
+    """Reason why figures have no value -> their labels, together where it is the same."""
+    labels: dict[str, list[str]] = {}
+    for figure in figures:
+        if figure.why:
+            labels.setdefault(figure.why.rstrip("."), []).append(figure.label)
+    return {why: ", ".join(of) for why, of in labels.items()}
 
 
 @dataclass(frozen=True)
@@ -103,9 +123,12 @@ class Safety:
     @property
     def shown(self) -> str:
         """The value as text, with its error bars."""
-        if self.value is None or self.error is None:
-            return "" if self.value is None else short(self.value)
-        return f"{self.value:.3g} {bars(self.error, self.model)}"
+        if self.value is None:
+            return ""
+        if self.error is not None:
+            return f"{apart(self.value, self.minimum, 3)} {bars(self.error, self.model)}"
+        text = short(self.value)
+        return text if float(text) != self.minimum else apart(self.value, self.minimum, DIGITS)
 
     @property
     def open(self) -> bool:
@@ -163,6 +186,8 @@ class Rating:
         What is not rated, each with the reason.
     left_out : LeftOut
         What its simulated figures do not hold; nothing without any.
+    differs : tuple of str
+        What simulation and rating of the drive do not share, a sentence each.
     """
 
     key: str
@@ -175,11 +200,12 @@ class Rating:
     failed: tuple[str, ...] = ()
     not_rated: tuple[str, ...] = ()
     left_out: LeftOut = field(default_factory=LeftOut)
+    differs: tuple[str, ...] = ()
 
     @property
     def titled(self) -> str:
-        """The title, with the effects left out of the simulated figures."""
-        return self.left_out.titled(self.title)
+        """The title, with the effects left out of the simulated figures, and what these do not share."""
+        return "\n".join((self.left_out.titled(self.title), *self.differs))
 
     @property
     def headings(self) -> tuple[str, ...]:
@@ -213,4 +239,5 @@ class Rating:
             "words": list(self.words),
             "failed": list(self.failed),
             "not_rated": list(self.not_rated),
+            **({"differs": list(self.differs)} if self.differs else {}),
         }

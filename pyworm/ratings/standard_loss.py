@@ -4,18 +4,15 @@ Flanks are simulated as if they were smooth. Where their roughness carries load,
 which was measured on rough teeth, is what an engineer reckons with.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from pyworm.case.case import Case, case_again
-from pyworm.case.ratings import WormRatingTable
+from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.drives.duty import GearPairDuty, WormDuty
-from pyworm.formulas.worm_curves import Lubrication
-from pyworm.formulas.worm_standard import SOURCE, teeth_loss
-from pyworm.formulas.worm_wheel_material import Family
+from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
+from pyworm.formulas.worm_standard import SOURCE
 from pyworm.io.input_error import CaseError
-from pyworm.materials.oil_file import oil_called
-from pyworm.ratings.worm_loads import MEAN_TO_RMS, wheel_material
 from pyworm.result.result import Result
 
 
@@ -81,7 +78,7 @@ class NoStandard:
 def standard_loss(case: Case) -> StandardLoss | NoStandard:
     """The loss between a drive's teeth by a standard or a closed form, or why there is none."""
     try:
-        duty = None if case.drive is None else case.drive.duty()
+        duty = None if case.drive is None else case.tables.duty(case.drive)
         if isinstance(duty, WormDuty):
             return _worm(case, duty)
         if isinstance(duty, GearPairDuty):
@@ -101,37 +98,18 @@ def standard_of_result(result: Result) -> StandardLoss | NoStandard:
 
 
 def _worm(case: Case, duty: WormDuty) -> StandardLoss | NoStandard:
-    """By DIN 3996 and ISO/TS 14521; the oil is that of `[worm_rating]`, else the case's own by its name."""
-    table = getattr(case.tables, "worm_rating", None)
-    name = case.tables.oil.name if table is None else table.oil
-    lost = teeth_loss(
-        duty.gear,
-        oil_called(name, case.directory).stock.name,
-        duty.worm_speed,
-        duty.torque,
-        MEAN_TO_RMS * duty.roughness[0],
-        *_rubbing(table),
-    )
+    """By DIN 3996 and ISO/TS 14521, for the oil and the material that a rating of the case takes."""
+    table = case.tables.rating_as_run()
+    oil = standard_oil(table, case.directory)
+    under = conditions(table, duty, oil, duty.torque, duty.worm_speed, NOT_GIVEN)
+    rated = WormRating(duty.gear, replace(under, torque=duty.torque))
     if duty.driver == "worm":
-        return StandardLoss(lost.friction, lost.forward_efficiency, lost.power, SOURCE)
-    if lost.backward_efficiency <= 0:
-        return NoStandard(f"at its friction of {lost.friction:.3g} the wheel cannot drive the worm")
-    power = duty.torque * duty.worm_speed / duty.gear.ratio * (1 - lost.backward_efficiency)
-    return StandardLoss(lost.friction, lost.backward_efficiency, power, SOURCE)
-
-
-def _rubbing(table: WormRatingTable | None) -> tuple[float, Lubrication, Family]:
-    """Y_W, lubrication and group of the wheel's material, as `teeth_loss` takes them."""
-    if table is None:
-        return 1.0, "bath", "tin bronze"
-    material, factor = wheel_material(table), table.material_factor
-    if material is None:
-        return (1.0 if factor is None else factor), table.lubrication, "tin bronze"
-    return (
-        material.friction_factor if factor is None else factor,
-        table.lubrication,
-        material.family,
-    )
+        return StandardLoss(rated.friction, rated.forward_efficiency, rated.tooth_loss, SOURCE)
+    if rated.backward_efficiency <= 0:
+        return NoStandard(
+            f"at its friction of {rated.friction:.3g} the wheel cannot drive the worm"
+        )
+    return StandardLoss(rated.friction, rated.backward_efficiency, rated.tooth_loss, SOURCE)
 
 
 def _gear_pair(duty: GearPairDuty) -> StandardLoss | NoStandard:

@@ -1,28 +1,43 @@
 """Worm gears by the standards' methods, beside the simulation of the same drive."""
 
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from pyworm.case.ratings import WormGearTable, WormRatingTable
+from pyworm.case.worm_conditions import MEAN_TO_RMS, standard_oil
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
+from pyworm.formulas.ranges import within
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.formulas.unknown import Unknown, attempt, known, or_none
 from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormRating
+from pyworm.io.input_error import CaseError
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
-from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
-from pyworm.ratings.worm_loads import MEAN_TO_RMS, RatedLoad, hardest, rated_loads, standard_oil
+from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating, without_value
+from pyworm.ratings.worm_differences import differences
+from pyworm.ratings.worm_loads import RatedLoad, hardest, rated_loads
 from pyworm.ratings.worm_safeties import safeties, total_wear
-from pyworm.ratings.worm_verdict import NEVER_RATED, failures, locking
+from pyworm.ratings.worm_verdict import CANNOT_DRIVE, NEVER_RATED, failures, locking
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut
 
 
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
-    """The worm gear of `[worm_gear]`; ValueError if it is none."""
+    """The worm gear of `[worm_gear]`; CaseError if it is none."""
+    try:
+        within("reduced modulus", table.reduced_modulus, 1e10, 1e12, "Pa")
+        return _duty(table)
+    except ValueError as error:
+        raise CaseError(f"worm_gear: {error}") from error
+
+
+def _duty(table: WormGearTable) -> WormDuty:
     return WormDuty(
         gear=WormGear(
             table.centre_distance,
@@ -41,7 +56,7 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
 
 
 def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> WormRating:
-    """The worm gear by the standards under its largest torque; errors as of `rated_loads`."""
+    """The worm gear by the standards under its largest torque; arguments and errors as of `rated_loads`."""
     return hardest(rated_loads(table, duty, directory)).rated
 
 
@@ -68,29 +83,25 @@ def rate_worm_table(
         Its solved mesh phases.
     """
     loads = rated_loads(table, duty, directory)
-    rated = hardest(loads).rated
     made = safeties(table, duty, loads, directory)
     simulated = {} if result is None or drive is None else _simulated(duty, drive, result)
-    figures = []
-    for key, label, value, scale, unit in _rows(duty, loads):
-        if value is not None or key in simulated:
-            others = (simulated.get(key),) if simulated else ()
-            label = with_missing(key, label, result) if key in simulated else label
-            figures.append(RatedFigure(key, label, (value, *others), scale, unit))
+    figures = tuple(_figures(duty, loads, simulated, result))
     return Rating(
         key="worm",
         title="Worm gear",
-        source=rated.source,
+        source=WormRating.source,
         columns=("standard", SIMULATION) if simulated else ("standard",),
-        figures=tuple(figures),
+        figures=figures,
         safeties=made,
         words=tuple(_words(table, duty, loads, directory, bool(simulated))),
-        failed=failures(duty, made, total_wear(loads)),
+        failed=failures(duty, made, loads),
         not_rated=(
+            *(f"{labels}: {why}." for why, labels in without_value(figures).items()),
             *(f"{of.symbol}, {of.label}: {of.why}" for of in made if of.value is None),
             *NEVER_RATED,
         ),
         left_out=of_all(result.solutions) if simulated else LeftOut(),
+        differs=differences(table, duty, loads, directory),
     )
 
 
@@ -102,11 +113,11 @@ def _words(
     simulated: bool,
 ) -> list[str]:
     """What the figures mean, and what was assumed."""
-    oil, rated = standard_oil(table, directory), hardest(loads).rated
     words = [*duty.words]
     if len(loads) > 1:
+        hours = sum(known(of.hours) for of in loads)
         words.append(
-            f"Spectrum of {len(loads)} loads, {sum(of.hours for of in loads):.5g} h together: figures are "
+            f"Spectrum of {len(loads)} loads, {hours:.5g} h together: figures are "
             "those of its largest torque, pitting adds up by Miner's rule, wear adds up, roots and shaft are "
             "rated for the largest torque, the oil for its hottest."
         )
@@ -118,17 +129,9 @@ def _words(
             "wheel, the simulated minimum that of the thinnest place of an oil with the case's own "
             "inlet temperature, viscosity and pressure-viscosity coefficient."
         )
-    worm, wheel = (height * 1e6 for height in duty.roughness)
-    words.append(
-        f"Roughness Rq {worm:.3g} µm of the worm and {wheel:.3g} µm of the wheel, "
-        f"{duty.composite_roughness * 1e6:.3g} µm together; Ra of the worm taken as {MEAN_TO_RMS:g} Rq."
-    )
-    words.append(
-        f"{oil.name}, {table.lubrication} lubrication: "
-        f"{oil.viscosity(rated.bulk_temperature) * 1e3:.0f} mPa s on the wheel's flanks of "
-        f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
-    )
-    words.append(locking(duty.gear, rated))
+    for say in (_rough_words, _oil_words, locking):
+        found = attempt(partial(say, table, duty, loads, directory))
+        words += [] if isinstance(found, Unknown) else [found]
     words += [
         f"{of.symbol}: {doubt}"
         for of in safeties(table, duty, loads, directory)
@@ -137,60 +140,183 @@ def _words(
     return words
 
 
+def _rough_words(
+    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+) -> str:
+    together = duty.composite_roughness
+    worm, wheel = (height * 1e6 for height in duty.roughness)
+    return (
+        f"Roughness Rq {worm:.3g} µm of the worm and {wheel:.3g} µm of the wheel, "
+        f"{together * 1e6:.3g} µm together; Ra of the worm taken as {MEAN_TO_RMS:g} Rq."
+    )
+
+
+def _oil_words(
+    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+) -> str:
+    under, rated = hardest(loads).conditions, hardest(loads).rated
+    material = under.material
+    wheel = (
+        "material of the wheel not known, its friction taken as of tin bronze"
+        if isinstance(material, Unknown)
+        else f"wheel of {material.name}"
+    )
+    return (
+        f"{known(standard_oil(table, directory)).name}, {table.lubrication} lubrication, {wheel}: "
+        f"{known(under.viscosity) * 1e3:.0f} mPa s on the wheel's flanks of "
+        f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
+    )
+
+
+def _figures(
+    duty: WormDuty,
+    loads: tuple[RatedLoad, ...],
+    simulated: dict[str, float | str],
+    result: Result | None,
+) -> Iterator[RatedFigure]:
+    """Every row with the standard's value, or why it has none, and the simulated one."""
+    for key, label, compute, scale, unit in _rows(duty, loads):
+        value = attempt(compute)
+        if value is None and key not in simulated:
+            continue
+        others = (simulated.get(key),) if simulated else ()
+        why = value.why if isinstance(value, Unknown) else ""
+        if result is not None and key in simulated:
+            label = with_missing(key, label, result)
+        yield RatedFigure(key, label, (or_none(value), *others), scale, unit, why=why)
+
+
 def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
-    """Key, label, the standard's value, scale and unit of every row."""
-    worst = hardest(loads)
-    rated, worn = worst.rated, total_wear(loads)
-    ratio = float(specific_film(rated.film, duty.composite_roughness))
-    bulk = None if rated.bulk_temperature is None else rated.bulk_temperature - ZERO_CELSIUS
+    """Key, label, how the standard's value is computed, scale and unit of every row."""
+    worst, gear = hardest(loads), duty.gear
+    rated = worst.rated
+
+    def ratio() -> float:
+        return float(specific_film(rated.film, duty.composite_roughness))
+
+    def worn() -> float | None:
+        given = isinstance(worst.conditions.material, Unknown) or isinstance(worst.hours, Unknown)
+        return None if given else total_wear(loads)
+
     return [
-        ("wheel_torque_Nm", "Wheel torque T2", worst.torque, 1e-3, "kN m"),
-        ("sliding_speed_m_s", "Sliding speed v_g", rated.sliding_speed, 1.0, "m/s"),
-        ("film_parameter", "Film parameter h*", rated.film_parameter, 1.0, ""),
-        ("film_m", "Mean minimum film h_min,m", rated.film, 1e6, "µm"),
-        ("film_central_m", "Central film", None, 1e6, "µm"),
+        ("wheel_torque_Nm", "Wheel torque T2", lambda: worst.torque, 1e-3, "kN m"),
+        ("sliding_speed_m_s", "Sliding speed v_g", lambda: rated.sliding_speed, 1.0, "m/s"),
+        ("film_parameter", "Film parameter h*", lambda: gear.film_parameter, 1.0, ""),
+        ("film_m", "Mean minimum film h_min,m", lambda: rated.film, 1e6, "µm"),
+        ("film_central_m", "Central film", lambda: None, 1e6, "µm"),
         ("specific_film", "Specific film lambda", ratio, 1.0, ""),
-        ("regime", "Lubrication", regime(ratio), 1.0, ""),
-        ("mean_pressure_Pa", "Mean contact stress sigma_Hm", rated.mean_pressure, 1e-6, "MPa"),
-        ("pressure_max_Pa", "Largest pressure of the film", None, 1e-6, "MPa"),
-        ("friction", "Tooth friction mu_zm", rated.friction, 1.0, ""),
-        ("efficiency", "Efficiency, worm driving", rated.forward_efficiency, 100.0, "%"),
-        ("efficiency_back", "Efficiency, wheel driving", rated.backward_efficiency, 100.0, "%"),
-        ("locking", "mu/tan gamma (locks above 1)", rated.self_locking_margin, 1.0, ""),
-        ("friction_rest", "Tooth friction at rest", rated.static_friction, 1.0, ""),
+        ("regime", "Lubrication", lambda: regime(ratio()), 1.0, ""),
         (
-            "locking_rest",
-            "mu/tan gamma at rest (locks above 1)",
-            rated.static_locking_margin,
-            1.0,
-            "",
+            "mean_pressure_Pa",
+            "Mean contact stress sigma_Hm",
+            lambda: rated.mean_pressure,
+            1e-6,
+            "MPa",
         ),
-        ("loss_W", "Loss between the teeth", rated.tooth_loss, 1e-3, "kW"),
-        ("bulk_temperature_C", "Wheel's bulk temperature", bulk, 1.0, "°C"),
-        ("surface_temperature_max_C", "Largest flank temperature", None, 1.0, "°C"),
+        ("pressure_max_Pa", "Largest pressure of the film", lambda: None, 1e-6, "MPa"),
+        *_friction_rows(rated),
+        (
+            "bulk_temperature_C",
+            "Wheel's bulk temperature",
+            lambda: rated.bulk_temperature - ZERO_CELSIUS,
+            1.0,
+            "°C",
+        ),
+        ("surface_temperature_max_C", "Largest flank temperature", lambda: None, 1.0, "°C"),
         ("wear_depth_m", "Wear in its life", worn, 1e6, "µm"),
-        ("wear_limit_m", "Wear allowed", worn and duty.gear.wear_limit, 1e6, "µm"),
-        ("shaft_deflection_m", "Deflection of the worm's shaft", duty.deflection, 1e6, "µm"),
+        ("wear_limit_m", "Wear allowed", lambda: worn() and gear.wear_limit, 1e6, "µm"),
+        (
+            "shaft_deflection_m",
+            "Deflection of the worm's shaft",
+            lambda: duty.deflection,
+            1e6,
+            "µm",
+        ),
         *_gearbox_rows(rated),
     ]
 
 
-def _gearbox_rows(rated: WormRating) -> list[tuple]:
-    """Rows about the whole gearbox: losses besides the teeth, and efficiencies with them."""
-    other, back = rated.other, rated.gearbox_efficiency_back
+def _friction_rows(rated: WormRating) -> list[tuple]:
+    """Rows about the friction of the teeth and what follows from it."""
     return [
-        ("loss_churning_W", "Loss of churning", other.churning, 1e-3, "kW"),
-        ("loss_bearings_W", "Loss of bearings", other.bearings, 1e-3, "kW"),
-        ("loss_seals_W", "Loss of seals", other.seals, 1e-3, "kW"),
-        ("loss_gearbox_W", "Loss of the gearbox", rated.loss, 1e-3, "kW"),
+        ("friction", "Tooth friction mu_zm", lambda: rated.friction, 1.0, ""),
+        ("efficiency", "Efficiency, worm driving", lambda: rated.forward_efficiency, 100.0, "%"),
         (
-            "efficiency_gearbox",
-            "Efficiency of the gearbox, worm driving",
-            rated.gearbox_efficiency,
+            "efficiency_back",
+            "Efficiency, wheel driving",
+            lambda: _driven_back(rated.backward_efficiency),
             100.0,
             "%",
         ),
-        ("efficiency_gearbox_back", "Efficiency of the gearbox, wheel driving", back, 100.0, "%"),
+        (
+            "locking",
+            "mu/tan gamma (teeth lock above 1)",
+            lambda: rated.self_locking_margin,
+            1.0,
+            "",
+        ),
+        ("friction_rest", "Tooth friction at rest", lambda: rated.static_friction, 1.0, ""),
+        (
+            "locking_rest",
+            "mu/tan gamma at rest (teeth lock above 1)",
+            lambda: rated.static_locking_margin,
+            1.0,
+            "",
+        ),
+        (
+            "loss_W",
+            f"Loss between the teeth, {rated.under.driver} driving",
+            lambda: rated.tooth_loss,
+            1e-3,
+            "kW",
+        ),
+    ]
+
+
+def _driven_back(efficiency: float) -> float | str:
+    """Efficiency with the wheel driving, or that it cannot."""
+    return efficiency if efficiency > 0 else CANNOT_DRIVE
+
+
+def _gearbox_rows(rated: WormRating) -> list[tuple]:
+    """Rows about the whole gearbox: losses besides the teeth, and efficiencies with them."""
+    given = rated.under.other_loss is not None
+    by_standard = (
+        ("churning", "Loss of churning"),
+        ("bearings", "Loss of bearings"),
+        ("seals", "Loss of seals"),
+    )
+    parts = [
+        (f"loss_{name}_W", label, lambda of=name: getattr(rated.standard_losses, of), 1e-3, "kW")
+        for name, label in by_standard
+    ]
+    if given:
+        parts = [
+            ("loss_other_W", "Losses besides the teeth", lambda: rated.other_power, 1e-3, "kW")
+        ]
+    return [
+        *parts,
+        (
+            "loss_gearbox_W",
+            f"Loss of the gearbox, {rated.under.driver} driving",
+            lambda: rated.loss,
+            1e-3,
+            "kW",
+        ),
+        (
+            "efficiency_gearbox",
+            "Efficiency of the gearbox, worm driving",
+            lambda: rated.gearbox_efficiency,
+            100.0,
+            "%",
+        ),
+        (
+            "efficiency_gearbox_back",
+            "Efficiency of the gearbox, wheel driving",
+            lambda: _driven_back(rated.gearbox_efficiency_back),
+            100.0,
+            "%",
+        ),
     ]
 
 
@@ -199,16 +325,16 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
     solutions = result.solutions
     figures = [solution.figures for solution in solutions]
     film = float(np.mean([of.film_min.value for of in figures]))
-    ratio = float(specific_film(film, duty.composite_roughness))
     values: dict[str, float | str] = {
         "wheel_torque_Nm": duty.torque,
         "film_m": film,
         "film_central_m": float(np.mean([of.film_central.value for of in figures])),
         "pressure_max_Pa": float(max(of.pressure_max.value for of in figures)),
         "sliding_speed_m_s": _sliding(solutions),
-        "specific_film": ratio,
-        "regime": regime(ratio),
     }
+    if None not in duty.roughness:
+        ratio = float(specific_film(film, duty.composite_roughness))
+        values |= {"specific_film": ratio, "regime": regime(ratio)}
     lost = mesh_loss(drive, result)
     if lost is not None:
         values |= {

@@ -1,24 +1,22 @@
 """The five safeties of the worm-gear standard, over all loads of a life, each with what it was made of."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from pyworm.case.ratings import WormRatingTable
+from pyworm.case.worm_conditions import material_of, standard_oil, sump_by_standard
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.formulas.unknown import Unknown, attempt, known
+from pyworm.formulas.worm_curves import SLIDING_RANGE
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.formulas.worm_losses import oil_factor
 from pyworm.formulas.worm_root import root_shear
 from pyworm.formulas.worm_standard import OIL_LIMITS, temperature_safety
 from pyworm.ratings.rating import Safety
-from pyworm.ratings.worm_loads import (
-    RatedLoad,
-    hardest,
-    standard_oil,
-    sump_by_standard,
-    wheel_material,
-)
+from pyworm.ratings.worm_loads import RatedLoad, hardest
 
 REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1}
 """Least safeties (a public transcription of DIN 3996, the worksheet on worm gears of MITCalc)."""
@@ -51,12 +49,12 @@ class _Rated:
 def safeties(
     table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> tuple[Safety, ...]:
-    """S_W, S_H, S_delta, S_F and S_T of a worm gear.
+    """S_W, S_H, S_delta, S_F and S_T of a worm gear, each by itself or with the reason why there is none.
 
     Parameters
     ----------
     table : WormRatingTable
-        The case's `[worm_rating]`.
+        The case's `[worm_rating]`, completed.
     duty : WormDuty
         The worm gear.
     loads : tuple of RatedLoad
@@ -65,13 +63,16 @@ def safeties(
         Where the case lies.
     """
     of = _Rated(table, duty, loads, directory)
-    return _wear(of), _pitting(of), _deflection(of), _root(of), _temperature(of)
+    made = []
+    for symbol, rate in _RATES.items():
+        lacking = _missing(table, *_NEEDED.get(symbol, ()))
+        found = Unknown(lacking) if lacking else attempt(partial(rate, of))
+        made.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
+    return tuple(made)
 
 
-def total_wear(loads: tuple[RatedLoad, ...]) -> float | None:
-    """Depth worn off the flanks under all loads together [m]; None where it is not rated."""
-    if any(of.rated.wear is None for of in loads):
-        return None
+def total_wear(loads: tuple[RatedLoad, ...]) -> float:
+    """Depth worn off the flanks under all loads together [m]; ValueError where it is not rated."""
     return sum(of.rated.wear.depth for of in loads)
 
 
@@ -79,20 +80,23 @@ def _safety(symbol: str, **given) -> Safety:
     return Safety(symbol, _LABELS[symbol], REQUIRED[symbol], **given)
 
 
+def _unrated(symbol: str, why: str) -> Safety:
+    """A safety that cannot be rated, with the reason as a sentence."""
+    return _safety(symbol, why=f"{why.rstrip('.')}.")
+
+
 def _missing(table: WormRatingTable, *keys: str) -> str:
-    """What of a table is not given, in a sentence."""
+    """What of a table is not given, in a clause; empty where nothing is missing."""
     gone = [
         key
         for key in keys
         if getattr(table, key) is None and not (key == "life" and table.spectrum)
     ]
-    return ", ".join(f"worm_rating.{key} is missing" for key in gone) + "."
+    return ", ".join(f"worm_rating.{key} is missing" for key in gone)
 
 
 def _wear(of: _Rated) -> Safety:
     depth = total_wear(of.loads)
-    if depth is None:
-        return _safety("S_W", why=_missing(of.table, "wheel_material", "life"))
     limit, worst = of.duty.gear.wear_limit, hardest(of.loads)
     wear = worst.rated.wear
     inputs = {
@@ -104,7 +108,7 @@ def _wear(of: _Rated) -> Safety:
         "K_W_um": wear.parameter,
         "J_0T": wear.base,
         "J_W": wear.intensity,
-        "s*": worst.rated.sliding_parameter,
+        "s*": worst.rated.gear.sliding_parameter,
         "lubrication": of.table.lubrication,
     }
     doubts = []
@@ -112,23 +116,27 @@ def _wear(of: _Rated) -> Safety:
         doubts.append("J_0T is at or beyond 400e-9, where the curve ends: boundary lubrication.")
     if of.table.lubrication == "bath":
         doubts.append("Bath lubrication's curve of wear is of one transcription alone.")
+    doubts += [
+        f"The teeth slide at {load.rated.sliding_speed:.3g} m/s, and their friction is known from "
+        f"{SLIDING_RANGE[0]:g} to {SLIDING_RANGE[1]:g} m/s: the wheel is warmed by that of the nearest speed."
+        for load in of.loads
+        if not load.rated.within_friction
+    ]
     return _safety("S_W", value=limit / depth, inputs=inputs, doubts=tuple(doubts))
 
 
 def _pitting(of: _Rated) -> Safety:
     """Miner's sum of hours over those endured at the stress divided by the safety is 1."""
     rated = [load.rated.pitting_safety for load in of.loads]
-    if any(one is None for one in rated):
-        return _safety("S_H", why=_missing(of.table, "wheel_material", "life"))
     value = rated[0] if len(rated) == 1 else _miner(of.loads)
     worst = hardest(of.loads)
     inputs = {
-        "sigma_HlimT_MPa": wheel_material(of.table).pitting_strength * 1e-6,
+        "sigma_HlimT_MPa": known(known(material_of(of.table)).pitting_strength) * 1e-6,
         "sigma_Hm_MPa": worst.rated.mean_pressure * 1e-6,
-        "L_h": sum(load.hours for load in of.loads),
+        "L_h": sum(known(load.hours) for load in of.loads),
         "v_gm_m_s": worst.rated.sliding_speed,
-        "p_m*": worst.rated.pressure_parameter,
-        "oil": worst.conditions.oil,
+        "p_m*": of.duty.gear.pressure_parameter,
+        "oil": worst.rated.oil,
     }
     return _safety("S_H", value=value, inputs=inputs)
 
@@ -146,11 +154,11 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
 
 def _deflection(of: _Rated) -> Safety:
     worst, limit = hardest(of.loads), deflection_limit(of.duty.gear.module)
-    bent, doubts = worst.rated.shaft_deflection, ()
-    where = "[drive.shaft]"
     if of.duty.deflection is not None:
-        bent = of.duty.deflection * worst.torque / of.duty.torque
+        bent, doubts = of.duty.deflection * worst.torque / of.duty.torque, ()
+        where = "[drive.shaft]"
     else:
+        bent = worst.rated.shaft_deflection
         where = "half the wheel's tip diameter to each side"
         doubts = (
             "Bearings assumed half the wheel's tip diameter to each side of the line of centres, the shaft "
@@ -161,68 +169,91 @@ def _deflection(of: _Rated) -> Safety:
 
 
 def _root(of: _Rated) -> Safety:
-    material = wheel_material(of.table)
-    if material is None:
-        return _safety("S_F", why=_missing(of.table, "wheel_material"))
-    worst, gear, depth = hardest(of.loads), of.duty.gear, total_wear(of.loads)
-    worn = min(gear.wear_limit, gear.wear_limit if depth is None else depth)
+    """Teeth are worn as far as they wear in the life, by what is allowed where that is not rated."""
+    strength = known(known(material_of(of.table)).root_strength)
+    worst, gear = hardest(of.loads), of.duty.gear
+    depth = attempt(lambda: total_wear(of.loads))
+    worn = gear.wear_limit if isinstance(depth, Unknown) else min(gear.wear_limit, depth)
     shear = root_shear(gear, worst.torque, worn, of.table.rim_over_module)
     inputs = {
-        "tau_FlimT_MPa": material.root_strength * 1e-6,
+        "tau_FlimT_MPa": strength * 1e-6,
         "tau_F_MPa": shear * 1e-6,
         "F_tm2_kN": gear.tangential_force(worst.torque) * 1e-3,
         "worn_um": worn * 1e6,
         "rim_over_module": of.table.rim_over_module,
     }
-    doubts = (
-        "Life factor Y_NL of 1, that of endurance; dedendum 1.25 modules; rim as given or 2 modules.",
-    )
-    return _safety("S_F", value=material.root_strength / shear, inputs=inputs, doubts=doubts)
+    doubts = [
+        "Life factor Y_NL of 1, that of endurance; dedendum 1.25 modules; rim as given or 2 modules."
+    ]
+    if isinstance(depth, Unknown):
+        doubts.append("Wear is not rated: teeth are taken as worn as far as the standard allows.")
+    return _safety("S_F", value=strength / shear, inputs=inputs, doubts=tuple(doubts))
 
 
 def _temperature(of: _Rated) -> Safety:
-    hot = max(of.loads, key=lambda load: load.sump)
-    kind, given = hot.conditions.oil, of.table.temperature_limit
-    limit = OIL_LIMITS[kind] if given is None else given
+    hot = max(of.loads, key=lambda load: known(load.sump))
+    sump, given = known(hot.sump), of.table.temperature_limit
+    limit = OIL_LIMITS[hot.rated.oil] if given is None else given
     inputs: dict[str, float | str] = {
         "theta_Slim_C": limit - ZERO_CELSIUS,
-        "theta_S_C": hot.sump - ZERO_CELSIUS,
+        "theta_S_C": sump - ZERO_CELSIUS,
     }
     doubts = []
     if given is None:
-        doubts.append(f"Limit of {kind} oils as the transcription has it; the oil's maker decides.")
+        doubts.append(
+            f"Limit of {hot.rated.oil} oils as the transcription has it; the oil's maker decides."
+        )
     else:
         inputs["limit"] = "given"
     inputs |= _sumps(of, hot, doubts)
-    value = temperature_safety(hot.sump, limit)
+    value = temperature_safety(sump, limit)
     return _safety("S_T", value=value, inputs=inputs, doubts=tuple(doubts))
+
+
+def standard_sump(
+    table: WormRatingTable, duty: WormDuty, load: RatedLoad, directory: Path, fan: bool
+) -> float:
+    """The standard's temperature of the sump under a load [K]; ValueError outside its range."""
+    oil, torque = standard_oil(table, directory), load.torque / table.application_factor
+    return sump_by_standard(table, duty, oil, torque, load.worm_speed, fan)
 
 
 def _sumps(of: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float | str]:
     """The sump's temperature by the standard with and without fan, for S_T's inputs."""
-    oil = standard_oil(of.table, of.directory)
-    torque = hot.torque / of.table.application_factor
-    given = of.table.sump_temperature is not None
+    given = of.table.sump_temperature is not None or of.duty.oil_temperature is not None
+    balanced = of.duty.conductance is not None
+    taken = "by [cooling]" if balanced else "as given" if given else "of the standard"
     try:
         with_fan, without = (
-            sump_by_standard(of.table, of.duty, oil, torque, hot.worm_speed, fan) - ZERO_CELSIUS
+            standard_sump(of.table, of.duty, hot, of.directory, fan) - ZERO_CELSIUS
             for fan in (True, False)
         )
+        factor = oil_factor(hot.rated.oil, of.duty.gear.ratio, hot.worm_speed)
     except ValueError as error:
-        doubts.append(f"Sump temperature as given; the standard's has no value here ({error}).")
-        return {}
-    factor = oil_factor(hot.conditions.oil, of.duty.gear.ratio, hot.worm_speed)
+        doubts.append(f"Sump temperature {taken}; the standard's has no value here ({error}).")
+        return {"taken": taken}
     if factor != 1:
         doubts.append(
             f"c2 = {factor:.3f} of the standard's sump temperature: the transcription has {2 - factor:.3f}, "
             "its sign is doubtful; the hotter one is taken."
         )
-    if given and min(with_fan, without) > hot.sump - ZERO_CELSIUS + 10:
-        doubts.append(
-            "The sump temperature that is given is more than 10 K below the standard's with a fan."
-        )
-    return {
-        "theta_S_with_fan_C": with_fan,
-        "theta_S_without_fan_C": without,
-        "taken": "as given" if given else "of the standard",
-    }
+    if of.duty.driver == "wheel":
+        doubts.append("The standard's sump temperatures are those of a worm that drives.")
+    return {"theta_S_with_fan_C": with_fan, "theta_S_without_fan_C": without, "taken": taken}
+
+
+_RATES: dict[str, Callable[[_Rated], Safety]] = {
+    "S_W": _wear,
+    "S_H": _pitting,
+    "S_delta": _deflection,
+    "S_F": _root,
+    "S_T": _temperature,
+}
+"""Symbol of a safety -> how it is rated."""
+
+_NEEDED = {
+    "S_W": ("wheel_material", "life"),
+    "S_H": ("wheel_material", "life"),
+    "S_F": ("wheel_material",),
+}
+"""Symbol of a safety -> keys of `[worm_rating]` without which there is none."""

@@ -69,6 +69,8 @@ class LeftOut:
     mixed_above_roughness_m : float or None
         Composite roughness [m] above which lubrication would be mixed; None where a roughness is given, or
         the film not known.
+    by_formula : bool
+        Whether films are those of closed forms, beside which nothing is simulated.
     """
 
     influence: dict[str, float] = field(default_factory=dict)
@@ -80,11 +82,12 @@ class LeftOut:
     asperity_load_fraction: float | None = None
     asperity_load_fraction_model_error: float | None = None
     mixed_above_roughness_m: float | None = None
+    by_formula: bool = False
 
     @property
     def as_if_smooth(self) -> bool:
-        """Whether roughness carries load and is not simulated: friction and loss are `AS_IF_SMOOTH`."""
-        return self.lubrication in CARRYING and not self.rough
+        """Whether roughness carries load in a simulation without it: friction and loss are `AS_IF_SMOOTH`."""
+        return self.lubrication in CARRYING and not self.rough and not self.by_formula
 
     @property
     def words(self) -> str:
@@ -108,7 +111,10 @@ class LeftOut:
         if self.lubrication not in CARRYING:
             return ""
         which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
-        end = self._carried if self.rough else ", which is not simulated"
+        if self.by_formula:
+            end = ", by closed forms"
+        else:
+            end = self._carried if self.rough else ", which is not simulated"
         return (
             f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
             f"least film {self.lambda_min:.2g} times the composite roughness){end}."

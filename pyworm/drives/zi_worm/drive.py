@@ -82,6 +82,8 @@ class ZiWormDrive(ZiWormGears, Drive):
         The worm's shaft between its bearings, which bends under the load; None if rigid.
     lubrication : Bath, Jets or None
         How oil comes to its teeth; None where there is assumed to be enough.
+    warmth : str
+        Where the bulk temperatures of worm and wheel come from, a sentence; empty where they are given.
     """
 
     body_names = "worm", "wheel"
@@ -96,6 +98,7 @@ class ZiWormDrive(ZiWormGears, Drive):
     taken: tuple[str, ...] = ()
     shaft: WormShaft | None = None
     lubrication: Bath | Jets | None = None
+    warmth: str = ""
 
     def __post_init__(self) -> None:
         given = {} if isinstance(self.load, Transmission) else {"load": self.load}
@@ -134,6 +137,7 @@ class ZiWormDrive(ZiWormGears, Drive):
             made,
             self._bending,
             *self._deviating,
+            *filter(None, (self.warmth,)),
             *((MIRRORED,) if self.hand == "left" else ()),
             *(f"Taken as usual: drive.{one}." for one in self.taken),
         )

@@ -1,5 +1,6 @@
 """A ZI worm drive as input of ratings by standards of worm gears."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pyworm.drives.duty import WormDuty
@@ -28,39 +29,43 @@ def geometry_of(gears: "ZiWormGears") -> WormGear:
     )
 
 
+def operating_point(drive: "ZiWormDrive", torque: float) -> WormDuty:
+    """The worm gear of a drive under a torque of its wheel [N m], without what only its mesh cycle gives."""
+    wheel = drive.bodies[1]
+    return WormDuty(
+        gear=geometry_of(drive),
+        worm_speed=drive.speed,
+        torque=torque,
+        reduced_modulus=reduced_modulus(*drive.bodies),
+        roughness=(drive.bodies[0].roughness, wheel.roughness),
+        driver=drive.driver,
+        oil_temperature=None if drive.oil.heat is None else drive.oil.heat.inlet_temperature,
+        simulated_wheel_temperature=wheel.bulk_temperature,
+    )
+
+
 def worm_duty(drive: "ZiWormDrive") -> WormDuty:
-    """The worm gear of a drive; ValueError where the roughness of its flanks is not known.
+    """The worm gear of a drive.
 
     The module is the axial pitch over pi. Unless it is given the worm's reference cylinder lies one module
     below its tip, as usual (DIN 3975); the profile shift of the wheel gives the centre distance. The torque
     is the wheel's; for a given tooth load it is that of the mean number of teeth in contact.
     """
-    roughness = tuple(body.roughness for body in drive.bodies)
-    for name, height in zip(drive.body_names, roughness, strict=True):
-        if height is None:
-            raise ValueError(
-                f"bodies.{name}.roughness is missing; the standards' friction and lambda ask for it"
-            )
-    module, gear = drive.module, geometry_of(drive)
-    factor = gear.diameter_factor
-    known = drive.worm.reference_radius is not None
-    reference = "as drawn" if known else "the reference cylinder one module below the worm's tip"
+    point = operating_point(drive, drive.wheel_torque)
+    factor = point.gear.diameter_factor
+    as_drawn = drive.worm.reference_radius is not None
+    reference = "as drawn" if as_drawn else "the reference cylinder one module below the worm's tip"
     torque = "wheel torque as the drive has it"
     if not isinstance(drive.load, Transmission):
         torque = (
             f"wheel torque of {drive.load / 1e3:.3g} kN on each of {drive.mean_teeth_in_contact:.2f} "
             f"teeth in contact on average, on an arm of {drive.load_arm * 1e3:.1f} mm"
         )
-    return WormDuty(
-        gear=gear,
-        worm_speed=drive.speed,
-        torque=drive.wheel_torque,
-        reduced_modulus=reduced_modulus(*drive.bodies),
-        roughness=roughness,
-        driver=drive.driver,
+    return replace(
+        point,
         deflection=None if drive.bent is None else drive.bent.deflection,
         words=(
-            f"Derived from the drive: axial module {module * 1e3:.3f} mm; diameter factor {factor:.2f}, "
-            f"{reference}; profile shift of the wheel {drive.profile_shift:.3f}; {torque}.",
+            f"Derived from the drive: axial module {drive.module * 1e3:.3f} mm; diameter factor "
+            f"{factor:.2f}, {reference}; profile shift of the wheel {drive.profile_shift:.3f}; {torque}.",
         ),
     )

@@ -113,11 +113,12 @@ def test_shafts_that_do_not_carry_the_worm_are_refused(shaft, right):
 
 def test_the_standard_rates_the_deflection(drive):
     assert drive.duty().deflection == drive.bent.deflection
-    table = WormRatingTable(oil="PAG VG 220", sump_temperature="80 degC")
+    table = WormRatingTable(oil="PAG VG 220", sump_temperature="80 degC").completed()
     duty = replace(drive.duty(), deflection=0.1e-3)
-    made = safeties(table, duty, rated_loads(table, duty, Path()), Path())
+    loads = rated_loads(table, duty, Path())
+    made = safeties(table, duty, loads, Path())
     bent = next(of for of in made if of.symbol == "S_delta")
     assert bent.value == pytest.approx(0.8) and bent.verdict == "not sufficient"
-    assert failures(duty, made, None) == (
+    assert failures(duty, made, loads) == (
         "S_delta = 0.8 against deflection of the worm's shaft is below 1.",
     )

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 from pyworm.formulas.bearing_life import (
     CONTAMINATION,
     LARGEST_MODIFICATION,
+    BearingRating,
     basic_life,
     contamination_factor,
     contamination_range,
     fatigue_load_limit,
     life_modification,
-    rate_bearing,
     reference_viscosity,
     reliability_factor,
     viscosity_ratio,
@@ -70,7 +70,7 @@ def test_reference_viscosity_against_the_misprints_of_the_bearing_example(
 )
 def test_nu2210_recomputed_with_the_sources_diameter(viscosity, kappa, modification, life):
     """The source prints kappa 0.80 and 1.52, a_ISO 1.14 and 1.75, L10m 171 and 262.5 Mrev."""
-    rating = rate_bearing(**NU2210, mean_diameter=0.085, viscosity=viscosity * MM2)
+    rating = BearingRating(**NU2210, mean_diameter=0.085, viscosity=viscosity * MM2)
     assert rating.kappa == pytest.approx(kappa, abs=6e-4)
     assert rating.load_ratio == pytest.approx(0.342)
     assert rating.modification == pytest.approx(modification, abs=6e-4)

@@ -1,7 +1,7 @@
 """The worm standards' methods: worked values of the reference gear, dimensions, limits and refusals."""
 
 from dataclasses import replace
-from math import log, pi
+from math import atan, log, pi, tan
 
 import pytest
 from hypothesis import given
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from pyworm.formulas.worm_curves import OIL_KINDS
 from pyworm.formulas.worm_gear import REFERENCE_GEAR, WormGear
-from pyworm.formulas.worm_rating import WormConditions, rate_worm
+from pyworm.formulas.worm_rating import WormConditions, WormRating
 from pyworm.formulas.worm_standard import (
     PRESSURE_VISCOSITY,
     backward_efficiency,
@@ -178,7 +178,7 @@ def test_a_self_locking_gear_cannot_be_driven_backwards(lead, friction):
 
 
 def test_pitting_safety_is_one_at_the_strength_in_the_reference_test():
-    strength = WHEEL_MATERIALS["CuSn12Ni2"].pitting_strength
+    strength = WHEEL_MATERIALS["CuSn12Ni2-C-GZ"].pitting_strength
     assert pitting_safety(strength, strength, 25000, 1, 0.1, "PAG") == pytest.approx(1)
     assert pitting_safety(strength, strength, 25000 / 64, 1, 0.1, "PAG") == 1.6
     assert pitting_safety(strength, strength, 400000, 1, 0.1, "PAG") == pytest.approx(
@@ -214,9 +214,11 @@ def test_temperature_safety_is_in_celsius():
 
 
 def test_rating_agrees_with_its_formulas_and_with_energy():
-    bronze = WHEEL_MATERIALS["CuSn12Ni2"]
-    conditions = WormConditions(**DUTY, material=bronze, life=25000, sump_temperature=353.15)
-    rating = rate_worm(REFERENCE_GEAR, conditions)
+    bronze = WHEEL_MATERIALS["CuSn12Ni2-C-GZ"]
+    conditions = WormConditions(
+        **DUTY, material=bronze, life=25000, sump_temperature=353.15, lubrication="bath"
+    )
+    rating = WormRating(REFERENCE_GEAR, conditions)
     assert rating.film == pytest.approx(0.2409e-6, rel=2e-3)  # 0.2432 um, worked for h* = 0.07
     assert rating.sliding_speed == pytest.approx(2.896, abs=2e-3)
     power = 300 * 1500 * RPM / 20.5
@@ -226,9 +228,12 @@ def test_rating_agrees_with_its_formulas_and_with_energy():
     assert rating.bulk_temperature > 353.15
 
 
-def test_ratings_without_their_data_are_left_out():
-    rating = rate_worm(REFERENCE_GEAR, WormConditions(**DUTY))
-    assert rating.pitting_safety is rating.bulk_temperature is rating.wear is None
+@pytest.mark.parametrize("figure", ["pitting_safety", "bulk_temperature", "wear"])
+def test_a_figure_without_its_data_says_what_is_missing(figure):
+    rating = WormRating(REFERENCE_GEAR, WormConditions(**DUTY))
+    assert rating.film > 0 and rating.friction > 0
+    with pytest.raises(ValueError, match="it is not given"):
+        getattr(rating, figure)
 
 
 @pytest.mark.parametrize(
@@ -255,25 +260,81 @@ def test_gears_in_wrong_units_are_refused(change, sentence):
 
 
 @pytest.mark.parametrize(
-    ("change", "sentence"),
+    ("figure", "change", "sentence"),
     [
-        ({"oil": "ester"}, 'oil = "ester": must be one of "mineral", "PAO", "PAG"'),
-        ({"viscosity": 54.2}, "dynamic viscosity = 54.2 Pa s"),
-        ({"reduced_modulus": 150622.0}, "reduced modulus = 150622 Pa"),
-        ({"roughness": 0.5}, "roughness Ra = 0.5 m"),
-        ({"torque": -1.0}, "wheel torque = -1 N m: must be finite and greater than zero"),
-        ({"worm_speed": 2e4}, "worm speed"),
-        ({"sump_temperature": 80.0}, "sump temperature = 80 K"),
-        ({"sump_temperature": 350.0, "supplied_viscosity": 54.0}, "viscosity of the injected oil"),
-        ({"rim": 0.5}, "rim over module = 0.5"),
-        ({"bearings": "plain"}, 'bearings = "plain"'),
-        ({"lubrication": "spray"}, 'lubrication = "spray"'),
+        ("film", {"oil": "ester"}, 'oil = "ester": must be one of "mineral", "PAO", "PAG"'),
+        ("film", {"viscosity": 54.2}, "dynamic viscosity = 54.2 Pa s"),
+        ("mean_pressure", {"reduced_modulus": 150622.0}, "reduced modulus = 150622 Pa"),
+        ("friction", {"roughness": 0.5}, "roughness Ra = 0.5 m"),
+        (
+            "mean_pressure",
+            {"torque": -1.0},
+            "wheel torque = -1 N m: must be finite and greater than",
+        ),
+        ("film", {"worm_speed": 2e4}, "worm speed"),
+        (
+            "bulk_temperature",
+            {"sump_temperature": 80.0, "lubrication": "bath"},
+            "sump temperature = 80 K",
+        ),
+        (
+            "bulk_temperature",
+            {"sump_temperature": 350.0, "supplied_viscosity": 54.0},
+            "viscosity of the injected oil",
+        ),
+        ("root_shear", {"rim": 0.5}, "rim over module = 0.5"),
+        ("loss", {"bearings": "plain"}, 'bearings = "plain"'),
+        ("friction", {"lubrication": "spray"}, 'lubrication = "spray"'),
     ],
 )
-def test_duties_in_wrong_units_are_refused(change, sentence):
+def test_duties_in_wrong_units_are_refused(figure, change, sentence):
+    rating = WormRating(REFERENCE_GEAR, WormConditions(**DUTY | change))
     with pytest.raises(ValueError, match=sentence) as refused:
-        rate_worm(REFERENCE_GEAR, WormConditions(**DUTY | change))
+        getattr(rating, figure)
     assert "\n" not in str(refused.value)
+
+
+def test_what_the_wheel_loses_as_it_drives():
+    """Of its power, what does not come to the worm; of a gear that locks, also what the worm adds."""
+    for oil, rpm in (("PAG", 1500), ("mineral", 60)):
+        duty = DUTY | {"oil": oil, "worm_speed": rpm * RPM, "driver": "wheel"}
+        rating = WormRating(WormGear(0.106, 1, 41, 4e-3, 12.0, 30e-3), WormConditions(**duty))
+        worm = rating.output * rating.backward_efficiency  # negative where the worm has to help
+        assert rating.tooth_loss == pytest.approx(rating.output - worm)
+        forward = replace(rating, under=WormConditions(**duty | {"driver": "worm"}))
+        assert forward.tooth_loss == pytest.approx(
+            rating.output * (1 / rating.forward_efficiency - 1)
+        )
+        # friction is taken from the force along the worm's circumference, or added to it
+        assert rating.shaft_deflection < forward.shaft_deflection
+        assert rating.gearbox_efficiency == forward.gearbox_efficiency
+
+
+def test_what_locks_a_gearbox():
+    """Bearings and seals resist at rest as well, churning does not: of speed zero, with friction at rest."""
+    rating = WormRating(REFERENCE_GEAR, WormConditions(**DUTY))
+    others = 0.03 * 100**0.44 * 20.5 / 164 + 2 * 1.178e-5 * 36**2 * 1500 / rating.output
+    mu = static_friction(0.1, 0.5e-6)
+    teeth = tan(atan(2 / 9) - atan(mu)) / (2 / 9)
+    assert rating.static_gearbox_efficiency_back == pytest.approx(teeth - others, abs=3e-3)
+    assert rating.static_gearbox_efficiency_back < rating.static_backward_efficiency
+
+
+@pytest.mark.parametrize(("rpm", "nearest"), [(5, 0.05), (20000, 25.0)])
+def test_beyond_the_speeds_of_known_friction_a_wheel_is_as_warm_as_at_the_nearest(rpm, nearest):
+    duty = DUTY | {"worm_speed": rpm * RPM, "sump_temperature": 353.15, "lubrication": "bath"}
+    rating = WormRating(REFERENCE_GEAR, WormConditions(**duty))
+    assert not rating.within_friction
+    with pytest.raises(ValueError, match="sliding speed"):
+        rating.friction  # noqa: B018
+    mu = tooth_friction(
+        "PAG", nearest, 0.1, REFERENCE_GEAR.film_parameter, DUTY["roughness"], 1.0, "bath"
+    )
+    loss = rating.output * (tan(atan(2 / 9) + atan(mu)) / (2 / 9) - 1)
+    area = REFERENCE_GEAR.face_width * REFERENCE_GEAR.mean_wheel_diameter
+    assert rating.bulk_temperature == pytest.approx(
+        bulk_temperature(353.15, loss, rpm * RPM, area, 1.0)
+    )
 
 
 def test_static_friction_of_the_reference_gear():
@@ -289,6 +350,6 @@ def test_teeth_at_rest_rub_no_less_than_creeping_ones():
     """Of a small gear with thin films the running friction near standstill is above 0.13 sqrt(Y_S)."""
     small = WormGear(0.06, 1, 100, 1e-3, 20.0, 15e-3)
     duty = DUTY | {"oil": "mineral", "worm_speed": 110 * RPM, "torque": 5.0}
-    rated = rate_worm(small, WormConditions(**duty))
+    rated = WormRating(small, WormConditions(**duty))
     assert rated.friction > static_friction(0.06, 0.5e-6)
     assert rated.static_friction == rated.friction

@@ -22,7 +22,13 @@ def bodies(worm='material = "16MnCr5"', wheel='material = "CuSn12Ni2-C-GZ"'):
 
 @pytest.mark.parametrize(
     ("name", "standard"),
-    [("CuSn12", 140144), ("CuSn12Ni2", 150622), ("CuAl10Fe5Ni5", 174053), ("GJS", 209790)],
+    [
+        ("CuSn12", 140144),
+        ("CuSn12Ni2", 150622),
+        ("CuAl10Fe5Ni5", 174053),
+        ("GJS", 209790),
+        ("GJL", 146955),
+    ],
 )
 def test_reduced_moduli_with_a_steel_worm_are_those_of_the_standard(name, standard):
     """E_red of DIN 3996 [MPa]."""
@@ -47,7 +53,7 @@ def _as_written(name):
 
 
 @pytest.mark.parametrize(
-    "text", ["CuSn12Ni2-C-GZ", "CuSn12Ni2-GZ", "cusn12ni2-gc", "CC484K", " CuSn12Ni2"]
+    "text", ["CuSn12Ni2-C-GZ", "CuSn12Ni2-GZ", "cusn12ni2-gz", "CC484K", " CuSn12Ni2"]
 )
 def test_a_bronze_has_many_names(text):
     assert solids.named_material(text) == "CuSn12Ni2-C-GZ"

@@ -1,0 +1,75 @@
+"""One wheel, one sump and one cooling in one file: a rating states nothing that the drive contradicts."""
+
+from math import exp, log
+
+from pyworm.case.bodies import BodyTable
+from pyworm.case.cooling import CoolingTable
+from pyworm.case.oil import OilTable
+from pyworm.case.ratings import WormRatingTable
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.materials.body import named_body
+from pyworm.materials.solids import alloy
+
+ONE_MODULUS = 1.5
+"""Ratio of Young's moduli from which two materials are not the same: bronzes and irons differ by less."""
+
+ONE_TEMPERATURE = 0.5
+"""Difference below which two temperatures are the same [K]."""
+
+
+def check_rated_material(rating: WormRatingTable, wheel: BodyTable) -> None:
+    """Refuse a second material of the wheel; ValueError.
+
+    Another casting of the same alloy has other strengths and the same contacts: the rating says so.
+    """
+    rated, body = rating.wheel_material, wheel.material
+    if rated is None:
+        return
+    if body is not None and alloy(rated) != alloy(body):
+        raise ValueError(
+            f'worm_rating.wheel_material = "{rated}", but bodies.wheel.material = "{body}": one wheel is of '
+            "one material; leave the first out, and change the second to compare materials"
+        )
+    modulus = named_body(rated).youngs_modulus
+    if exp(abs(log(wheel.youngs_modulus / modulus))) > ONE_MODULUS:
+        raise ValueError(
+            f'worm_rating.wheel_material = "{rated}" has {modulus / 1e9:.4g} GPa, but '
+            f"bodies.wheel.youngs_modulus is {wheel.youngs_modulus / 1e9:.4g} GPa: one wheel is of one "
+            "material"
+        )
+
+
+def check_rated_temperature(rating: WormRatingTable, oil: OilTable, cooled: bool) -> None:
+    """Refuse a second temperature of the oil in the sump; ValueError."""
+    sump = rating.sump_temperature
+    if sump is None or oil.heat is None:
+        return
+    if cooled:
+        raise ValueError(
+            "worm_rating.sump_temperature means nothing with [cooling], which finds it"
+        )
+    inlet = oil.heat.inlet_temperature
+    if abs(sump - inlet) > ONE_TEMPERATURE:
+        raise ValueError(
+            f"worm_rating.sump_temperature = {sump - ZERO_CELSIUS:.4g} degC, but the oil enters at "
+            f"{inlet - ZERO_CELSIUS:.4g} degC (oil.temperature or oil.heat.inlet_temperature): one sump has "
+            "one temperature; leave the first out"
+        )
+
+
+def check_one_cooling(rating: WormRatingTable, cooling: CoolingTable) -> None:
+    """Refuse a second statement about what cools the drive, or about its bearings; ValueError."""
+    pairs = {
+        "ambient_temperature": ("ambient_temperature", ONE_TEMPERATURE),
+        "immersion_factor": ("immersion", 0.0),
+        "bearings": ("bearings", None),
+    }
+    for key, (name, apart) in pairs.items():
+        rated, balanced = getattr(rating, key), getattr(cooling, name)
+        if rated is None or rated == balanced:
+            continue
+        if apart is None or abs(rated - balanced) > apart:
+            raise ValueError(
+                f"worm_rating.{key} = {rated!r} differs from cooling.{name} = {balanced!r}: leave the "
+                "first out"
+            )
