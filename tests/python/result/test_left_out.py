@@ -320,7 +320,7 @@ def test_without_a_rating_table_the_case_s_own_oil_counts_or_the_reason_is_given
     path = tmp_path / "bare.toml"
     path.write_text(bare)
     unnamed = standard_loss(pyworm.load(path))
-    assert isinstance(unnamed, NoStandard) and "polyglycol" in unnamed.reason
+    assert isinstance(unnamed, NoStandard) and "worm_rating.oil is missing" in unnamed.reason
     start, end = bare.index("[oil]"), bare.index("[bearings")
     path.write_text(
         f'{bare[:start]}[oil]\nname = "PAG VG 460"\ntemperature = "60 degC"\n{bare[end:]}'
@@ -329,7 +329,7 @@ def test_without_a_rating_table_the_case_s_own_oil_counts_or_the_reason_is_given
     whole = standard_loss(pyworm.load(CASES / "zi_sharif_2001.toml"))
     assert named.friction * 0.95 == pytest.approx(whole.friction)  # Y_W of its bronze
     for name, reason in (
-        ("zi_drive", "roughness is missing"),
+        ("zi_drive", "worm_rating.oil is missing"),
         ("ball_pag_460", "a contact without a drive"),
         ("spur_pair", None),
     ):
@@ -373,7 +373,7 @@ def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypat
     text = (CASES / "zi_cooled.toml").read_text()
     for body in ("worm", "wheel"):
         text = text.replace(f"[bodies.{body}]", f'[bodies.{body}]\nroughness = "2 um"')
-    text += '\n[worm_rating]\noil = "PAG VG 460"\nsump_temperature = "60 degC"\n'
+    text += '\n[worm_rating]\noil = "PAG VG 460"\n'
     path = tmp_path / "rough_cooled.toml"
     path.write_text(text)
     case = pyworm.load(path)
