@@ -130,7 +130,7 @@ def _reliability(of):
 
 
 def _hours(of):
-    rated = of.rate_bearing(
+    rated = of.BearingRating(
         elements="ball", dynamic_rating=1e4, fatigue_load_limit=300, load=1e3, speed=1000 * RPM,
         mean_diameter=0.05, viscosity=2e-5, contamination=0.5,
     )  # fmt: skip
@@ -214,7 +214,7 @@ BEARINGS = Chapter(
         "fatigue_load_limit": Clause("B.3.3: C0/8.2, C0/22, (100/D)^0.5", READ),
         "_modification": Clause("eqs 31 to 42: constants and exponents", READ),
         "reliability_factor": Clause("Weibull law of a1", MEMORY),
-        "rate_bearing": Clause("seconds in an hour", READ),
+        "BearingRating._hours": Clause("seconds in an hour", READ),
     },
     (
         Check("no step of a_ISO at kappa 0.4 and 1", _joints),

@@ -4,7 +4,7 @@ from itertools import pairwise, product
 from math import exp
 from statistics import mean
 
-from chapter import TRANSCRIBED, Chapter, Clause, falls, within_factor
+from chapter import OURS, TRANSCRIBED, Chapter, Clause, falls, within_factor
 from constant_slips import Check, ModuleNumbers
 
 OILS = ("mineral", "PAO", "PAG")
@@ -13,20 +13,20 @@ FAMILIES = ("tin bronze", "aluminium bronze", "cast iron")
 SPEEDS = [0.05 * 1.1**step for step in range(65)]
 
 TENSILE = {
-    "CuSn12": 280e6,
-    "CuSn12Ni2": 300e6,
-    "CuSn12Ni2-GC": 300e6,
-    "CuAl10Fe5Ni5": 650e6,
+    "CuSn12-C-GZ": 280e6,
+    "CuSn12Ni2-C-GZ": 300e6,
+    "CuSn12Ni2-C-GC": 300e6,
+    "CuAl10Fe5Ni5-C-GZ": 650e6,
     "EN-GJS-400-15": 400e6,
     "EN-GJL-250": 250e6,
 }
 """Tensile strength of EN 1982, EN 1563 and EN 1561 [Pa]."""
 
 MODULI = {
-    "CuSn12": 140e9,
-    "CuSn12Ni2": 151e9,
-    "CuSn12Ni2-GC": 151e9,
-    "CuAl10Fe5Ni5": 174e9,
+    "CuSn12-C-GZ": 140e9,
+    "CuSn12Ni2-C-GZ": 151e9,
+    "CuSn12Ni2-C-GC": 151e9,
+    "CuAl10Fe5Ni5-C-GZ": 174e9,
     "EN-GJS-400-15": 210e9,
     "EN-GJL-250": 147e9,
 }
@@ -217,9 +217,9 @@ def _wear_factors(of):
         mineral, pao, pag = (wheel.wear_factors[oil] for oil in OILS)
         if not (mineral == pao and 1 <= pag / mineral < 1.8 and 1 <= mineral < 4.5):
             return False
-    centrifugal = of.WHEEL_MATERIALS["CuSn12Ni2"].wear_factors
-    continuous = of.WHEEL_MATERIALS["CuSn12Ni2-GC"].wear_factors
-    plain = of.WHEEL_MATERIALS["CuSn12"].wear_factors
+    centrifugal = of.WHEEL_MATERIALS["CuSn12Ni2-C-GZ"].wear_factors
+    continuous = of.WHEEL_MATERIALS["CuSn12Ni2-C-GC"].wear_factors
+    plain = of.WHEEL_MATERIALS["CuSn12-C-GZ"].wear_factors
     return all(
         1.2 < plain[oil] / centrifugal[oil] < 1.7 and 2 < continuous[oil] / centrifugal[oil] < 4.2
         for oil in OILS
@@ -243,6 +243,7 @@ CURVES = Chapter(
     ModuleNumbers("pyworm.formulas.worm_curves"),
     "DIN 3996:2012, base curves of the reference gear",
     {
+        "SLIDING_RANGE": Clause("sliding speeds between which the curves are used, m/s", OURS),
         "_FRICTION": Clause("mu_0T = a + b/(vg + c)^d of bronzes, its largest value", TRANSCRIBED),
         "_FRICTION_OF_IRON": Clause("the same of cast iron", TRANSCRIBED),
         "_MOST_WEAR": Clause("largest J_0T", TRANSCRIBED),
@@ -297,7 +298,7 @@ MATERIALS = Chapter(
         Check("Y_W from 0.9 to 1.15", _factors_are_near_one),
         Check("W_ML: castings in order, PAG below 1.8 times mineral", _wear_factors),
     ),
-    lambda of: [of.WHEEL_MATERIALS["CuSn12"].pitting_strength],
+    lambda of: [of.WHEEL_MATERIALS["CuSn12-C-GZ"].pitting_strength],
 )
 
 CHAPTERS = (CURVES, MATERIALS)

@@ -48,24 +48,6 @@ def _wear(mineral: float, pao: float, pag: float) -> dict[str, float]:
     return {"mineral": mineral, "PAO": pao, "PAG": pag}
 
 
-def _without_strengths(name: str, family: Family, friction_factor: float) -> WheelMaterial:
-    """A casting whose group the standard has, and not its wear and strengths."""
-    why = f"{name} has no {{}} in the worm-gear standard, whose castings of this alloy are centrifugal"
-    of = (
-        Unknown(why.format(what))
-        for what in ("factor of wear", "pitting strength", "root strength")
-    )
-    return WheelMaterial(name, family, friction_factor, *of)
-
-
-def not_covered(name: str) -> WheelMaterial:
-    """A material of which the worm-gear standard has nothing."""
-    why = (
-        f"{name} is none of the worm-gear standard's wheel materials ({', '.join(WHEEL_MATERIALS)})"
-    )
-    return WheelMaterial(name, *(5 * (Unknown(why),)))
-
-
 WHEEL_MATERIALS: dict[str, WheelMaterial] = {
     of.name: of
     for of in (
@@ -75,13 +57,22 @@ WHEEL_MATERIALS: dict[str, WheelMaterial] = {
         WheelMaterial("CuAl10Fe5Ni5-C-GZ", "aluminium bronze", 1.1, _wear(1, 1, 1), 660e6, 128e6),
         WheelMaterial("EN-GJS-400-15", "cast iron", 1.0, _wear(1, 1, 1), 490e6, 115e6),
         WheelMaterial("EN-GJL-250", "cast iron", 1.05, _wear(1, 1, 1), 350e6, 70e6),
-        _without_strengths("CuSn12-C-GC", "tin bronze", 1.0),
-        _without_strengths("CuAl10Fe5Ni5-C-GC", "aluminium bronze", 1.1),
     )
 }
 """Wheel materials of the standard by their names in the list of materials (`materials/solids.toml`)."""
 
+_OTHER_CASTINGS = {"CuSn12-C-GC": "CuSn12-C-GZ", "CuAl10Fe5Ni5-C-GC": "CuAl10Fe5Ni5-C-GZ"}
+"""Castings that the standard does not list -> the one of the same alloy, whose group and Y_W they have."""
+
 
 def wheel_material(name: str) -> WheelMaterial:
     """A material of the list of materials as the worm-gear standard has it, or has it not."""
-    return WHEEL_MATERIALS.get(name) or not_covered(name)
+    if name in WHEEL_MATERIALS:
+        return WHEEL_MATERIALS[name]
+    if name in _OTHER_CASTINGS:
+        lacking = Unknown(f"the worm-gear standard has no strengths and wear of {name}")
+        cast = WHEEL_MATERIALS[_OTHER_CASTINGS[name]]
+        return WheelMaterial(name, cast.family, cast.friction_factor, lacking, lacking, lacking)
+    listed = ", ".join(WHEEL_MATERIALS)
+    lacking = Unknown(f"{name} is none of the worm-gear standard's wheel materials ({listed})")
+    return WheelMaterial(name, lacking, lacking, lacking, lacking, lacking)

@@ -9,7 +9,7 @@ from math import atan, cos, log, pi, tan
 
 import pytest
 
-from pyworm.formulas.unknown import Unknown
+from pyworm.formulas.unknown import known
 from pyworm.formulas.worm_curves import OIL_KINDS, base_friction, base_wear, wear_exponent
 from pyworm.formulas.worm_deflection import shaft_deflection
 from pyworm.formulas.worm_gear import REFERENCE_GEAR, WormGear
@@ -17,7 +17,8 @@ from pyworm.formulas.worm_losses import oil_factor, other_losses, sump_temperatu
 from pyworm.formulas.worm_root import rim_factor, root_shear, root_thickness
 from pyworm.formulas.worm_standard import injected_bulk_temperature, tooth_friction
 from pyworm.formulas.worm_wear import pressure_factor, start_factor, structure_factor
-from pyworm.formulas.worm_wheel_material import WHEEL_MATERIALS
+from pyworm.formulas.worm_wheel_material import WHEEL_MATERIALS, wheel_material
+from pyworm.materials import solids
 
 RPM = pi / 30
 
@@ -107,15 +108,27 @@ MATERIALS = {  # family, Y_W, W_ML of mineral oil, PAO and PAG, sigma_HlimT and 
 
 
 def test_wheel_materials():
-    rated = {
-        name for name, of in WHEEL_MATERIALS.items() if not isinstance(of.pitting_strength, Unknown)
-    }
-    assert rated == MATERIALS.keys()
+    assert WHEEL_MATERIALS.keys() == MATERIALS.keys()
     for name, (family, factor, worn, pitting, root) in MATERIALS.items():
         of = WHEEL_MATERIALS[name]
         assert (of.family, of.friction_factor) == (family, factor)
         assert tuple(of.wear_factors[oil] for oil in OIL_KINDS) == worn
         assert (of.pitting_strength, of.root_strength) == (pitting * 1e6, root * 1e6)
+
+
+def test_materials_that_the_standard_lacks_say_so():
+    cast = wheel_material("CuSn12-C-GC")
+    assert (cast.family, cast.friction_factor) == ("tin bronze", 1.0)
+    with pytest.raises(ValueError, match="no strengths and wear of CuSn12-C-GC"):
+        known(cast.pitting_strength)
+    brass = wheel_material("CuZn25Al5Mn4Fe3-C-GZ")
+    with pytest.raises(ValueError, match="none of the worm-gear standard's wheel materials"):
+        known(brass.family)
+
+
+def test_the_standard_and_bodies_have_one_list_of_names():
+    assert WHEEL_MATERIALS.keys() <= set(solids.materials())
+    assert all(name == of.name for name, of in WHEEL_MATERIALS.items())
 
 
 def test_factors_of_wear():
